@@ -26,7 +26,7 @@ pub enum Error {
     /// A model cannot be fitted to a dataset.
     #[error(transparent)]
     Fit(#[from] FitError),
-    /// A dataset cannot be diagnosed.
+    /// A dataset cannot be diagnosed: the search for effects (possible extensions) that its model lacks failed.
     #[error(transparent)]
     Diagnosis(#[from] DiagnosisError),
     /// A sweep cannot be computed, or its results cannot be written.
@@ -36,7 +36,7 @@ pub enum Error {
     /// There is no built-in release (launch conditions of a flight) of the given name.
     #[error("no built-in release {name:?}; expected one of {}", known.join(", "))]
     UnknownRelease {
-        /// The given name.
+        /// Name of the release that was requested.
         name: String,
         /// Names of the built-in releases (launch conditions of a flight).
         known: Vec<&'static str>,

@@ -36,7 +36,7 @@ pub fn new_folder(path: &Path) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Replaces the results in a folder by `files`, all at once.
+/// Replaces the results of an earlier run in a folder by `files`, all at once.
 pub fn replace(folder: &ResultFolder, files: &[ResultFile]) -> anyhow::Result<()> {
     progress::writing(|| folder.replace(files)).context("--out")
 }

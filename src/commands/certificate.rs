@@ -11,7 +11,7 @@ use verify::report::Outcome;
 
 use crate::{Answer, output};
 
-/// File extension of the certificate next to a model's file.
+/// File extension of the certificate (record of the verification checks) of a model, next to the model's file.
 const ENDING: &str = "certificate.json";
 
 /// Prints whether a certificate (record of the verification checks of models) is still valid. Returns `Answer::No` if a

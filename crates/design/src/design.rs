@@ -25,7 +25,7 @@ pub struct SearchOptions {
     pub starts: usize,
     /// Number of local descents, each from a starting throw; default 12.
     pub descents: usize,
-    /// Seed of the random shift of the starting points; default 1.
+    /// Seed of the random shift that is applied to the starting points of the search; default 1.
     pub seed: u64,
     /// Number of threads, which does not affect the result; default: all processors.
     pub threads: usize,
@@ -45,7 +45,7 @@ impl Default for SearchOptions {
 /// Result of a search for the throw that serves a goal best: the throw that was found, and its flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Design {
-    /// Goal of the search.
+    /// Goal of the throw for which the search was made.
     pub goal: Goal,
     /// Whether the throw meets the constraints of the goal to a millimetre: the path reaches the target point and
     /// avoids the obstacle.
@@ -96,7 +96,7 @@ pub enum DesignError {
         "the goal curve needs an obstacle; expected [obstacle] in the bounds, with x, y and radius"
     )]
     NoObstacle,
-    /// The goal's target point is below the ground, by the given depth in m.
+    /// The goal's target point is below the ground, by the given depth, m.
     #[error("the target is {0} m below the ground; expected a height of 0 or more")]
     Buried(f64),
     /// The goal is a flare (level flight at a point), and its point is on the ground; a flare is defined only above the

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector, Vector2, Vector3};
 use crate::optimise::Values;
 use crate::path::Path;
 
-/// Purpose of a throw.
+/// Purpose of a throw, for which the best throw is searched.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Goal {
     /// The path passes through the point, or lands there if its height is 0. Of all such throws, the one nearest the

@@ -27,7 +27,7 @@ pub struct Path<'f> {
     columns: Vec<usize>,
 }
 
-/// End of a flight on the ground, with derivatives.
+/// Landing of a thrown body (end of its flight on the ground), with derivatives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Landing {
     /// Duration of the flight, s.

@@ -12,7 +12,7 @@ use crate::bounds::Bounds;
 use crate::goal::{Obstacle, Side};
 use crate::throw_flight::ThrownBody;
 
-/// Maximum size of a bounds file, bytes.
+/// Maximum size of a bounds file (ranges and constraints for the search of a throw), bytes.
 const MAX_FILE_BYTES: u64 = 1 << 20;
 
 impl Bounds {

@@ -33,7 +33,7 @@ pub enum ThrowFlightError {
     },
 }
 
-/// Quantity with respect to which a path is differentiated.
+/// Quantity with respect to which the path of a thrown body is differentiated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum By {
     /// A quantity of the throw, by its index in [`FIELDS`].
@@ -42,7 +42,7 @@ pub enum By {
     Parameter(usize),
 }
 
-/// A compiled model of a body that can be thrown.
+/// A compiled model of a body that can be thrown, with the conversion between throws and its states.
 pub struct ThrownBody {
     /// The model that was compiled.
     pub model: Model,

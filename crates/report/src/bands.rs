@@ -7,7 +7,7 @@ use identify::{
 };
 use nalgebra::{DMatrix, DVector};
 
-/// Standard errors of the predicted marker positions of a held-out flight.
+/// Standard errors of the predicted marker positions of a held-out flight, for the confidence bands of a figure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PredictionBand {
     /// File name of the held-out flight.

@@ -17,7 +17,7 @@ pub struct Listed {
     pub says: String,
     /// Quantity of the model (site) that the effect changes: a force, moment or measurement.
     pub site: String,
-    /// Names of the variables on which the effect depends.
+    /// Names of the variables of the model on which the effect depends.
     pub variables: Vec<String>,
     /// Coefficients that the effect adds to a model, followed by the states that it adds.
     pub parts: Vec<Part>,
@@ -287,7 +287,7 @@ fn models(effect: &Listed) -> String {
     }
 }
 
-/// Joins lines within a table cell, separated by HTML line breaks.
+/// Joins lines of text for one table cell, separated by HTML line breaks.
 fn stacked(lines: impl Iterator<Item = String>) -> String {
     lines
         .map(|line| cell(&line))

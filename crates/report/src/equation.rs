@@ -79,7 +79,7 @@ mod tests {
         );
     }
 
-    /// Every equation of every built-in model and effect can be converted.
+    /// Every equation of every built-in model and effect (optional model extension) can be converted to MathML.
     #[test]
     fn all_equations_are_understood() {
         for (name, _) in model_spec::load::MODELS {

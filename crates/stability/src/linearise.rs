@@ -76,7 +76,7 @@ impl Body {
 
 /// A rigid body together with values of its model's parameters.
 pub struct BoundBody<'b> {
-    /// The rigid body, not bound to parameter values.
+    /// The rigid body, whose compiled functions apply to any parameter values.
     pub body: &'b Body,
     bound: BoundModel<'b>,
     /// Parameter values, in the order of the compiled model's parameters ([`CompiledModel::layout`]).

@@ -24,9 +24,9 @@ pub enum ModeKind {
     Precession,
     /// Slow oscillation in which speed and climb are exchanged.
     Phugoid,
-    /// The speed alone decays or grows, without oscillation.
+    /// Mode in which only the speed decays or grows, without oscillation.
     Speed,
-    /// The spin alone decays or grows.
+    /// Mode in which only the spin decays or grows.
     Spin,
     /// Neutral mode: a change of the heading, on which no force or moment depends.
     Heading,

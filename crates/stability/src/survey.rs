@@ -17,7 +17,7 @@ pub struct Instant {
     pub throw: Throw,
     /// Modes of the motion linearised about the state of the body at this instant.
     pub modes: Modes,
-    /// Derivatives that determine how the body axis moves in the air stream.
+    /// Derivatives, at this instant, that determine how the body axis moves in the air stream.
     pub derivatives: AxisDerivatives,
     /// Stability criteria of the body axis at this instant.
     pub criteria: Criteria,

@@ -29,7 +29,7 @@ pub struct SweepOptions<'a> {
     /// If several processes compute one sweep in the same folder: the share of the parts (blocks of consecutive
     /// flights) to compute, as (share number from 1, number of shares). `None` computes all parts and joins them.
     pub share: Option<(u64, u64)>,
-    /// Whether the flights are also written as CSV.
+    /// Whether the table of flights is also written as CSV.
     pub csv: bool,
     /// Called after each completed part (a block of consecutive flights), with the number of flights in the part.
     pub progress: &'a (dyn Fn(u64) + Sync),

@@ -1,7 +1,7 @@
 //! Quantiles of a stream of values from counts in logarithmic bins (Masson, Rim & Lee, "DDSketch", PVLDB 12, 2019).
 //! Counts add up, so the result does not depend on the order of the values or on how they are divided into parts.
 
-/// Maximum relative error of a quantile that is estimated from a [`Sketch`].
+/// Maximum relative error of a quantile that is estimated from the bins of a [`Sketch`].
 pub(crate) const ACCURACY: f64 = 1e-4;
 /// Smallest magnitude that the bins of the quantile sketch resolve. Smaller nonzero magnitudes are counted in the bin
 /// of their sign that is nearest to zero.
@@ -47,7 +47,7 @@ impl Sketch {
         Sketch(counts)
     }
 
-    /// Adds the counts of another sketch to this one.
+    /// Adds the counts of the bins of another sketch to those of this one.
     pub(crate) fn merge(&mut self, other: &Sketch) {
         let mut merged = Vec::with_capacity(self.0.len() + other.0.len());
         let (mut a, mut b) = (self.0.iter().peekable(), other.0.iter().peekable());

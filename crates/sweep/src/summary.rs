@@ -29,7 +29,7 @@ pub(crate) struct Summary {
     landing: Joint,
 }
 
-/// Moments, extremes and quantiles of one column of the table of flights.
+/// Mean, sum of squared deviations, extremes and quantiles of one column of the table of flights.
 #[derive(Clone, Debug, PartialEq)]
 struct ColumnSummary {
     count: u64,

@@ -14,7 +14,7 @@ pub(crate) struct Column {
 pub(crate) enum Quantity {
     /// Time; the unit is `None` if the column name states none.
     Time(Option<TimeUnit>),
-    /// Frame number.
+    /// Number of the frame (sample) of the recording.
     Frame,
     /// Coordinate 0, 1 or 2 (x, y, z) of a position; the unit is `None` if the column name states none.
     Coordinate(usize, Option<LengthUnit>),

@@ -28,7 +28,7 @@ pub enum Format {
     Plain,
 }
 
-/// Maximum number of header lines before the first row of a Qualisys table.
+/// Maximum number of header lines before the first row of data in a Qualisys table.
 pub(crate) const QUALISYS_HEADER: usize = 40;
 
 impl Format {

@@ -8,7 +8,7 @@ use crate::sheet::Sheet;
 use crate::take::{Body, Point, Pose, Take};
 use crate::unit::LengthUnit;
 
-/// Maximum absolute value of a coordinate, m; a greater one is an error.
+/// Maximum absolute value of a coordinate in a recording, m; a greater one is an error.
 pub(crate) const MAX_COORDINATE: f64 = 1e4;
 /// Maximum of the number of samples times the number of points and bodies; a larger recording is an error, which bounds
 /// the memory used.
@@ -21,9 +21,9 @@ const ROTATION_TOLERANCE: f64 = 0.02;
 
 /// Source of the time of each row in a table of motion-capture data.
 pub(crate) enum Clock {
-    /// Index of the column of times, and the length of the time unit, s.
+    /// The times are in the column with this index; the second value is the length of their unit, s.
     Column(usize, f64),
-    /// Index of the column of frame numbers, and the frames per second.
+    /// The frame numbers are in the column with this index; the second value is the number of frames per second.
     Frame(usize, f64),
     /// The table has neither times nor frame numbers: the time of a row is its index, from 0, divided by this frame
     /// rate, Hz.
@@ -32,9 +32,9 @@ pub(crate) enum Clock {
 
 /// Indices of the table columns that contain the attitude of a body.
 pub(crate) enum Attitude {
-    /// Columns of the unit quaternion w, x, y, z of the rotation from body to room.
+    /// Indices of the columns with the unit quaternion w, x, y, z of the rotation from body to room.
     Quaternion([usize; 4]),
-    /// Columns of the rotation matrix from body to room, row by row.
+    /// Indices of the columns with the elements of the rotation matrix from body to room, row by row.
     Matrix([usize; 9]),
 }
 
@@ -82,7 +82,7 @@ pub(crate) struct Layout {
     pub length: LengthUnit,
     pub points: Vec<(String, [usize; 3])>,
     pub bodies: Vec<(String, [usize; 3], Attitude)>,
-    /// Number of cells in each row.
+    /// Number of cells in each row of the table.
     pub width: usize,
     /// Whether a position of exactly 0, 0, 0 stands for a missing measurement.
     pub zero_is_gap: bool,

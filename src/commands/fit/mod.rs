@@ -24,10 +24,10 @@ use crate::cli::Fit;
 use crate::progress::Progress;
 use crate::{Answer, output};
 
-/// File name of the model with the fitted values.
+/// File name of the copy of the model whose default values are the fitted ones.
 const FITTED: &str = "fitted.hyz";
 
-/// File name of the three-dimensional view of the flights.
+/// File name of the three-dimensional view of the measured and predicted flights.
 pub(super) const FLIGHTS: &str = "flights.html";
 
 /// Folder of the CSV tables of the plotted values of the figures.

@@ -23,7 +23,7 @@ pub struct Estimated {
     pub template: Template,
     pub decisions: String,
     pub comments: Vec<String>,
-    /// Standard errors of the centre of mass along the axes of the body, m.
+    /// Standard errors of the estimated centre of mass along the axes of the body, m.
     pub origin_error: [f64; 3],
 }
 

@@ -9,12 +9,12 @@ use identify::dataset::Marker;
 use takes::words::listed;
 use takes::{Pose, Take, rotated};
 
-/// Maximum size of a template file, bytes.
+/// Maximum size of a template file (model, parameters and declared markers of a body), bytes.
 const MAX_FILE_BYTES: u64 = 4 << 20;
 
 /// The contents of a `dataset.toml` that are valid for any recording of the same body: model, parameters and markers.
 pub struct Template {
-    /// Name or path of the model; `None` if the template specifies none.
+    /// Name or path of the model of the body; `None` if the file specifies none.
     pub model: Option<String>,
     /// Known parameters of the body or its environment, by name, SI.
     pub parameters: BTreeMap<String, f64>,
@@ -140,7 +140,7 @@ impl Followed {
         matches!(self, Self::Pose(..))
     }
 
-    /// Labels, in the recording `take`, of the followed points or body.
+    /// Labels, in the recording `take`, of the points or of the body from which the marker positions are obtained.
     pub fn labels<'t>(&self, take: &'t Take) -> Vec<&'t str> {
         match self {
             Self::Points(points) => points

@@ -22,15 +22,15 @@ pub struct Flown {
     pub seconds: f64,
     /// Reason why the simulation ended: the name of an event such as the ground, or `time` for the specified duration.
     pub ended_by: String,
-    /// Horizontal distance from the release to the end, m.
+    /// Horizontal distance from the release to the end of the flight, m.
     pub range: f64,
     /// Lateral distance of the end of the flight from the line along the heading at release, left positive, m.
     pub sideways: f64,
-    /// Maximum height, m, and its time, s.
+    /// Maximum height of the mass centre, m, and the time at which it is reached, s.
     pub apex: (f64, f64),
     /// Maximum speed over the ground, m/s.
     pub top_speed: f64,
-    /// Position of the mass centre at the end, m.
+    /// Position of the mass centre at the end of the flight, m.
     pub landing: [f64; 3],
     /// Motion of the body at release, expressed in the quantities of a throw (speed, angles, spin, height).
     pub release: Throw,

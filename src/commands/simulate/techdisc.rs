@@ -6,7 +6,7 @@ use std::path::Path;
 use anyhow::{Context, bail};
 use flight::throw::Throw;
 
-/// Maximum size of a TechDisc file, bytes.
+/// Maximum size of a TechDisc file (recording of a launch monitor), bytes.
 const MAX_BYTES: u64 = 4 << 20;
 /// Maximum number of throws in a TechDisc file (recording of a launch monitor).
 const MAX_ROWS: usize = 1000;
@@ -36,7 +36,7 @@ pub struct Row {
     pub number: usize,
     /// Line number in the file, from 1.
     pub line: u64,
-    /// The throw, heading along +x from the default height.
+    /// The recorded throw; its heading is along +x and its height is the default height.
     pub throw: Throw,
 }
 

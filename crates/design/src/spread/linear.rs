@@ -11,7 +11,7 @@ use crate::throw_flight::{By, ThrowFlightError, ThrowFlights};
 /// Mean and covariance of the landing positions of a throw that varies at random.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Landings {
-    /// Mean position (x, y), m.
+    /// Mean of the landing position (x, y), m.
     pub mean: Vector2<f64>,
     /// Covariance of the landing position (x, y), m².
     pub covariance: Matrix2<f64>,

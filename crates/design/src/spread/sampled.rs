@@ -23,7 +23,7 @@ pub const QUANTILES: [f64; 3] = [0.05, 0.5, 0.95];
 pub struct Sampled {
     /// Mean and covariance of the landing positions.
     pub landings: Landings,
-    /// Landing positions (x, y), m.
+    /// Landing positions (x, y) of the sampled flights, m.
     pub points: Vec<Vector2<f64>>,
     /// Number of draws that cannot be flown: a quantity of the throw is out of its range, or the flight leaves the
     /// model's limits.

@@ -28,7 +28,7 @@ pub(super) struct Explanation {
     /// no other candidate can be tested.
     rival: Option<[String; 2]>,
     effects: Vec<Effect>,
-    /// Table rows of the coefficients of the effects that the hypothesis adds.
+    /// Table rows of the coefficients of the effects that the hypothesis adds to the model.
     rows: Vec<Row>,
 }
 

@@ -47,12 +47,12 @@ impl Table {
         self
     }
 
-    /// Appends a number, or an empty cell if it is `None`.
+    /// Appends a number to the current line, or an empty cell if the number is `None`.
     pub(crate) fn optional(&mut self, value: Option<f64>) -> &mut Table {
         self.number(value.unwrap_or(f64::NAN))
     }
 
-    /// Ends the line of cells.
+    /// Ends the current line of cells of the table.
     pub(crate) fn end(&mut self) {
         self.text.push('\n');
         self.is_line_begun = false;

@@ -69,7 +69,8 @@ impl Panel {
         scale.bottom() + layout.below
     }
 
-    /// Draws the ribbon: a shaded band whose lower and upper limits vary along x.
+    /// Draws the ribbon of the panel: a shaded band whose lower and upper limits vary along x, such as a confidence
+    /// band.
     fn draw_ribbon(&self, svg: &mut Svg, scale: &Scale) {
         let finite = |r: &&(f64, f64, f64)| [r.0, r.1, r.2].iter().all(|v| v.is_finite());
         let points: Vec<_> = self.ribbon.iter().filter(finite).collect();

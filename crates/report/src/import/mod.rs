@@ -8,18 +8,18 @@ mod page;
 pub struct ImportPage {
     /// Name of the imported dataset.
     pub dataset: String,
-    /// Name of the model of the dataset.
+    /// Name of the model that the imported dataset specifies.
     pub model: String,
     /// Imported recordings, in the order in which they were read.
     pub takes: Vec<ImportedTake>,
 }
 
-/// Decisions, notes and flights of one imported recording.
+/// Choices of the import (such as units and axes), notes and flights of one imported recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportedTake {
     /// File name of the recording.
     pub file: String,
-    /// Decisions made by the import: pairs of subject and decision, as text.
+    /// Choices that the import made, such as units and axes: pairs of subject and choice, as text.
     pub decisions: Vec<(String, String)>,
     /// Notes on parts of the recording that were excluded or are uncertain.
     pub notes: Vec<String>,
@@ -33,9 +33,9 @@ pub struct ImportedTake {
 /// One flight extracted from a recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportedFlight {
-    /// File name of the flight's table in the dataset.
+    /// File name of the flight's table of measurements in the imported dataset.
     pub file: String,
-    /// Number of samples of the flight.
+    /// Number of samples between the beginning and the end of the flight.
     pub samples: usize,
     /// Beginning of the flight, with the reason why it was placed there.
     pub release: Edge,
@@ -76,7 +76,7 @@ pub struct Curve {
 pub struct Distance {
     /// Names of the two markers, as one text.
     pub name: String,
-    /// Distance of the two markers in the rigid-body definition, m.
+    /// Distance between the two markers on the body, according to the declared marker positions, m.
     pub template: f64,
     /// Pairs of time, s, and measured distance, m, during the flight and shortly before and after it; the distance is
     /// not finite where a marker is missing.

@@ -11,11 +11,11 @@ use crate::fit::numbers::plain;
 use crate::fit::page::{capitalized, one, plain_values, rendered};
 use crate::fit::words::names;
 
-/// Maximum number of flights drawn, over all recordings.
+/// Maximum number of imported flights that are drawn, over all recordings.
 const MAX_FLIGHTS: usize = 60;
-/// Maximum number of gaps listed for each flight.
+/// Maximum number of gaps (intervals without a measured marker) that are listed for each flight.
 const MAX_GAPS: usize = 5;
-/// Maximum number of marker pairs listed for each recording.
+/// Maximum number of marker pairs whose distances are listed for each recording.
 const MAX_PAIRS: usize = 30;
 
 /// A motion-capture recording, as input of the HTML template.

@@ -9,7 +9,7 @@ use super::ResultFile;
 /// Name of the manifest file in a folder of results, which lists the files that the program wrote.
 pub const MANIFEST: &str = ".hyzer-results";
 
-/// First line of a manifest file, a comment.
+/// First line of a manifest (list of the files that the program wrote to a folder): a comment for the user.
 const HEAD: &str =
     "# Files that hyzer wrote here, and replaces. Other files in this folder are kept.";
 

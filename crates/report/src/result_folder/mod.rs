@@ -55,7 +55,7 @@ pub enum ResultFolderError {
         path.display(), names.join(", ")
     )]
     Foreign {
-        /// Path of the folder that contains the files.
+        /// Path of the folder that contains files of unknown origin.
         path: PathBuf,
         /// Names of at most three of the files that the program did not write, sorted; followed by `…` if there are
         /// more.

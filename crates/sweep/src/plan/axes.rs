@@ -39,14 +39,14 @@ pub enum Target {
 pub enum AxisKind {
     /// Values of a grid: the sweep includes every combination of the values of all grid quantities.
     Values(Vec<f64>),
-    /// Normally distributed random values.
+    /// Random values with a normal distribution.
     Normal {
         /// Mean of the distribution.
         mean: f64,
         /// Standard deviation of the distribution.
         sd: f64,
     },
-    /// Uniformly distributed random values.
+    /// Random values with a uniform distribution.
     Uniform {
         /// Lower bound of the distribution.
         low: f64,

@@ -9,7 +9,7 @@ use toml::de::DeTable;
 
 use super::axes::{Axis, AxisKind, Names, Target};
 
-/// Maximum size of the `report.json` of a fit, bytes.
+/// Maximum size of the file `report.json` of a fit, from which standard errors are read, bytes.
 const MAX_BYTES: u64 = 64 << 20;
 
 /// The coefficients estimated by a fit, as quantities that the sweep varies, and the correlations of their estimates as

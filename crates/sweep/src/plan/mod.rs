@@ -39,7 +39,7 @@ pub struct Plan {
     pub flights: u64,
     /// Seed of the random draws of the varied quantities.
     pub seed: u64,
-    /// Method and tolerances of the integration.
+    /// Method and tolerances of the numerical integration of the flights.
     pub options: IntegrationOptions,
     /// Cholesky factor of the correlation matrix of the normally distributed quantities, in their order in `axes`.
     pub(crate) factor: Factor,

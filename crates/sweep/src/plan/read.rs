@@ -18,7 +18,7 @@ use super::{Plan, fit};
 pub const MAX_FLIGHTS: u64 = 1 << 40;
 /// Maximum number of normally distributed quantities that a sweep varies.
 const MAX_NORMAL: usize = 256;
-/// Maximum size of a plan file, bytes.
+/// Maximum size of a file with a sweep plan, bytes.
 const MAX_FILE_BYTES: u64 = 16 << 20;
 /// Relative tolerance of the integration if none is specified in the plan; the same as in `hyzer simulate`.
 const TOLERANCE: f64 = 1e-6;

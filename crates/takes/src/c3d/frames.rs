@@ -20,9 +20,9 @@ pub(super) struct Layout {
     /// Size of one stored number of the C3D file, bytes.
     pub width: usize,
     pub points: usize,
-    /// Number of analogue words per frame, as the header states it.
+    /// Number of values of analogue sensors per frame, as the header states it.
     pub analog: usize,
-    /// Number of analogue samples per channel and frame.
+    /// Number of samples of each analogue sensor per frame.
     pub analog_per_channel: usize,
     pub data_start: usize,
     /// Number of bytes from the beginning of the data (field `data_start`) to the end of the file.

@@ -227,7 +227,7 @@ impl<'a> Parameters<'a> {
     }
 }
 
-/// Decodes a text and strips blanks and zero bytes at both ends.
+/// Decodes a text of the file and strips blanks and zero bytes at both ends.
 fn text(bytes: &[u8]) -> String {
     let text = String::from_utf8_lossy(bytes);
     text.trim_matches([' ', '\0', '\t', '\r', '\n']).to_owned()

@@ -16,7 +16,7 @@ const UNNAMED: &str = "body";
 /// Columns of a table of motion-capture data, as its header line names them.
 #[derive(Default)]
 struct Header {
-    /// Columns of each point or body by its label.
+    /// Columns of each recorded point or body by its label.
     tracks: Tracks<String>,
     time: Option<(usize, Option<TimeUnit>)>,
     frame: Option<usize>,

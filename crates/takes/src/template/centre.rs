@@ -65,9 +65,9 @@ struct Motion {
 /// Quantities that determine the covariance of one pose of the body, per unit variance of a measured coordinate; they
 /// depend only on the markers used for the pose.
 struct PoseNoise {
-    /// Number of markers used for the pose.
+    /// Number of markers from which the pose is computed.
     count: f64,
-    /// Mean position of the used markers in the axes of the shape, m.
+    /// Mean position on the body, in the axes of [`Shape`], of the markers from which the pose is computed, m.
     mean: Vector3<f64>,
     /// Expected square of the cross-product matrix of the rotation error δ of the pose, E([δ]ₓᵀ [δ]ₓ), per unit
     /// variance of a measured coordinate, 1/m².

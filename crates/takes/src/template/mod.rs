@@ -15,7 +15,7 @@ mod text;
 
 use crate::words::listed;
 
-/// Samples of one free flight.
+/// Times and measured marker positions of the samples of one free flight.
 #[derive(Clone, Copy, Debug)]
 pub struct FreeFlight<'a> {
     /// Times of the samples, s, increasing.
@@ -66,11 +66,11 @@ pub struct EstimatedMarker {
 /// Source of the position of the centre of mass along the spin axis. Heights are relative to the mean of the markers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CentreHeight {
-    /// Estimated from the wobble of the body in the flights.
+    /// The height is estimated from the wobble of the body in the flights.
     Estimated {
         /// Estimated height of the centre of mass along the spin axis, relative to the mean of the markers, m.
         height: f64,
-        /// Standard error of the height, m.
+        /// Standard error of the estimated height, m.
         std_error: f64,
     },
     /// The height is stated by the user.
@@ -107,7 +107,7 @@ pub enum TemplateError {
         count(labels.len(), "point"), listed(labels)
     )]
     FewPoints {
-        /// Labels of the available points.
+        /// Labels of the points that move as one body.
         labels: Vec<String>,
     },
     /// A marker is never seen together with enough other markers to fix its position on the body.

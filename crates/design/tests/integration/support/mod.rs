@@ -5,10 +5,10 @@ use flight::throw::Throw;
 use nalgebra::Vector3;
 use oracle::{Chart, Point, derivatives};
 
-/// Step size of the reference integration, s.
+/// Step size of the oracle's integration (independent implementation of the laws of motion), s.
 const STEP: f64 = 1e-3;
 
-/// Compiles a built-in model for flights of throws.
+/// Compiles a built-in model, given by its name, as a body that can be thrown.
 pub fn body(name: &str) -> ThrownBody {
     ThrownBody::new(model_spec::load::load(name, &[]).expect(name)).expect(name)
 }

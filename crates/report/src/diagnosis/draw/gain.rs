@@ -9,7 +9,7 @@ use crate::figures::chart::{Chart, Row, Shape, axis_for};
 use crate::fit::Drawn;
 use crate::fit::draw::not_drawn;
 
-/// Maximum number of held-out flights drawn, one chart row each.
+/// Maximum number of held-out flights whose prediction errors are drawn, one chart row each.
 const MAX_FLIGHTS: usize = 12;
 
 /// Draws the RMS prediction errors without and with the effects added to the model, mm: one chart row for all flights

@@ -28,11 +28,11 @@ const FLAT: f64 = 1e-6;
 /// model under test at the same states.
 #[derive(Clone, Debug, PartialEq)]
 pub(in super::super) struct Curve {
-    /// Name of the quantity in the model.
+    /// Name, in the model, of the quantity that the curve shows.
     pub(in super::super) quantity: String,
-    /// Description of the quantity, from its documentation; empty if it has none.
+    /// Description of the plotted quantity, from its documentation; empty if it has none.
     pub(in super::super) doc: String,
-    /// SI unit of the quantity, as text.
+    /// SI unit of the plotted quantity, as text.
     pub(in super::super) unit: String,
     /// Name of the variable on the abscissa.
     pub(in super::super) over: String,
@@ -62,7 +62,7 @@ pub(in super::super) struct Point {
 /// Variable on the abscissa of a curve.
 struct Abscissa<'m> {
     name: &'m str,
-    /// SI unit, as text.
+    /// SI unit of the variable, as text.
     unit: String,
     /// Documentation of an auxiliary variable; empty for other variables.
     doc: &'m str,
@@ -74,7 +74,7 @@ struct Abscissa<'m> {
 #[derive(Clone, Copy)]
 enum Column {
     State(usize),
-    /// Index among the quantities of the compiled model.
+    /// Index of an auxiliary variable among the quantities of the compiled model.
     Quantity(usize),
     Time,
 }

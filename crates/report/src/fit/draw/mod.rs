@@ -44,7 +44,7 @@ fn samples(flight: &FlightEvidence) -> std::ops::Range<usize> {
 struct MeasuredPoint {
     /// Time of the sample, s.
     time: f64,
-    /// Index of the marker.
+    /// Index of the marker among the markers of the flight.
     marker: usize,
     /// Measured position, m.
     measured: [f64; 3],

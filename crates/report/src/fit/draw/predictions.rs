@@ -9,7 +9,7 @@ use super::{points, samples};
 use crate::bands::{PredictionBand, prediction_band};
 use crate::figures::{Dots, Layout, Look, Mark, Panel};
 
-/// Maximum number of flights drawn, one figure each.
+/// Maximum number of held-out flights whose prediction errors are drawn, one figure each.
 const MAX_FLIGHTS: usize = 6;
 /// Maximum number of dots with which a series of prediction errors is drawn.
 const MAX_DOTS: usize = 400;

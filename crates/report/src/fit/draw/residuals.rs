@@ -10,16 +10,16 @@ use super::{MAX_FLIGHTS, points, samples};
 use crate::figures::csv::of_panels;
 use crate::figures::{Dots, Layout, Look, Mark, Panel, figure_of};
 
-/// Maximum number of dots in a panel, over all markers.
+/// Maximum number of residuals drawn as dots in a panel, over all markers.
 const MAX_DOTS: usize = 1500;
-/// Maximum number of dots for each marker on a narrow screen.
+/// Maximum number of residuals drawn as dots for each marker on a narrow screen.
 const NARROW_DOTS: usize = 150;
 
 /// Flights of one role (fitted or held out), whose residuals are drawn in one figure.
 pub(crate) struct FlightsOfRole<'e> {
-    /// File name of the figure without suffix.
+    /// File name, without suffix, of the figure of residuals.
     pub(crate) name: &'static str,
-    /// Title of the figure.
+    /// Title of the figure of residuals.
     pub(crate) title: &'static str,
     /// Flights of this role among the first [`MAX_FLIGHTS`] flights of the evidence, which are the only ones drawn.
     pub(crate) flights: Vec<&'e FlightEvidence>,

@@ -10,7 +10,7 @@ use crate::figures::{Dots, Layout, Line, Look, Panel};
 
 /// Maximum number of markers whose paths are drawn: the number of distinct line colours.
 const MAX_MARKERS: usize = 4;
-/// Maximum number of dots for each marker; more dots would hide the line.
+/// Maximum number of measured positions drawn as dots for each marker; more dots would hide the line of the prediction.
 const MAX_DOTS: usize = 80;
 
 /// Draws the measured and predicted marker paths of each flight: top view, and height over time.
