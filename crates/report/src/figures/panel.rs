@@ -9,7 +9,8 @@ pub struct Line {
     pub points: Vec<(f64, f64)>,
 }
 
-/// Labelled event in a panel, drawn as a dot or a vertical line.
+/// Labelled event or limit in a panel, such as a landing or an end of a confidence interval, drawn as a dot or a vertical
+/// line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
     /// Label of the event; may be empty.
@@ -74,11 +75,11 @@ pub struct Panel {
     pub lines: Vec<Line>,
     /// Whether all lines are drawn thin and solid, as a background for dots.
     pub thin: bool,
-    /// Scatter points, drawn on top of the lines.
+    /// Scatter points of the panel, drawn on top of the lines.
     pub dots: Vec<Dots>,
     /// Bars of a histogram, which start at 0.
     pub bars: Vec<Bar>,
-    /// Labelled events.
+    /// Labelled events and limits, such as a landing, drawn as dots or vertical lines.
     pub marks: Vec<Mark>,
     /// Values on the vertical axis at which dashed horizontal lines are drawn.
     pub levels: Vec<f64>,
@@ -96,6 +97,6 @@ pub struct Panel {
     /// Minimum and maximum height of the plot area if `map` is set, SVG units; `None` uses default fractions of its
     /// width.
     pub heights: Option<(f64, f64)>,
-    /// Whether the diagonal y = x is drawn.
+    /// Whether the diagonal y = x is drawn, for comparison with equality.
     pub diagonal: bool,
 }

@@ -132,7 +132,7 @@ impl Svg {
         }
     }
 
-    /// Draws a small cross at each of the given points.
+    /// Draws a small cross at each of the given points, with the style of the CSS class `class`.
     pub(crate) fn crosses(&mut self, class: &str, points: impl Iterator<Item = (f64, f64)>) {
         let mut data = String::new();
         for (x, y) in points.filter(|(x, y)| x.is_finite() && y.is_finite()) {

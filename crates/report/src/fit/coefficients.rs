@@ -24,7 +24,7 @@ pub(super) struct Row {
     /// Notes on the estimate: whether it was fixed, and its Gaussian prior.
     notes: Vec<String>,
     picture: Option<Picture>,
-    /// Value in the model file, followed by the value in each literature source.
+    /// Values of the coefficient for comparison: that in the model file, then that in each literature source.
     literature: Vec<String>,
 }
 

@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::FitPage;
 use super::numbers::{millimetres, plain};
 
-/// Maximum number of rows of a table of flights.
+/// Maximum number of flights that a table of the report lists.
 const MAX_ROWS: usize = 50;
 /// Maximum number of characters of a note on a flight; longer notes are truncated.
 const MAX_LETTERS: usize = 300;
@@ -59,7 +59,7 @@ pub(super) fn table(page: &FitPage<'_>, role: Role) -> Table {
     }
 }
 
-/// Table of the excluded flights, limited to [`MAX_ROWS`] rows.
+/// Table of the flights that were excluded from the fit, limited to [`MAX_ROWS`] rows.
 pub(super) fn left_out(page: &FitPage<'_>) -> Table {
     Table {
         all: page.report.excluded().count(),
@@ -108,7 +108,7 @@ fn row(page: &FitPage<'_>, flight: &FlightReport) -> Row {
     }
 }
 
-/// Truncates a text to [`MAX_LETTERS`] characters.
+/// Truncates a text to [`MAX_LETTERS`] characters, for a note in a table.
 pub(crate) fn short(text: &str) -> String {
     if text.chars().count() <= MAX_LETTERS {
         return text.to_owned();

@@ -50,7 +50,7 @@ impl FitPage<'_> {
     }
 }
 
-/// Figure of the report, written as an SVG file.
+/// Figure of a report, written as an SVG file and as a CSV table of its data.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Figure {
     /// File name without `.svg`; consists of letters, digits and hyphens.

@@ -26,7 +26,7 @@ const FLAT: f64 = 0.05;
 
 /// Marker positions on the body (the shape), and the poses of the body in all samples.
 pub(super) struct Shape {
-    /// Marker positions relative to their mean, m.
+    /// Positions of the markers on the body relative to their mean, m.
     pub points: Vec<Vector3<f64>>,
     /// Covariance of the coordinates of all marker positions on the body, m²; its rank is 3 × number of markers − 6.
     pub covariance: DMatrix<f64>,
@@ -43,13 +43,13 @@ pub(super) struct Shape {
 pub(super) struct Placed {
     /// Index of the sample in its flight.
     pub sample: usize,
-    /// Position in the room, m, of the mean of all marker positions of the shape.
+    /// Position in the room, m, of the point of the body that is the mean of all marker positions.
     pub position: Vector3<f64>,
-    /// Rotation from the body-fixed axes to the axes of the room.
+    /// Rotation matrix from the body-fixed axes to the axes of the room.
     pub rotation: Matrix3<f64>,
     /// For each marker, whether its measured position is used for the pose.
     pub used: Vec<bool>,
-    /// Sum of squared residuals of the used markers, m².
+    /// Sum of the squared residuals of the pose over the markers used for it, m².
     squares: f64,
 }
 

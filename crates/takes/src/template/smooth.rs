@@ -4,7 +4,7 @@ use nalgebra::DMatrix;
 
 /// Least-squares fits of polynomials in time to weighted samples of a flight.
 pub(super) struct Smooth {
-    /// Square roots of the samples' weights.
+    /// Square roots of the weights of the samples.
     roots: Vec<f64>,
     /// Orthonormal basis of the weighted polynomials, whose values are multiplied by the square roots of the weights:
     /// one row per sample, one column per basis function.

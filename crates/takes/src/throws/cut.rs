@@ -85,7 +85,7 @@ pub(super) struct Fit {
 /// Beginning or end of a free flight, with the samples around it to which a change of motion is fitted.
 pub(super) struct FlightEnd<'t> {
     pub track: &'t Track,
-    /// Trajectory of a body point, m.
+    /// Trajectory of the body point whose motion is examined, m: one position for each sample of the track.
     pub path: &'t [[f64; 3]],
     /// Index in the track (samples in which the body is seen) of the first sample of the flight if `early` is true,
     /// otherwise of its last sample.

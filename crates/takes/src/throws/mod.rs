@@ -34,9 +34,9 @@ const FINEST: f64 = 5e-5;
 /// Limits on the duration of flights and of gaps in them, for the search for throws in a recording.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThrowOptions {
-    /// Minimum duration of a free flight, s.
+    /// Minimum duration of a free flight that counts as a throw, s.
     pub shortest: f64,
-    /// Maximum duration of a gap across which a flight is followed, s.
+    /// Maximum duration of a gap in the measurements across which a flight is followed, s.
     pub longest_gap: f64,
 }
 
@@ -67,7 +67,7 @@ pub enum Cause {
     Disturbed,
     /// The body is not seen for a while; the value is the time between the samples before and after this gap, s.
     Gap(f64),
-    /// The recording begins or ends.
+    /// The recording begins or ends during the flight.
     Recording,
 }
 
@@ -76,18 +76,18 @@ pub enum Cause {
 pub struct Cut {
     /// Index, in the recording, of the first or the last sample of the free flight.
     pub sample: usize,
-    /// Time of the change of motion that begins or ends the free flight, s.
+    /// Time of the change of motion (release, impact) that begins or ends the free flight, s.
     pub time: f64,
-    /// Cause of the change of motion that begins or ends the free flight.
+    /// Cause of the change of motion that begins or ends the free flight, such as the hand or the ground.
     pub cause: Cause,
 }
 
 /// A throw: one free flight of a body in a recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Throw {
-    /// Beginning of the free flight.
+    /// Beginning of the free flight, with its cause.
     pub release: Cut,
-    /// End of the free flight.
+    /// End of the free flight, with its cause.
     pub end: Cut,
     /// Number of samples within the flight in which the body is not seen.
     pub unseen: usize,

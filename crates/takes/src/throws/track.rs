@@ -17,7 +17,7 @@ pub(super) struct Track {
     pub labels: Vec<String>,
     /// Indices of the samples of the recording in which the body is seen.
     pub samples: Vec<usize>,
-    /// Times of the samples, s.
+    /// Times of the samples in which the body is seen, s.
     pub times: Vec<f64>,
     /// Centroid of the tracked points, or position of the tracked body, at each sample, m.
     pub centres: Vec<[f64; 3]>,

@@ -22,7 +22,8 @@ const PUSH: f64 = 2.5;
 /// Maximum ratio of the standard deviation of the residuals of a local quadratic fit to that of a measured position,
 /// for the motion to count as smooth.
 const SMOOTH: f64 = 2.5;
-/// Prior standard deviation of each coordinate of [`Window::offset`], m.
+/// Prior standard deviation of each coordinate of [`Window::offset`] (position of the smoothly moving body point
+/// relative to the centroid of the points), m.
 const OFFSET: f64 = 0.1;
 /// Standard deviation of a measured position, m, that is assumed for the weight of the prior on [`Window::offset`].
 const TYPICAL: f64 = 1e-3;

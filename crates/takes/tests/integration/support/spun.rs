@@ -49,7 +49,7 @@ struct State {
     x: Vector3<f64>,
     v: Vector3<f64>,
     r: Matrix3<f64>,
-    /// Angular velocity in body axes, rad/s.
+    /// Angular velocity of the disc in body axes, rad/s.
     w: Vector3<f64>,
 }
 

@@ -18,7 +18,7 @@ pub enum End {
 /// True times of the release and the end of one simulated throw.
 #[derive(Clone, Copy, Debug)]
 pub struct Truth {
-    /// Time of release, s.
+    /// True time of the release, s.
     pub release: f64,
     /// Time of the end of the flight, s.
     pub end: f64,
@@ -49,7 +49,7 @@ struct Body {
     markers: Vec<V>,
 }
 
-/// Phase of the motion of a body in one simulated throw.
+/// Phase of the motion of a body in one simulated throw, such as in the hand or in flight.
 #[derive(Clone, Copy, PartialEq)]
 enum Phase {
     Held,
@@ -93,7 +93,7 @@ impl Body {
     }
 }
 
-/// Simulates a recording with the given number of throws.
+/// Simulates a recording of the given number of throws of one body.
 pub fn recording(seed: u64, throws: usize) -> Made {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let r = &mut random;
