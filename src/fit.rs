@@ -67,7 +67,7 @@ impl Fit {
         &self.fit.report.data_faults
     }
 
-    /// Complete report: noise, correlations, flights, coefficients that the flights do not determine.
+    /// Complete report of the fit: noise, correlations, flights, and coefficients that the flights do not determine.
     pub fn report(&self) -> &FitReport {
         &self.fit.report
     }

@@ -114,9 +114,9 @@ impl Model {
         self.parse_release(name, text)
     }
 
-    /// Parses a release of this model from the text of a release file (TOML); the model that the text names is
-    /// ignored. `name` is the file name in error messages. Wind profiles over height and gusts are refused, because
-    /// they change the model: see [`parse_release_in_wind`](Model::parse_release_in_wind).
+    /// Parses a release (launch conditions) of this model from the text of a release file (TOML); the model that the
+    /// text names is ignored. `name` is the file name in error messages. Wind profiles over height and gusts are
+    /// refused, because they change the model: see [`parse_release_in_wind`](Model::parse_release_in_wind).
     ///
     /// # Errors
     /// [`Error::Release`] if the text has faults.

@@ -68,7 +68,7 @@ pub fn resumes() {
     RESUMES.store(true, Ordering::SeqCst);
 }
 
-/// Runs a function that writes results; a signal that arrives while the function runs ends the program when the
+/// Runs a function that writes results. A signal that arrives while the function runs ends the program only when the
 /// function returns.
 pub fn writing<T>(write: impl FnOnce() -> T) -> T {
     remove_bar();

@@ -42,7 +42,8 @@ pub fn run(command: Command) -> anyhow::Result<Answer> {
     }
 }
 
-/// Effect names of the option `--with`, as string slices for the model loader.
+/// Names of the effects (optional model extensions) given by the option `--with`, as string slices for the model
+/// loader.
 fn names(with: &[String]) -> Vec<&str> {
     with.iter().map(String::as_str).collect()
 }
@@ -66,7 +67,8 @@ fn share(text: &str) -> anyhow::Result<(u64, u64)> {
     }
 }
 
-/// Parses the value `X,Y,Z` of a command-line option as three numbers; `option` and `unit` appear in messages.
+/// Parses the value `X,Y,Z` of a command-line option as three finite numbers; `option` and `unit` appear in messages
+/// only.
 fn vector(option: &str, text: &str, unit: &str) -> anyhow::Result<[f64; 3]> {
     let parts: Vec<&str> = text.split(',').collect();
     let [x, y, z] = parts[..] else {

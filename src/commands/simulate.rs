@@ -287,7 +287,7 @@ fn summary(model: &Model, body: &CompiledModel, flight: &Trajectory) -> String {
     text
 }
 
-/// Result files of a simulation: the trajectory, the figure and the three-dimensional view.
+/// Result files of the simulation of one flight: the trajectory, the figure and the three-dimensional view.
 fn results(
     model: &Model,
     body: &CompiledModel,

@@ -15,8 +15,8 @@ use crate::{Answer, output};
 /// Name and TOML text of the built-in sweep plan.
 const BUILT_IN: (&str, &str) = ("backhands", include_str!("sweep/backhands.toml"));
 
-/// Runs `hyzer sweep`: simulates the flights of the plan and prints the summary. If only a share of the flights is
-/// simulated, prints which work remains instead.
+/// Runs `hyzer sweep`: simulates the flights of the sweep plan and prints the summary. If only a share of the flights
+/// is simulated, prints which work remains instead.
 pub fn run(options: &Sweep) -> anyhow::Result<Answer> {
     if options.example {
         output::print(BUILT_IN.1)?;

@@ -8,14 +8,14 @@ use serde::Serialize;
 pub struct CertificateNote {
     /// File name of the certificate (record of the verification checks); `None` if the model has no certificate.
     pub file: Option<String>,
-    /// Whether the certificate is valid: it covers the model, and none of the inputs that it records (such as model
-    /// source, options and versions) has changed since it was written.
+    /// Whether the certificate (record of the verification checks) is valid: it covers the model, and none of the
+    /// inputs that it records (such as model source, options and versions) has changed since it was written.
     pub stands: bool,
-    /// Outcome that the certificate records for the model: `verified`, `not verified` or `refuted`; `None` if the
-    /// certificate does not cover the model.
+    /// Outcome of the verification that the certificate records for the model: `verified`, `not verified` or `refuted`;
+    /// `None` if the certificate does not cover the model.
     pub outcome: Option<String>,
-    /// Names of the inputs recorded in the certificate, such as model source, options or versions, that have changed
-    /// since it was written.
+    /// Names of the inputs recorded in the certificate of the verification, such as model source, options or versions,
+    /// that have changed since it was written.
     pub changes: Vec<String>,
 }
 

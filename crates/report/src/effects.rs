@@ -25,7 +25,7 @@ pub struct Listed {
     pub source: String,
     /// Names of the models for which a diagnosis tests the effect.
     pub models: Vec<String>,
-    /// Quantities that a model must have for the effect to be applied, with their units.
+    /// Quantities that a model must define for the effect to be applied, with their units.
     pub needs: Vec<String>,
     /// More specific effects that replace this general effect: it is not tested for a model to which one of them
     /// applies.
@@ -44,8 +44,8 @@ pub struct Part {
     pub unit: String,
     /// Null value of the coefficient or state, formatted: the value at which the effect is absent.
     pub null_value: String,
-    /// Smallest effect size of interest, formatted: a smaller difference from the null value is negligible. `None` if
-    /// the effect declares none.
+    /// Smallest effect size of interest, formatted: a smaller difference of the coefficient from its null value is
+    /// negligible. `None` if the effect declares none.
     pub negligible: Option<String>,
     /// Whether each flight has its own value; otherwise one value applies to all flights.
     pub of_each_flight: bool,

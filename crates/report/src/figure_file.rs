@@ -44,7 +44,7 @@ impl FigureKind {
     /// Both formats of figure files besides SVG: PDF and PNG.
     pub const ALL: [FigureKind; 2] = [FigureKind::Pdf, FigureKind::Png];
 
-    /// Extension of the file name, such as `pdf`; it also selects the format on the command line.
+    /// Extension of the file name, such as `pdf`; the same text selects the format on the command line.
     pub fn name(self) -> &'static str {
         match self {
             FigureKind::Pdf => "pdf",

@@ -30,7 +30,8 @@ const MAX_SAMPLES: usize = 240;
 enum Shape {
     /// A disc, for a rigid body with its third axis as axis of symmetry.
     Disc,
-    /// Three lines from the origin along the body axes, for a rigid body whose third axis is not an axis of symmetry.
+    /// Three lines from the origin of the body frame along its axes, for a rigid body whose third axis is not an axis
+    /// of symmetry.
     Cross,
     /// A ball, for a body modelled as a point mass.
     Ball,
@@ -40,7 +41,8 @@ enum Shape {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct View {
     shape: Shape,
-    /// Maximum distance of a marker from the origin of the body frame, m; `None` if unknown.
+    /// Maximum distance of a marker from the origin of the body frame, m, which sets the size of the drawn body; `None`
+    /// if unknown.
     radius: Option<f64>,
     flights: Vec<samples::Flight>,
 }

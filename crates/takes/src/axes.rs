@@ -51,7 +51,7 @@ impl Axis {
         }
     }
 
-    /// Rotates a vector with components in the file's axes by the rotation that turns this axis to +z.
+    /// Rotates a vector, given in the file's axes, by the rotation that turns this axis to +z.
     pub(crate) fn turned(self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         match (self.index, self.negative) {
             (0, false) => [-z, y, x],

@@ -15,8 +15,8 @@ pub(crate) const MAX_COORDINATE: f64 = 1e4;
 pub(crate) const MAX_POSITIONS: usize = 1 << 23;
 /// Maximum number of points and bodies in a recording; a greater number is an error.
 pub(crate) const MAX_LABELS: usize = 4096;
-/// Maximum deviation of a quaternion's norm from 1, and of the scalar products of a matrix's columns from those of a
-/// rotation matrix.
+/// Maximum deviation of a quaternion's norm from 1. For a rotation matrix, maximum deviation of the scalar products of
+/// its columns from 1 (column with itself) and 0.
 const ROTATION_TOLERANCE: f64 = 0.02;
 
 /// Source of the time of each row in a table of motion-capture data.
@@ -64,7 +64,7 @@ impl<K> Default for Tracks<K> {
 }
 
 impl<K: Ord + Clone> Tracks<K> {
-    /// Columns of the point or body with this key. If the key is new, an entry without columns is added.
+    /// Columns of the point or body with the key `key`. If the key is new, an entry without columns is added.
     pub fn entry(&mut self, key: K) -> &mut TrackColumns {
         let list = &mut self.list;
         let index = *self.indices.entry(key).or_insert_with_key(|key| {
@@ -87,7 +87,7 @@ pub(crate) struct Layout {
     /// Whether a position of exactly 0, 0, 0 stands for a missing measurement.
     pub zero_is_gap: bool,
     pub notes: Vec<String>,
-    /// Number of rows specified in the header of the file; `None` if none is specified.
+    /// Number of data rows specified in the header of the file; `None` if none is specified.
     pub stated: Option<usize>,
 }
 
@@ -276,7 +276,7 @@ impl Layout {
 }
 
 impl Attitude {
-    /// Unit quaternion of the attitude in the current row; `None` if a component is missing.
+    /// Unit quaternion of the attitude in the current row of the table; `None` if a component is missing.
     fn quaternion(&self, sheet: &Sheet<'_>) -> Result<Option<[f64; 4]>, Fault> {
         match self {
             Self::Quaternion(columns) => {

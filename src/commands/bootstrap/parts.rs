@@ -18,7 +18,8 @@ const CONVERGED: &str = "converged";
 /// share, SI; the estimates are `None` if the refit did not converge.
 pub(super) type Refit = (u64, Option<Vec<f64>>);
 
-/// Number of parts, of [`LEN`] refits each, into which `refits` refits are divided.
+/// Number of parts of a bootstrap, of [`LEN`] refits each (the last may have fewer), into which `refits` refits are
+/// divided.
 pub(super) fn count(refits: u64) -> u64 {
     refits.div_ceil(LEN)
 }

@@ -84,8 +84,8 @@ impl Column {
         }
     }
 
-    /// Quantile of the estimates at the probability `p`, by linear interpolation between the order statistics; NaN
-    /// without refits.
+    /// Quantile of the estimates over the refits at the probability `p`, by linear interpolation between the order
+    /// statistics; NaN without refits.
     fn quantile(&self, p: f64) -> f64 {
         let at = p * (self.sorted.len() as f64 - 1.0);
         let value = |k: f64| {

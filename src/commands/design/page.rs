@@ -9,7 +9,7 @@ use report::{Section, Sheet, SheetFigure, Table};
 
 use crate::commands::hundredths;
 
-/// Number of line segments with which the figures show a path; an ellipse has half as many.
+/// Number of line segments with which the figures of a throw design show a path; an ellipse has half as many.
 const POINTS: usize = 200;
 /// Maximum number of sampled landings that the figure shows as dots.
 const MAX_DOTS: usize = 1500;

@@ -157,7 +157,7 @@ fn results(
     Ok(files)
 }
 
-/// Result files of a figure: its SVG, and the CSV table of the plotted values.
+/// Result files of a figure: its SVG, and the CSV table of the values plotted in it.
 pub(super) fn figure_files(figure: Figure) -> [ResultFile; 2] {
     let table = format!("{FIGURE_DATA}/{}.csv", figure.name);
     [

@@ -187,7 +187,8 @@ fn coefficients(model: &Model, report: &FitReport) -> Table {
     table
 }
 
-/// Number of decimals that shows two significant digits of the standard error; 6 if the standard error is 0.
+/// Number of decimals with which a number shows two significant digits of its standard error; 6 if the standard error
+/// is 0.
 pub fn digits(std_error: f64) -> i32 {
     if std_error > 0.0 {
         (1 - std_error.log10().floor() as i32).max(0)

@@ -108,8 +108,8 @@ pub fn residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// CSV table of the residuals of sensors (measured − predicted, in the unit of each sensor): one line per sensor
-/// reading.
+/// CSV table of the residuals of sensors (measured − predicted, in the unit of each sensor): one line per measured
+/// value of a sensor.
 pub fn sensor_residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record(["file", "t_s", "sensor", "unit", "x", "y", "z", "outlier"])?;

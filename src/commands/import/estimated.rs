@@ -28,7 +28,7 @@ pub struct Estimated {
 }
 
 /// Estimates the positions on the body of the points that move as one rigid body in every recording with a throw.
-/// `names` maps labels of the recordings to marker names; for each label that is not a valid marker name and has no
+/// `names` maps labels of the recordings to marker names. For each label that is not a valid marker name and has no
 /// entry, an entry with a valid name is added.
 pub fn estimated(
     options: &Import,

@@ -151,8 +151,8 @@ impl Followed {
         }
     }
 
-    /// Pose of the followed body in a sample of the recording `take`; `None` if points are followed, or if the body was
-    /// not seen.
+    /// Pose of the tracked body in a sample of the recording `take`; `None` if the marker positions are obtained from
+    /// points instead, or if the body was not seen.
     pub fn pose(&self, take: &Take, sample: usize) -> Option<Pose> {
         match self {
             Self::Points(_) => None,

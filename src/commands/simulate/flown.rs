@@ -42,8 +42,8 @@ pub struct Flown {
 }
 
 impl Flown {
-    /// Computes the characteristics of a flight; `None` for a model without a body, because the meaning of its states
-    /// is unknown.
+    /// Computes the characteristics of a flight; `None` for a model that declares no body, because the meaning of its
+    /// states is unknown.
     pub fn of(
         model: &Model,
         body: &CompiledModel,

@@ -19,8 +19,8 @@ use crate::{Answer, output};
 const HEAD: &str = "id,row,speed_m_s,launch_deg,nose_deg,hyzer_deg,spin_rpm,wobble_deg,range_m,left_m,apex_m,seconds,\
     top_speed_m_s,end_speed_m_s,end_spin_rpm,status";
 
-/// Simulates every throw of a launch monitor; prints the table of results, and writes the table and a folder per flight
-/// if an output folder is given. Returns `Answer::No` if a throw could not be simulated.
+/// Simulates every throw recorded by a launch monitor; prints the table of results, and writes the table and a folder
+/// per flight if an output folder is given. Returns `Answer::No` if a throw could not be simulated.
 pub fn run(
     options: &Simulate,
     rows: &[Row],

@@ -42,8 +42,8 @@ pub fn at_defaults(name: &str, model: &Model) -> Release {
     }
 }
 
-/// Sets the initial states of the release to the motion of `throw`, in which the options replace single quantities. If
-/// `throw` is `None`, the options modify the motion specified in the release.
+/// Sets the initial states of the release (launch conditions) to the motion of `throw`, in which the command-line
+/// options replace single quantities. If `throw` is `None`, the options modify the motion specified in the release.
 pub fn apply(
     options: &ThrowOptions,
     throw: Option<Throw>,

@@ -31,7 +31,8 @@ pub(super) fn extended(report: &Report) -> bool {
     report.coefficients.values().any(|c| c.before.is_some())
 }
 
-/// Rows of the coefficient table: coefficients of the model under test, then those of the added effects.
+/// Rows of the coefficient table of a diagnosis: coefficients of the model under test, then those of the effects added
+/// to it.
 pub(super) fn rows(report: &Report) -> Vec<Row> {
     let extended = extended(report);
     let all = report.coefficients.iter();

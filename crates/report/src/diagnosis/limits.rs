@@ -108,7 +108,8 @@ pub(super) fn scores(report: &Report) -> Vec<Score> {
     report.candidates.iter().take(MAX_ROWS).map(row).collect()
 }
 
-/// Table row of a flight: file, role, and RMS residual without and with the effects added to the model.
+/// Table row of a flight in the report of a diagnosis: file, role, and RMS residual without and with the effects added
+/// to the model.
 #[derive(Serialize)]
 pub(super) struct Flight {
     file: String,
@@ -169,8 +170,8 @@ pub(super) fn flights(report: &Report) -> Vec<Flight> {
 pub(super) struct LackOfFitText {
     says: String,
     head: [&'static str; 6],
-    /// Rows of the largest smooth deviations of the residuals from zero, smallest p-value first; the columns are named
-    /// in `head`.
+    /// Rows of the largest smooth deviations of the residuals from zero, smallest p-value first; the field `head` names
+    /// the columns.
     departures: Vec<[String; 6]>,
 }
 

@@ -152,7 +152,8 @@ impl Drawn {
         }
     }
 
-    /// Creates a figure of panels, with their data as CSV; see [`Drawn::in_layouts`].
+    /// Creates a figure of panels, with their data as CSV table, for the layout `wide` and, if that is not the small
+    /// layout, also for narrow screens.
     pub(crate) fn of_panels(
         name: impl Into<String>,
         title: &str,

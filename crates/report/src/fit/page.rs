@@ -143,7 +143,8 @@ pub(crate) fn shown(drawn: &[Drawn]) -> Vec<Value> {
     drawn.iter().map(one).collect()
 }
 
-/// Copy of a figure in which the points with tooltips can receive the keyboard focus.
+/// Copy of a figure in which the points with tooltips can receive the keyboard focus, so that their values can be read
+/// without a pointer.
 pub(crate) fn reached(drawn: &Drawn) -> Drawn {
     let reached = |svg: &str| svg.replace("tabindex=\"-1\"", "tabindex=\"0\"");
     Drawn {

@@ -10,8 +10,8 @@ use super::numbers::{millimetres, percent, plain};
 
 /// Maximum relative standard error at which the report calls a coefficient well determined.
 const GOOD: f64 = 0.1;
-/// Minimum ratio of a held-out flight's RMS prediction error to the noise at which the report calls the flight badly
-/// predicted.
+/// Minimum ratio of a held-out flight's RMS prediction error to the RMS noise at which the report calls the flight
+/// badly predicted.
 const FAR: f64 = 3.0;
 /// Maximum number of names that a sentence lists; of the remaining names it states only the number.
 const MAX_NAMES: usize = 24;

@@ -58,8 +58,8 @@ fn marks<'a>(of: impl IntoIterator<Item = (f64, &'a str)>) -> Vec<Mark> {
     of.into_iter().map(mark).collect()
 }
 
-/// Panel of pairs (time, value): points for whose time `inside` returns true form a line, all other points are grey
-/// dots.
+/// Panel of the pairs (time, value) in `points`. Points for whose time `inside` returns true form a line; all other
+/// points are grey dots.
 fn split(points: &[(f64, f64)], inside: impl Fn(f64) -> bool) -> Panel {
     let line = points.iter().map(|&(time, value)| match inside(time) {
         true => (time, value),

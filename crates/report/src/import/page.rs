@@ -40,7 +40,7 @@ struct Row {
     unseen: String,
 }
 
-/// A pair of markers, as input of the HTML template; all lengths are formatted in mm.
+/// A pair of markers with their distance, as input of the HTML template; all lengths are formatted in mm.
 #[derive(Serialize)]
 struct Pair {
     name: String,

@@ -78,8 +78,9 @@ pub(super) fn set_edited_aside(
     Ok(())
 }
 
-/// Removes a replaced folder. Its result files that were not edited since the program wrote them, and files that
-/// `current` also contains, are deleted; all other files are moved to `current`.
+/// Removes the folder `old` of earlier results after it was replaced by `current`. Its result files that were not
+/// edited since the program wrote them, and files that `current` also contains, are deleted; all other files are moved
+/// to `current`.
 pub(super) fn discard(old: &Path, current: &Path) -> io::Result<()> {
     let manifest = Manifest::read(old);
     let (files, folders) = entries_below(old)?;

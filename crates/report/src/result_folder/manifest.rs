@@ -29,8 +29,8 @@ impl Manifest {
         }
     }
 
-    /// Reads the manifest of a folder; empty if it cannot be read. Malformed lines are ignored, as are paths that
-    /// lead out of the folder.
+    /// Reads the manifest (list of the files that the program wrote) of a folder; empty if it cannot be read. Malformed
+    /// lines are ignored, as are paths that lead out of the folder.
     pub fn read(folder: &Path) -> Manifest {
         let text = std::fs::read_to_string(folder.join(MANIFEST)).unwrap_or_default();
         let lines = text.lines().filter_map(|line| {

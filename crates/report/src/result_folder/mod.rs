@@ -49,7 +49,8 @@ pub enum ResultFolderError {
         /// Path of the file.
         path: PathBuf,
     },
-    /// The folder contains files, but no manifest of an earlier run, so the files may belong to the user.
+    /// The folder contains files, but no manifest (list of written files) of an earlier run, so the files may belong to
+    /// the user.
     #[error(
         "{} holds files that hyzer did not write ({}); expected a new or empty folder, or one of earlier results",
         path.display(), names.join(", ")
@@ -82,8 +83,8 @@ pub enum ResultFolderError {
 pub struct ResultFolder {
     /// Absolute path of the folder, with symbolic links resolved.
     target: PathBuf,
-    /// Hidden folder beside the target in which results are prepared; `None` if the target cannot be renamed, such as
-    /// the current folder.
+    /// Hidden folder beside the target folder in which new results are prepared; `None` if the target cannot be
+    /// renamed, such as the current folder.
     part: Option<PathBuf>,
 }
 

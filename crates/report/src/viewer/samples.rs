@@ -35,7 +35,7 @@ pub(super) struct Flight {
     measured: Vec<Vec<Option<[f64; 3]>>>,
     /// Predicted positions of the markers, m, as `predicted[time][marker]`.
     predicted: Vec<Vec<[f64; 3]>>,
-    /// Times at which all markers are measured, s; the path of the body is drawn through the positions at these times.
+    /// Times at which all markers are measured, s; the viewer marks their mean position at these times.
     trail_times: Vec<f64>,
     /// Mean of the measured positions of all markers, m, at each of `trail_times`.
     trail: Vec<[f64; 3]>,
@@ -159,8 +159,8 @@ impl<'m> FlightModel<'m> {
             .collect()
     }
 
-    /// Quantities shown over time: height, horizontal distance from the first sample, and the model's angles, speeds
-    /// and angular rates.
+    /// Quantities that the viewer shows over time: height, horizontal distance from the first sample, and the model's
+    /// angles, speeds and angular rates.
     fn numbers(
         &self,
         bound: &BoundModel<'_>,

@@ -51,7 +51,7 @@ pub(super) fn flights(report: &Report) -> Option<Drawn> {
 }
 
 /// Draws two dots for each flight: its RMS residuals without and with the effects added to the model. Flights are
-/// ordered by the residual without these effects; `noise` is the RMS noise, mm.
+/// ordered by the residual without these effects; `noise` is the RMS measurement noise, mm.
 fn ranked(title: &str, fitted: &[&FlightGain], noise: f64) -> Drawn {
     let sizes = fitted
         .iter()

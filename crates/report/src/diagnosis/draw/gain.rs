@@ -74,7 +74,7 @@ pub(super) fn gain(report: &Report) -> Option<Drawn> {
     Some(drawn_chart("gain", &chart, &caption, Layout::SMALL))
 }
 
-/// Chart row of a flight: RMS error, mm, without and with the effects added to the model.
+/// Chart row of a flight: RMS prediction error or residual, mm, without and with the effects added to the model.
 pub(super) fn row(flight: &FlightGain) -> Row {
     let before = 1e3 * flight.rms_before_m.unwrap_or(f64::NAN);
     let after = flight.rms_after_m.map(|rms| 1e3 * rms);

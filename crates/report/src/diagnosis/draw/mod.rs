@@ -65,8 +65,8 @@ impl Figures {
     }
 }
 
-/// Draws the predictions of the held-out flights by the extended model, or by the model under test if it was not
-/// extended. Empty if the fits are not available.
+/// Draws the predictions of the held-out flights by the model with the effects that the diagnosis added, or by the
+/// model under test if none were added. Empty if the fits are not available.
 fn held_out(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
     let Some(fits) = &page.fits else {
         return Vec::new();

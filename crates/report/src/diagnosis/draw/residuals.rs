@@ -40,8 +40,8 @@ pub(super) fn residuals(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
     FlightsOfRole::all(page.before).map(figure).collect()
 }
 
-/// Panel of one axis, with index `axis` and name `name`: residuals of the model under test (`before`) in grey, with
-/// residuals of the extended model (`after`) drawn on top. `sigma` is the standard deviation of the noise, m.
+/// Panel of the residuals along one axis, with index `axis` and name `name`: those of the model under test (`before`)
+/// in grey, with those of the extended model (`after`) drawn on top. `sigma` is the standard deviation of the noise, m.
 fn both(
     before: &[&FlightEvidence],
     after: &[&FlightEvidence],

@@ -15,13 +15,14 @@ use crate::figures::axis::range;
 /// Number of intervals into which the range of a curve's abscissa is divided.
 const INTERVALS: usize = 32;
 /// Minimum number of samples in an interval of the abscissa for the curve to have a point there, and maximum number of
-/// samples of an interval at which the quantity is evaluated.
+/// samples of an interval at which the plotted quantity is evaluated.
 const SAMPLES: (usize, usize) = (4, 7);
 /// Maximum number of samples, over all flights, from which the curve is computed.
 const MAX_SAMPLES: usize = 20_000;
 /// Quantiles of the abscissa, over the samples, between which the curve is drawn.
 const QUANTILES: (f64, f64) = (0.005, 0.995);
-/// Minimum change of the quantity along the curve, relative to its largest absolute value, for the curve to be drawn.
+/// Minimum change of the plotted quantity along the curve, relative to its largest absolute value, for the curve to be
+/// drawn.
 const FLAT: f64 = 1e-6;
 
 /// Curve of a quantity of the extended model (with the found effects) over a variable, and the same quantity of the
@@ -44,7 +45,8 @@ pub(in super::super) struct Curve {
     pub(in super::super) points: Vec<Point>,
 }
 
-/// Point of a curve: medians of the values at samples within one interval of the abscissa.
+/// Point of a curve: medians, over the samples within one interval of the abscissa, of the variable and of the plotted
+/// quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in super::super) struct Point {
     /// Value of the variable on the abscissa, in degrees for angles, otherwise SI.
@@ -257,8 +259,8 @@ fn points(samples: &[Sample<'_>], models: &Models<'_>) -> Vec<Point> {
     }
 }
 
-/// Fits of the model under test and of the extended model, with which the drawn quantity is evaluated at a sample. Its
-/// standard error follows from the covariance matrix of the extended model's coefficients.
+/// Fits of the model under test and of the extended model, with which the drawn quantity is evaluated at a sample. The
+/// standard error of the quantity follows from the covariance matrix of the extended model's coefficients.
 struct Models<'f> {
     before: &'f Fit,
     after: &'f Fit,
@@ -269,7 +271,7 @@ struct Models<'f> {
     /// Finite-difference step for the derivative with respect to each global parameter: its standard error, SI; 0 if it
     /// has none.
     steps: Vec<f64>,
-    /// Correlation matrix of the global parameters; 0 for parameters without a standard error.
+    /// Correlation matrix of the parameters common to all flights; 0 for parameters without a standard error.
     correlations: DMatrix<f64>,
 }
 
@@ -308,8 +310,8 @@ impl<'f> Models<'f> {
         }
     }
 
-    /// At a sample: value of the quantity in the model under test, value in the extended model, and standard error of
-    /// the value in the extended model.
+    /// At a sample: value of the drawn quantity in the model under test, value in the extended model, and standard
+    /// error of the value in the extended model.
     fn values(&self, sample: &Sample<'_>) -> [f64; 3] {
         let (before, after) = self.flights[sample.flight];
         let unextended = match (before, self.positions.0) {

@@ -10,7 +10,7 @@ use crate::figures::{Bar, Layout, Line, Panel, symbol};
 use crate::fit::Drawn;
 use crate::fit::numbers::{Digits, unit, with_unit};
 
-/// File name, without suffix, of the figure in the opening section of the report.
+/// File name, without suffix, of the figure in the opening section of the diagnosis report.
 const NAME: &str = "finding";
 /// Maximum number of rows of a chart, each for a coefficient or a candidate effect.
 const MAX_ROWS: usize = 10;

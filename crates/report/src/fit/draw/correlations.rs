@@ -9,10 +9,10 @@ const WIDTH: f64 = 360.0;
 const LETTERS: f64 = 13.0;
 /// Maximum number of coefficients in the drawn correlation matrix.
 const MAX_COEFFICIENTS: usize = 40;
-/// Maximum number of coefficients for which the values are printed in the cells.
+/// Maximum number of coefficients for which the correlations are printed in the cells of the matrix.
 const MAX_WRITTEN: usize = 12;
-/// Maximum number of coefficients for which the diagonal shows the names of the coefficients; for more coefficients, it
-/// shows their row indices.
+/// Maximum number of coefficients for which the diagonal of the drawn matrix shows their names; for more coefficients,
+/// it shows their row indices.
 const MAX_NAMED: usize = 8;
 
 /// Draws the lower triangle of the correlation matrix of the estimated coefficients; `None` for fewer than two.

@@ -34,7 +34,7 @@ pub(crate) fn not_drawn(number: usize, what: &str) -> String {
     }
 }
 
-/// Range of sample indices for which times, measurements and predictions all exist.
+/// Range of the indices of the samples for which times, measurements and predictions all exist.
 fn samples(flight: &FlightEvidence) -> std::ops::Range<usize> {
     let lengths = [flight.measured.len(), flight.predicted.len()];
     0..lengths.into_iter().fold(flight.times.len(), usize::min)
