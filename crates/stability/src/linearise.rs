@@ -11,7 +11,7 @@ use model_spec::model::Model;
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use ode::{DifferentiableRhs, OdeRhs};
 
-/// Time step, s, of the sixth-order central differences of the motion along a flight.
+/// Time step, s, of the sixth-order central differences by which the motion along a flight is differentiated.
 const STEP: f64 = 1e-4;
 /// Weights of the sixth-order central differences for the values 1, 2 and 3 steps to either side.
 const WEIGHTS: [f64; 3] = [45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0];
@@ -213,7 +213,7 @@ impl BoundBody<'_> {
             .then_some((acceleration, angular))
     }
 
-    /// Model bound to the parameter values of this body, for the integration of flights.
+    /// Compiled model, bound to the parameter values of this body, for the integration of flights.
     pub fn bound(&self) -> &BoundModel<'_> {
         &self.bound
     }

@@ -20,7 +20,8 @@ pub enum ModeKind {
     ShortPeriod,
     /// The angle of attack decays or grows without oscillation, because lift turns the path.
     Incidence,
-    /// Slow precession: body axis and direction of flight change together, more slowly than in the nutation.
+    /// Slow precession of the body axis: axis and direction of flight change together, more slowly than in the
+    /// nutation.
     Precession,
     /// Slow oscillation in which speed and climb are exchanged.
     Phugoid,
@@ -28,7 +29,7 @@ pub enum ModeKind {
     Speed,
     /// Mode in which only the spin decays or grows.
     Spin,
-    /// Neutral mode: a change of the heading, on which no force or moment depends.
+    /// Neutral mode: a change of the heading, which affects no force or moment.
     Heading,
 }
 

@@ -185,8 +185,8 @@ impl PartsFolder {
         self.write(&self.path.join(name), &format!("{json:#}\n"))
     }
 
-    /// Removes the files of the parts, which the results replace, and temporary files left by a killed process.
-    /// Errors are ignored.
+    /// Removes the files of the parts of the computation, which the results replace, and temporary files left by a
+    /// killed process. Errors are ignored.
     pub fn discard_parts(&self) {
         // Files that could not be removed are removed by the next run.
         let _ = fs::remove_dir_all(self.path.join("parts"));

@@ -46,7 +46,8 @@ impl<'t> Sheet<'t> {
         }
     }
 
-    /// Advances to the next row that is neither a comment nor empty; returns false at the end of the table.
+    /// Advances to the next row of the table that is neither a comment nor empty; returns false at the end of the
+    /// table.
     pub fn advance(&mut self) -> Result<bool, Fault> {
         while self.advance_line()? {
             if self.filled() > 0 {
@@ -98,7 +99,7 @@ impl<'t> Sheet<'t> {
         self.record.len()
     }
 
-    /// Text of a cell of the current row, trimmed; empty if the row has no cell at this index.
+    /// Text of a cell of the current row of the table, trimmed; empty if the row has no cell at this index.
     pub fn cell(&self, index: usize) -> &str {
         self.record.get(index).unwrap_or_default().trim()
     }
@@ -116,8 +117,8 @@ impl<'t> Sheet<'t> {
         self.reader.position().byte() as usize >= self.text.len() && !self.text.ends_with('\n')
     }
 
-    /// Value of a cell of the current row; `None` if the cell is empty or NaN. A decimal comma is accepted unless the
-    /// comma is the cell separator.
+    /// Value of a cell of the current row of the table; `None` if the cell is empty or NaN. A decimal comma is accepted
+    /// unless the comma is the cell separator.
     pub fn number(&self, index: usize) -> Result<Option<f64>, Fault> {
         let cell = self.cell(index);
         let is_decimal = |c: char| c.is_ascii_digit() || ['-', '+', ',', 'e', 'E'].contains(&c);
@@ -131,7 +132,8 @@ impl<'t> Sheet<'t> {
         read.map_err(|expected| self.fault(index, shown(cell), expected))
     }
 
-    /// Values of several cells of the current row; `None` if one of them is empty or NaN.
+    /// Values of the cells with the indices `columns` in the current row of the table; `None` if one of them is empty
+    /// or NaN.
     pub fn numbers<const N: usize>(&self, columns: [usize; N]) -> Result<Option<[f64; N]>, Fault> {
         let mut values = [0.0; N];
         for (value, column) in values.iter_mut().zip(columns) {

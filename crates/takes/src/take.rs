@@ -20,9 +20,10 @@ pub struct Take {
     pub length: LengthUnit,
     /// Axis of the file that points up; `None` if the file does not specify it.
     pub up: Option<Axis>,
-    /// Whether the axes are left-handed; `None` if this is specified neither in the file nor by its format.
+    /// Whether the axes of the file are left-handed; `None` if this is specified neither in the file nor by its format.
     pub left_handed: Option<bool>,
-    /// Notes on decisions made while reading, such as statements of the file that were overridden or columns left out.
+    /// Notes on decisions made while the file was read, such as values of the file that were overridden or columns left
+    /// out.
     pub notes: Vec<String>,
 }
 

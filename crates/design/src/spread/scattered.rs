@@ -51,8 +51,8 @@ impl Scattered {
         }
     }
 
-    /// Adds the errors of estimated coefficients to the distribution. Also returns the names of coefficients that the
-    /// model does not have, which are ignored.
+    /// Adds the standard errors and correlations of estimated coefficients to the distribution. Also returns the names
+    /// of coefficients that the model does not have, which are ignored.
     pub fn with_coefficients(
         mut self,
         flights: &ThrowFlights<'_>,

@@ -3,8 +3,8 @@
 use super::parameters::Parameters;
 use super::{C3dError, Deviation, refuse};
 
-/// Maximum frame number that the 16-bit words of the header can state; as the number of the last frame it may also mean
-/// any greater number.
+/// Maximum frame number that a 16-bit word of the C3D header can state. As the number of the last frame it may also
+/// stand for any greater number.
 const LAST_OF_HEADER: u32 = 0xffff;
 /// Number of bytes after the last frame of a C3D file below which they count as padding.
 const PADDING: usize = 512;
@@ -81,8 +81,8 @@ pub(super) fn frames(
     Ok((Extent { first, count: held }, size))
 }
 
-/// Number of the first frame and number of frames, from the header, or from the parameters if the 16 bits of the header
-/// do not suffice.
+/// Number of the first frame of a C3D file and number of frames, from the header, or from the parameters if the 16 bits
+/// of the header do not suffice.
 fn stated(
     parameters: &Parameters<'_>,
     first: u32,

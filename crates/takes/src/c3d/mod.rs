@@ -31,7 +31,7 @@ pub struct C3dError {
     pub expected: String,
 }
 
-/// A contradiction in a C3D file that has only one sensible interpretation, which is used.
+/// A contradiction in a C3D file that has only one sensible interpretation, and this interpretation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Deviation {
     /// The contradiction: its byte offset, what was found and what was expected.

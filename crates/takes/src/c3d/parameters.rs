@@ -16,13 +16,14 @@ pub(super) struct Parameters<'a> {
     parameters: BTreeMap<(u8, String), Parameter<'a>>,
     /// Byte offset of the parameter section in the file.
     start: usize,
-    /// Byte offset in the file of the end of a parameter that extends past the parameter section; 0 if there is none.
+    /// Byte offset in the file of the end of a parameter that extends past the parameter section; 0 if no parameter
+    /// does.
     end_of_cut: usize,
 }
 
 impl<'a> Parameters<'a> {
-    /// Parses the parameter section, which begins at byte `start` of the file and ends where the data begin. If a
-    /// parameter extends past the section, the parameters before it are returned together with the fault.
+    /// Parses the parameter section of a C3D file, which begins at byte `start` of the file and ends where the data
+    /// begin. If a parameter extends past the section, the parameters before it are returned together with the fault.
     pub fn read(
         section: &'a [u8],
         start: usize,
@@ -87,7 +88,8 @@ impl<'a> Parameters<'a> {
         Ok((found, None))
     }
 
-    /// Byte offset in the file of the end of the parameter that extends past the parameter section; 0 if there is none.
+    /// Byte offset in the file of the end of the parameter that extends past the parameter section; 0 if no parameter
+    /// does.
     pub fn end_of_cut(&self) -> usize {
         self.end_of_cut
     }

@@ -25,14 +25,14 @@ const PASSES: usize = 3;
 /// with weights. For such a spin, the matrix B has one small eigenvalue. The values are the minimum ratio of B's middle
 /// eigenvalue to the sum of the weights, and the maximum ratio of its least to its middle eigenvalue.
 const SPIN: (f64, f64) = (0.05, 0.5);
-/// Minimum ratio of the mean square of the spin axis's wobble to the mean square of its measurement noise for the
-/// height of the centre of mass to be estimated.
+/// Minimum ratio of the mean square of the wobble of the spin axis to the mean square of the axis's measurement noise,
+/// for the height of the centre of mass to be estimated.
 const WOBBLE: f64 = 0.1;
 /// Minimum sine of the elevation of the spin axis at the beginning of a flight for the flight to count in the decision
 /// which direction of the axis points upwards.
 const UPWARDS: f64 = 0.2;
 
-/// Spin axis and centre of mass of the body, in the body-fixed axes of [`Shape`].
+/// Spin axis and centre of mass of a body, in the body-fixed axes of [`Shape`] (marker positions on the body).
 pub(super) struct Centre {
     /// Unit vector along the spin axis, in the direction that points upwards at the beginning of most flights.
     pub axis: Vector3<f64>,
@@ -211,8 +211,8 @@ fn height(sums: &Sums, axis: &Vector3<f64>, variance: f64) -> Option<(f64, f64)>
     ))
 }
 
-/// Weighted mean squares, per degree of freedom, of the residuals after the polynomial fits: those of the direction of
-/// the spin axis (dimensionless) and those of the trajectory of the centre of mass, m².
+/// Weighted mean squares, per degree of freedom, of the residuals after polynomials in time were fitted: those of the
+/// direction of the spin axis (dimensionless) and those of the trajectory of the centre of mass, m².
 fn residuals(motions: &[Motion], point: &Vector3<f64>, axis: &Vector3<f64>) -> (f64, f64) {
     let (mut axes, mut paths, mut axis_freedom, mut freedom) = (0.0, 0.0, 0.0, -3.0);
     for motion in motions {

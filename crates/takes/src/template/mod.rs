@@ -63,7 +63,7 @@ pub struct EstimatedMarker {
     pub std_error: [f64; 3],
 }
 
-/// Source of the position of the centre of mass along the spin axis. Heights are relative to the mean of the markers.
+/// Source of the height of the centre of mass along the spin axis. Heights are relative to the mean of the markers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CentreHeight {
     /// The height is estimated from the wobble of the body in the flights.
@@ -77,11 +77,11 @@ pub enum CentreHeight {
     Stated {
         /// Stated height of the centre of mass along the spin axis, relative to the mean of the markers, m.
         height: f64,
-        /// Estimate of the same height from the flights, for comparison, and its standard error, m; `None` if the
-        /// flights do not determine the height.
+        /// Estimate, from the flights, of the height that the user stated, for comparison, and its standard error, m;
+        /// `None` if the flights do not determine the height.
         shown: Option<(f64, f64)>,
     },
-    /// Assumed to be 0, the mean height of the markers, because the flights do not determine it.
+    /// The height is assumed to be 0, the mean height of the markers, because the flights do not determine it.
     Assumed {
         /// Standard error of the unused estimate of the height from the flights, m; `None` if the spin axis wobbles too
         /// little for an estimate.
@@ -110,7 +110,7 @@ pub enum TemplateError {
         /// Labels of the points that move as one body.
         labels: Vec<String>,
     },
-    /// A marker is never seen together with enough other markers to fix its position on the body.
+    /// A marker is never seen together with enough other markers to determine its position on the body.
     #[error(
         "found no sample that places {label} among the other points, expected it with 3 others or more, or a template by --markers"
     )]

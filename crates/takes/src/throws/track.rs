@@ -29,7 +29,7 @@ pub(super) struct Track {
 }
 
 impl Track {
-    /// Follows the points or the body named in `labels`; if `labels` is empty, the first tracked body or, without one,
+    /// Selects the points or the body named in `labels`; if `labels` is empty, the first tracked body or, without one,
     /// the largest set of points that move as one. Returns `None` and adds a note if the points or the body are seen in
     /// fewer than two samples.
     pub fn new(take: &Take, labels: &[&str], notes: &mut Vec<String>) -> Option<Self> {

@@ -11,7 +11,7 @@ use super::{FINEST, GRAVITY, dot, median, norm};
 const HALF: f64 = 0.042;
 /// Minimum number of samples on each side of the central sample of a local fit of a quadratic in time.
 const MIN_HALF: usize = 4;
-/// Speed below which a body that does not fall counts as carried or at rest, m/s.
+/// Speed below which a body that is not in free fall counts as carried or at rest, m/s.
 pub(super) const SLOW: f64 = 1.0;
 /// Constants a and b of the maximum aerodynamic acceleration a + b V² of a body in free flight at the speed V: a in
 /// m/s², b in 1/m. For comparison, a shuttlecock, with a terminal speed of 6.8 m/s, has b = 0.21 1/m.
@@ -55,8 +55,8 @@ impl Window {
     }
 }
 
-/// Whether the air can cause the acceleration `air` (without gravity, m/s²) of a body in free flight at a velocity
-/// (m/s); `slack` is the uncertainty of the acceleration, m/s².
+/// Whether aerodynamic forces and wind can cause the acceleration `air` (without gravity, m/s²) of a body in free
+/// flight at a velocity (m/s); `slack` is the uncertainty of the acceleration, m/s².
 pub(super) fn allowed(velocity: [f64; 3], air: [f64; 3], slack: f64) -> bool {
     let speed = norm(velocity);
     let push = dot(air, velocity) / speed.max(1e-9);
