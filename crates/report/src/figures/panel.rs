@@ -9,8 +9,8 @@ pub struct Line {
     pub points: Vec<(f64, f64)>,
 }
 
-/// Labelled event or limit in a panel, such as a landing or an end of a confidence interval, drawn as a dot or a vertical
-/// line.
+/// Labelled event or limit in a panel, such as a landing or an end of a confidence interval, drawn as a dot or a
+/// vertical line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
     /// Label of the event; may be empty.
