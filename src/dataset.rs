@@ -84,7 +84,7 @@ impl DatasetBuilder {
         self
     }
 
-    /// Sets a value of the last added flight that is known by other means, such as a measured wind, by its name in
+    /// Sets a value of the flight added last that is known from other measurements, such as the wind, by its name in
     /// the model.
     pub fn known(mut self, name: &str, value: KnownValue) -> Self {
         if let Some(flight) = self.dataset.flights.last_mut() {

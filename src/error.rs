@@ -10,10 +10,11 @@ use ode::IntegrationError;
 #[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A model or an effect cannot be loaded: a missing file, an unknown name, or faults in a text.
+    /// A model or an effect (optional model extension) cannot be loaded: a missing file, an unknown name, or faults in
+    /// a text.
     #[error(transparent)]
     Load(#[from] LoadError),
-    /// A release file (launch conditions) has faults.
+    /// A release file (launch conditions of a flight) has faults.
     #[error(transparent)]
     Release(#[from] ReleaseError),
     /// A trajectory cannot be computed.
@@ -25,22 +26,22 @@ pub enum Error {
     /// A model cannot be fitted to a dataset.
     #[error(transparent)]
     Fit(#[from] FitError),
-    /// A dataset cannot be diagnosed.
+    /// A dataset cannot be diagnosed: the search for effects (possible extensions) that its model lacks failed.
     #[error(transparent)]
     Diagnosis(#[from] DiagnosisError),
     /// A sweep cannot be computed, or its results cannot be written.
     #[cfg(feature = "sweep")]
     #[error(transparent)]
     Sweep(#[from] ::sweep::SweepError),
-    /// There is no built-in release of the given name.
+    /// There is no built-in release (launch conditions of a flight) of the given name.
     #[error("no built-in release {name:?}; expected one of {}", known.join(", "))]
     UnknownRelease {
-        /// The given name.
+        /// Name of the release that was requested.
         name: String,
-        /// Names of the built-in releases.
+        /// Names of the built-in releases (launch conditions of a flight).
         known: Vec<&'static str>,
     },
-    /// A release sets a parameter or coefficient that the model does not have.
+    /// A release (launch conditions of a flight) sets a parameter or coefficient that the model does not have.
     #[error("the model {model} has no state, parameter or coefficient {name:?}")]
     UnknownName {
         /// Name of the model.

@@ -22,7 +22,8 @@ pub struct Fit {
 }
 
 impl Fit {
-    /// Estimate of a coefficient, or of a freed parameter, by its name; `None` for an unknown name.
+    /// Estimate of a coefficient, or of a parameter that the fit also estimated, by its name; `None` for an unknown
+    /// name.
     pub fn coefficient(&self, name: &str) -> Option<Estimate> {
         let coefficient = self.fit.report.coefficients.get(name)?;
         Some(Estimate {
@@ -33,18 +34,19 @@ impl Fit {
         })
     }
 
-    /// Names and estimates of all coefficients and freed parameters, in alphabetical order.
+    /// Names and estimates of all coefficients and of the parameters that the fit also estimated, in alphabetical
+    /// order.
     pub fn coefficients(&self) -> impl Iterator<Item = (&str, Estimate)> {
         let names = self.fit.report.coefficients.keys();
         names.filter_map(|name| Some((name.as_str(), self.coefficient(name)?)))
     }
 
-    /// Root mean square residual of a measured coordinate over the fitted flights, m.
+    /// Root mean square residual of the measured coordinates over the fitted flights, m.
     pub fn rms(&self) -> f64 {
         self.fit.report.rms_m
     }
 
-    /// Whether the iteration converged; without convergence the estimates are not reliable.
+    /// Whether the iteration of the fit converged; without convergence the estimates are not reliable.
     pub fn converged(&self) -> bool {
         self.fit.report.iterations.converged
     }
@@ -65,7 +67,7 @@ impl Fit {
         &self.fit.report.data_faults
     }
 
-    /// Complete report: noise, correlations, flights, coefficients that the flights do not determine.
+    /// Complete report of the fit: noise, correlations, flights, and coefficients that the flights do not determine.
     pub fn report(&self) -> &FitReport {
         &self.fit.report
     }

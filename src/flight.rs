@@ -5,7 +5,7 @@ use ode::Trajectory;
 
 use crate::Model;
 
-/// Simulated flight of a model: states, marker positions and events from the release to the end.
+/// Simulated flight of a model: states, marker positions and events from the release (initial conditions) to the end.
 #[derive(Clone, Debug)]
 pub struct Flight {
     model: Model,
@@ -27,8 +27,8 @@ impl Flight {
         self.trajectory.end - self.trajectory.start
     }
 
-    /// Value of the state called `name` at time `t`, s after the release; `None` for an unknown name or a time
-    /// outside the flight.
+    /// Value of the state called `name` at time `t`, s since the release; `None` for an unknown name or a time outside
+    /// the flight.
     pub fn state(&self, name: &str, t: f64) -> Option<f64> {
         let state = self.model.compiled().layout().state(name)?;
         Some(self.trajectory.sample(t)?[state.index()])

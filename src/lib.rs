@@ -56,7 +56,7 @@ pub use sweep::{Sweep, sweep};
 // Diagnoses.
 pub use diagnosis::{Diagnosis, DiagnosisOptions, diagnose};
 
-/// Crates of the workspace, for functions that this library does not re-export.
+/// Crates of the workspace on which this library is built, for functions that it does not re-export itself.
 pub mod crates {
     pub use ::flight;
     pub use {codegen, design, diagnose, identify, model_spec, ode, stability};

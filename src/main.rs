@@ -11,8 +11,8 @@ use ::diagnose::DiagnosisError;
 use clap::Parser;
 use identify::FitError;
 
-/// Outcome of a command, which determines the exit status: yes (0); no (1), for example if a check fails; or
-/// undecided (3). Bad input is an error (2).
+/// Outcome of a command, which determines the exit status: `Yes` (0); `No` (1), for example if a check fails; or
+/// `Undecided` (3). Invalid input is an error instead, with exit status 2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Answer {
     Yes,
@@ -43,7 +43,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// The fit error that ended the command; `None` if it ended for another reason.
+/// Error of a fit that ended the command; `None` if the command ended for another reason.
 fn fit_error(error: &anyhow::Error) -> Option<&FitError> {
     match error.downcast_ref::<DiagnosisError>() {
         Some(DiagnosisError::Fit(error)) => Some(error),

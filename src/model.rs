@@ -9,7 +9,7 @@ use ode::IntegrationOptions;
 
 use crate::{Error, Flight};
 
-/// Checked model of a flying body, including the effects applied to it.
+/// Checked model of a flying body, including the effects (optional model extensions) applied to it.
 ///
 /// ```
 /// # fn main() -> Result<(), hyzer::Error> {
@@ -52,7 +52,7 @@ impl Model {
         Model::check(self.tree.with(&effect)?)
     }
 
-    /// Returns the model extended by an effect given as text, `effect NAME { … }`.
+    /// Returns the model extended by an effect (optional model extension) that is given as text, `effect NAME { … }`.
     ///
     /// # Errors
     /// [`Error::Load`] if the text or the extended model has faults.
@@ -79,19 +79,18 @@ impl Model {
         self.checked.states.iter().map(|state| &*state.name)
     }
 
-    /// Names and default values (SI) of the coefficients, including those of the effects.
+    /// Names and default values (SI) of the coefficients, including those of the effects (model extensions) applied.
     pub fn coefficients(&self) -> impl Iterator<Item = (&str, f64)> {
         let coefficients = self.checked.coefficients.iter();
         coefficients.map(|coefficient| (&*coefficient.name, coefficient.value))
     }
 
-    /// Text of the model in the model language, with the effects merged into its statements.
+    /// Text of the model in the model language, with the effects (model extensions) merged into its equations.
     pub fn text(&self) -> String {
         self.tree.to_text("")
     }
 
-    /// The checked model as a data structure of the model language, for the compiler and other crates of the
-    /// workspace.
+    /// The checked model as the data structure that the compiler and other crates of the workspace use.
     pub fn checked(&self) -> &model_spec::model::Model {
         &self.checked
     }
@@ -115,9 +114,9 @@ impl Model {
         self.parse_release(name, text)
     }
 
-    /// Parses a release of this model from the text of a release file (TOML); the model that the text names is
-    /// ignored. `name` is the file name in error messages. Wind profiles over height and gusts are refused, because
-    /// they change the model: see [`parse_release_in_wind`](Model::parse_release_in_wind).
+    /// Parses a release (launch conditions) of this model from the text of a release file (TOML); the model that the
+    /// text names is ignored. `name` is the file name in error messages. Wind profiles over height and gusts are
+    /// refused, because they change the model: see [`parse_release_in_wind`](Model::parse_release_in_wind).
     ///
     /// # Errors
     /// [`Error::Release`] if the text has faults.

@@ -19,7 +19,8 @@ pub fn write(path: &Path, contents: impl AsRef<[u8]>) -> anyhow::Result<()> {
     progress::writing(whole).with_context(|| format!("cannot write {}", path.display()))
 }
 
-/// Opens the folder of the option `--out`, if given, so that an unusable folder is an error before any work is done.
+/// Opens the folder that the option `--out` names, if given, so that an unusable folder is an error before any work is
+/// done.
 pub fn folder(out: Option<&Path>) -> anyhow::Result<Option<ResultFolder>> {
     let open = |path| ResultFolder::open(path).context("--out");
     out.map(open).transpose()
@@ -35,7 +36,7 @@ pub fn new_folder(path: &Path) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Replaces the results in a folder by `files`, all at once.
+/// Replaces the results of an earlier run in a folder by `files`, all at once.
 pub fn replace(folder: &ResultFolder, files: &[ResultFile]) -> anyhow::Result<()> {
     progress::writing(|| folder.replace(files)).context("--out")
 }

@@ -23,7 +23,7 @@ const STOPPED_WRITING: u8 = 3;
 
 static PHASE: AtomicU8 = AtomicU8::new(WORKING);
 
-/// Whether results computed before a signal are kept, so that the same command continues from them.
+/// Whether a later run of the same command continues from the results computed before a signal.
 static RESUMES: AtomicBool = AtomicBool::new(false);
 
 /// The progress bar on display, kept here so that the signal handler can remove it.
@@ -38,7 +38,7 @@ const WRITING_LIMIT: Duration = Duration::from_millis(400);
 /// Maximum time that the program waits, after a signal, for the message to be printed before it exits.
 const MESSAGE_LIMIT: Duration = Duration::from_millis(200);
 
-/// Installs the signal handler, for all commands.
+/// Installs the handler of interrupt and termination signals, for all commands.
 pub fn handle_signals() -> anyhow::Result<()> {
     ctrlc::set_handler(|| {
         let change = |from, to| {
@@ -68,7 +68,7 @@ pub fn resumes() {
     RESUMES.store(true, Ordering::SeqCst);
 }
 
-/// Runs a function that writes results; a signal that arrives while the function runs ends the program when the
+/// Runs a function that writes results. A signal that arrives while the function runs ends the program only when the
 /// function returns.
 pub fn writing<T>(write: impl FnOnce() -> T) -> T {
     remove_bar();
@@ -89,8 +89,8 @@ fn enter(from: u8, to: u8) {
     }
 }
 
-/// Prints the message to standard error and exits with the status [`INTERRUPTED`]; exits without the message if
-/// printing blocks for longer than [`MESSAGE_LIMIT`].
+/// Prints `message` to standard error and exits with the status [`INTERRUPTED`]; exits without the message if printing
+/// blocks for longer than [`MESSAGE_LIMIT`].
 fn end(message: &str) {
     // Standard error may be a full pipe that nobody reads, so that printing blocks.
     thread::spawn(|| {

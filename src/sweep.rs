@@ -7,8 +7,8 @@ use serde_json::Value;
 
 use crate::Error;
 
-/// Simulates the flights of the plan in a file on several threads and writes `flights.parquet` and `summary.json` to
-/// the folder `out`. The folder is new or empty, or that of an earlier call with the same plan, which is continued.
+/// Simulates the flights of the sweep plan in a file on several threads and writes `flights.parquet` and `summary.json`
+/// to the folder `out`. The folder is new or empty, or that of an earlier call with the same plan, which is continued.
 ///
 /// # Errors
 /// [`Error::Release`] if the plan has faults; [`Error::Sweep`] if the flights cannot be computed or the results
@@ -43,7 +43,7 @@ pub struct Sweep {
 }
 
 impl Sweep {
-    /// Number of flights, including those that did not reach the ground.
+    /// Number of flights of the sweep, including those that did not reach the ground.
     pub fn flights(&self) -> u64 {
         self.summary["flights"].as_u64().unwrap_or(0)
     }
@@ -59,13 +59,13 @@ impl Sweep {
         self.summary["columns"][column]["mean"].as_f64()
     }
 
-    /// Standard deviation of a column over the flights that [`Sweep::mean`] includes; `None` for an unknown column or
-    /// without such flights.
+    /// Standard deviation of a column of the table of flights, over the flights that [`Sweep::mean`] includes; `None`
+    /// for an unknown column or without such flights.
     pub fn standard_deviation(&self, column: &str) -> Option<f64> {
         self.summary["columns"][column]["sd"].as_f64()
     }
 
-    /// The summary as JSON, as in the file `summary.json`.
+    /// The summary statistics as JSON, as in the file `summary.json`.
     pub fn summary(&self) -> &Value {
         &self.summary
     }

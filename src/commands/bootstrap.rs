@@ -101,7 +101,7 @@ pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
     Ok(Answer::No)
 }
 
-/// Number of flights to which the model was fitted.
+/// Number of flights to which the model was fitted, without the excluded ones.
 fn flights(fit: &Fit) -> usize {
     let flights = fit.report.flights.iter();
     flights
@@ -109,8 +109,8 @@ fn flights(fit: &Fit) -> usize {
         .count()
 }
 
-/// Hash of everything on which the estimates of a bootstrap depend: program version, model, options and dataset. It
-/// identifies the results of an interrupted run.
+/// Hash of everything on which the estimates of a bootstrap depend: program version, model, options and dataset. A run
+/// continues earlier results only if their hash is the same.
 fn work(options: &Bootstrap, dataset: &Dataset, model: &Model) -> String {
     let Bootstrap {
         inputs,

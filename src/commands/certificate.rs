@@ -11,12 +11,12 @@ use verify::report::Outcome;
 
 use crate::{Answer, output};
 
-/// File extension of the certificate next to a model's file.
+/// File extension of the certificate (record of the verification checks) of a model, next to the model's file.
 const ENDING: &str = "certificate.json";
 
-/// Prints whether a certificate is still valid; returns `Answer::No` if a certified item, such as the text of a model,
-/// differs from its state when the certificate was written. If `again`, the certified checks are repeated; `same`
-/// selects the models that must describe the same motion.
+/// Prints whether a certificate (record of the verification checks of models) is still valid. Returns `Answer::No` if a
+/// certified item, such as the text of a model, has changed since the certificate was written. If `again`, the
+/// certified checks are repeated; `same` selects the models that must describe the same motion.
 pub fn check(
     path: &Path,
     again: bool,
@@ -53,8 +53,8 @@ pub fn check(
 pub struct Found(Option<(PathBuf, Result<Certificate, CertificateError>)>);
 
 impl Found {
-    /// Reads the certificate file `asked`, or without one the certificate next to the file of the model `name_or_path`,
-    /// if there is one. Returns an error only if `asked` cannot be read.
+    /// Reads the certificate file `asked` (record of verification checks), or without one the certificate next to the
+    /// file of the model `name_or_path`, if there is one. Returns an error only if `asked` cannot be read.
     pub fn read(asked: Option<&Path>, name_or_path: &str) -> anyhow::Result<Self> {
         if let Some(path) = asked {
             let read = Certificate::read(path)

@@ -42,8 +42,8 @@ pub fn run(options: &Check) -> anyhow::Result<Answer> {
     Ok(answer)
 }
 
-/// Compares the results of the check cases that a model declares with their expected values. Returns the results as
-/// text, and whether all cases pass.
+/// Evaluates the check cases that a model declares (points of evaluation with expected values), and compares the
+/// results with the expected values. Returns the results as text, and whether all cases pass.
 fn cases(model: &Model) -> (String, bool) {
     let mut text = String::new();
     let mut all_pass = true;

@@ -19,8 +19,8 @@ const MAX_BYTES: u64 = 1_000_000;
 /// value is an error.
 const MAX_SECONDS: f64 = 60.0;
 
-/// Runs `hyzer diff`: compares two models. Returns `Answer::No` if the derivatives of the new model are different
-/// functions.
+/// Runs `hyzer diff`: compares two models. Returns `Answer::No` if they differ in a time derivative of a state, a
+/// component of the measurement equation or a limit of validity.
 pub fn run(options: &Diff) -> anyhow::Result<Answer> {
     if !(options.seconds > 0.0 && options.seconds <= MAX_SECONDS) {
         bail!(
@@ -75,7 +75,7 @@ fn loaded(wanted: &str, with: &[&str]) -> anyhow::Result<Loaded> {
     }
 }
 
-/// Text of a file at a git revision, from `git show`.
+/// Text of the file `path` at the git revision `revision`, from `git show`.
 fn of_git(revision: &str, path: &str) -> anyhow::Result<String> {
     let object = format!("{revision}:{path}");
     if revision.starts_with('-') {

@@ -5,7 +5,8 @@ use report::effects::{listed, not_offered, page};
 use crate::cli::Effects;
 use crate::{Answer, output};
 
-/// Writes the Markdown page of effects for a model, or of all built-in effects, to a file or standard output.
+/// Runs `hyzer effects`: writes the effects (optional extensions) of a model, or all built-in effects, as Markdown to a
+/// file or standard output.
 pub fn run(options: &Effects) -> anyhow::Result<Answer> {
     let model = options.model.as_deref();
     let effects = listed(model)?;

@@ -11,7 +11,7 @@ use model_spec::model::Model;
 use crate::cli::Generate;
 use crate::{Answer, output, progress};
 
-/// Folder of the generated sources, relative to the root of the repository.
+/// Folder of the generated Rust sources, relative to the root of the repository.
 const SOURCES: &str = "crates/generated/src";
 /// Folder of the model files, relative to the root of the repository.
 const MODELS: &str = "model-spec/models";
@@ -25,7 +25,7 @@ pub fn run(options: &Generate) -> anyhow::Result<Answer> {
     }
 }
 
-/// Generates one module per model in the folder `--out`.
+/// Generates one Rust module per model in the folder that the option `--out` names.
 fn generate_modules(options: &Generate, out: &Path) -> anyhow::Result<Answer> {
     let files = modules(options)?;
     let folder = out.display().to_string();
@@ -101,7 +101,8 @@ fn list(changed: &[String], folder: &str, models: usize) -> anyhow::Result<Answe
     Ok(Answer::Yes)
 }
 
-/// Root folder of the repository that contains the current folder; an error outside of the repository.
+/// Root folder of the repository that contains the current folder; an error if the current folder is outside of the
+/// repository.
 fn repository() -> anyhow::Result<PathBuf> {
     let here = std::env::current_dir()?;
     match here

@@ -21,7 +21,7 @@ mod wind;
 use crate::Answer;
 use crate::cli::Command;
 
-/// Runs a command of the program.
+/// Runs a command of the program and returns its outcome.
 pub fn run(command: Command) -> anyhow::Result<Answer> {
     match command {
         Command::Check(options) => check::run(&options),
@@ -42,7 +42,8 @@ pub fn run(command: Command) -> anyhow::Result<Answer> {
     }
 }
 
-/// Effect names of the option `--with`, as string slices for the model loader.
+/// Names of the effects (optional model extensions) given by the option `--with`, as string slices for the model
+/// loader.
 fn names(with: &[String]) -> Vec<&str> {
     with.iter().map(String::as_str).collect()
 }
@@ -55,7 +56,8 @@ fn number(option: &str, text: &str) -> anyhow::Result<f64> {
     }
 }
 
-/// Parses the value `I/N` of the option `--part`: share number I, from 1, of N.
+/// Parses the value `I/N` of the option `--part`, which selects share number I, counted from 1, of N equal shares of
+/// the work.
 fn share(text: &str) -> anyhow::Result<(u64, u64)> {
     let numbers = text.split_once('/');
     let numbers = numbers.and_then(|(part, of)| Some((part.parse().ok()?, of.parse().ok()?)));
@@ -65,7 +67,8 @@ fn share(text: &str) -> anyhow::Result<(u64, u64)> {
     }
 }
 
-/// Parses the value `X,Y,Z` of a command-line option as three numbers; `option` and `unit` appear in messages.
+/// Parses the value `X,Y,Z` of a command-line option as three finite numbers; `option` and `unit` appear in messages
+/// only.
 fn vector(option: &str, text: &str, unit: &str) -> anyhow::Result<[f64; 3]> {
     let parts: Vec<&str> = text.split(',').collect();
     let [x, y, z] = parts[..] else {
@@ -74,7 +77,7 @@ fn vector(option: &str, text: &str, unit: &str) -> anyhow::Result<[f64; 3]> {
     Ok([number(option, x)?, number(option, y)?, number(option, z)?])
 }
 
-/// Rounds a value to hundredths for a message; the sum with 0 turns a negative zero into 0.
+/// Rounds a value to hundredths for a message; a negative zero becomes 0.
 fn hundredths(value: f64) -> f64 {
     (100.0 * value).round() / 100.0 + 0.0
 }

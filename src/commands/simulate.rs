@@ -91,7 +91,7 @@ pub fn run(options: &Simulate) -> anyhow::Result<Answer> {
     Ok(Answer::Yes)
 }
 
-/// Result file with the characteristics of a flight as JSON.
+/// Result file `path` with the characteristics of a simulated flight, such as duration and range, as JSON.
 fn summary_file(path: &str, flown: &Flown, model: &Model) -> ResultFile {
     let text = format!("{:#}\n", flown.json(&model.name));
     ResultFile::new(path, text)
@@ -130,8 +130,8 @@ fn check_numbers(options: &Simulate) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Loads the model and the release, and applies the changes to the release that are given on the command line, such as
-/// wind and parameters.
+/// Loads the model and the release (launch conditions), and applies the changes to the release that are given on the
+/// command line, such as wind and parameters.
 fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     let (mut model, mut release) = match &options.release {
         Some(name) => released_in_wind(name, options.model.as_deref(), &options.with)?,
@@ -169,8 +169,8 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     Ok((model, release))
 }
 
-/// Loads a release by name or file, with the model given on the command line or else the one that the release names.
-/// Returns an error if the release has a wind profile over height or gusts.
+/// Loads a release (launch conditions) by name or file, with the model given on the command line or else the one that
+/// the release names. Returns an error if the release has a wind profile over height or gusts.
 pub(super) fn released(
     name: &str,
     named: Option<&str>,
@@ -192,8 +192,8 @@ pub(super) fn released(
     Ok((model, release))
 }
 
-/// Loads a release as [`released`] does, but accepts a wind profile over height and gusts; the model returned
-/// includes this wind.
+/// Loads a release (launch conditions) by name or file, with the model given on the command line or else the one that
+/// the release names. The model returned includes a wind profile over height and gusts that the release specifies.
 fn released_in_wind(
     name: &str,
     named: Option<&str>,
@@ -211,7 +211,7 @@ fn released_in_wind(
     Ok((Model::clone(&model), release))
 }
 
-/// Applies an assignment `NAME=VALUE` of the command line to the release.
+/// Applies an assignment `NAME=VALUE` of the command line to a parameter, coefficient or initial state of the release.
 pub(super) fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> {
     let (name, value) = set
         .split_once('=')
@@ -287,7 +287,7 @@ fn summary(model: &Model, body: &CompiledModel, flight: &Trajectory) -> String {
     text
 }
 
-/// Result files of a simulation: the trajectory, the figure and the three-dimensional view.
+/// Result files of the simulation of one flight: the trajectory, the figure and the three-dimensional view.
 fn results(
     model: &Model,
     body: &CompiledModel,

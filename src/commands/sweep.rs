@@ -15,8 +15,8 @@ use crate::{Answer, output};
 /// Name and TOML text of the built-in sweep plan.
 const BUILT_IN: (&str, &str) = ("backhands", include_str!("sweep/backhands.toml"));
 
-/// Runs `hyzer sweep`: simulates the flights of the plan and prints the summary. If only a share of the flights is
-/// simulated, prints which work remains instead.
+/// Runs `hyzer sweep`: simulates the flights of the sweep plan and prints the summary. If only a share of the flights
+/// is simulated, prints which work remains instead.
 pub fn run(options: &Sweep) -> anyhow::Result<Answer> {
     if options.example {
         output::print(BUILT_IN.1)?;
@@ -65,8 +65,8 @@ pub fn run(options: &Sweep) -> anyhow::Result<Answer> {
     Ok(Answer::Yes)
 }
 
-/// Prints on standard error where the results are, and the number of flights per second, which is not part of the
-/// results.
+/// Prints on standard error where the results of the sweep are, and the number of flights per second, which is not part
+/// of the results.
 fn tell(plan: &Plan, out: &Path, csv: bool, seconds: f64) {
     let csv = if csv { ", flights.csv" } else { "" };
     eprintln!(

@@ -36,8 +36,8 @@ pub fn run(options: &Synthesize) -> anyhow::Result<Answer> {
     Ok(Answer::Yes)
 }
 
-/// Loads the releases and the model that all of them have in common, and applies the changes given on the command line
-/// to every release.
+/// Loads the releases (launch conditions) and the model that all of them have in common, and applies the changes given
+/// on the command line to every release.
 fn prepare(options: &Synthesize) -> anyhow::Result<(Model, Vec<Release>)> {
     let mut model: Option<Model> = None;
     let mut releases = Vec::with_capacity(options.release.len());
@@ -87,7 +87,7 @@ fn plan(options: &Synthesize) -> anyhow::Result<Plan> {
     })
 }
 
-/// Parses a marker `NAME=X,Y,Z` of the command line; position in the body frame, m.
+/// Parses a marker `NAME=X,Y,Z` of the command line; X, Y and Z are its position in the body frame, m.
 fn marker(text: &str) -> anyhow::Result<Marker> {
     let Some((name, position)) = text.split_once('=') else {
         bail!("--marker: found {text:?}, expected NAME=X,Y,Z in m");

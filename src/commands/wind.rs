@@ -32,7 +32,7 @@ pub fn apply(text: &str, model: Model, release: &mut Release) -> anyhow::Result<
     }
 }
 
-/// Returns the model, or an error if the wind is not zero and the model has no input `wind`.
+/// Returns the model unchanged, or an error if the wind is not zero and the model has no input `wind`.
 fn with_input(model: Model, wind: [f64; 3]) -> anyhow::Result<Model> {
     if wind != [0.0; 3] && !model.inputs.iter().any(|input| input.name == "wind") {
         bail!(

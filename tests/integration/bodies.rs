@@ -23,7 +23,7 @@ fn boomerang(file: &str) -> String {
     path.to_string_lossy().into_owned()
 }
 
-/// Names of the built-in bodies, and the path of the model of a boomerang, as a user's own model.
+/// Names of the built-in bodies, followed by the path of a model file of a boomerang, as a user could write it.
 fn bodies() -> Vec<String> {
     let named = model_spec::load::BODIES
         .iter()
@@ -102,8 +102,8 @@ fn bodies_are_written_as_code_with_their_tables() {
     assert!((slowed + 2.0413566251122273).abs() < 1e-12, "{slowed}");
 }
 
-/// Simulates flights of a driver with 10 % more lift than in the model and, in one dataset, a pitching moment that the
-/// model lacks; the fit finds the factor on the lift, and the diagnosis the moment.
+/// Simulates flights of a driver (golf disc) with 10 % more lift than in the model and, in one dataset, a pitching
+/// moment that the model lacks. The fit must find the factor on the lift, and the diagnosis the moment.
 #[test]
 fn a_model_with_tables_is_fitted_and_diagnosed() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -23,8 +23,8 @@ fn repository() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// Folder `name` of the measured data beside the repository. `None`, with a message on standard error, if it is
-/// missing.
+/// Folder `name` of measured data, in a folder beside the repository. `None`, with a message on standard error, if it
+/// is missing.
 fn shared_data(name: &str) -> Option<PathBuf> {
     let folder = repository().join("../shared/data").join(name);
     if folder.is_dir() {

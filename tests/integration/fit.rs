@@ -98,7 +98,7 @@ fn what_is_asked_wrongly_is_refused() {
     }
 }
 
-/// Creates a dataset that is large enough for its fit to be interrupted.
+/// Creates a dataset whose fit takes so long that a test can interrupt it.
 fn long_work(folder: &Path) {
     let made = hyzer()
         .args([

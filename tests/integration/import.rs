@@ -302,7 +302,7 @@ fn a_pose_is_written_as_a_sensor() {
     assert!((turn[3] - (10.0 * t).sin()).abs() < 1e-9, "{turn:?}");
 }
 
-/// Adds a point that does not move to the text of a Vicon recording.
+/// Adds a point that does not move, with coordinates in every sample, to the text of a Vicon recording.
 fn with_wand(text: &str) -> String {
     let lines = text.lines().enumerate().map(|(i, line)| {
         line.to_owned()

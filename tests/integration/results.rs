@@ -195,8 +195,9 @@ impl Kills {
         each.collect()
     }
 
-    /// Kills `kills` runs, which simulate the two releases in turn, and asserts that the output folder contains the
-    /// complete results of one of them. Returns how many kills left the earlier results, and how many the new ones.
+    /// Kills `kills` runs of the program, which simulate the two releases in turn, and asserts that the output folder
+    /// contains the complete results of one of them. Returns how many kills left the earlier results in the folder, and
+    /// how many the new ones.
     fn run(mut self, kills: usize) -> [usize; 2] {
         let mut whole = Vec::new();
         let mut longest = Duration::ZERO;

@@ -31,7 +31,7 @@ fn signal(child: &mut Child, name: &str) -> (Option<i32>, Duration) {
     (status.code(), sent.elapsed())
 }
 
-/// Asserts that SIGINT and SIGTERM end the command within the time limit. Each signal is sent to a separate process,
+/// Asserts that SIGINT and SIGTERM end the command within a time limit. Each signal is sent to a separate process,
 /// after the process has worked for a while.
 fn both_end(name: &str, command: impl Fn() -> Command) {
     for (sent, after) in [("INT", 300), ("TERM", 900)] {

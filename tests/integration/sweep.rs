@@ -79,7 +79,7 @@ fn summary(out: &Path) -> Value {
     serde_json::from_str(&text).expect("JSON")
 }
 
-/// Number in a data row (index from 0) and a named column of a CSV table, given by its lines.
+/// Number in the named column and in data row `row`, counted from 0, of a CSV table given by its lines.
 fn cell(lines: &[String], row: usize, column: &str) -> f64 {
     let place = lines[0]
         .split(',')
@@ -423,8 +423,8 @@ fn faults_of_a_plan_are_named_with_their_place() {
     assert_eq!(fs::read_dir(&full).expect("a folder").count(), 1);
 }
 
-/// Simulates a million flights and asserts that this needs no more memory than a few. It takes minutes, so it runs only
-/// with `cargo test --release --test integration sweep:: -- --ignored`.
+/// Simulates a sweep of a million flights and asserts that it needs no more memory than one of a few flights. It takes
+/// minutes, so it runs only with `cargo test --release --test integration sweep:: -- --ignored`.
 #[test]
 #[ignore = "minutes"]
 #[cfg(target_os = "linux")]

@@ -12,7 +12,7 @@ fn repository() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// Arguments of the commands `hyzer synthesize` in a text, one list for each line with a command.
+/// Arguments of the commands `hyzer synthesize` that a text contains, one list for each line with such a command.
 fn commands(text: &str) -> Vec<Vec<String>> {
     let lines = text.lines().map(str::trim);
     let ours = lines.filter_map(|line| line.strip_prefix("hyzer synthesize"));
@@ -20,8 +20,8 @@ fn commands(text: &str) -> Vec<Vec<String>> {
     ours.map(words).collect()
 }
 
-/// Runs `hyzer synthesize` with the folder of `--out` moved into the folder `around`. Returns the folder as named in
-/// the command, and the path to which it was moved.
+/// Runs `hyzer synthesize` with the folder of the option `--out` moved into the folder `around`. Returns the folder as
+/// named in the command, and the path to which it was moved.
 fn run(command: &[String], around: &Path) -> (PathBuf, PathBuf) {
     let place = command.iter().position(|word| word == "--out");
     let place = place.expect("a folder") + 1;

@@ -4,7 +4,7 @@ use crate::support::{hyzer, told};
 
 const GUSTY: &str = "examples/throws/gusty.toml";
 
-/// Runs the program; returns its exit status, standard output and standard error.
+/// Runs `hyzer` with the arguments; returns its exit status, standard output and standard error.
 fn run(arguments: &[&str]) -> (i32, String, String) {
     told(hyzer().args(arguments))
 }

@@ -11,10 +11,10 @@ use crate::throw_flight::ThrownBody;
 /// quantities, such as the speed, of the wind and of the parameters).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bounds {
-    /// Minimum and maximum of each quantity that a throw of the body can have: (index in [`FIELDS`], minimum,
-    /// maximum), in the unit given there. A quantity whose minimum and maximum are equal is fixed.
+    /// Minimum and maximum of each quantity that a throw of the body can have: (index in [`FIELDS`], minimum, maximum),
+    /// in the unit that [`FIELDS`] states. A quantity whose minimum and maximum are equal is fixed.
     pub ranges: Vec<(usize, f64, f64)>,
-    /// Obstacle that the path must avoid.
+    /// Obstacle that the path of the thrown body must avoid; `None` without an obstacle.
     pub obstacle: Option<Obstacle>,
     /// Radius of the circle about the target within which a landing counts as good, m.
     pub circle: f64,
@@ -23,15 +23,16 @@ pub struct Bounds {
     pub scatter: Scatter,
 }
 
-/// Standard deviations of the quantities that differ from throw to throw; the quantities are independent.
+/// Standard deviations of the quantities that differ from throw to throw; the quantities vary independently.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scatter {
-    /// Standard deviations of quantities of the throw: (index in [`FIELDS`], value in the unit given there).
+    /// Standard deviations of quantities of the throw, such as its speed: (index in [`FIELDS`], value in the unit that
+    /// [`FIELDS`] states).
     pub release: Vec<(usize, f64)>,
     /// Standard deviations of the components x, y, z of a constant wind, m/s.
     pub wind: [f64; 3],
-    /// Standard deviations of parameters and coefficients: (index among the parameters of the compiled model, value in
-    /// the parameter's unit).
+    /// Standard deviations of parameters and coefficients of the model: (index among the parameters of the compiled
+    /// model, value in the parameter's unit).
     pub parameters: Vec<(usize, f64)>,
 }
 
@@ -63,7 +64,7 @@ const SCATTER: [(&str, f64); 6] = [
 const CIRCLE: f64 = 3.0;
 
 impl Bounds {
-    /// Default bounds for a body, which apply to everything that is not specified in a bounds file.
+    /// Default bounds of the throws of a body, which apply to everything that is not specified in a bounds file.
     pub fn standard(body: &ThrownBody) -> Bounds {
         let fields = body.fields();
         let range = |field: &usize| {
@@ -86,8 +87,8 @@ impl Bounds {
         }
     }
 
-    /// Sets the minimum and maximum of the quantity called `name`, in the unit given in [`FIELDS`]; ignored if the body
-    /// does not have this quantity.
+    /// Sets the minimum and maximum of the quantity of a throw called `name`, such as `speed`, in the unit given in
+    /// [`FIELDS`]; ignored if a throw of the body does not have this quantity.
     pub fn set(&mut self, name: &str, least: f64, greatest: f64) {
         for range in self
             .ranges
@@ -98,13 +99,13 @@ impl Bounds {
         }
     }
 
-    /// Returns the bounds with the range of the quantity called `name` replaced.
+    /// Returns the bounds with the minimum and maximum of the quantity of a throw called `name` replaced.
     pub fn with(mut self, name: &str, least: f64, greatest: f64) -> Bounds {
         self.set(name, least, greatest);
         self
     }
 
-    /// The entries of `ranges` that the search may vary: those whose minimum is less than the maximum.
+    /// The entries of `ranges` that the search for a throw may vary: those whose minimum is less than the maximum.
     pub fn free(&self) -> impl Iterator<Item = &(usize, f64, f64)> {
         self.ranges
             .iter()

@@ -23,9 +23,9 @@ use crate::throw_flight::{By, ThrowFlightError, ThrowFlights};
 pub struct SearchOptions {
     /// Number of starting throws that are simulated; local descents start at the best of them. Default 384.
     pub starts: usize,
-    /// Number of local descents; default 12.
+    /// Number of local descents, each from a starting throw; default 12.
     pub descents: usize,
-    /// Seed of the random shift of the starting points; default 1.
+    /// Seed of the random shift that is applied to the starting points of the search; default 1.
     pub seed: u64,
     /// Number of threads, which does not affect the result; default: all processors.
     pub threads: usize,
@@ -42,15 +42,15 @@ impl Default for SearchOptions {
     }
 }
 
-/// Result of a search: the throw that was found, and its flight.
+/// Result of a search for the throw that serves a goal best: the throw that was found, and its flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Design {
-    /// Goal of the search.
+    /// Goal of the throw for which the search was made.
     pub goal: Goal,
-    /// Whether the throw meets the constraints of the goal to a millimetre: the path reaches the point and clears the
-    /// obstacle.
+    /// Whether the throw meets the constraints of the goal to a millimetre: the path reaches the target point and
+    /// avoids the obstacle.
     pub feasible: bool,
-    /// The throw; if no throw meets the constraints, the one that violates them least.
+    /// The throw that was found; if no throw meets the constraints, the one that violates them least.
     pub throw: Throw,
     /// Minimum distance between the path and the goal's target point, m; 0 for a goal without a point.
     pub miss: f64,
@@ -73,7 +73,7 @@ pub struct Design {
     pub flown: usize,
 }
 
-/// Reason why a search finds no throw.
+/// Reason why a search finds no throw that serves the goal.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum DesignError {
     /// None of the starting throws could be flown to the ground.
@@ -96,7 +96,7 @@ pub enum DesignError {
         "the goal curve needs an obstacle; expected [obstacle] in the bounds, with x, y and radius"
     )]
     NoObstacle,
-    /// The goal's target point is below the ground, by the given depth in m.
+    /// The goal's target point is below the ground, by the given depth, m.
     #[error("the target is {0} m below the ground; expected a height of 0 or more")]
     Buried(f64),
     /// The goal is a flare (level flight at a point), and its point is on the ground; a flare is defined only above the
@@ -110,15 +110,16 @@ pub enum DesignError {
 
 /// Maximum constraint violation (m, or m/s for a flare) at which a throw counts as feasible.
 const SERVES: f64 = 1e-3;
-/// Relative tolerances of the integration: for the starting throws, for the descents, and for the final flight.
+/// Relative tolerances of the integration of flights: for the starting throws, for the descents, and for the final
+/// flight.
 const TOLERANCES: [f64; 3] = [1e-4, 1e-6, 1e-9];
-/// Bases of the Halton sequence, one per quantity of a throw.
+/// Bases of the Halton sequence from which starting throws are drawn, one per quantity of a throw.
 const BASES: [u64; 8] = [2, 3, 5, 7, 11, 13, 17, 19];
 /// Minimum Euclidean distance between the starting points of any two local descents, with each quantity scaled from its
 /// range to [0, 1].
 const APART: f64 = 0.1;
-/// Step of the finite differences of the spread, for the goal [`Goal::Spread`]; each quantity is scaled from its range
-/// to [0, 1].
+/// Step of the finite differences of the spread of the landings, for the goal [`Goal::Spread`]; each quantity is scaled
+/// from its range to [0, 1].
 const SPREAD_STEP: f64 = 1e-4;
 
 /// Searches for the throw within bounds that serves a goal best.
@@ -200,7 +201,7 @@ pub fn design(
     task.finished(side, &last, starts.len())
 }
 
-/// A search for a throw: the body with its parameters, the goal and the bounds.
+/// A search for the throw that serves a goal best: the body with its parameters, the goal and the bounds.
 struct Task<'t> {
     flights: &'t ThrowFlights<'t>,
     goal: Goal,
@@ -211,7 +212,7 @@ struct Task<'t> {
 struct Start {
     /// Point in the unit box, whose coordinates are the free quantities scaled linearly from their ranges to [0, 1].
     at: DVector<f64>,
-    /// Constraint violation and objective for each side of the obstacle.
+    /// Constraint violation and objective of the throw for each side of the obstacle on which the path may pass.
     of_sides: Vec<(f64, f64)>,
 }
 
@@ -468,7 +469,7 @@ impl Task<'_> {
     }
 }
 
-/// Radical inverse: the digits of an integer in a base, mirrored at the radix point; a value in [0, 1).
+/// Radical inverse of an integer: its digits in the given base, mirrored at the radix point; a value in [0, 1).
 fn radical_inverse(mut index: u64, base: u64) -> f64 {
     let (mut value, mut unit) = (0.0, 1.0 / base as f64);
     while index > 0 {

@@ -8,8 +8,8 @@ use crate::path::Path;
 use crate::throw_flight::{By, ThrowFlightError, ThrowFlights};
 
 impl ThrowFlights<'_> {
-    /// Integrates the flight of a throw to the ground. `near` is the release state of a similar throw, which speeds up
-    /// the search for the release state of this throw.
+    /// Integrates the flight of a throw to the ground. `near` is the release state (initial state) of a similar throw,
+    /// which speeds up the search for the release state of this throw.
     ///
     /// # Errors
     /// [`ThrowFlightError`] if no state has the motion of the throw, or if the flight leaves the model's limits or
@@ -25,9 +25,9 @@ impl ThrowFlights<'_> {
         Ok(Path::new(self, None, trajectory, Vec::new()))
     }
 
-    /// Integrates the flight of a throw to the ground together with the derivatives of its path with respect to the
-    /// quantities in `by`, which are exact up to the tolerance of the integration. `near` is as in
-    /// [`ThrowFlights::fly`].
+    /// Integrates the flight of a throw to the ground, with the derivatives of its path with respect to the quantities
+    /// in `by`, exact up to the integration tolerance. `near` is the release state (initial state) of a similar throw,
+    /// which speeds up the search for the release state of this throw.
     ///
     /// # Errors
     /// [`ThrowFlightError`] if no state has the motion of the throw, or if the flight leaves the model's limits or

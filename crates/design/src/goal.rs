@@ -5,17 +5,18 @@ use nalgebra::{DMatrix, DVector, Vector2, Vector3};
 use crate::optimise::Values;
 use crate::path::Path;
 
-/// Purpose of a throw.
+/// Purpose of a throw, for which the best throw is searched.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Goal {
     /// The path passes through the point, or lands there if its height is 0. Of all such throws, the one nearest the
     /// middle of the bounds is preferred.
     Hit(Vector3<f64>),
-    /// Maximum distance over the ground from release to landing.
+    /// Maximum horizontal distance from release to landing.
     Range,
     /// Maximum duration of the flight.
     HangTime,
-    /// As [`Hit`](Goal::Hit), and the path avoids the obstacle specified in [`Bounds`](crate::bounds::Bounds).
+    /// The path passes through the point, or lands there if its height is 0, and avoids the obstacle specified in
+    /// [`Bounds`](crate::bounds::Bounds).
     Curve(Vector3<f64>),
     /// The path is level at the point, neither falling nor climbing, and passes it as slowly as possible, like an
     /// aircraft that flares.
@@ -25,7 +26,7 @@ pub enum Goal {
     Spread(Vector3<f64>),
 }
 
-/// Name of each goal in files and options, in the order of [`Goal`].
+/// Name of each goal of a throw in files and options, in the order of [`Goal`].
 pub const GOALS: [&str; 6] = ["hit", "range", "hangtime", "curve", "flare", "spread"];
 
 /// Side on which the path passes an obstacle, seen in the direction of flight.
@@ -38,7 +39,7 @@ pub enum Side {
 }
 
 impl Side {
-    /// Sign of the lateral direction, left positive: 1 for left, −1 for right.
+    /// Sign of the side as a lateral coordinate, left positive: 1 for left, −1 for right.
     fn sign(self) -> f64 {
         match self {
             Side::Left => 1.0,
@@ -101,8 +102,8 @@ impl Goal {
         }
     }
 
-    /// Distance, m, of the path from the goal's target point at the time [`time`](Self::time); horizontal for a point
-    /// on the ground, 0 for a goal without a point.
+    /// Distance, m, of the path from the goal's target point at the time at which the path is nearest to it; horizontal
+    /// for a point on the ground, 0 for a goal without a point.
     pub(crate) fn miss(&self, path: &Path<'_>) -> f64 {
         self.target().map_or(0.0, |target| {
             let away = path.position(self.time(path)) - target;
@@ -128,9 +129,9 @@ impl Goal {
         }
     }
 
-    /// Objective and constraints of a flight, with derivatives with respect to the same quantities as those of `path`.
-    /// The objective is 0 for [`Spread`](Goal::Spread), whose objective needs the scatter, not only the path, and for
-    /// [`Hit`](Goal::Hit) and [`Curve`](Goal::Curve), which only constrain the path.
+    /// Objective and constraints of the goal for a flight, with derivatives with respect to the same quantities as
+    /// those of `path`. The objective is 0 for [`Spread`](Goal::Spread), which needs the scatter, not only the path. It
+    /// is also 0 for [`Hit`](Goal::Hit) and [`Curve`](Goal::Curve), which only constrain the path.
     pub fn values(&self, path: &Path<'_>, obstacle: Option<(&Obstacle, Side)>) -> Values {
         let landing = path.landing();
         let columns = landing.time_by.len();

@@ -8,16 +8,16 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::box_quadratic::minimum;
 
-/// Objective and constraints of a problem at a point, with derivatives with respect to the variables.
+/// Objective and constraints of an optimization problem at a point, with derivatives with respect to the variables.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Values {
-    /// Objective, to be minimized.
+    /// Value of the objective, which is to be minimized.
     pub objective: f64,
-    /// Equality constraints, to be 0; scaled so that 1 is a large violation.
+    /// Values of the equality constraints, which are to be 0; scaled so that 1 is a large violation.
     pub equalities: DVector<f64>,
-    /// Inequality constraints, to be nonnegative; scaled as `equalities`.
+    /// Values of the inequality constraints, which are to be nonnegative; scaled so that −1 is a large violation.
     pub margins: DVector<f64>,
-    /// Gradient of the objective.
+    /// Gradient of the objective with respect to the variables.
     pub gradient: DVector<f64>,
     /// Jacobian of the equality constraints: one row per constraint, one column per variable.
     pub equalities_by: DMatrix<f64>,
@@ -26,13 +26,13 @@ pub struct Values {
 }
 
 impl Values {
-    /// Euclidean norm of the violations of all constraints.
+    /// Euclidean norm of the violations of all equality and inequality constraints.
     pub fn violation(&self) -> f64 {
         let short = self.margins.iter().map(|margin| margin.min(0.0).powi(2));
         (self.equalities.norm_squared() + short.sum::<f64>()).sqrt()
     }
 
-    /// Objective and constraints, at the same point, of another problem: minimize [`Values::violation`] without
+    /// Objective and constraints, at the same point, of the problem to minimize [`Values::violation`] without
     /// constraints.
     pub fn violation_alone(&self) -> Values {
         let n = self.gradient.len();
@@ -80,19 +80,20 @@ pub struct Arrival {
     pub values: Values,
 }
 
-/// Initial radius of the trust region: the maximum change of a variable in the first step.
+/// Initial radius of the trust region: the maximum change of a variable, scaled to [0, 1], in the first step.
 const TRUST: f64 = 0.15;
-/// Radius of the trust region below which an optimization ends.
+/// Radius of the trust region, for variables scaled to [0, 1], below which an optimization ends.
 const MIN_TRUST: f64 = 1e-6;
 /// Maximum numbers of evaluations of the problem: for the first minimization of the constraint violation, and for the
 /// return to the constraints after each step of the minimization of the objective.
 const MAX_EVALUATIONS: (usize, usize) = (40, 5);
 /// Maximum number of steps of a minimization of the objective.
 const MAX_STEPS: usize = 25;
-/// Predicted decrease, relative to 1 plus the magnitude of the objective, below which a minimization ends.
+/// Decrease of the objective predicted for a step, divided by 1 plus the magnitude of the objective, below which a
+/// minimization ends.
 const SETTLED: f64 = 1e-6;
-/// Maximum violation at which a point counts as satisfying the constraints, and below which an inequality counts as
-/// active.
+/// Maximum constraint violation at which a point counts as satisfying the constraints; an inequality constraint with a
+/// value below it counts as active.
 const ON: f64 = 1e-4;
 /// Weight of the linearized constraints relative to the curvature of the Lagrangian in the quadratic model.
 const STIFF: f64 = 1e6;
@@ -271,8 +272,8 @@ fn multipliers(values: &Values) -> DVector<f64> {
         .unwrap_or_else(|_| DVector::zeros(rows.nrows()))
 }
 
-/// Jacobian of all constraints: rows of the equalities, then of the inequalities; the rows of inactive inequalities
-/// are 0.
+/// Jacobian of all constraints: rows of the equality constraints, then of the inequality constraints; the rows of
+/// inactive inequalities are 0.
 fn stacked(values: &Values) -> DMatrix<f64> {
     let (m, k, n) = (
         values.equalities.len(),

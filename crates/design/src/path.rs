@@ -27,7 +27,7 @@ pub struct Path<'f> {
     columns: Vec<usize>,
 }
 
-/// End of a flight on the ground, with derivatives.
+/// Landing of a thrown body (end of its flight on the ground), with derivatives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Landing {
     /// Duration of the flight, s.
@@ -61,7 +61,7 @@ impl<'f> Path<'f> {
         self.trajectory.end
     }
 
-    /// Point of the path at time `t` (s), which is clamped to the duration of the flight.
+    /// Motion at time `t` (s), which is clamped to the duration of the flight.
     pub fn point(&self, t: f64) -> Point {
         let t = t.clamp(self.trajectory.start, self.trajectory.end);
         let x = self.trajectory.sample(t);
@@ -77,7 +77,8 @@ impl<'f> Path<'f> {
         self.flights.place(x)
     }
 
-    /// Time and position of the landing, with derivatives.
+    /// Time and position of the landing, with derivatives with respect to the quantities by which the path is
+    /// differentiated.
     pub fn landing(&self) -> Landing {
         let end = self.point(self.trajectory.end);
         // From z(T) = 0: dT = −dz / ż.

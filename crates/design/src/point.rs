@@ -2,7 +2,7 @@
 
 use nalgebra::{Vector2, Vector3};
 
-/// Motion at a point of a path, SI units, inertial frame.
+/// Motion of the mass centre at a point of its path, SI units, inertial frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
     /// Time since release, s.

@@ -12,11 +12,12 @@ use crate::bounds::Bounds;
 use crate::goal::{Obstacle, Side};
 use crate::throw_flight::ThrownBody;
 
-/// Maximum size of a bounds file, bytes.
+/// Maximum size of a bounds file (ranges and constraints for the search of a throw), bytes.
 const MAX_FILE_BYTES: u64 = 1 << 20;
 
 impl Bounds {
-    /// Reads a bounds file; see [`Bounds::read`].
+    /// Reads a bounds file (TOML): ranges of the quantities of a throw, obstacle, landing circle and scatter. Its
+    /// values replace those of [`Bounds::standard`].
     ///
     /// # Errors
     /// [`ReleaseError`] with all faults of the file, or if the file cannot be read, is not UTF-8 or is larger than 1
@@ -27,8 +28,8 @@ impl Bounds {
         })
     }
 
-    /// Parses the text of a bounds file; its values replace those of [`Bounds::standard`]. `file` is the file's name
-    /// in messages.
+    /// Parses the text of a bounds file (TOML); its values replace those of [`Bounds::standard`]. `file` is the file's
+    /// name in messages.
     ///
     /// # Errors
     /// [`ReleaseError`] with all faults of the file.
@@ -39,7 +40,7 @@ impl Bounds {
     }
 }
 
-/// Reader of a bounds file, which collects its faults.
+/// Reader of a bounds file for the search of a throw, which collects the faults of the file.
 struct BoundsReader<'t>(Reader<'t>);
 
 impl<'t> BoundsReader<'t> {
@@ -65,8 +66,8 @@ impl<'t> BoundsReader<'t> {
         Some(bounds)
     }
 
-    /// Index in [`FIELDS`] of the quantity called `name`; `None` after reporting a fault if there is no such quantity
-    /// or the body cannot have it.
+    /// Index in [`FIELDS`] of the quantity of a throw called `name`; `None` after reporting a fault if there is no such
+    /// quantity or a throw of the body cannot have it.
     fn field(&mut self, name: &str, span: Range<usize>, body: &ThrownBody) -> Option<usize> {
         let Some(field) = FIELDS.iter().position(|(known, ..)| *known == name) else {
             let names = FIELDS.map(|(name, ..)| name).join(", ");
@@ -87,8 +88,8 @@ impl<'t> BoundsReader<'t> {
         Some(field)
     }
 
-    /// Minimum and maximum of a quantity, from a list of two numbers or a single number, which fixes the quantity.
-    /// `None` after a fault.
+    /// Minimum and maximum of a quantity of a throw, from a list of two numbers or a single number, which fixes the
+    /// quantity. `None` after reporting a fault.
     fn range(&mut self, value: &Value<'t>, field: usize) -> Option<(f64, f64)> {
         let (name, unit, ..) = FIELDS[field];
         let (least, greatest) = match value.get_ref().as_array() {
@@ -268,7 +269,7 @@ impl<'t> BoundsReader<'t> {
         Some(table)
     }
 
-    /// The table that `value` holds, with any keys; `None` after reporting a fault if `value` is not a table.
+    /// The table that `value` holds, which may have any keys; `None` after reporting a fault if `value` is not a table.
     fn any_table<'d>(&mut self, value: &'d Value<'t>, key: &str) -> Option<&'d DeTable<'t>> {
         let table = value.get_ref().as_table();
         if table.is_none() {

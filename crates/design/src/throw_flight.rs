@@ -22,7 +22,7 @@ pub enum ThrowFlightError {
     /// The flight cannot be computed, leaves the model's limits or does not end.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
-    /// The position of the mass centre is not part of the state, so no landing can be detected.
+    /// The position of the mass centre is not given by three states of the model, so no landing can be detected.
     #[error(
         "the position of the body of the model {model} is not three of its states; expected a model whose body states \
          `position (x, y, z)`"
@@ -33,7 +33,7 @@ pub enum ThrowFlightError {
     },
 }
 
-/// Quantity with respect to which a path is differentiated.
+/// Quantity with respect to which the path of a thrown body is differentiated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum By {
     /// A quantity of the throw, by its index in [`FIELDS`].
@@ -42,7 +42,7 @@ pub enum By {
     Parameter(usize),
 }
 
-/// A compiled model of a body that can be thrown.
+/// A compiled model of a body that can be thrown, with the conversion between throws and its states.
 pub struct ThrownBody {
     /// The model that was compiled.
     pub model: Model,
@@ -87,7 +87,8 @@ impl ThrownBody {
         }
     }
 
-    /// Prepares flights of the body with the parameters of a release; the initial states of the release are not used.
+    /// Prepares flights of the body with the parameters of a release (launch conditions); the initial states of the
+    /// release are not used.
     pub fn with(&self, release: &Release) -> ThrowFlights<'_> {
         self.with_parameters(self.compiled.release_parameters(release))
     }
@@ -119,13 +120,13 @@ pub struct ThrowFlights<'b> {
     /// The body that flies.
     pub body: &'b ThrownBody,
     pub(crate) bound: BoundModel<'b>,
-    /// Parameter values, in the order of the compiled model's parameters.
+    /// Parameter values of the model, in the order of the compiled model's parameters.
     pub parameters: Vec<f64>,
 }
 
 impl ThrowFlights<'_> {
-    /// State at release that has the motion of a throw. `near` is the release state of a similar throw, which speeds
-    /// up the search.
+    /// State at release at which the motion is that of the throw. `near` is the release state of a similar throw, which
+    /// speeds up the search.
     ///
     /// # Errors
     /// [`ThrowError`] if no state has the motion of the throw.
@@ -137,7 +138,7 @@ impl ThrowFlights<'_> {
         }
     }
 
-    /// Integrates the flight from a release state to the ground, without derivatives.
+    /// Integrates the flight from a release state (initial state) to the ground, without derivatives.
     ///
     /// # Errors
     /// [`IntegrationError`] if the integration fails, or the flight leaves the model's limits or does not end.
@@ -169,8 +170,9 @@ impl ThrowFlights<'_> {
         Sensitivities::new(rhs, &vec![0; of_throw], of_parameters)
     }
 
-    /// Derivative of the release state with respect to a parameter, from central differences. It is 0 unless the throw
-    /// has a wobble or the parameter affects how the state determines the motion of the body.
+    /// Derivative of the release state (initial state) of a throw with respect to a parameter, from central
+    /// differences. It is 0 unless the throw has a wobble or the parameter affects how the state determines the motion
+    /// of the body.
     pub(crate) fn state_by_parameter(
         &self,
         throw: &Throw,

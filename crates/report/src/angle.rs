@@ -2,7 +2,7 @@
 
 use model_spec::model::{Expr, ExprKind, State};
 
-/// Unit of angles, as text.
+/// Unit, as text, by which a quantity is recognised as an angle.
 const RADIAN: &str = "rad";
 
 /// Whether an expression is an angle: an inverse tangent or a function call with unit rad. Products and quotients with

@@ -7,7 +7,7 @@ use identify::{
 };
 use nalgebra::{DMatrix, DVector};
 
-/// Standard errors of the predicted marker positions of a held-out flight.
+/// Standard errors of the predicted marker positions of a held-out flight, for the confidence bands of a figure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PredictionBand {
     /// File name of the held-out flight.
@@ -15,7 +15,7 @@ pub struct PredictionBand {
     /// `std_error[sample][marker]`: standard error of the predicted position along each axis, m, from the covariances
     /// of the coefficients and of the initial state. Measurement noise is not included.
     pub std_error: Vec<Vec<[f64; 3]>>,
-    /// Index of the first predicted sample; the initial state is fitted to the samples before it.
+    /// Index of the first predicted sample of the flight; the initial state is fitted to the samples before it.
     pub first: usize,
 }
 
@@ -47,8 +47,8 @@ pub(crate) fn covariance(report: &FitReport, names: &[&str]) -> DMatrix<f64> {
     })
 }
 
-/// Derivatives of one predicted position: one row for each axis, with the derivatives with respect to the initial
-/// state, then with respect to the global parameters.
+/// Derivatives of one predicted marker position: one row for each axis, with the derivatives with respect to the
+/// initial state, then with respect to the parameters common to all flights.
 struct Sensitivity {
     sample: usize,
     channel: usize,

@@ -2,19 +2,20 @@
 
 use serde::Serialize;
 
-/// Verification status of the model of a report, according to the certificate file of the verification.
+/// Verification status of the model of a report, according to its certificate (file that records the verification
+/// checks of the model).
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct CertificateNote {
-    /// File name of the certificate; `None` if the model has no certificate.
+    /// File name of the certificate (record of the verification checks); `None` if the model has no certificate.
     pub file: Option<String>,
-    /// Whether the certificate is valid: it covers the model, and none of the inputs that it records (such as model
-    /// source, options and versions) has changed since it was written.
+    /// Whether the certificate (record of the verification checks) is valid: it covers the model, and none of the
+    /// inputs that it records (such as model source, options and versions) has changed since it was written.
     pub stands: bool,
-    /// Outcome that the certificate records for the model: `verified`, `not verified` or `refuted`; `None` if the
-    /// certificate does not cover the model.
+    /// Outcome of the verification that the certificate records for the model: `verified`, `not verified` or `refuted`;
+    /// `None` if the certificate does not cover the model.
     pub outcome: Option<String>,
-    /// Names of the inputs recorded in the certificate, such as model source, options or versions, that have changed
-    /// since it was written.
+    /// Names of the inputs recorded in the certificate of the verification, such as model source, options or versions,
+    /// that have changed since it was written.
     pub changes: Vec<String>,
 }
 
@@ -22,12 +23,13 @@ pub struct CertificateNote {
 const LISTED: usize = 3;
 
 impl CertificateNote {
-    /// Note for a model that has no certificate.
+    /// Note for a model that has no certificate (record of its verification checks).
     pub fn none() -> Self {
         Self::default()
     }
 
-    /// Note for a valid certificate with the given outcome.
+    /// Note for a certificate (record of the verification checks of a model) that is valid and records the given
+    /// outcome.
     pub fn stands(file: String, outcome: String) -> Self {
         Self {
             file: Some(file),
@@ -37,8 +39,8 @@ impl CertificateNote {
         }
     }
 
-    /// Note for a certificate that is not valid because the recorded inputs in `changes` have changed since it was
-    /// written.
+    /// Note for a certificate (record of the verification checks of a model) that is not valid, because the inputs in
+    /// `changes` have changed since it was written.
     pub fn changed(file: String, outcome: Option<String>, changes: Vec<String>) -> Self {
         Self {
             file: Some(file),
@@ -48,7 +50,8 @@ impl CertificateNote {
         }
     }
 
-    /// Sentence that states the outcome, or why the certificate is not valid.
+    /// Sentence for a report: the outcome of the verification, or the reason why the certificate (record of the checks)
+    /// is not valid.
     pub fn sentence(&self) -> String {
         let Some(file) = &self.file else {
             return String::from("The model has no certificate of a verification.");
@@ -70,18 +73,18 @@ impl CertificateNote {
         )
     }
 
-    /// Whether a valid certificate records the model as verified.
+    /// Whether the certificate (record of the verification checks) is valid and records the model as verified.
     pub fn is_verified(&self) -> bool {
         self.stands && self.outcome.as_deref() == Some("verified")
     }
 }
 
-/// A report and the note on its model's certificate, serialized together as one JSON object.
+/// A report and the verification status of its model, serialized together as one JSON object.
 #[derive(Debug, Serialize)]
 pub struct WithCertificate<'a, R> {
     /// The report; its fields become fields of the JSON object, beside `certificate`.
     #[serde(flatten)]
     pub report: &'a R,
-    /// Note on the certificate of the report's model.
+    /// Verification status of the report's model according to its certificate (record of the verification checks).
     pub certificate: &'a CertificateNote,
 }

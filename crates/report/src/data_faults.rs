@@ -3,10 +3,10 @@
 use identify::DataFault;
 use serde::Serialize;
 
-/// Maximum number of data faults listed in the table.
+/// Maximum number of faults in the measured data that the table of a report lists.
 const MAX_ROWS: usize = 60;
 
-/// Table of the errors found in measured data, as input of the HTML templates.
+/// Table of the faults found in measured data, as input of the HTML templates.
 #[derive(Serialize)]
 pub(crate) struct Table {
     /// Total number of faults, including those that the table does not list.
@@ -22,7 +22,7 @@ struct Row {
     mend: String,
 }
 
-/// Builds the table of the data faults, limited to [`MAX_ROWS`] rows.
+/// Builds the table of the faults found in measured data, limited to [`MAX_ROWS`] rows.
 pub(crate) fn table(faults: &[DataFault]) -> Table {
     let row = |fault: &DataFault| Row {
         file: fault.file.clone(),

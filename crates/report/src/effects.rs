@@ -8,60 +8,60 @@ use model_spec::load::{LoadError, MODELS, load};
 use model_spec::model::{AppliedEffect, Model};
 use model_spec::with_unit;
 
-/// An effect, built in or declared in a model file, with the models to which it applies.
+/// An effect (optional model extension), built in or declared in a model file, with the models to which it applies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Listed {
-    /// Name of the effect, with underscores.
+    /// Name of the effect (optional model extension), with underscores.
     pub name: String,
-    /// First sentence of the effect's documentation.
+    /// First sentence of the documentation of the effect (optional model extension).
     pub says: String,
     /// Quantity of the model (site) that the effect changes: a force, moment or measurement.
     pub site: String,
-    /// Names of the variables on which the effect depends.
+    /// Names of the variables of the model on which the effect depends.
     pub variables: Vec<String>,
-    /// Coefficients of the effect, followed by its states.
+    /// Coefficients that the effect adds to a model, followed by the states that it adds.
     pub parts: Vec<Part>,
-    /// Literature source of the effect, as text.
+    /// Literature reference for the effect, as text.
     pub source: String,
-    /// Names of the models for which a diagnosis considers the effect.
+    /// Names of the models for which a diagnosis tests the effect.
     pub models: Vec<String>,
-    /// Quantities that a model must have for the effect to be applied, with their units.
+    /// Quantities that a model must define for the effect to be applied, with their units.
     pub needs: Vec<String>,
-    /// Specific effects that replace this general effect; the effect is not considered for a model to which one of
-    /// them applies.
+    /// More specific effects that replace this general effect: it is not tested for a model to which one of them
+    /// applies.
     pub without: Vec<String>,
     /// Origin of the effect: declared in the model's file, built in, or generated for a differential equation that is
     /// written explicitly in the model file.
     pub origin: Origin,
 }
 
-/// Coefficient or state of an effect; all values are in `unit`.
+/// Coefficient or state that an effect (optional model extension) adds to a model; all values are in `unit`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
-    /// Name of the coefficient or state.
+    /// Name of the added coefficient or state.
     pub name: String,
-    /// Unit as text; `1` if dimensionless.
+    /// Unit of the coefficient or state, as text; `1` if dimensionless.
     pub unit: String,
-    /// Null value, formatted: the value at which the effect is absent.
+    /// Null value of the coefficient or state, formatted: the value at which the effect is absent.
     pub null_value: String,
-    /// Smallest effect size of interest, formatted: a smaller difference from the null value is negligible. `None` if
-    /// the effect declares none.
+    /// Smallest effect size of interest, formatted: a smaller difference of the coefficient from its null value is
+    /// negligible. `None` if the effect declares none.
     pub negligible: Option<String>,
-    /// Whether there is one value for each flight instead of one for all flights.
+    /// Whether each flight has its own value; otherwise one value applies to all flights.
     pub of_each_flight: bool,
 }
 
-/// An effect that a diagnosis does not consider for a model, with the reason.
+/// An effect (optional model extension) that a diagnosis does not test for a model, with the reason.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NotOffered {
-    /// Name of the effect, with underscores.
+    /// Name of the effect (optional model extension), with underscores.
     pub name: String,
-    /// Reason why the effect is not considered, as text.
+    /// Reason why a diagnosis does not test the effect, as text.
     pub why: String,
 }
 
-/// Lists the effects that a diagnosis considers for `model`, or, if `None`, all built-in effects with the built-in
-/// models to which they apply.
+/// Lists the effects (optional extensions) that a diagnosis tests for `model`, or, if `None`, all built-in effects with
+/// the built-in models to which they apply.
 ///
 /// # Errors
 /// [`LoadError`] if the model cannot be loaded.
@@ -116,7 +116,7 @@ pub fn listed(model: Option<&str>) -> Result<Vec<Listed>, LoadError> {
     Ok(all)
 }
 
-/// Lists the effects that a diagnosis does not consider for a model, with the reasons.
+/// Lists the effects (optional extensions) that a diagnosis does not test for a model, with the reasons.
 ///
 /// # Errors
 /// [`LoadError`] if the model cannot be loaded.
@@ -172,15 +172,15 @@ fn plain(value: f64) -> String {
     with_unit(value, "1")
 }
 
-/// First sentence of a documentation text, on one line.
+/// First sentence of a documentation text, joined to one line.
 fn sentence(doc: &str) -> String {
     let words: Vec<&str> = doc.split_whitespace().collect();
     let end = words.iter().position(|word| word.ends_with('.'));
     words[..end.map_or(words.len(), |end| end + 1)].join(" ")
 }
 
-/// Renders the list of effects as a Markdown page. If `model` is given, the introduction names it. `not_offered` are
-/// listed with their reasons at the end.
+/// Renders the list of effects (optional model extensions) as a Markdown page. If `model` is given, the introduction
+/// names it. `not_offered` are listed with their reasons at the end.
 pub fn page(effects: &[Listed], model: Option<&str>, not_offered: &[NotOffered]) -> String {
     let mut page = String::from("# The effects\n\n");
     match model {
@@ -274,7 +274,7 @@ fn row(page: &mut String, effect: &Listed, linked: bool) {
     );
 }
 
-/// Text on the models for which an effect is considered: their names, or for a general effect any model without the
+/// Text on the models for which a diagnosis tests an effect: their names, or for a general effect any model without the
 /// specific effects that replace it.
 fn models(effect: &Listed) -> String {
     if effect.origin != Origin::General {
@@ -287,7 +287,7 @@ fn models(effect: &Listed) -> String {
     }
 }
 
-/// Joins lines within a table cell, separated by HTML line breaks.
+/// Joins lines of text for one table cell, separated by HTML line breaks.
 fn stacked(lines: impl Iterator<Item = String>) -> String {
     lines
         .map(|line| cell(&line))

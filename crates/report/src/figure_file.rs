@@ -9,7 +9,7 @@ use svg2pdf::usvg::fontdb::Database;
 use svg2pdf::usvg::{self, Options, Tree};
 use thiserror::Error;
 
-/// Number of PNG pixels for each SVG unit.
+/// Number of pixels of a PNG figure for each SVG unit.
 const SCALE: f32 = 2.0;
 /// Font family that the style sheet of the figures names.
 const FAMILY: &str = "DejaVu Sans";
@@ -41,10 +41,10 @@ pub enum FigureError {
 }
 
 impl FigureKind {
-    /// All formats of figure files.
+    /// Both formats of figure files besides SVG: PDF and PNG.
     pub const ALL: [FigureKind; 2] = [FigureKind::Pdf, FigureKind::Png];
 
-    /// Extension of the file name, such as `pdf`; it also selects the format on the command line.
+    /// Extension of the file name, such as `pdf`; the same text selects the format on the command line.
     pub fn name(self) -> &'static str {
         match self {
             FigureKind::Pdf => "pdf",

@@ -6,11 +6,11 @@
 /// A publication that contains values of coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Source {
-    /// Short name of the publication, used as a column heading.
+    /// Short name of the publication, used as the heading of a table column.
     pub short: &'static str,
     /// Full citation, and how the published values were converted to the frames and signs of the models.
     pub long: &'static str,
-    /// Pairs of coefficient name and published value.
+    /// Published values: pairs of coefficient name and value.
     pub values: &'static [(&'static str, Value)],
 }
 

@@ -29,7 +29,7 @@ pub struct Sheet {
 pub struct Section {
     /// Heading of the section.
     pub title: String,
-    /// Paragraphs of the section, before its table.
+    /// Paragraphs of text, shown before the table of the section.
     pub words: Vec<String>,
     /// Table of the section; not shown if it has no columns.
     pub table: Table,

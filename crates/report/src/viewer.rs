@@ -19,18 +19,19 @@ use serde::Serialize;
 use crate::fit::page::rendered;
 use samples::{FlightModel, flown, recorded};
 
-/// Maximum number of flights in a view of a fit.
+/// Maximum number of flights that the 3D view of a fit shows.
 const MAX_FLIGHTS: usize = 24;
-/// Maximum number of samples of each flight.
+/// Maximum number of samples with which the 3D view shows a flight.
 const MAX_SAMPLES: usize = 240;
 
-/// Shape with which the viewer draws a body.
+/// Shape with which the 3D view draws a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 enum Shape {
     /// A disc, for a rigid body with its third axis as axis of symmetry.
     Disc,
-    /// Three lines from the origin along the body axes, for a rigid body whose third axis is not an axis of symmetry.
+    /// Three lines from the origin of the body frame along its axes, for a rigid body whose third axis is not an axis
+    /// of symmetry.
     Cross,
     /// A ball, for a body modelled as a point mass.
     Ball,
@@ -40,13 +41,14 @@ enum Shape {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct View {
     shape: Shape,
-    /// Maximum distance of a marker from the origin of the body frame, m; `None` if unknown.
+    /// Maximum distance of a marker from the origin of the body frame, m, which sets the size of the drawn body; `None`
+    /// if unknown.
     radius: Option<f64>,
     flights: Vec<samples::Flight>,
 }
 
 impl View {
-    /// View of the flights of a fit, measured and predicted, in the order of the dataset. If there are more than
+    /// 3D view of the flights of a fit, measured and predicted, in the order of the dataset. If there are more than
     /// `MAX_FLIGHTS` flights, evenly spaced ones are selected. `by` names the predicting model, to distinguish flights
     /// of two models, and may be empty.
     pub fn of_fit(fit: &Fit, by: &str) -> View {
@@ -81,7 +83,7 @@ impl View {
         }
     }
 
-    /// View of a single simulated flight.
+    /// 3D view of a single simulated flight.
     pub fn of_trajectory(
         name: &str,
         model: &Model,
@@ -97,13 +99,13 @@ impl View {
         }
     }
 
-    /// Adds the flights of another view of the same body.
+    /// Adds to this 3D view the flights of another view of the same body.
     pub fn join(mut self, other: View) -> View {
         self.flights.extend(other.flights);
         self
     }
 
-    /// Renders the HTML page; `None` if there is no flight to show.
+    /// Renders the 3D view as an HTML page; `None` if there is no flight to show.
     pub fn html(&self, title: &str) -> Option<String> {
         if self.flights.is_empty() {
             return None;

@@ -18,7 +18,7 @@ use nalgebra::{Complex, DMatrix, Vector3};
 
 use crate::linearise::Linearised;
 
-/// Derivatives of the linearised motion that determine how the body axis moves in the air stream.
+/// Derivatives of the linearised motion that determine how the axis of the body moves in the air stream.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisDerivatives {
     /// Decay rate a of the angle of attack due to lift, 1/s. For the built-in discs a = q A (C_La + C_D)/(m V) with the
@@ -109,7 +109,7 @@ impl AxisDerivatives {
         [values[0], values[1], values[2]]
     }
 
-    /// Evaluates the stability criteria for these derivatives.
+    /// Evaluates the criteria for the stability of the body axis with these derivatives.
     pub fn criteria(&self) -> Criteria {
         let AxisDerivatives {
             lift: a,

@@ -11,12 +11,12 @@ use model_spec::model::Model;
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use ode::{DifferentiableRhs, OdeRhs};
 
-/// Time step, s, of the sixth-order central differences of the motion along a flight.
+/// Time step, s, of the sixth-order central differences by which the motion along a flight is differentiated.
 const STEP: f64 = 1e-4;
-/// Weights of the sixth-order central differences over 1, 2 and 3 steps to either side.
+/// Weights of the sixth-order central differences for the values 1, 2 and 3 steps to either side.
 const WEIGHTS: [f64; 3] = [45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0];
 
-/// Reason why a body has no linearised motion.
+/// Reason why the motion of a body cannot be linearised.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum StabilityError {
     /// The model has no body, or no state with the requested motion.
@@ -28,18 +28,18 @@ pub enum StabilityError {
         /// Name of the model.
         model: String,
     },
-    /// The linearised motion is not finite at the state.
+    /// The linearised motion is not finite at the given state.
     #[error(
         "the linearised motion is not finite there; expected a state within the model's limits"
     )]
     NotFinite,
 }
 
-/// A rigid body with the compiled functions that its linearisation requires.
+/// A rigid body with the compiled functions of its model that a linearisation requires.
 pub struct Body {
     /// Model of the body.
     pub model: Model,
-    /// Compiled functions of the model.
+    /// Compiled functions of the body's model.
     pub compiled: CompiledModel,
     /// Conversion between the states of the model and the motion of the body.
     pub thrown: ThrownModel,
@@ -76,7 +76,7 @@ impl Body {
 
 /// A rigid body together with values of its model's parameters.
 pub struct BoundBody<'b> {
-    /// The rigid body, not bound to parameter values.
+    /// The rigid body, whose compiled functions apply to any parameter values.
     pub body: &'b Body,
     bound: BoundModel<'b>,
     /// Parameter values, in the order of the compiled model's parameters ([`CompiledModel::layout`]).
@@ -87,17 +87,18 @@ pub struct BoundBody<'b> {
 /// inertial axes.
 #[derive(Clone, Debug)]
 pub struct Linearised {
-    /// Motion of the body at the state.
+    /// Position, velocity and attitude of the body at the state about which the motion is linearised.
     pub motion: Motion,
-    /// Third axis of the body, unit vector.
+    /// Third axis of the body at this state (the symmetry axis of a disc), unit vector.
     pub axis: Vector3<f64>,
-    /// Angular velocity of the body, rad/s.
+    /// Angular velocity of the body at this state, rad/s.
     pub rates: Vector3<f64>,
-    /// Acceleration of the mass centre, m/s².
+    /// Acceleration of the mass centre at this state, m/s².
     pub acceleration: Vector3<f64>,
-    /// Angular acceleration of the body, rad/s².
+    /// Angular acceleration of the body at this state, rad/s².
     pub angular_acceleration: Vector3<f64>,
-    /// Moment of inertia about the third axis, and mean of the moments of inertia about the axes normal to it, kg m².
+    /// Moment of inertia about the third body axis, and mean of the moments of inertia about the axes normal to it, kg
+    /// m².
     pub inertia: (f64, f64),
     /// 12 × 12 matrix A of the linear system ẋ = A x with x = (displacement, change of velocity, small rotation, change
     /// of angular velocity).
@@ -212,7 +213,7 @@ impl BoundBody<'_> {
             .then_some((acceleration, angular))
     }
 
-    /// Model bound to the parameter values of this body, for the integration of flights.
+    /// Compiled model, bound to the parameter values of this body, for the integration of flights.
     pub fn bound(&self) -> &BoundModel<'_> {
         &self.bound
     }

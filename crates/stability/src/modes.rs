@@ -9,7 +9,7 @@ use crate::linearise::Linearised;
 /// elements are below the bound, no rate of change depends on the coordinate that belongs to the column.
 const IGNORABLE: f64 = 1e-9;
 
-/// Kind of a mode, by the variables that change most in it.
+/// Kind of a mode of the linearised motion, by the variables that change most in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModeKind {
     /// The body axis circles at about the spin times the ratio of the axial to the diametral moment of inertia: a
@@ -20,20 +20,21 @@ pub enum ModeKind {
     ShortPeriod,
     /// The angle of attack decays or grows without oscillation, because lift turns the path.
     Incidence,
-    /// Slow precession: body axis and direction of flight change together, more slowly than in the nutation.
+    /// Slow precession of the body axis: axis and direction of flight change together, more slowly than in the
+    /// nutation.
     Precession,
-    /// Speed and climb are exchanged in a slow oscillation.
+    /// Slow oscillation in which speed and climb are exchanged.
     Phugoid,
-    /// The speed alone decays or grows, without oscillation.
+    /// Mode in which only the speed decays or grows, without oscillation.
     Speed,
-    /// The spin alone decays or grows.
+    /// Mode in which only the spin decays or grows.
     Spin,
-    /// Neutral mode: a change of the heading, on which no force or moment depends.
+    /// Neutral mode: a change of the heading, which affects no force or moment.
     Heading,
 }
 
 impl ModeKind {
-    /// Name of the kind in tables and files.
+    /// Name of the kind of a mode in tables and files, such as `nutation`.
     pub fn name(self) -> &'static str {
         match self {
             ModeKind::Nutation => "nutation",
@@ -55,8 +56,8 @@ pub struct Mode {
     pub value: Complex<f64>,
     /// Kind of the mode, by the variables that change most in it.
     pub kind: ModeKind,
-    /// Relative contributions of body axis, direction of flight, speed and spin, in this order, to the motion of the
-    /// mode; they sum to 1.
+    /// Fractions of the motion of the mode that are changes of body axis, direction of flight, speed and spin, in this
+    /// order; they sum to 1.
     pub shares: [f64; 4],
 }
 
@@ -86,7 +87,8 @@ impl Mode {
 pub struct Modes {
     /// Modes in order of decreasing magnitude of the eigenvalue.
     pub modes: Vec<Mode>,
-    /// Names of the coordinates on which no rate of change depends; they are removed from the linearised system.
+    /// Names of the coordinates of the motion on which no rate of change depends; they are removed from the linearised
+    /// system.
     pub ignorable: Vec<&'static str>,
     /// Whether no rate of change depends on the rotation angle about the body's axis, as for a body of revolution.
     /// Otherwise the linearised motion of a spinning body changes within every turn, and eigenvalues at an instant have
@@ -94,8 +96,8 @@ pub struct Modes {
     pub is_symmetric: bool,
 }
 
-/// Computes the modes of a linearised motion in axes that rotate about the vertical at the rate `turn`, rad/s: 0 for an
-/// instant of a flight, the rate of change of the heading for a steady turn.
+/// Computes the modes of a linearised motion in axes that rotate about the vertical at the rate `turn`, rad/s. The rate
+/// is 0 for an instant of a flight, and the rate of change of the heading for a steady turn.
 pub fn modes(linearised: &Linearised, turn: f64) -> Modes {
     let n = linearised.axis;
     // Coordinates: displacement 3, velocity 3, tilt of the axis 2, turn about it 1, angular velocity 3.
@@ -212,7 +214,7 @@ fn name(modes: &mut [Mode], gyroscopic: f64, size: f64) {
     }
 }
 
-/// Right eigenvector of a matrix for an approximate eigenvalue, by inverse iteration.
+/// Right eigenvector of a matrix for the approximate eigenvalue `value`, by inverse iteration.
 fn eigenvector(matrix: &DMatrix<Complex<f64>>, value: Complex<f64>) -> DVector<Complex<f64>> {
     let n = matrix.nrows();
     let offset = Complex::new(1e-9 * (1.0 + value.norm()), 0.7e-9 * (1.0 + value.norm()));

@@ -17,7 +17,7 @@ pub struct Instant {
     pub throw: Throw,
     /// Modes of the motion linearised about the state of the body at this instant.
     pub modes: Modes,
-    /// Derivatives that determine how the body axis moves in the air stream.
+    /// Derivatives, at this instant, that determine how the body axis moves in the air stream.
     pub derivatives: AxisDerivatives,
     /// Stability criteria of the body axis at this instant.
     pub criteria: Criteria,
@@ -58,8 +58,8 @@ pub fn along(
 }
 
 /// Computes the modes and stability criteria of throws that equal `throw` except for speed (m/s), spin (rpm) and wobble
-/// (none): one throw for every pair of a speed and a spin, in the order of the speeds and, for each speed, of the
-/// spins. A pair is left out if no state of the model has the motion of its throw.
+/// (none). There is one throw for every pair of a speed and a spin, in the order of the speeds and, for each speed, of
+/// the spins. A pair is left out if no state of the model has the motion of its throw.
 pub fn map(body: &BoundBody<'_>, throw: &Throw, speeds: &[f64], spins: &[f64]) -> Vec<Instant> {
     let pairs = speeds
         .iter()

@@ -12,7 +12,7 @@ use nalgebra::{DMatrix, DVector, Rotation3, Vector3};
 
 use crate::linearise::{BoundBody, Linearised, StabilityError};
 
-/// A steady flight of a body.
+/// A steady (trimmed) flight of a body, straight or in a turn.
 #[derive(Clone, Debug)]
 pub struct Trim {
     /// State of the model in the steady flight, with the mass centre above the origin at the default height of a throw.
@@ -25,11 +25,12 @@ pub struct Trim {
     pub linearised: Linearised,
 }
 
-/// Norm of the residual accelerations, in units of 10 m/s² and 10 rad/s², below which flight counts as steady.
+/// Norm of the residual accelerations of the body, in units of 10 m/s² and 10 rad/s², below which a flight counts as
+/// steady.
 const STEADY: f64 = 1e-9;
 /// Maximum number of Newton steps of the search for a steady flight from one starting point.
 const MAX_STEPS: usize = 60;
-/// Starting points of the search for a steady flight: speed (m/s), climb angle, nose and hyzer (rad).
+/// Starting points of the search for a steady flight: speed (m/s), climb angle, nose angle and hyzer angle (rad).
 const STARTS: [[f64; 4]; 8] = [
     [10.0, -0.2, 0.1, 0.0],
     [15.0, -0.1, 0.05, 0.0],
@@ -72,7 +73,7 @@ fn motion(of: &DVector<f64>, spin: f64) -> Motion {
     }
 }
 
-/// Residuals of the condition for a steady flight with the motion `motion(of, spin)`: accelerations of the body minus
+/// Residuals of the condition that the motion `motion(of, spin)` is a steady flight: accelerations of the body minus
 /// those of the steady flight, in units of 10 m/s² and 10 rad/s². Also returns the state with this motion. `None` if no
 /// state has the motion or a residual is not finite.
 fn residual(

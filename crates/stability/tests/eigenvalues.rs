@@ -57,12 +57,13 @@ fn one_body_in_two_charts_has_the_same_modes() {
     }
 }
 
-/// Measures the nutation in simulated flights between two times: phase advance (rad), and logarithm of the ratio of
-/// initial to final amplitude. The signal is the angular velocity normal to the axis, in a flight with small wobble
-/// minus a flight without.
+/// Measures the nutation (wobble) in simulated flights between two times: phase advance (rad), and logarithm of the
+/// ratio of initial to final amplitude. The signal is the angular velocity normal to the body axis, in a flight with
+/// small wobble minus a flight without.
 fn measured(bound: &BoundBody<'_>, throw: &Throw, (from, until): (f64, f64)) -> (f64, f64) {
     const SAMPLES: usize = 2000;
-    /// Interval, in samples, of the second differences that remove slow motions from the signal.
+    /// Distance, in samples, between the values of which second differences are taken; they remove slow motions from
+    /// the signal.
     const APART: usize = 20;
     let thrown = &bound.body.thrown;
     let options = IntegrationOptions::with_tolerance(1e-12);
@@ -116,8 +117,8 @@ fn measured(bound: &BoundBody<'_>, throw: &Throw, (from, until): (f64, f64)) -> 
     (phase.abs(), loss)
 }
 
-/// Integrals, between two times, of the frequency and the decay rate of the nutation mode along the flight without
-/// wobble.
+/// Integrals, between two times, of the frequency and the decay rate of the nutation (wobble) mode along the flight
+/// without wobble: the expected phase advance, rad, and logarithm of the ratio of initial to final amplitude.
 fn expected(bound: &BoundBody<'_>, throw: &Throw, (from, until): (f64, f64)) -> (f64, f64) {
     let thrown = &bound.body.thrown;
     let state = thrown

@@ -7,7 +7,7 @@ use std::path::Path;
 /// Prefix of the names of temporary files whose content is not complete yet.
 pub(crate) const UNFINISHED: &str = ".unfinished-";
 
-/// Whether an atomically written file must survive a loss of power, or can be computed again.
+/// Whether a file must survive a loss of power, or may be lost because it can be computed again.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Durability {
     /// The file is synced to the disk before it is renamed.

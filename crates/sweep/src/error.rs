@@ -12,7 +12,7 @@ use crate::folder::FolderError;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum SweepError {
-    /// The plan has faults; the message lists all of them.
+    /// The plan of the sweep has faults; the message lists all of them.
     #[error(transparent)]
     Plan(#[from] ReleaseError),
     /// No state of the model has the motion that the table `[throw]` of the plan specifies.
@@ -34,7 +34,7 @@ pub enum SweepError {
     Table {
         /// Path of the table.
         path: PathBuf,
-        /// Cause of the failure.
+        /// Error that occurred while the table was read or written.
         source: ParquetError,
     },
 }

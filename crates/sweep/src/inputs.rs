@@ -10,15 +10,15 @@ use rand_distr::{Distribution, StandardNormal};
 
 use crate::plan::{Axis, AxisKind, Plan, Target, constant};
 
-/// Data from which the inputs of every flight of a plan are made: the initial state and parameters of the plan's
-/// release, and the model.
+/// Data from which the inputs of every flight of a sweep plan are made: the initial state and parameters of the plan's
+/// release (launch conditions), and the model.
 pub(crate) struct InputModel {
     x: Vec<f64>,
     p: Vec<f64>,
     thrown: Option<ThrownModel>,
     vocabulary: Vocabulary,
-    /// Seed of the gusts and parameter indices of the gusts' phases if every flight has different random gusts;
-    /// otherwise `None`.
+    /// If every flight has different random gusts: the seed of the gusts, and the indices of the parameters that are
+    /// the phases of the gusts. Otherwise `None`.
     gusts: Option<(u64, Vec<usize>)>,
 }
 
@@ -54,7 +54,7 @@ impl InputModel {
     }
 }
 
-/// Draws the inputs of flights, one flight after the other.
+/// Draws the inputs of the flights of a sweep, one flight after the other.
 pub(crate) struct Inputs<'p> {
     plan: &'p Plan,
     model: &'p InputModel,

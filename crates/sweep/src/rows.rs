@@ -6,7 +6,7 @@ use ode::{FlightEnd, FlightOutcome, FlightQueue, FlightSpan};
 use crate::inputs::{InputModel, Inputs};
 use crate::plan::{Plan, Target};
 
-/// Possible values of the column `status`, which states how a flight ended.
+/// Possible values of the column `status` of the table of flights, which states how a flight ended.
 pub const STATUSES: [&str; 8] = [
     "landed",
     "time",
@@ -34,10 +34,10 @@ fn status(outcome: FlightOutcome) -> u8 {
     }
 }
 
-/// Column of a table of flights: one value per flight.
+/// Column of the table of flights of a sweep: one value per flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
-    /// Name of the column.
+    /// Name of the column; it is the name of the input or result.
     pub name: String,
     /// Whether the column is an input of the flights rather than a result.
     pub is_input: bool,
@@ -69,7 +69,8 @@ pub(crate) struct Flier<'p> {
     pub has_spin: bool,
 }
 
-/// Supplies the flights of one part of a sweep to the integrator, one after the other, and collects their results.
+/// Supplies the flights of one part of a sweep (block of consecutive flights) to the integrator, one after the other,
+/// and collects their results.
 struct Part<'f, 'p> {
     inputs: Inputs<'p>,
     first: u64,

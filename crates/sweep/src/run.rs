@@ -29,17 +29,17 @@ pub struct SweepOptions<'a> {
     /// If several processes compute one sweep in the same folder: the share of the parts (blocks of consecutive
     /// flights) to compute, as (share number from 1, number of shares). `None` computes all parts and joins them.
     pub share: Option<(u64, u64)>,
-    /// Whether the flights are also written as CSV.
+    /// Whether the table of flights is also written as CSV.
     pub csv: bool,
     /// Called after each completed part (a block of consecutive flights), with the number of flights in the part.
     pub progress: &'a (dyn Fn(u64) + Sync),
 }
 
-/// Maximum number of parts (blocks of consecutive flights), per thread, that may be computed ahead of the first part
-/// not yet merged into the summary; it bounds the memory.
+/// Maximum number of parts (blocks of consecutive flights), per thread, that are computed while an earlier part is not
+/// yet merged into the summary; it bounds the memory.
 const AHEAD: u64 = 8;
 
-/// File name of the table of all flights.
+/// File name of the Parquet table of all flights of the sweep.
 const FLIGHTS: &str = "flights.parquet";
 
 /// Simulates the flights of a plan and writes `flights.parquet` and `summary.json` to the folder `out`, which is new,

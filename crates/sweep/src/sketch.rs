@@ -1,27 +1,28 @@
 //! Quantiles of a stream of values from counts in logarithmic bins (Masson, Rim & Lee, "DDSketch", PVLDB 12, 2019).
 //! Counts add up, so the result does not depend on the order of the values or on how they are divided into parts.
 
-/// Maximum relative error of a quantile that is estimated from a [`Sketch`].
+/// Maximum relative error of a quantile that is estimated from the bins of a [`Sketch`].
 pub(crate) const ACCURACY: f64 = 1e-4;
-/// Smallest magnitude that the bins resolve. Smaller nonzero magnitudes are counted in the bin of their sign that is
-/// nearest to zero.
+/// Smallest magnitude that the bins of the quantile sketch resolve. Smaller nonzero magnitudes are counted in the bin
+/// of their sign that is nearest to zero.
 const MIN_MAGNITUDE: f64 = 1e-9;
-/// Maximum bin number, which counts all magnitudes of about 1e12 and above; together with [`MIN_MAGNITUDE`] it limits
-/// the number of bins and thus the memory.
+/// Maximum bin number of the quantile sketch, which counts all magnitudes of about 1e12 and above; together with
+/// [`MIN_MAGNITUDE`] it limits the number of bins and thus the memory.
 const MAX_BIN: i32 = 242_000;
 
-/// Quantile sketch: (bin, count) pairs of the nonempty bins, in ascending order of the values. Negative bins hold
-/// negative values, and bin 0 holds zeros.
+/// Counts of values in logarithmic bins, from which quantiles are estimated: (bin, count) pairs of the nonempty bins,
+/// in ascending order of the values. Negative bins hold negative values, and bin 0 holds zeros.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Sketch(Vec<(i32, u64)>);
 
-/// Logarithm of the ratio of the upper to the lower bound of a bin.
+/// Natural logarithm of the ratio of the upper to the lower bound of a bin of the quantile sketch; all bins have the
+/// same ratio.
 fn log_ratio() -> f64 {
     ((1.0 + ACCURACY) / (1.0 - ACCURACY)).ln()
 }
 
 impl Sketch {
-    /// Sketch of the values, none of which may be NaN.
+    /// Counts the values in the bins; none of the values may be NaN.
     pub(crate) fn of(values: impl Iterator<Item = f64>) -> Sketch {
         let one_over = 1.0 / log_ratio();
         let class = |value: f64| {
@@ -46,7 +47,7 @@ impl Sketch {
         Sketch(counts)
     }
 
-    /// Adds the counts of another sketch to this one.
+    /// Adds the counts of the bins of another sketch to those of this one.
     pub(crate) fn merge(&mut self, other: &Sketch) {
         let mut merged = Vec::with_capacity(self.0.len() + other.0.len());
         let (mut a, mut b) = (self.0.iter().peekable(), other.0.iter().peekable());
@@ -66,7 +67,7 @@ impl Sketch {
         self.0 = merged;
     }
 
-    /// Estimate of the `q` quantile of the values, `q` in 0 to 1; NaN if the sketch is empty.
+    /// Estimate of the quantile of the counted values at the probability `q`, from 0 to 1; NaN if there are no values.
     pub(crate) fn quantile(&self, q: f64) -> f64 {
         let total: u64 = self.0.iter().map(|(_, count)| count).sum();
         let rank = q * (total.saturating_sub(1)) as f64;

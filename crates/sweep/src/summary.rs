@@ -7,7 +7,7 @@ use crate::plan::Plan;
 use crate::rows::{Rows, STATUSES};
 use crate::sketch::{ACCURACY, Sketch};
 
-/// Quantiles in the summary of each column: JSON key and probability.
+/// Quantiles in the summary of each column of the table of flights: JSON key and probability.
 const QUANTILES: [(&str, f64); 7] = [
     ("0.01", 0.01),
     ("0.05", 0.05),
@@ -18,18 +18,18 @@ const QUANTILES: [(&str, f64); 7] = [
     ("0.99", 0.99),
 ];
 
-/// Summary statistics of a sweep. The statistics of the columns include only flights that reached the intended end: the
-/// ground, or the final time of a plan with a duration.
+/// Summary statistics of a sweep. The statistics of the table columns include only flights that reached the intended
+/// end: the ground, or the final time of a plan with a duration.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Summary {
     flights: u64,
     statuses: [u64; STATUSES.len()],
     columns: Vec<(String, ColumnSummary)>,
-    /// Joint moments of the x and y coordinates of the landing points, m.
+    /// Means of the x and y coordinates of the landing points, m, and sum of the products of their deviations, m².
     landing: Joint,
 }
 
-/// Moments, extremes and quantiles of one column of the table of flights.
+/// Mean, sum of squared deviations, extremes and quantiles of one column of the table of flights.
 #[derive(Clone, Debug, PartialEq)]
 struct ColumnSummary {
     count: u64,
@@ -41,8 +41,7 @@ struct ColumnSummary {
     sketch: Sketch,
 }
 
-/// Joint moments of two columns of the table of flights: their means and the sum of the products of their deviations
-/// from the means.
+/// Means of two columns of the table of flights, and the sum of the products of their deviations from the means.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Joint {
     count: u64,
@@ -91,7 +90,7 @@ impl Summary {
         self.landing.merge(&next.landing);
     }
 
-    /// Name and number of flights of each status that occurs.
+    /// Each status that occurs in the sweep (how a flight ended, such as `landed`), with its number of flights.
     fn statuses(&self) -> impl Iterator<Item = (&'static str, u64)> {
         let counts = STATUSES.into_iter().zip(self.statuses);
         counts.filter(|(_, count)| *count > 0)

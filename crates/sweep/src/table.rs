@@ -18,9 +18,9 @@ use parquet::schema::types::{ColumnPath, PrimitiveTypeBuilder, Type};
 use crate::atomic::{Durability, write_atomic};
 use crate::rows::{Column, Rows, STATUSES};
 
-/// Name of the first column: the flight number, from 0.
+/// Name of the first column of the table of flights: the flight number, from 0.
 const FLIGHT: &str = "flight";
-/// Name of the last column: how the flight ended, a value of [`STATUSES`].
+/// Name of the last column of the table of flights: how the flight ended, a value of [`STATUSES`].
 const STATUS: &str = "status";
 
 /// Writes the table of one part of a sweep (a block of consecutive flights) to a file atomically. The file is not

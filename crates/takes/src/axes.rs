@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::quaternion::product;
 
-/// A signed coordinate axis of a file, such as `+z` or `-y`, that points up.
+/// A signed coordinate axis of a recording file, such as `+z` or `-y`, that points up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Axis {
     /// Index of the axis: 0, 1 or 2 for x, y or z.
@@ -14,7 +14,7 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// Parses a signed axis such as `+z`, `-Y` or `x`; `None` for any other text.
+    /// Parses a signed coordinate axis such as `+z`, `-Y` or `x`; `None` for any other text.
     pub fn parse(text: &str) -> Option<Self> {
         let text = text.trim().to_ascii_lowercase();
         let (negative, name) = match text.strip_prefix('-') {
@@ -51,7 +51,7 @@ impl Axis {
         }
     }
 
-    /// Rotates a vector with components in the file's axes by the rotation that turns this axis to +z.
+    /// Rotates a vector, given in the file's axes, by the rotation that turns this axis to +z.
     pub(crate) fn turned(self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         match (self.index, self.negative) {
             (0, false) => [-z, y, x],

@@ -2,10 +2,10 @@
 
 use crate::unit::{LengthUnit, TimeUnit};
 
-/// Content of a table column, derived from the column's name.
+/// Content of a column of a table of motion-capture data, derived from the column's name.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Column {
-    /// Label of the point or body; empty if the name contains none.
+    /// Label of the recorded point or body to which the column belongs; empty if the column name contains none.
     pub label: String,
     pub quantity: Quantity,
 }
@@ -14,7 +14,7 @@ pub(crate) struct Column {
 pub(crate) enum Quantity {
     /// Time; the unit is `None` if the column name states none.
     Time(Option<TimeUnit>),
-    /// Frame number.
+    /// Number of the frame (sample) of the recording.
     Frame,
     /// Coordinate 0, 1 or 2 (x, y, z) of a position; the unit is `None` if the column name states none.
     Coordinate(usize, Option<LengthUnit>),
@@ -74,8 +74,8 @@ impl Column {
     }
 }
 
-/// Splits a name with a unit at its end (`x_mm`, `x (mm)`, `x [mm]`) into the part before the unit and the unit; the
-/// unit is `None` if the name contains none.
+/// Splits a column name with a unit at its end (`x_mm`, `x (mm)`, `x [mm]`) into the part before the unit and the unit;
+/// the unit is `None` if the name contains none.
 fn without_unit(name: &str) -> (&str, Option<&str>) {
     for (open, close) in [('(', ')'), ('[', ']')] {
         if let Some(rest) = name.strip_suffix(close)

@@ -16,7 +16,7 @@ pub enum Location {
     Byte(usize),
 }
 
-/// A malformed recording: its location, what was found and what was expected.
+/// A malformed recording: location of the error, what was found and what was expected.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{}{location}: found {found}, expected {expected}", file.display())]
 pub struct TakeError {
@@ -41,7 +41,7 @@ impl fmt::Display for Location {
     }
 }
 
-/// An error without the path of its file, which the caller adds by `Fault::of`.
+/// An error in a recording file, without the path of the file, which the caller adds by `Fault::of`.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Fault {
     pub location: Location,

@@ -28,7 +28,7 @@ pub enum Format {
     Plain,
 }
 
-/// Maximum number of header lines before the first row of a Qualisys table.
+/// Maximum number of header lines before the first row of data in a Qualisys table.
 pub(crate) const QUALISYS_HEADER: usize = 40;
 
 impl Format {
@@ -49,7 +49,7 @@ impl Format {
         Self::ALL[self as usize].1
     }
 
-    /// Format with this name in the option `--format`, ignoring case; `None` for an unknown name.
+    /// Format whose name in the option `--format` is `name`, ignoring case; `None` for an unknown name.
     pub fn parse(name: &str) -> Option<Self> {
         let mut all = Self::ALL.iter();
         all.find(|(_, known, _)| known.eq_ignore_ascii_case(name))

@@ -8,45 +8,47 @@ use crate::sheet::Sheet;
 use crate::take::{Body, Point, Pose, Take};
 use crate::unit::LengthUnit;
 
-/// Maximum absolute value of a coordinate, m; a greater one is an error.
+/// Maximum absolute value of a coordinate in a recording, m; a greater one is an error.
 pub(crate) const MAX_COORDINATE: f64 = 1e4;
 /// Maximum of the number of samples times the number of points and bodies; a larger recording is an error, which bounds
 /// the memory used.
 pub(crate) const MAX_POSITIONS: usize = 1 << 23;
 /// Maximum number of points and bodies in a recording; a greater number is an error.
 pub(crate) const MAX_LABELS: usize = 4096;
-/// Maximum deviation of a quaternion's norm from 1, and of the scalar products of a matrix's columns from those of a
-/// rotation matrix.
+/// Maximum deviation of a quaternion's norm from 1. For a rotation matrix, maximum deviation of the scalar products of
+/// its columns from 1 (column with itself) and 0.
 const ROTATION_TOLERANCE: f64 = 0.02;
 
-/// Source of the time of a table row.
+/// Source of the time of each row in a table of motion-capture data.
 pub(crate) enum Clock {
-    /// Index of the column of times, and the length of the time unit, s.
+    /// The times are in the column with this index; the second value is the length of their unit, s.
     Column(usize, f64),
-    /// Index of the column of frame numbers, and the frames per second.
+    /// The frame numbers are in the column with this index; the second value is the number of frames per second.
     Frame(usize, f64),
     /// The table has neither times nor frame numbers: the time of a row is its index, from 0, divided by this frame
     /// rate, Hz.
     Count(f64),
 }
 
-/// Column indices of the attitude of a body.
+/// Indices of the table columns that contain the attitude of a body.
 pub(crate) enum Attitude {
-    /// Columns of the unit quaternion w, x, y, z of the rotation from body to room.
+    /// Indices of the columns with the unit quaternion w, x, y, z of the rotation from body to room.
     Quaternion([usize; 4]),
-    /// Columns of the rotation matrix from body to room, row by row.
+    /// Indices of the columns with the elements of the rotation matrix from body to room, row by row.
     Matrix([usize; 9]),
 }
 
-/// Column indices of the coordinates and the quaternion of one point or body, as far as they were found.
+/// Indices of the table columns with the coordinates and the quaternion of one point or body; `None` for those that
+/// were not found.
 #[derive(Default)]
 pub(crate) struct TrackColumns {
     pub position: [Option<usize>; 3],
-    /// Components in the order w, x, y, z.
+    /// Indices of the columns with the components w, x, y, z, in this order.
     pub quaternion: [Option<usize>; 4],
 }
 
-/// Columns of each point and body of a table, found by a key such as its label, in the order of the file.
+/// Columns of each point and body of a table of motion-capture data, found by a key such as its label, in the order of
+/// the file.
 pub(crate) struct Tracks<K> {
     pub list: Vec<(K, TrackColumns)>,
     indices: BTreeMap<K, usize>,
@@ -62,7 +64,7 @@ impl<K> Default for Tracks<K> {
 }
 
 impl<K: Ord + Clone> Tracks<K> {
-    /// Columns of the point or body with this key. If the key is new, an entry without columns is added.
+    /// Columns of the point or body with the key `key`. If the key is new, an entry without columns is added.
     pub fn entry(&mut self, key: K) -> &mut TrackColumns {
         let list = &mut self.list;
         let index = *self.indices.entry(key).or_insert_with_key(|key| {
@@ -73,19 +75,19 @@ impl<K: Ord + Clone> Tracks<K> {
     }
 }
 
-/// Columns of a table, and how their values are read.
+/// Columns of a table of motion-capture data, and how their values are read.
 pub(crate) struct Layout {
     pub format: Format,
     pub clock: Clock,
     pub length: LengthUnit,
     pub points: Vec<(String, [usize; 3])>,
     pub bodies: Vec<(String, [usize; 3], Attitude)>,
-    /// Number of cells in each row.
+    /// Number of cells in each row of the table.
     pub width: usize,
-    /// Whether a position of exactly 0, 0, 0 marks a missing value.
+    /// Whether a position of exactly 0, 0, 0 stands for a missing measurement.
     pub zero_is_gap: bool,
     pub notes: Vec<String>,
-    /// Number of rows specified in the header of the file; `None` if none is specified.
+    /// Number of data rows specified in the header of the file; `None` if none is specified.
     pub stated: Option<usize>,
 }
 
@@ -274,7 +276,7 @@ impl Layout {
 }
 
 impl Attitude {
-    /// Unit quaternion of the attitude in the current row; `None` if a component is missing.
+    /// Unit quaternion of the attitude in the current row of the table; `None` if a component is missing.
     fn quaternion(&self, sheet: &Sheet<'_>) -> Result<Option<[f64; 4]>, Fault> {
         match self {
             Self::Quaternion(columns) => {

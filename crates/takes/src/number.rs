@@ -31,7 +31,7 @@ fn hint(cell: &str) -> Option<&'static str> {
     }
 }
 
-/// Maximum frame rate, Hz; a greater one is an error.
+/// Maximum frame rate of a recording, Hz; a greater one is an error.
 const MAX_RATE: f64 = 1e6;
 
 /// Checks that a frame rate (Hz) is positive and at most [`MAX_RATE`]; the error contains the texts of what was found

@@ -5,8 +5,8 @@ use crate::format::Format;
 use crate::number::checked_rate;
 use crate::unit::{LengthUnit, TimeUnit};
 
-/// User-supplied properties of a recording file. They supplement the properties specified in the file, and override
-/// them.
+/// Properties of a recording file that the user states, such as units. They supplement and override those that the file
+/// specifies.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ReadOptions {
     /// Format of the file; recognised by the content if `None`.

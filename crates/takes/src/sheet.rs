@@ -6,7 +6,8 @@ use crate::error::{Fault, Location};
 use crate::number::number;
 use crate::words::shown;
 
-/// Cell separator of a line: the tab, else the semicolon, if the line contains one outside quotes; otherwise the comma.
+/// Cell separator of a line of a table: the tab, else the semicolon, if the line contains one outside quotes; otherwise
+/// the comma.
 pub(crate) fn separator(line: &str) -> u8 {
     let mut quoted = false;
     let mut bare = line.to_owned();
@@ -20,7 +21,7 @@ pub(crate) fn separator(line: &str) -> u8 {
         .unwrap_or(b',')
 }
 
-/// Row-by-row reader of a table; skips comment lines, which begin with `#`.
+/// Row-by-row reader of a text table; skips comment lines, which begin with `#`.
 pub(crate) struct Sheet<'t> {
     text: &'t str,
     reader: Reader<&'t [u8]>,
@@ -45,7 +46,8 @@ impl<'t> Sheet<'t> {
         }
     }
 
-    /// Advances to the next row that is neither a comment nor empty; returns false at the end of the table.
+    /// Advances to the next row of the table that is neither a comment nor empty; returns false at the end of the
+    /// table.
     pub fn advance(&mut self) -> Result<bool, Fault> {
         while self.advance_line()? {
             if self.filled() > 0 {
@@ -80,24 +82,24 @@ impl<'t> Sheet<'t> {
         }
     }
 
-    /// Line number of the current row, counted from 1.
+    /// Line number of the current row of the table, counted from 1.
     pub fn line(&self) -> usize {
         self.line
     }
 
-    /// Number of cells of the current row, not counting empty cells at its end.
+    /// Number of cells of the current row of the table, not counting empty cells at its end.
     pub fn filled(&self) -> usize {
         let cells = self.record.iter().zip(1..);
         let filled = cells.filter(|(cell, _)| !cell.trim().is_empty());
         filled.last().map_or(0, |(_, number)| number)
     }
 
-    /// Number of cells of the current row, including empty ones.
+    /// Number of cells of the current row of the table, including empty ones.
     pub fn width(&self) -> usize {
         self.record.len()
     }
 
-    /// Text of a cell of the current row, trimmed; empty if the row has no cell at this index.
+    /// Text of a cell of the current row of the table, trimmed; empty if the row has no cell at this index.
     pub fn cell(&self, index: usize) -> &str {
         self.record.get(index).unwrap_or_default().trim()
     }
@@ -115,8 +117,8 @@ impl<'t> Sheet<'t> {
         self.reader.position().byte() as usize >= self.text.len() && !self.text.ends_with('\n')
     }
 
-    /// Value of a cell of the current row; `None` if the cell is empty or NaN. A decimal comma is accepted unless the
-    /// comma is the cell separator.
+    /// Value of a cell of the current row of the table; `None` if the cell is empty or NaN. A decimal comma is accepted
+    /// unless the comma is the cell separator.
     pub fn number(&self, index: usize) -> Result<Option<f64>, Fault> {
         let cell = self.cell(index);
         let is_decimal = |c: char| c.is_ascii_digit() || ['-', '+', ',', 'e', 'E'].contains(&c);
@@ -130,7 +132,8 @@ impl<'t> Sheet<'t> {
         read.map_err(|expected| self.fault(index, shown(cell), expected))
     }
 
-    /// Values of several cells of the current row; `None` if one of them is empty or NaN.
+    /// Values of the cells with the indices `columns` in the current row of the table; `None` if one of them is empty
+    /// or NaN.
     pub fn numbers<const N: usize>(&self, columns: [usize; N]) -> Result<Option<[f64; N]>, Fault> {
         let mut values = [0.0; N];
         for (value, column) in values.iter_mut().zip(columns) {
@@ -151,7 +154,7 @@ impl<'t> Sheet<'t> {
         }
     }
 
-    /// Error located at a cell of the current row.
+    /// Error whose location is a cell of the current row of the table.
     pub fn fault(
         &self,
         index: usize,

@@ -7,7 +7,7 @@ use crate::unit::LengthUnit;
 /// A recording as read from its file: coordinates in m along the file's own axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Take {
-    /// Format of the file that was read.
+    /// Format of the file from which the recording was read.
     pub format: Format,
     /// Times of the samples, s, increasing.
     pub times: Vec<f64>,
@@ -18,11 +18,12 @@ pub struct Take {
     /// Unit of the coordinates in the file, as specified in the file or by an option; the coordinates in this structure
     /// are in m.
     pub length: LengthUnit,
-    /// Axis that points up; `None` if it is not specified in the file.
+    /// Axis of the file that points up; `None` if the file does not specify it.
     pub up: Option<Axis>,
-    /// Whether the axes are left-handed; `None` if this is specified neither in the file nor by its format.
+    /// Whether the axes of the file are left-handed; `None` if this is specified neither in the file nor by its format.
     pub left_handed: Option<bool>,
-    /// Notes on decisions made while reading, such as statements of the file that were overridden or columns left out.
+    /// Notes on decisions made while the file was read, such as values of the file that were overridden or columns left
+    /// out.
     pub notes: Vec<String>,
 }
 

@@ -5,7 +5,7 @@ const MAX_CHARACTERS: usize = 40;
 /// Maximum number of names that [`listed`] writes out; of the remaining names it states only the number.
 const MAX_NAMES: usize = 12;
 
-/// Quotes and escapes a text from an input file for a message, and truncates it to a bounded length.
+/// Formats a text from an input file for a message: quoted, escaped and truncated to a bounded length.
 pub fn shown(text: &str) -> String {
     if text.chars().count() <= MAX_CHARACTERS {
         return format!("{text:?}");

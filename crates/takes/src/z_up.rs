@@ -6,8 +6,8 @@ use crate::take::{Pose, Take};
 
 impl Take {
     /// Converts the recording to right-handed axes with z up; `up` is the axis of the file that points up. If the axes
-    /// of the file are `left_handed`, the second horizontal axis is mirrored, and so is the second axis of the
-    /// body-fixed axes of each body.
+    /// of the file are `left_handed`, the second horizontal axis is mirrored, and so is the second body-fixed axis of
+    /// each tracked body.
     pub fn with_z_up(mut self, up: Axis, left_handed: bool) -> Self {
         let changed = |position: [f64; 3]| up.upright(left_handed, position);
         for position in self

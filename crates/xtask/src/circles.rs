@@ -30,7 +30,7 @@ struct Module {
     defined: BTreeSet<String>,
 }
 
-/// Returns an error that lists the import cycles between files of a crate, if there are any.
+/// Returns an error that lists the import cycles between the source files of each crate, if there are any.
 pub fn check(root: &Path) -> Result<()> {
     let mut circles = Vec::new();
     let mut files = 0;
@@ -94,7 +94,8 @@ fn module_path(file: &Path) -> ModulePath {
     path
 }
 
-/// Syntax visitor that collects the imports and definitions of a file; inline modules, such as tests, are skipped.
+/// Syntax visitor that collects the imports and definitions of a source file; inline modules, such as tests, are
+/// skipped.
 struct Reader<'m> {
     here: ModulePath,
     module: &'m mut Module,
@@ -211,8 +212,8 @@ fn name_of(item: &Item) -> Option<String> {
     Some(ident.to_string())
 }
 
-/// Directed graph of imports: for each module, the modules that it imports from. Imports from an ancestor in the module
-/// tree are omitted.
+/// Directed graph of the imports within a crate: for each module, the modules that it imports from. Imports from an
+/// ancestor in the module tree are omitted.
 fn arrows(modules: &BTreeMap<ModulePath, Module>) -> BTreeMap<ModulePath, BTreeSet<ModulePath>> {
     let arrows_of = |(here, module): (&ModulePath, &Module)| {
         let targets = module
@@ -225,8 +226,8 @@ fn arrows(modules: &BTreeMap<ModulePath, Module>) -> BTreeMap<ModulePath, BTreeS
     modules.iter().map(arrows_of).collect()
 }
 
-/// Module that defines the item to which `path` refers in the module `here`; `None` if no module of the crate defines
-/// it.
+/// Module that defines the item to which `path` refers when used in the module `here`; `None` if no module of the crate
+/// defines it.
 fn target(
     modules: &BTreeMap<ModulePath, Module>,
     here: &ModulePath,
@@ -265,7 +266,7 @@ fn target(
     None
 }
 
-/// Strongly connected components with more than one module, which are the import cycles.
+/// Strongly connected components of the import graph with more than one module, which are the import cycles.
 fn strong_components(arrows: &BTreeMap<ModulePath, BTreeSet<ModulePath>>) -> Vec<Vec<ModulePath>> {
     let reach: BTreeMap<&ModulePath, BTreeSet<&ModulePath>> = arrows
         .keys()
@@ -305,7 +306,7 @@ mod tests {
 
     use super::{arrows, modules, strong_components};
 
-    /// Import cycles between files given as (path, text).
+    /// Import cycles between source files given as (path, text).
     fn circles(files: &[(&str, &str)]) -> Vec<Vec<String>> {
         let folder = tempfile::tempdir().expect("a folder");
         for (path, text) in files {

@@ -8,7 +8,7 @@ use spdx::{Expression, LicenseReq, Licensee};
 
 use crate::source;
 
-/// Licences that are allowed for dependencies, as listed in `deny.toml`.
+/// Licences that dependencies may have, as listed in `deny.toml`.
 const ALLOWED: [&str; 11] = [
     "MIT",
     "Apache-2.0",

@@ -10,7 +10,7 @@ use rand_chacha::rand_core::SeedableRng;
 
 use crate::source;
 
-/// A doc comment with the signature of its item.
+/// A doc comment with the signature of the item that it documents.
 struct Documented {
     place: String,
     /// First line of the innermost block around the item, such as `impl Model {`; `None` if the item is not inside a

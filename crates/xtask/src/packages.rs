@@ -8,8 +8,8 @@ use cargo_metadata::MetadataCommand;
 /// Licence files that every published package must contain.
 const LICENSE_FILES: [&str; 2] = ["LICENSE-MIT", "LICENSE-APACHE"];
 
-/// Packs every publishable package, after a check that it contains the licence files. With `verify`, each package is
-/// also built from its own archive, against the archives of the other packages.
+/// Creates the archive of every publishable package, after a check that it contains the licence files. With `verify`,
+/// each package is also built from its own archive, against the archives of the other packages.
 pub fn check(root: &Path, verify: bool) -> Result<()> {
     let metadata = MetadataCommand::new()
         .manifest_path(root.join("Cargo.toml"))

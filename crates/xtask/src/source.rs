@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
 
-/// Maximum length of a source file, lines.
+/// Maximum length of a source file that is not generated, lines.
 const MAX_LINES: usize = 500;
 
 /// Folders of the crates of the workspace, sorted: the root, `model-spec`, `codegen`, and each folder in `crates` that
@@ -63,7 +63,7 @@ pub fn is_generated(folder: &Path) -> bool {
     folder.ends_with("crates/generated")
 }
 
-/// Returns an error if a file has more than [`MAX_LINES`] lines. Crates of generated files are exempt.
+/// Returns an error if a source file has more than [`MAX_LINES`] lines. Crates of generated files are exempt.
 pub fn check_lengths(root: &Path) -> Result<()> {
     let mut long = Vec::new();
     for folder in crates(root)?.iter().filter(|folder| !is_generated(folder)) {
@@ -112,7 +112,8 @@ pub fn print_lines(root: &Path) -> Result<()> {
     check_lengths(root)
 }
 
-/// Number of lines before the first unindented `#[cfg(test)]` that opens a module; all lines if there is none.
+/// Number of lines of a source text before the first unindented `#[cfg(test)]` that opens a module; all lines if there
+/// is none.
 fn lines_without_tests(text: &str) -> usize {
     let lines: Vec<&str> = text.lines().collect();
     let opens_tests = |pair: &[&str]| pair[0] == "#[cfg(test)]" && pair[1].ends_with('{');

@@ -43,7 +43,7 @@ pub fn check(root: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Library and program targets of a package; their unit tests and documentation examples are in `src`.
+/// Library and program targets of a package; their unit tests and documentation examples are in its folder `src`.
 fn targets(package: &Package) -> impl Iterator<Item = &Target> {
     let targets = package.targets.iter();
     targets.filter(|target| target.is_lib() || target.is_bin())

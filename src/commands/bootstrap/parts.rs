@@ -8,17 +8,18 @@ use anyhow::Result;
 use identify::{Fit, FitError, FitOptions};
 use sweep::folder::PartsFolder;
 
-/// Number of refits in one part; a part is a block of consecutive refits whose results are stored in one file.
+/// Number of refits in one part of a bootstrap (a block of consecutive refits whose results are stored in one file).
 pub(super) const LEN: u64 = 16;
 
-/// Name of the column that states whether a refit converged.
+/// Name of the column of the table of refits that states whether the refit converged.
 const CONVERGED: &str = "converged";
 
 /// One refit (a fit to flights drawn with replacement): its number and the estimates of the parameters that all flights
 /// share, SI; the estimates are `None` if the refit did not converge.
 pub(super) type Refit = (u64, Option<Vec<f64>>);
 
-/// Number of parts, of [`LEN`] refits each, into which `refits` refits are divided.
+/// Number of parts of a bootstrap, of [`LEN`] refits each (the last may have fewer), into which `refits` refits are
+/// divided.
 pub(super) fn count(refits: u64) -> u64 {
     refits.div_ceil(LEN)
 }
@@ -68,7 +69,7 @@ impl Work<'_> {
     }
 }
 
-/// CSV table of refits: number, whether it converged, and the estimates, SI, with all digits.
+/// CSV table of refits of a bootstrap: number, whether it converged, and the estimates, SI, with all digits.
 pub(super) fn table(fit: &Fit, refits: &[Refit]) -> String {
     let mut text = format!("refit,{CONVERGED}");
     for global in &fit.problem().globals {
@@ -91,8 +92,8 @@ pub(super) fn table(fit: &Fit, refits: &[Refit]) -> String {
     text + "\n"
 }
 
-/// Reads the refits from a CSV table with `width` estimates per line; `None` if the file is missing or does not have
-/// this format.
+/// Reads the refits of a bootstrap from a CSV table with `width` estimates per line; `None` if the file is missing or
+/// does not have this format.
 fn read(path: &Path, width: usize) -> Option<Vec<Refit>> {
     let text = fs::read_to_string(path).ok()?;
     let row = |line: &str| {

@@ -9,7 +9,8 @@ use super::parts::Refit;
 use crate::cli::Bootstrap;
 use crate::commands::fit::{digits, written};
 
-/// Contents of `summary.json`: standard errors, 95 % percentile intervals, correlations; SI.
+/// Contents of the `summary.json` of a bootstrap: standard errors, 95 % percentile intervals and correlations of the
+/// estimates; SI.
 pub(super) fn json(fit: &Fit, refits: &[Refit], options: &Bootstrap) -> Value {
     let converged: Vec<&[f64]> = refits
         .iter()
@@ -83,8 +84,8 @@ impl Column {
         }
     }
 
-    /// Quantile of the estimates at the probability `p`, by linear interpolation between the order statistics; NaN
-    /// without refits.
+    /// Quantile of the estimates over the refits at the probability `p`, by linear interpolation between the order
+    /// statistics; NaN without refits.
     fn quantile(&self, p: f64) -> f64 {
         let at = p * (self.sorted.len() as f64 - 1.0);
         let value = |k: f64| {

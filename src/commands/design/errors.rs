@@ -7,7 +7,7 @@ use ::design::CoefficientErrors;
 use anyhow::{Context, bail};
 use serde_json::Value;
 
-/// Maximum size of the `report.json` of a fit, bytes.
+/// Maximum size of the file `report.json` of a fit, from which standard errors are read, bytes.
 const MAX_BYTES: u64 = 64 << 20;
 
 /// Reads the standard errors and correlations of the coefficients from the `report.json` of `hyzer fit`.

@@ -21,7 +21,8 @@ use super::{hundredths, vector};
 use crate::cli::Design as Options;
 use crate::{Answer, output};
 
-/// Runs `hyzer design`: searches for the throw, prints it, and writes the result files if an output folder is given.
+/// Runs `hyzer design`: searches for the throw that serves a goal best, prints it, and writes the result files if an
+/// output folder is given.
 pub fn run(options: &Options) -> anyhow::Result<Answer> {
     let out = output::folder(options.out.as_deref())?;
     let mut model = model_spec::load::load(&options.model, &super::names(&options.with))?;
@@ -123,7 +124,7 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
     })
 }
 
-/// The goal specified by the options, with its target point.
+/// The goal of the throw that the options specify, with its target point.
 fn goal(options: &Options) -> anyhow::Result<Goal> {
     let name = options.goal.as_str();
     let target = options
@@ -152,7 +153,7 @@ fn goal(options: &Options) -> anyhow::Result<Goal> {
     goal.context("--goal")
 }
 
-/// Text of a design for the terminal: the throw, its landing and the spread.
+/// Text of a throw design for the terminal: the throw, its landing and the spread of the landings.
 fn table(found: &Design, bounds: &Bounds, spread: &Spread) -> String {
     let mut text = String::new();
     let (figure, unit) = found.goal.figure();

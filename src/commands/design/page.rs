@@ -9,7 +9,7 @@ use report::{Section, Sheet, SheetFigure, Table};
 
 use crate::commands::hundredths;
 
-/// Number of line segments with which the figures show a path; an ellipse has half as many.
+/// Number of line segments with which the figures of a throw design show a path; an ellipse has half as many.
 const POINTS: usize = 200;
 /// Maximum number of sampled landings that the figure shows as dots.
 const MAX_DOTS: usize = 1500;
@@ -308,7 +308,7 @@ fn circle(place: Vector2<f64>, radius: f64) -> Vec<Vector2<f64>> {
         .collect()
 }
 
-/// Cosines and sines of evenly spaced angles over a full circle.
+/// Cosine and sine of evenly spaced angles over a full circle, as points of the unit circle.
 fn round() -> impl Iterator<Item = (f64, f64)> {
     (0..=POINTS / 2).map(|k| {
         let (s, c) = (std::f64::consts::TAU * k as f64 / (POINTS / 2) as f64).sin_cos();

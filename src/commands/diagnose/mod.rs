@@ -21,13 +21,13 @@ use crate::cli::Diagnose;
 use crate::progress::Progress;
 use crate::{Answer, output};
 
-/// File name of the extended model.
+/// File name of the extended model: the model with the effects that the diagnosis added.
 const EXTENDED: &str = "extended.hyz";
 
-/// Name of the folder of the extended model's code.
+/// Name of the folder with the generated code of the extended model.
 const CODE: &str = "extended";
 
-/// Number of random states for each check of the extended model; `hyzer verify` uses more.
+/// Number of random states for each verification check of the extended model; `hyzer verify` uses more.
 const CASES: usize = 12;
 
 /// Runs `hyzer diagnose`: tests a model for missing effects, prints a summary, and writes the result files if an output
@@ -133,7 +133,7 @@ fn reasons_against(found: &Diagnosis) -> Vec<String> {
     reasons
 }
 
-/// Sentence appended to the documentation of an extended model: the added effects and the dataset.
+/// Sentence appended to the documentation of the model that a diagnosis extended: the added effects and the dataset.
 fn note(effects: &[String], dataset: &str) -> String {
     format!(
         "Extended by {}, found in {dataset} by `hyzer diagnose`.",
@@ -141,7 +141,7 @@ fn note(effects: &[String], dataset: &str) -> String {
     )
 }
 
-/// Runs the checks of `hyzer verify` on an extended model, given as text.
+/// Runs the checks of `hyzer verify` on the model that a diagnosis extended, given as text.
 fn verified(text: &str) -> anyhow::Result<Verified> {
     let loaded = model_spec::load::inspect_text(EXTENDED, text, &[])?;
     if loaded.model.is_none() || !loaded.diagnostics.is_empty() {
@@ -226,7 +226,7 @@ fn results(
     Ok(files)
 }
 
-/// Files with the text of the effects that the diagnosis generated itself, each named after its effect.
+/// One file for each effect whose text the diagnosis generated itself, with this text, named after the effect.
 fn written_effects(extension: &ExtendedModel) -> Vec<ResultFile> {
     let each = extension.written.iter().filter_map(|effect| {
         let declares = |name: &&String| effect.contains(&format!("effect {name} "));

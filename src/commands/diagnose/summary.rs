@@ -9,7 +9,7 @@ use report::diagnosis::{lack_of_fit_sentence, paired_gain_sentence, verdict_name
 
 use crate::commands::fit::cautions;
 
-/// Maximum number of candidate effects in the terminal summary.
+/// Maximum number of candidate effects (possible model extensions) in the terminal summary of a diagnosis.
 const LISTED: usize = 10;
 
 /// Text of the terminal summary of a diagnosis.
@@ -108,7 +108,7 @@ pub fn summary(report: &Report, reasons_against: &[String]) -> String {
     text
 }
 
-/// Line width of a wrapped paragraph, characters.
+/// Line width of a paragraph in the terminal summary, characters.
 const WIDTH: usize = 100;
 
 fn wrapped(text: &str) -> String {

@@ -24,10 +24,10 @@ use crate::cli::Fit;
 use crate::progress::Progress;
 use crate::{Answer, output};
 
-/// File name of the model with the fitted values.
+/// File name of the copy of the model whose default values are the fitted ones.
 const FITTED: &str = "fitted.hyz";
 
-/// File name of the three-dimensional view of the flights.
+/// File name of the three-dimensional view of the measured and predicted flights.
 pub(super) const FLIGHTS: &str = "flights.html";
 
 /// Folder of the CSV tables of the plotted values of the figures.
@@ -97,7 +97,8 @@ pub(super) fn drawn(fitted: &identify::Fit) -> Vec<usize> {
     drawn
 }
 
-/// Measurements and predictions of the flights with the given indices, without those that were not fitted.
+/// Measurements and predictions of the flights with the given indices; flights without predictions, such as excluded
+/// ones, are omitted.
 pub(super) fn evidence(fitted: &identify::Fit, flights: &[usize]) -> Vec<FlightEvidence> {
     let each = flights.iter();
     each.filter_map(|&flight| fitted.evidence(FlightId::new(flight)))
@@ -156,7 +157,7 @@ fn results(
     Ok(files)
 }
 
-/// Result files of a figure: its SVG, and the CSV table of the plotted values.
+/// Result files of a figure: its SVG, and the CSV table of the values plotted in it.
 pub(super) fn figure_files(figure: Figure) -> [ResultFile; 2] {
     let table = format!("{FIGURE_DATA}/{}.csv", figure.name);
     [

@@ -187,7 +187,8 @@ fn coefficients(model: &Model, report: &FitReport) -> Table {
     table
 }
 
-/// Number of decimals that shows two significant digits of the standard error; 6 if the standard error is 0.
+/// Number of decimals with which a number shows two significant digits of its standard error; 6 if the standard error
+/// is 0.
 pub fn digits(std_error: f64) -> i32 {
     if std_error > 0.0 {
         (1 - std_error.log10().floor() as i32).max(0)
@@ -196,8 +197,8 @@ pub fn digits(std_error: f64) -> i32 {
     }
 }
 
-/// Formats a number with the given number of decimals; nonzero magnitudes below 1e-3 in exponent notation, to the same
-/// decimal place.
+/// Formats a number with the given number of decimals. Nonzero magnitudes below 1e-3 are written with an exponent,
+/// rounded to the same decimal place.
 pub fn written(value: f64, digits: i32) -> String {
     if value != 0.0 && value.abs() < 1e-3 {
         let size = value.abs().log10().floor() as i32;
@@ -206,7 +207,7 @@ pub fn written(value: f64, digits: i32) -> String {
     format!("{value:.*}", digits.clamp(0, 8) as usize)
 }
 
-/// Sentence on a large ratio of cluster-robust to Cramér–Rao standard errors; `None` if no ratio is large.
+/// Sentence that warns of large ratios of cluster-robust to Cramér–Rao standard errors; `None` if no ratio is large.
 fn scatter(report: &FitReport) -> Option<String> {
     let worst = report
         .coefficients

@@ -68,10 +68,10 @@ pub fn flights(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// Maximum number of lines of a table of residuals; the flights beyond it are omitted.
+/// Maximum number of lines of a CSV table of residuals; the flights beyond it are omitted.
 const MAX_ROWS: usize = 1_000_000;
 
-/// CSV table of residuals (measured − predicted, m): one line per measured marker and sample.
+/// CSV table of residuals (measured − predicted, m): one line for each measured position of a marker.
 pub fn residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record(["file", "t_s", "marker", "x_m", "y_m", "z_m", "outlier"])?;
@@ -108,8 +108,8 @@ pub fn residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// CSV table of the residuals of sensors (measured − predicted, in the unit of each sensor): one line per sensor
-/// reading.
+/// CSV table of the residuals of sensors (measured − predicted, in the unit of each sensor): one line per measured
+/// value of a sensor.
 pub fn sensor_residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record(["file", "t_s", "sensor", "unit", "x", "y", "z", "outlier"])?;

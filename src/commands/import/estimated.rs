@@ -13,7 +13,8 @@ use super::template::Template;
 use super::{no_throw, up_of};
 use crate::cli::Import;
 
-/// Maximum magnitude of the value of `--centre-height`, m; larger values suggest millimetres.
+/// Maximum magnitude of the value of `--centre-height` (height of the centre of mass), m; larger values suggest
+/// millimetres.
 const MAX_HEIGHT: f64 = 2.0;
 
 /// A template (the marker positions on the body) estimated from recordings, a text on how it was estimated, and for
@@ -22,12 +23,12 @@ pub struct Estimated {
     pub template: Template,
     pub decisions: String,
     pub comments: Vec<String>,
-    /// Standard errors of the centre of mass along the axes of the body, m.
+    /// Standard errors of the estimated centre of mass along the axes of the body, m.
     pub origin_error: [f64; 3],
 }
 
 /// Estimates the positions on the body of the points that move as one rigid body in every recording with a throw.
-/// `names` maps labels of the recordings to marker names; for each label that is not a valid marker name and has no
+/// `names` maps labels of the recordings to marker names. For each label that is not a valid marker name and has no
 /// entry, an entry with a valid name is added.
 pub fn estimated(
     options: &Import,
@@ -127,15 +128,16 @@ pub fn estimated(
     })
 }
 
-/// A valid marker name made from a label: every character except letters, digits, `_`, `-` and `.` is replaced by `_`.
+/// Valid marker name made from the label of a recording: every character except letters, digits, `_`, `-` and `.` is
+/// replaced by `_`.
 pub(super) fn name(label: &str) -> String {
     let is_kept = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '.');
     let each = label.chars().map(|c| if is_kept(c) { c } else { '_' });
     each.collect()
 }
 
-/// Labels of the points that move as one rigid body in all recordings, and labels of the remaining points, both in the
-/// order of first occurrence.
+/// Labels of the points that move as one rigid body in all recordings, and labels of the remaining points; each list is
+/// in the order of first occurrence.
 fn labels(thrown: &[(Take, Throws)]) -> (Vec<String>, Vec<String>) {
     let is_rigid = |label: &String| thrown.iter().all(|(_, found)| found.labels.contains(label));
     let mut all: Vec<String> = Vec::new();

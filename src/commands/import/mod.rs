@@ -175,8 +175,8 @@ fn labels(texts: &[String]) -> anyhow::Result<BTreeMap<String, String>> {
     Ok(labels)
 }
 
-/// Adds to `all` the flights of the throws in the recording `take`, the choices made in their import (such as units and
-/// axes), and their figures.
+/// Adds to `all` the flights in the recording `take`, the choices made in their import (such as units and axes), and
+/// their figures.
 fn add(
     take: &Take,
     file: &Path,
@@ -292,8 +292,8 @@ fn add(
     Ok(())
 }
 
-/// Replaces the marker positions of a flight by the poses of the body `followed` in the samples `samples` of the
-/// recording `take`.
+/// Replaces the marker positions of a flight by the poses of the tracked body `followed` in the samples `samples` of
+/// the recording `take`.
 fn of_poses(flight: Flight, samples: &Range<usize>, followed: &Followed, take: &Take) -> Flight {
     let readings = samples
         .clone()
@@ -311,7 +311,8 @@ fn of_poses(flight: Flight, samples: &Range<usize>, followed: &Followed, take: &
     }
 }
 
-/// Name in the dataset for a label of a recording: the one given by `--label`, or else one made from the label.
+/// Marker name in the dataset for a label of a recording: the name given by the option `--label`, or else one made from
+/// the label.
 fn dataset_name(label: &str, labels: &BTreeMap<String, String>) -> String {
     labels
         .get(label)
@@ -319,7 +320,7 @@ fn dataset_name(label: &str, labels: &BTreeMap<String, String>) -> String {
         .unwrap_or_else(|| estimated::name(label))
 }
 
-/// Error message for recordings without a throw.
+/// Error message for recordings in which no throw is found.
 fn no_throw() -> String {
     let shortest = ThrowOptions::default().shortest;
     format!("found no throw, expected at least one free flight of {shortest} s")
@@ -349,7 +350,7 @@ fn is_downwards([x, y, z]: [f64; 3]) -> bool {
     -z > 0.5 * x.hypot(y)
 }
 
-/// An axis other than `up` with which, taken as the upward axis, throws are found in the recording `take`; `None` if
+/// An axis with which, taken as the upward axis instead of `up`, throws are found in the recording `take`; `None` if
 /// there is none.
 fn other_up(take: &Take, labels: &[&str], left_handed: bool, up: Axis) -> Option<Axis> {
     let all = ["+z", "+y", "+x", "-z", "-y", "-x"]

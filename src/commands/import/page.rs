@@ -6,7 +6,8 @@ use takes::{Cut, Motion, Take, Throw};
 
 use super::template::Followed;
 
-/// Minimum duration, s, of the intervals before and after a flight that the figures of the flight show too.
+/// Minimum duration, s, of the parts of the recording before and after a flight that the figures of the flight show
+/// too.
 const AROUND: f64 = 0.5;
 /// Maximum number of pairs of markers whose distances the figures of a flight show; further pairs are omitted.
 const MAX_PAIRS: usize = 45;
@@ -21,7 +22,8 @@ pub struct Shown<'a> {
 }
 
 impl Shown<'_> {
-    /// Figures of a flight, which also show the recording shortly before and after the flight.
+    /// Data for the report page on one flight: curves and marker distances during the flight and shortly before and
+    /// after it, with gaps and missing markers.
     pub fn flight(&self, throw: &Throw, flight: &Flight) -> ImportedFlight {
         let times = &self.take.times;
         let span = (times[throw.release.sample], times[throw.end.sample]);
@@ -117,8 +119,8 @@ impl Shown<'_> {
     }
 }
 
-/// Height of the centroid of the followed points over the whole recording, as pairs of time (s) and height (m); empty
-/// if the motion is unknown.
+/// Height of the centroid of the tracked points over the whole recording, as pairs of time (s) and height (m); empty if
+/// the motion is unknown.
 pub fn heights(motion: Option<&Motion>) -> Vec<(f64, f64)> {
     motion.map_or_else(Vec::new, |motion| {
         motion
@@ -137,7 +139,7 @@ fn edge(cut: &Cut) -> Edge {
     }
 }
 
-/// Time intervals, s, in which no marker was seen: from the last sample before to the first sample after.
+/// Time intervals of a flight, s, in which no marker was seen: from the last sample before to the first sample after.
 fn gaps(flight: &Flight) -> Vec<(f64, f64)> {
     let is_seen = |row: &Vec<Option<[f64; 3]>>| row.iter().any(Option::is_some);
     let seen = flight.times.iter().zip(&flight.positions).enumerate();

@@ -9,12 +9,12 @@ use identify::dataset::Marker;
 use takes::words::listed;
 use takes::{Pose, Take, rotated};
 
-/// Maximum size of a template file, bytes.
+/// Maximum size of a template file (model, parameters and declared markers of a body), bytes.
 const MAX_FILE_BYTES: u64 = 4 << 20;
 
 /// The contents of a `dataset.toml` that are valid for any recording of the same body: model, parameters and markers.
 pub struct Template {
-    /// Name or path of the model; `None` if the template specifies none.
+    /// Name or path of the model of the body; `None` if the file specifies none.
     pub model: Option<String>,
     /// Known parameters of the body or its environment, by name, SI.
     pub parameters: BTreeMap<String, f64>,
@@ -22,12 +22,14 @@ pub struct Template {
     pub markers: Vec<Marker>,
 }
 
-/// Recorded points, or the recorded rigid body, from which the positions of a template's markers (the declared markers
-/// of the thrown body) are obtained.
+/// Recorded points, or the recorded rigid body, from which the positions of the declared markers of the thrown body
+/// (the template) are obtained.
 pub enum Followed {
-    /// The index of a point of the recording for each marker, in the order of the template.
+    /// For each marker of the template (declared markers of the thrown body), in its order, the index of a point of the
+    /// recording.
     Points(Vec<usize>),
-    /// The index of a body of the recording, and the positions, m, of the template's markers on this body.
+    /// Index of a tracked body of the recording, and the positions, m, of the declared markers (the template) on this
+    /// body.
     Pose(usize, Vec<[f64; 3]>),
 }
 
@@ -138,7 +140,7 @@ impl Followed {
         matches!(self, Self::Pose(..))
     }
 
-    /// Labels, in the recording `take`, of the followed points or body.
+    /// Labels, in the recording `take`, of the points or of the body from which the marker positions are obtained.
     pub fn labels<'t>(&self, take: &'t Take) -> Vec<&'t str> {
         match self {
             Self::Points(points) => points
@@ -149,8 +151,8 @@ impl Followed {
         }
     }
 
-    /// Pose of the followed body in a sample of the recording `take`; `None` if points are followed, or if the body was
-    /// not seen.
+    /// Pose of the tracked body in a sample of the recording `take`; `None` if the marker positions are obtained from
+    /// points instead, or if the body was not seen.
     pub fn pose(&self, take: &Take, sample: usize) -> Option<Pose> {
         match self {
             Self::Points(_) => None,
@@ -158,8 +160,8 @@ impl Followed {
         }
     }
 
-    /// Positions of the template's markers in a sample of the recording `take`, m; `None` for a marker that was not
-    /// seen.
+    /// Positions of the declared markers (the template) in a sample of the recording `take`, m; `None` for a marker
+    /// that was not seen.
     pub fn positions(&self, take: &Take, sample: usize) -> Vec<Option<[f64; 3]>> {
         match self {
             Self::Points(points) => points

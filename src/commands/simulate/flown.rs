@@ -11,25 +11,26 @@ use serde_json::{Value, json};
 
 use crate::commands::hundredths;
 
-/// Number of evenly spaced times at which maxima and minima are searched, in addition to the events of the flight.
+/// Number of evenly spaced times of a flight at which maxima and minima, such as the maximum height, are searched, in
+/// addition to the events of the flight.
 const SAMPLES: u32 = 2000;
 
-/// Characteristics of a flight.
+/// Characteristics of a simulated flight, such as duration, range and maximum height.
 #[derive(Clone, Debug)]
 pub struct Flown {
     /// Duration of the flight, s.
     pub seconds: f64,
-    /// Reason of the end: the name of an event, or `time`.
+    /// Reason why the simulation ended: the name of an event such as the ground, or `time` for the specified duration.
     pub ended_by: String,
-    /// Horizontal distance from the release to the end, m.
+    /// Horizontal distance from the release to the end of the flight, m.
     pub range: f64,
     /// Lateral distance of the end of the flight from the line along the heading at release, left positive, m.
     pub sideways: f64,
-    /// Maximum height, m, and its time, s.
+    /// Maximum height of the mass centre, m, and the time at which it is reached, s.
     pub apex: (f64, f64),
     /// Maximum speed over the ground, m/s.
     pub top_speed: f64,
-    /// Position of the mass centre at the end, m.
+    /// Position of the mass centre at the end of the flight, m.
     pub landing: [f64; 3],
     /// Motion of the body at release, expressed in the quantities of a throw (speed, angles, spin, height).
     pub release: Throw,
@@ -41,8 +42,8 @@ pub struct Flown {
 }
 
 impl Flown {
-    /// Computes the characteristics of a flight; `None` for a model without a body, because the meaning of its states
-    /// is unknown.
+    /// Computes the characteristics of a flight; `None` for a model that declares no body, because the meaning of its
+    /// states is unknown.
     pub fn of(
         model: &Model,
         body: &CompiledModel,
@@ -99,7 +100,7 @@ impl Flown {
         })
     }
 
-    /// The characteristics as a short text table.
+    /// The characteristics of the flight as a short text table for the terminal.
     pub fn table(&self) -> String {
         let mut text = String::new();
         let side = if self.sideways < 0.0 { "right" } else { "left" };
@@ -135,7 +136,7 @@ impl Flown {
         text
     }
 
-    /// The characteristics as JSON, with units in the keys.
+    /// The characteristics of the flight as JSON, with units in the keys.
     pub fn json(&self, model: &str) -> Value {
         let motion = |throw: &Throw| {
             json!({

@@ -15,12 +15,12 @@ use crate::cli::Simulate;
 use crate::commands::hundredths;
 use crate::{Answer, output};
 
-/// Columns of the table of results, with units in their names.
+/// Header line of the CSV table of simulated throws of a launch monitor, with units in the column names.
 const HEAD: &str = "id,row,speed_m_s,launch_deg,nose_deg,hyzer_deg,spin_rpm,wobble_deg,range_m,left_m,apex_m,seconds,\
     top_speed_m_s,end_speed_m_s,end_spin_rpm,status";
 
-/// Simulates every throw of a launch monitor; prints the table of results, and writes the table and a folder per flight
-/// if an output folder is given. Returns `Answer::No` if a throw could not be simulated.
+/// Simulates every throw recorded by a launch monitor; prints the table of results, and writes the table and a folder
+/// per flight if an output folder is given. Returns `Answer::No` if a throw could not be simulated.
 pub fn run(
     options: &Simulate,
     rows: &[Row],
@@ -101,7 +101,7 @@ pub fn run(
     Ok(answer)
 }
 
-/// Line of the table of results for one simulated throw of a launch monitor.
+/// Line of the CSV table of results for one simulated throw of a launch monitor.
 fn cells(row: &Row, flown: &Flown) -> String {
     let start = &flown.release;
     let numbers = [

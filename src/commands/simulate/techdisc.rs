@@ -6,19 +6,19 @@ use std::path::Path;
 use anyhow::{Context, bail};
 use flight::throw::Throw;
 
-/// Maximum size of a TechDisc file, bytes.
+/// Maximum size of a TechDisc file (recording of a launch monitor), bytes.
 const MAX_BYTES: u64 = 4 << 20;
-/// Maximum number of throws in a file.
+/// Maximum number of throws in a TechDisc file (recording of a launch monitor).
 const MAX_ROWS: usize = 1000;
-/// Maximum number of columns in a file.
+/// Maximum number of columns in a TechDisc file (recording of a launch monitor).
 const MAX_COLUMNS: usize = 200;
 /// Maximum relative difference between the two speeds of one throw in the file, one in mph and one in km/h.
 const SPEED_DIFFERENCE: f64 = 0.01;
 
-/// Names of the columns with the speed, each with the factor that converts the value to m/s.
+/// Names of the columns of a TechDisc file with the speed, each with the factor that converts the value to m/s.
 const SPEEDS: [(&str, f64); 2] = [("speedMph", 0.44704), ("speedKmh", 1.0 / 3.6)];
-/// Columns other than those of the speed: name of the column, name of the quantity of a throw, and whether the column
-/// is required.
+/// Columns of a TechDisc file other than those of the speed: name of the column, name of the quantity of a throw, and
+/// whether the column is required.
 const COLUMNS: [(&str, &str, bool); 5] = [
     ("spinRpm", "spin", true),
     ("launchAngle", "launch", true),
@@ -36,11 +36,11 @@ pub struct Row {
     pub number: usize,
     /// Line number in the file, from 1.
     pub line: u64,
-    /// The throw, heading along +x from the default height.
+    /// The recorded throw; its heading is along +x and its height is the default height.
     pub throw: Throw,
 }
 
-/// Reads a file of throws.
+/// Reads a TechDisc file, a table of throws recorded by a launch monitor.
 ///
 /// # Errors
 /// If the file cannot be read, is too large or has faults; the first fault is reported, with its line and column.
@@ -57,7 +57,7 @@ pub fn read(path: &Path) -> anyhow::Result<Vec<Row>> {
     parse(&name.to_string(), &bytes)
 }
 
-/// Parses the text of a file of throws; `file` is its name in messages.
+/// Parses the text of a TechDisc file, a table of throws recorded by a launch monitor; `file` is its name in messages.
 ///
 /// # Errors
 /// Those of [`read`], except for reading the file.
@@ -93,7 +93,7 @@ pub fn parse(file: &str, bytes: &[u8]) -> anyhow::Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Selects the throw that `--row` names, by its id or else by its number.
+/// Selects the throw that the option `--row` names, by its id or else by its number in the file.
 ///
 /// # Errors
 /// If there is no such throw, or if several throws have this id.

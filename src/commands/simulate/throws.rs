@@ -13,7 +13,8 @@ pub fn are_enough(options: &ThrowOptions) -> bool {
     options.speed.is_some() || options.techdisc.is_some()
 }
 
-/// Loads the model that the options name, and creates a release for it; see [`at_defaults`].
+/// Loads the model that the options name, and creates a release (launch conditions) with the model's default values and
+/// without wind, whose simulation ends at the ground.
 pub fn bare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     let Some(name) = &options.model else {
         bail!(
@@ -41,8 +42,8 @@ pub fn at_defaults(name: &str, model: &Model) -> Release {
     }
 }
 
-/// Sets the initial states of the release to the motion of `throw`, in which the options replace single quantities. If
-/// `throw` is `None`, the options modify the motion specified in the release.
+/// Sets the initial states of the release (launch conditions) to the motion of `throw`, in which the command-line
+/// options replace single quantities. If `throw` is `None`, the options modify the motion specified in the release.
 pub fn apply(
     options: &ThrowOptions,
     throw: Option<Throw>,

@@ -16,7 +16,7 @@ use super::vector;
 use crate::cli::Stability as Options;
 use crate::{Answer, output};
 
-/// Speeds, m/s, of the grid of speed and spin on which modes and stability criteria are mapped.
+/// Speeds, m/s, of the grid of speed and spin for which modes and stability criteria are computed.
 const SPEEDS: [f64; 12] = [
     6.0, 8.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 31.0,
 ];

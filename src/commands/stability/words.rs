@@ -137,7 +137,7 @@ fn factor(criteria: &Criteria) -> String {
     }
 }
 
-/// The nutation mode or, if there is none, the short-period mode; `None` if the motion has neither.
+/// The nutation mode (wobble) or, if there is none, the short-period mode; `None` if the motion has neither.
 pub fn nutation(modes: &Modes) -> Option<&Mode> {
     let kinds = [ModeKind::Nutation, ModeKind::ShortPeriod];
     modes.modes.iter().find(|mode| kinds.contains(&mode.kind))
@@ -187,7 +187,7 @@ fn of_instant(instant: &Instant) -> Value {
     value
 }
 
-/// The result as JSON of the schema `hyzer.stability/1`.
+/// The modes and stability criteria in `found` as JSON of the schema `hyzer.stability/1`.
 pub fn json(model: &str, found: &Found) -> Value {
     json!({
         "schema": "hyzer.stability/1",

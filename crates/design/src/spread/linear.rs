@@ -8,12 +8,12 @@ use super::scattered::Scattered;
 use crate::bounds::Scatter;
 use crate::throw_flight::{By, ThrowFlightError, ThrowFlights};
 
-/// Mean and covariance of landing positions on the ground.
+/// Mean and covariance of the landing positions of a throw that varies at random.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Landings {
-    /// Mean position (x, y), m.
+    /// Mean of the landing position (x, y), m.
     pub mean: Vector2<f64>,
-    /// Covariance of (x, y), m².
+    /// Covariance of the landing position (x, y), m².
     pub covariance: Matrix2<f64>,
 }
 

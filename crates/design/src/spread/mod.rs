@@ -36,19 +36,19 @@ impl Default for SampleOptions {
     }
 }
 
-/// Spread of the landings of a throw.
+/// Spread of the landings of a throw whose quantities, wind and parameters vary at random.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spread {
-    /// Distribution of landings by linear propagation of the scatter (to first order).
+    /// Distribution of the landings by linear propagation of the random variation of the throw (to first order).
     pub linear: Landings,
     /// Distribution of landings of sampled flights; `None` if sampling was disabled or fewer than three flights
     /// landed.
     pub sampled: Option<Sampled>,
-    /// Fraction of the sampled flights that land within the circle about the aim; draws that cannot be flown count as
-    /// outside. `None` without samples.
+    /// Fraction of the sampled flights that land within the landing circle about the aim; draws that cannot be flown
+    /// count as outside. `None` without samples.
     pub inside: Option<f64>,
-    /// Comparison of the linear with the sampled spread; `None` without samples or if the linear covariance is
-    /// singular.
+    /// Comparison of the spread by linear propagation with that of sampled flights; `None` without samples or if the
+    /// linear covariance is singular.
     pub agreement: Option<Agreement>,
 }
 
@@ -68,12 +68,12 @@ pub struct Agreement {
     pub agrees: bool,
 }
 
-/// Tolerance for agreement of the linear with the sampled spread: maximum distance between their means, in standard
-/// deviations, and maximum relative difference of their standard deviations.
+/// Tolerance for agreement of the spread by linear propagation with that of sampled flights: maximum distance between
+/// their means, in standard deviations, and maximum relative difference of their standard deviations.
 pub const TOLERATED: f64 = 0.15;
 
-/// Spread of the landings of a throw. `(aim, circle)` are the aim on the ground and the radius of the landing circle,
-/// m.
+/// Spread of the landings of a throw that varies at random. `(aim, circle)` are the aim on the ground and the radius of
+/// the landing circle about it, m.
 ///
 /// # Errors
 /// [`ThrowFlightError`] if the throw itself, without scatter, cannot be flown.
@@ -107,8 +107,8 @@ pub fn spread(
     })
 }
 
-/// Compares the linear with the sampled distribution of `count` landings; `None` if the linear covariance is
-/// singular.
+/// Compares the landing distribution by linear propagation with that of `count` sampled landings; `None` if the linear
+/// covariance is singular.
 fn compare(linear: &Landings, sampled: &Landings, count: usize) -> Option<Agreement> {
     let factor = linear.covariance.cholesky()?;
     let inverse = factor.l().try_inverse()?;

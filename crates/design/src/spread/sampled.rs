@@ -13,23 +13,23 @@ use super::linear::Landings;
 use super::scattered::Scattered;
 use crate::throw_flight::{By, ThrowFlights};
 
-/// Number of distances from the release at which the quantile bands of the paths are computed.
+/// Number of distances from the release at which the quantiles of the sampled paths are computed.
 const STATIONS: usize = 40;
-/// Probabilities of the quantiles in each [`Band`].
+/// Probabilities of the quantiles of lateral offset and height in each [`Band`].
 pub const QUANTILES: [f64; 3] = [0.05, 0.5, 0.95];
 
-/// Landings and paths of sampled flights, whose throws are drawn at random from the scatter.
+/// Landings and paths of sampled flights, whose throws are drawn at random.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sampled {
     /// Mean and covariance of the landing positions.
     pub landings: Landings,
-    /// Landing positions (x, y), m.
+    /// Landing positions (x, y) of the sampled flights, m.
     pub points: Vec<Vector2<f64>>,
     /// Number of draws that cannot be flown: a quantity of the throw is out of its range, or the flight leaves the
     /// model's limits.
     pub failed: usize,
-    /// Quantile bands of the sampled paths, at increasing distances along the line from the release to the mean landing
-    /// of the linear spread.
+    /// Quantiles of the sampled paths at increasing distances along the line from the release to the mean landing that
+    /// linear propagation gives.
     pub bands: Vec<Band>,
 }
 
@@ -37,13 +37,13 @@ pub struct Sampled {
 /// distance from the release.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Band {
-    /// Horizontal distance from the release, m, measured along the line from the release to the mean landing of the
-    /// linear spread.
+    /// Horizontal distance from the release, m, measured along the line from the release to the mean landing that
+    /// linear propagation gives.
     pub distance: f64,
     /// Number of sampled flights that reach `distance`.
     pub flights: usize,
-    /// Quantiles of the lateral offset of the paths from the line from the release to the mean landing of the linear
-    /// spread, left positive, m, at each probability of [`QUANTILES`].
+    /// Quantiles of the lateral offset of the paths from the line from the release to the mean landing that linear
+    /// propagation gives, left positive, m, at each probability of [`QUANTILES`].
     pub left: [f64; 3],
     /// Quantiles of the height, m, at which the paths reach `distance`, for each probability of [`QUANTILES`].
     pub height: [f64; 3],

@@ -6,16 +6,16 @@ use nalgebra::DMatrix;
 use crate::bounds::Scatter;
 use crate::throw_flight::{By, ThrowFlights};
 
-/// Normal distribution of the quantities that differ from throw to throw.
+/// Normal distribution of the quantities that differ from throw to throw, such as the speed or the wind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scattered {
-    /// The quantities, in the order of the rows of `covariance`.
+    /// The quantities that vary, in the order of the rows of `covariance`.
     pub by: Vec<By>,
     /// Covariance matrix, in the units of the quantities.
     pub covariance: DMatrix<f64>,
 }
 
-/// Standard errors and correlations of estimated coefficients.
+/// Standard errors and correlations of the coefficients estimated by a fit.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CoefficientErrors {
     /// Name and standard error of each coefficient, SI.
@@ -25,8 +25,8 @@ pub struct CoefficientErrors {
 }
 
 impl Scattered {
-    /// Distribution of the scatter of release, wind and parameters, all independent. The wind is ignored if the model
-    /// has no wind.
+    /// Distribution of the random variation of release, wind and parameters, all independent. The wind is ignored if
+    /// the model has no wind.
     pub fn of(flights: &ThrowFlights<'_>, scatter: &Scatter) -> Scattered {
         let mut all: Vec<(By, f64)> = scatter
             .release
@@ -51,8 +51,8 @@ impl Scattered {
         }
     }
 
-    /// Adds the errors of estimated coefficients to the distribution. Also returns the names of coefficients that the
-    /// model does not have, which are ignored.
+    /// Adds the standard errors and correlations of estimated coefficients to the distribution. Also returns the names
+    /// of coefficients that the model does not have, which are ignored.
     pub fn with_coefficients(
         mut self,
         flights: &ThrowFlights<'_>,
@@ -90,7 +90,7 @@ impl Scattered {
         (self, unknown)
     }
 
-    /// Matrix L with L Lᵀ equal to the covariance, which may be singular.
+    /// Matrix L with L Lᵀ equal to the covariance matrix, which may be singular.
     pub(super) fn root(&self) -> DMatrix<f64> {
         let eigen = self.covariance.clone().symmetric_eigen();
         let sizes = eigen.eigenvalues.map(|value| value.max(0.0).sqrt());

@@ -11,23 +11,24 @@ use crate::fit::flights::short;
 use crate::fit::numbers::{Digits, millimetres, percent, plain, significant, stated, unit};
 use crate::fit::page::sentence;
 
-/// Maximum number of hypotheses shown in the HTML report.
+/// Maximum number of hypotheses (sets of effects that the model may lack) shown in the HTML report.
 pub(super) const MAX_HYPOTHESES: usize = 12;
 
 /// Accepted hypothesis (set of effects that the model may lack), with all values formatted as text.
 #[derive(Serialize)]
 pub(super) struct Explanation {
     name: String,
-    /// Decrease of the weighted sum of squares, χ², by adding the effects of the hypothesis to the model; formatted.
+    /// Decrease of the weighted sum of squared residuals, χ², by adding the effects of the hypothesis to the model;
+    /// formatted.
     gain: String,
     /// Fraction of the misfit beyond noise that the hypothesis explains, and RMS of the remaining residuals in excess
     /// of the noise, both formatted; `None` if not computed.
     explained: Option<[String; 2]>,
-    /// Name and formatted p-value of the strongest remaining candidate effect; `None` if no other candidate can be
-    /// tested.
+    /// Name and formatted p-value of the candidate effect that remains most significant after the hypothesis; `None` if
+    /// no other candidate can be tested.
     rival: Option<[String; 2]>,
     effects: Vec<Effect>,
-    /// Table rows of the coefficients of the effects that the hypothesis adds.
+    /// Table rows of the coefficients of the effects that the hypothesis adds to the model.
     rows: Vec<Row>,
 }
 
@@ -55,14 +56,15 @@ struct Row {
     immaterial: bool,
 }
 
-/// Formats the accepted hypotheses of the report, best fit first; at most [`MAX_HYPOTHESES`].
+/// Formats the accepted hypotheses of the report (sets of effects that the model may lack), best fit first; at most
+/// [`MAX_HYPOTHESES`].
 pub(super) fn explanations(page: &DiagnosisPage<'_>) -> Vec<Explanation> {
     let causes = page.report.causes.iter().take(MAX_HYPOTHESES);
     causes.map(|cause| explanation(page, cause)).collect()
 }
 
-/// Equations that an effect adds to the model or replaces, as MathML. They are taken from the extended model or, if it
-/// lacks the effect, from the model extended by this effect only. Empty if the fits are not available.
+/// Equations that the effect called `name` adds to the model or replaces, as MathML. They are taken from the extended
+/// model or, if it lacks the effect, from the model extended by this effect only. Empty if the fits are not available.
 fn equations(page: &DiagnosisPage<'_>, name: &str) -> Vec<String> {
     let Some(fits) = &page.fits else {
         return Vec::new();
@@ -136,7 +138,7 @@ fn rows(effect: &CauseEffect) -> Vec<Row> {
     all
 }
 
-/// Proposed next throw, formatted as text.
+/// Throw that the diagnosis proposes as the next measurement, formatted as text.
 #[derive(Serialize)]
 pub(super) struct Throw {
     says: String,
@@ -146,7 +148,8 @@ pub(super) struct Throw {
     separation_now: String,
 }
 
-/// Formats the throw that would best distinguish the hypotheses, in the quantities common for disc throws.
+/// Formats the throw that would best distinguish the hypotheses (sets of effects that the model may lack), in the
+/// quantities common for disc throws.
 pub(super) fn throw(next: &NextThrow) -> Throw {
     let degrees = |radians: f64| format!("{}°", plain(radians.to_degrees(), 1));
     let turns = plain(next.spin / std::f64::consts::TAU, 1);

@@ -5,32 +5,34 @@ use serde::Serialize;
 
 use crate::fit::numbers::{Digits, plain, unit};
 
-/// Minimum difference between the estimates of a coefficient with and without the added effects, in standard errors,
-/// for the estimate without them to count as biased.
+/// Minimum difference between the estimates of a coefficient without and with the effects added by the diagnosis, in
+/// standard errors, for the estimate without them to count as biased.
 const BIASED: f64 = 3.0;
 
-/// Row of the coefficient table, with all values formatted as text.
+/// Row of the coefficient table of a diagnosis, with all values formatted as text.
 #[derive(Serialize)]
 pub(super) struct Row {
     name: String,
     before: String,
     value: String,
     error: String,
-    /// Change of the estimate when the found effects are added to the model, in standard errors, formatted.
+    /// Change of the estimate when the effects found by the diagnosis are added to the model, in standard errors,
+    /// formatted.
     change: String,
     biased: bool,
-    /// Whether the coefficient belongs to an effect added to the model.
+    /// Whether the coefficient belongs to an effect that the diagnosis added to the model.
     added: bool,
     unit: String,
 }
 
 /// Whether the diagnosis extended the model by effects: at least one coefficient has an estimate both without and with
-/// the extension.
+/// these effects.
 pub(super) fn extended(report: &Report) -> bool {
     report.coefficients.values().any(|c| c.before.is_some())
 }
 
-/// Rows of the coefficient table: coefficients of the model under test, then those of the added effects.
+/// Rows of the coefficient table of a diagnosis: coefficients of the model under test, then those of the effects added
+/// to it.
 pub(super) fn rows(report: &Report) -> Vec<Row> {
     let extended = extended(report);
     let all = report.coefficients.iter();

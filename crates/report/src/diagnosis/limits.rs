@@ -9,7 +9,7 @@ use crate::fit::flights::short;
 use crate::fit::numbers::{Digits, millimetres, plain, significant, unit};
 use crate::fit::words::names;
 
-/// Maximum number of rows of a table in the report.
+/// Maximum number of rows of a table in the HTML report of a diagnosis.
 const MAX_ROWS: usize = 60;
 
 /// Effects that are not identifiable from the flights: name of the effect, and names of the parameters with which it is
@@ -28,7 +28,8 @@ pub(super) fn undetectable(report: &Report) -> Vec<[String; 2]> {
     .collect()
 }
 
-/// Table of minimum detectable effects: name of the effect, coefficient, size and unit.
+/// Table of minimum detectable effects: for each coefficient of an effect, the name of the effect, the coefficient, the
+/// minimum detectable size and its unit.
 pub(super) fn detectable(report: &Report) -> Vec<[String; 4]> {
     let all = report.smallest_detectable.iter().take(MAX_ROWS);
     all.map(|d| {
@@ -49,7 +50,7 @@ pub(super) struct TermRow {
     taken: bool,
 }
 
-/// Table rows of the library terms (products of variables) tested by stepwise regression, in the order of `terms`.
+/// Table rows of the library terms (products of variables) tested by stepwise regression, in the order of the tests.
 pub(super) fn terms(terms: &[StepwiseTerm]) -> Vec<TermRow> {
     let row = |term: &StepwiseTerm| {
         let digits = Digits::of(term.value, term.std_error);
@@ -107,7 +108,8 @@ pub(super) fn scores(report: &Report) -> Vec<Score> {
     report.candidates.iter().take(MAX_ROWS).map(row).collect()
 }
 
-/// Table row of a flight: file, role, and RMS residual without and with the effects added to the model.
+/// Table row of a flight in the report of a diagnosis: file, role, and RMS residual without and with the effects added
+/// to the model.
 #[derive(Serialize)]
 pub(super) struct Flight {
     file: String,
@@ -116,19 +118,19 @@ pub(super) struct Flight {
     after: String,
     /// Decrease of the RMS residual by the effects added to the model; `–` if none were added.
     gain: String,
-    /// Whether the effects added to the model increase the RMS residual.
+    /// Whether the RMS residual of the flight is larger with the effects added to the model than without.
     worse: bool,
     /// p-value of the flight's lack-of-fit test; `–` if the flight was not tested.
     p: String,
-    /// Whether the flight is excluded from the out-of-sample error reduction because neither the model under test nor
+    /// Whether the flight is left out of the comparison of prediction errors, because neither the model under test nor
     /// the extended model predicts it.
     apart: bool,
     /// Reason why the flight was excluded from the fit or from the prediction; `None` if it was not excluded.
     excluded: Option<String>,
 }
 
-/// Rows of the flights in dataset order. If there are more than [`MAX_ROWS`], only the flights with the largest RMS
-/// residuals, in descending order.
+/// Table rows of the flights, in dataset order. If there are more than [`MAX_ROWS`], only the flights with the largest
+/// RMS residuals, in descending order.
 pub(super) fn flights(report: &Report) -> Vec<Flight> {
     let mut all: Vec<&FlightGain> = report.flights.iter().collect();
     if all.len() > MAX_ROWS {
@@ -163,13 +165,13 @@ pub(super) fn flights(report: &Report) -> Vec<Flight> {
     all.into_iter().map(row).collect()
 }
 
-/// Lack-of-fit test of the residuals, with all values formatted as text.
+/// Lack-of-fit test of the residuals of the fit, with all values formatted as text.
 #[derive(Serialize)]
 pub(super) struct LackOfFitText {
     says: String,
     head: [&'static str; 6],
-    /// Rows of the largest smooth deviations of the residuals from zero, smallest p-value first; the columns are named
-    /// in `head`.
+    /// Rows of the largest smooth deviations of the residuals from zero, smallest p-value first; the field `head` names
+    /// the columns.
     departures: Vec<[String; 6]>,
 }
 

@@ -33,10 +33,10 @@ pub struct DiagnosisPage<'a> {
     pub fits: Option<Fits<'a>>,
     /// Reasons not to rely on the diagnosis; empty if there are none.
     pub reasons_against: &'a [String],
-    /// Text of the added effect or of the extended model file, in the model language; `None` if the model was not
-    /// extended.
+    /// Text of the effect that the diagnosis added, or of the extended model file, in the model language; `None` if the
+    /// model was not extended.
     pub extended: Option<&'a str>,
-    /// Verification status of the model according to its certificate.
+    /// Verification status of the model according to its certificate (record of the verification checks).
     pub certificate: &'a CertificateNote,
 }
 

@@ -19,10 +19,10 @@ use crate::fit::words::names;
 
 /// Maximum number of characters of the extended model's text shown in the HTML report.
 const MAX_TEXT: usize = 60_000;
-/// Maximum number of notes, and of checks, shown in the HTML report.
+/// Maximum number of notes shown in the HTML report; the same maximum applies to checks.
 const MAX_NOTES: usize = 40;
-/// Maximum number of figures of load channels that are expanded when the page is opened; the same maximum applies to
-/// figures of coefficient curves.
+/// Maximum number of figures of the loads that the model lacks (one for each force or moment component) that are
+/// expanded when the page is opened. The same maximum applies to figures of coefficient curves.
 const OPEN: usize = 6;
 
 /// Renders the self-contained HTML page of the diagnosis.
@@ -123,7 +123,7 @@ fn verified(found: &Verified) -> Value {
     context! { holds => found.holds, checks => plain_values(&checks) }
 }
 
-/// Sentence that states the estimated measurement noise.
+/// Sentence for the report that states the estimated measurement noise.
 fn noise(report: &Report) -> String {
     let noise = &report.noise;
     format!(

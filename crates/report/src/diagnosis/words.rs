@@ -6,7 +6,7 @@ use identify::wording::count;
 use crate::fit::numbers::{millimetres, plain, raised, significant};
 use crate::fit::words::names;
 
-/// Name of a hypothesis: the joined names of its effects.
+/// Name of a hypothesis on the cause of a misfit: the joined names of its effects.
 pub(super) fn cause(cause: &Cause) -> String {
     let effects: Vec<&str> = cause.effects.iter().map(|e| e.name.as_str()).collect();
     let effects = names(&effects);
@@ -17,7 +17,7 @@ pub(super) fn cause(cause: &Cause) -> String {
     }
 }
 
-/// Name of an effect as words separated by spaces.
+/// Name of an effect (optional model extension) as words separated by spaces.
 pub(super) fn readable(name: &str) -> String {
     name.replace(['-', '_'], " ")
 }
@@ -69,8 +69,8 @@ pub fn verdict_name(verdict: Verdict) -> &'static str {
     }
 }
 
-/// Sentences on the reduction of the out-of-sample error by the effects added to the model, or the reason why it was
-/// not measured.
+/// Sentences on the reduction of the prediction error of held-out flights by the effects added to the model, or the
+/// reason why it was not measured.
 pub(super) fn gain(report: &Report) -> String {
     let Some(gain) = &report.gain else {
         return match report.extended_model {
@@ -100,8 +100,8 @@ pub(super) fn gain(report: &Report) -> String {
     )
 }
 
-/// Sentence that compares the predictions without and with the added effects flight by flight; `None` if no flight is
-/// compared or excluded from the comparison.
+/// Sentence that compares, flight by flight, the prediction errors without and with the effects added to the model;
+/// `None` if no flight is compared or left out of the comparison.
 pub fn paired(gain: &PredictiveGain) -> Option<String> {
     let compared = gain.improved + gain.worsened;
     if compared == 0 && gain.set_apart.is_empty() {
@@ -141,7 +141,8 @@ pub fn lack_of_fit(test: &LackOfFit) -> String {
     }
 }
 
-/// Formats the reduction of the RMS prediction error with its standard error, such as `19.4 ± 0.4 mm`.
+/// Formats the reduction of the RMS prediction error by the effects added to the model, with its standard error, such
+/// as `19.4 ± 0.4 mm`.
 pub(super) fn gained(gain: &PredictiveGain) -> String {
     let value = 1e3 * (gain.held_out_rms_before_m - gain.held_out_rms_after_m);
     let error = 1e3 * gain.standard_error_m;
@@ -196,7 +197,7 @@ pub(super) fn probability_of_ln(ln_p: f64) -> String {
     format!("10{}", raised(power.round() as i32))
 }
 
-/// Formats an equivalent z (standard normal quantile).
+/// Formats the standard normal quantile (z) that is equivalent to the p-value of a test.
 pub(super) fn equivalent_z(value: f64) -> String {
     plain(value, usize::from(value.abs() < 99.95))
 }

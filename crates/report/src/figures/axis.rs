@@ -17,8 +17,8 @@ pub(super) fn with_room((low, high): (f64, f64)) -> (f64, f64) {
     (low - room, high + room)
 }
 
-/// Round tick values within the range (`low`, `high`), and the number of decimals of their labels. The number of ticks
-/// is about `most`.
+/// Evenly spaced round values (tick values) within the range (`low`, `high`), and the number of decimals of their
+/// labels. The number of ticks is about `most`.
 pub(crate) fn ticks((low, high): (f64, f64), most: usize) -> (Vec<f64>, usize) {
     let rough = (high - low) / most as f64;
     let power = 10_f64.powf(rough.log10().floor());

@@ -235,7 +235,8 @@ fn draw_shape(
 }
 
 impl Axis {
-    /// Relative position of a value along the axis: 0 at the left end, 1 at `greatest`; negative left of the axis.
+    /// Position of a value along the axis as a fraction of its length: 0 at the left end, 1 at the value `greatest`;
+    /// negative left of the axis.
     fn part(self, value: f64, greatest: f64) -> f64 {
         let part = match self {
             Axis::Linear => value / greatest,

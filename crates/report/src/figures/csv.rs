@@ -2,7 +2,7 @@
 
 use super::panel::Panel;
 
-/// CSV table that is built cell by cell.
+/// Text of a CSV table that is built cell by cell.
 pub(crate) struct Table {
     text: String,
     is_line_begun: bool,
@@ -47,12 +47,12 @@ impl Table {
         self
     }
 
-    /// Appends a number, or an empty cell if it is `None`.
+    /// Appends a number to the current line, or an empty cell if the number is `None`.
     pub(crate) fn optional(&mut self, value: Option<f64>) -> &mut Table {
         self.number(value.unwrap_or(f64::NAN))
     }
 
-    /// Ends the line of cells.
+    /// Ends the current line of cells of the table.
     pub(crate) fn end(&mut self) {
         self.text.push('\n');
         self.is_line_begun = false;
@@ -70,7 +70,7 @@ impl Table {
     }
 }
 
-/// CSV table of the data of several panels, with one line for each point, bar, band or level.
+/// CSV table of the data shown in several panels of a figure, with one line for each point, bar, band or level.
 pub(crate) fn of_panels(panels: &[Panel]) -> String {
     let mut table = Table::new(&["panel", "kind", "series", "x", "x_end", "y", "y_end"]);
     for panel in panels {

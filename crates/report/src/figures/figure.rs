@@ -7,7 +7,7 @@ use super::svg::{Svg, cut};
 use crate::fit::numbers::significant;
 use crate::fit::thin::stride;
 
-/// Maximum number of points of one line that have a tooltip with their value.
+/// Maximum number of points of a line to which a tooltip with the point's value is added.
 const MAX_VALUES: usize = 6;
 
 /// Draws the panels one below the other, in a column of the default width; returns the SVG text.
@@ -69,7 +69,8 @@ impl Panel {
         scale.bottom() + layout.below
     }
 
-    /// Draws the ribbon: a shaded band whose lower and upper limits vary along x.
+    /// Draws the ribbon of the panel: a shaded band whose lower and upper limits vary along x, such as a confidence
+    /// band.
     fn draw_ribbon(&self, svg: &mut Svg, scale: &Scale) {
         let finite = |r: &&(f64, f64, f64)| [r.0, r.1, r.2].iter().all(|v| v.is_finite());
         let points: Vec<_> = self.ribbon.iter().filter(finite).collect();
@@ -110,7 +111,7 @@ impl Panel {
         }
     }
 
-    /// Draws the shaded background band of a panel, behind the axes.
+    /// Draws the shaded background band of a panel (such as the noise level), behind the axes.
     fn draw_ground(&self, svg: &mut Svg, scale: &Scale) {
         if let Some((low, high)) = self.band {
             let (top, bottom) = (scale.y(high), scale.y(low));

@@ -5,13 +5,13 @@ use super::panel::{Line, Mark, Panel};
 use super::states::{StateLabel, panels_of_states};
 use ode::Trajectory;
 
-/// Number of samples of the trajectory that are drawn.
+/// Number of samples of a trajectory from which its figure is drawn.
 const SAMPLES: usize = 400;
 /// Maximum ratio between the peak magnitudes of two states that are drawn in one panel.
 const APART: f64 = 8.0;
 
-/// Draws a flight as SVG: side view and top view if the states include `x`, `y` and `z`, then all states over time.
-/// States with equal units and similar ranges share a panel.
+/// Draws a simulated flight as SVG: side view and top view if the states include `x`, `y` and `z`, then all states over
+/// time. States with equal units and similar ranges share a panel.
 ///
 /// # Panics
 /// If the number of labels differs from the number of states.

@@ -10,7 +10,7 @@ pub struct Layout {
     pub width: f64,
     /// Maximum width at which a page displays the figure, pixels.
     pub most: f64,
-    /// Font size, SVG units.
+    /// Size of the text in the figure, SVG units.
     pub letters: f64,
     /// Left margin of titles, SVG units.
     pub(super) margin: f64,
@@ -92,7 +92,7 @@ impl Layout {
 /// Minimum and maximum height of a panel with equal scales on both axes, as fractions of its width.
 const MAP_HEIGHTS: (f64, f64) = (0.22, 0.82);
 
-/// Map of one panel from data units to positions in the figure, SVG units.
+/// Linear map of one panel from data units to positions in the figure, SVG units.
 pub(super) struct Scale {
     pub(super) across: (f64, f64),
     pub(super) up: (f64, f64),
@@ -124,8 +124,8 @@ impl Scale {
     }
 }
 
-/// Tick values within the range `of`, and the number of decimals of their labels. The number of ticks is about `most`,
-/// or about twice `most` if fewer than three ticks would result otherwise.
+/// Evenly spaced round values (tick values) within the range `of`, and the number of decimals of their labels. The
+/// number of ticks is about `most`, or about twice `most` if fewer than three ticks would result otherwise.
 fn scale_of(of: (f64, f64), most: usize) -> (Vec<f64>, usize) {
     let found = ticks(of, most);
     if found.0.len() < 3 {

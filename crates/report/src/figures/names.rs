@@ -5,8 +5,9 @@ use super::panel::{Line, Panel};
 use super::svg::{Svg, cut};
 
 impl Panel {
-    /// Draws the names of the lines at the lines' right ends, moved vertically so that they do not overlap and stay
-    /// inside the panel. `width` is the width of the figure, `letter` that of one character, SVG units.
+    /// Draws the names of the lines at the lines' right ends. The names are moved vertically so that they do not
+    /// overlap and stay inside the panel. `width` is the width of the figure, `letter` that of one character, SVG
+    /// units.
     pub(super) fn draw_names(&self, svg: &mut Svg, scale: &Scale, width: f64, letter: f64) {
         // Minimum vertical distance of two names.
         let apart = 2.05 * letter;
@@ -53,8 +54,8 @@ impl Panel {
         }
     }
 
-    /// Draws the events that have a position as dots, with the label at the corner that covers the fewest points of
-    /// lines. `width` is the width of the figure, `letter` that of one character, SVG units.
+    /// Draws the events that have a position as dots, each with its label at that corner of the dot where it covers the
+    /// fewest points of lines. `width` is the width of the figure, `letter` that of one character, SVG units.
     pub(super) fn draw_places(&self, svg: &mut Svg, scale: &Scale, width: f64, letter: f64) {
         let places = self.lines.iter().flat_map(|line| &line.points);
         let places: Vec<(f64, f64)> = places.map(|(x, y)| (scale.x(*x), scale.y(*y))).collect();

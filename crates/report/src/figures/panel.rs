@@ -9,7 +9,8 @@ pub struct Line {
     pub points: Vec<(f64, f64)>,
 }
 
-/// Labelled event in a panel, drawn as a dot or a vertical line.
+/// Labelled event or limit in a panel, such as a landing or an end of a confidence interval, drawn as a dot or a
+/// vertical line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
     /// Label of the event; may be empty.
@@ -21,7 +22,7 @@ pub struct Mark {
 /// Points of a scatter plot that share one style.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dots {
-    /// Style of the points.
+    /// Style with which the points are drawn.
     pub look: Look,
     /// Positions (x, y) in data units; points that are not finite are not drawn.
     pub points: Vec<(f64, f64)>,
@@ -50,8 +51,8 @@ pub struct Bar {
 }
 
 impl Bar {
-    /// Bars at the points (x, height), in ascending order of x. Each extends to the midpoints between its x and the
-    /// neighbouring ones.
+    /// Bars at the points (x, height), in ascending order of x. Each bar extends to the midpoints between its x and the
+    /// neighbouring values of x.
     pub(crate) fn between_midpoints(points: &[(f64, f64)]) -> Vec<Bar> {
         let middle = |i: usize| 0.5 * (points[i].0 + points[i + 1].0);
         let bar = |(i, &(x, height)): (usize, &(f64, f64))| Bar {
@@ -72,13 +73,13 @@ pub struct Panel {
     pub across: String,
     /// Lines of the panel; at most four have distinct colours.
     pub lines: Vec<Line>,
-    /// Whether all lines are thin and solid, as a background for dots.
+    /// Whether all lines are drawn thin and solid, as a background for dots.
     pub thin: bool,
-    /// Scatter points, drawn on top of the lines.
+    /// Scatter points of the panel, drawn on top of the lines.
     pub dots: Vec<Dots>,
     /// Bars of a histogram, which start at 0.
     pub bars: Vec<Bar>,
-    /// Labelled events.
+    /// Labelled events and limits, such as a landing, drawn as dots or vertical lines.
     pub marks: Vec<Mark>,
     /// Values on the vertical axis at which dashed horizontal lines are drawn.
     pub levels: Vec<f64>,
@@ -87,15 +88,15 @@ pub struct Panel {
     /// Band with limits that vary along x, such as a confidence band: points (x, lower, upper) in data units, drawn
     /// behind the lines.
     pub ribbon: Vec<(f64, f64, f64)>,
-    /// Range (minimum, maximum) of the vertical axis; computed from the data if `None`.
+    /// Range (minimum, maximum) of the vertical axis; `None` computes it from the data.
     pub up: Option<(f64, f64)>,
-    /// Height of the plot area, SVG units; the layout's default if `None`.
+    /// Height of the plot area, SVG units; `None` uses the default of the layout.
     pub height: Option<f64>,
     /// Whether both axes have the same scale, as in a map.
     pub map: bool,
     /// Minimum and maximum height of the plot area if `map` is set, SVG units; `None` uses default fractions of its
     /// width.
     pub heights: Option<(f64, f64)>,
-    /// Whether the diagonal y = x is drawn.
+    /// Whether the diagonal y = x is drawn, for comparison with equality.
     pub diagonal: bool,
 }

@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-/// Style sheet of every figure. A page with several figures includes the style sheet once; see [`without_style`].
+/// Style sheet of every figure. On a page with several figures, the page includes it once, and [`without_style`]
+/// removes it from each figure.
 pub(crate) const STYLE: &str = r#"text { font-family: system-ui, -apple-system, "Segoe UI", Roboto, "DejaVu Sans", sans-serif; fill: #333 }
 text.title { font-size: 1.2em; font-weight: 600; fill: #111 }
 text.panel { font-weight: 600; fill: #111 }
@@ -120,7 +121,7 @@ impl Svg {
         let _ = writeln!(self.body, r#"<path class="{class}" d="{data}"/>"#);
     }
 
-    /// Draws dots as a single path element, which needs a tenth of the text of separate circles.
+    /// Draws dots as a single SVG path element, which needs a tenth of the text that separate circles need.
     pub(crate) fn dots(&mut self, class: &str, points: impl Iterator<Item = (f64, f64)>) {
         let mut data = String::new();
         for (x, y) in points.filter(|(x, y)| x.is_finite() && y.is_finite()) {
@@ -131,7 +132,7 @@ impl Svg {
         }
     }
 
-    /// Draws a small cross at each of the given points.
+    /// Draws a small cross at each of the given points, with the style of the CSS class `class`.
     pub(crate) fn crosses(&mut self, class: &str, points: impl Iterator<Item = (f64, f64)>) {
         let mut data = String::new();
         for (x, y) in points.filter(|(x, y)| x.is_finite() && y.is_finite()) {
@@ -143,8 +144,8 @@ impl Svg {
         }
     }
 
-    /// Completes the document and returns its text. The displayed width adapts to the page, up to `most` pixels;
-    /// `letters` is the font size.
+    /// Completes the document and returns its text. The displayed width adapts to the web page, up to `most` pixels;
+    /// `letters` is the font size, SVG units.
     pub(crate) fn finish(
         self,
         title: &str,
@@ -174,7 +175,7 @@ pub(crate) fn without_style(svg: &str) -> String {
 }
 
 /// Truncates a text to the width `room`, with `…` at the end if it is shortened; `letter` is the width of one
-/// character.
+/// character. Both widths are in SVG units.
 pub(crate) fn cut(text: &str, room: f64, letter: f64) -> String {
     // Wide East Asian characters count twice; combining marks have no width.
     let wide = |c: char| match c {

@@ -7,7 +7,7 @@ use super::FitPage;
 use super::numbers::{Digits, stated, unit};
 use crate::literature::{Source, sources};
 
-/// Row of the coefficient table, with all values formatted as text.
+/// Row of the table of fitted coefficients, with all values formatted as text.
 #[derive(Serialize)]
 pub(super) struct Row {
     name: String,
@@ -16,18 +16,20 @@ pub(super) struct Row {
     interval: String,
     error: String,
     clustered: String,
-    /// Whether the cluster-robust standard error is more than 1.5 times the Cramér–Rao standard error.
+    /// Whether the cluster-robust standard error (from the scatter between flights) is more than 1.5 times the
+    /// Cramér–Rao standard error.
     doubtful: bool,
     unit: String,
     at_bound: bool,
     /// Notes on the estimate: whether it was fixed, and its Gaussian prior.
     notes: Vec<String>,
     picture: Option<Picture>,
-    /// Value in the model file, followed by the value in each literature source.
+    /// Values of the coefficient for comparison: that in the model file, then that in each literature source.
     literature: Vec<String>,
 }
 
-/// Confidence interval and estimate drawn on an axis that includes 0; positions in percent of the axis, 0 to 100.
+/// Confidence interval and estimate of a coefficient, drawn on an axis that includes 0; positions in percent of the
+/// axis length, 0 to 100.
 #[derive(Serialize)]
 struct Picture {
     zero: f64,
@@ -37,8 +39,8 @@ struct Picture {
     model: Option<f64>,
 }
 
-/// Rows of the coefficient table: first the coefficients in the order of declaration in the model, then those that the
-/// model does not declare.
+/// Rows of the table of fitted coefficients: first the coefficients in the order of declaration in the model, then
+/// those that the model does not declare.
 pub(super) fn rows(page: &FitPage<'_>) -> Vec<Row> {
     let sources = sources(page.model.reference.as_deref());
     let found = page.coefficients().into_iter();

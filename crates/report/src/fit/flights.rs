@@ -7,12 +7,12 @@ use serde::Serialize;
 use super::FitPage;
 use super::numbers::{millimetres, plain};
 
-/// Maximum number of rows of a table of flights.
+/// Maximum number of flights that a table of the report lists.
 const MAX_ROWS: usize = 50;
-/// Maximum number of characters of a note.
+/// Maximum number of characters of a note on a flight; longer notes are truncated.
 const MAX_LETTERS: usize = 300;
 
-/// Table of flights, as input of the HTML template.
+/// Table of the flights of a fit, as input of the HTML template.
 #[derive(Serialize)]
 pub(super) struct Table {
     /// Total number of flights, including those that the table does not list.
@@ -25,7 +25,7 @@ pub(super) struct Table {
 #[derive(Serialize)]
 struct Row {
     file: String,
-    /// Links to the figures of the flight on the page: pairs of anchor name and link text.
+    /// Links to the figures of the flight on the same page: pairs of anchor name and link text.
     figures: Vec<(String, &'static str)>,
     samples: usize,
     rms: String,
@@ -59,7 +59,7 @@ pub(super) fn table(page: &FitPage<'_>, role: Role) -> Table {
     }
 }
 
-/// Table of the excluded flights, limited to [`MAX_ROWS`] rows.
+/// Table of the flights that were excluded from the fit, limited to [`MAX_ROWS`] rows.
 pub(super) fn left_out(page: &FitPage<'_>) -> Table {
     Table {
         all: page.report.excluded().count(),
@@ -73,7 +73,8 @@ pub(super) fn left_out(page: &FitPage<'_>) -> Table {
     }
 }
 
-/// Links to the figures of a flight on the page: pairs of anchor name and link text; empty if the flight is not drawn.
+/// Links to the figures of a flight on the same page: pairs of anchor name and link text; empty if the flight is not
+/// drawn.
 fn figures(page: &FitPage<'_>, file: &str) -> Vec<(String, &'static str)> {
     let drawn = || page.evidence.iter().take(super::draw::MAX_FLIGHTS);
     let mut figures = Vec::new();
@@ -107,7 +108,7 @@ fn row(page: &FitPage<'_>, flight: &FlightReport) -> Row {
     }
 }
 
-/// Truncates a text to [`MAX_LETTERS`] characters.
+/// Truncates a text to [`MAX_LETTERS`] characters, for a note in a table.
 pub(crate) fn short(text: &str) -> String {
     if text.chars().count() <= MAX_LETTERS {
         return text.to_owned();

@@ -28,7 +28,7 @@ pub struct FitPage<'a> {
     pub model: &'a Model,
     /// Name of the dataset.
     pub dataset: &'a str,
-    /// Verification status of the model according to its certificate.
+    /// Verification status of the model according to its certificate (record of the verification checks).
     pub certificate: &'a CertificateNote,
 }
 
@@ -50,7 +50,7 @@ impl FitPage<'_> {
     }
 }
 
-/// Figure of the report, written as an SVG file.
+/// Figure of a report, written as an SVG file and as a CSV table of its data.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Figure {
     /// File name without `.svg`; consists of letters, digits and hyphens.
@@ -72,7 +72,7 @@ pub fn html_and_figures(page: &FitPage<'_>) -> (String, Vec<Figure>) {
     (page::written(page, &figures), figures.in_order())
 }
 
-/// Figures of the report, grouped by its sections.
+/// Figures of the report of a fit, grouped by its sections.
 struct Figures {
     precision: Option<Drawn>,
     predictions: Vec<Drawn>,
@@ -120,7 +120,8 @@ pub(crate) struct Drawn {
 }
 
 impl Drawn {
-    /// Creates a figure without a narrow version from its name, title, and texts: caption, SVG and CSV.
+    /// Creates a figure, without a version for narrow screens, from its name, its title and the texts of its caption,
+    /// SVG and CSV table.
     pub(crate) fn new(name: String, title: String, [caption, svg, csv]: [String; 3]) -> Drawn {
         let figure = Figure {
             name,
@@ -151,7 +152,8 @@ impl Drawn {
         }
     }
 
-    /// Creates a figure of panels, with their data as CSV; see [`Drawn::in_layouts`].
+    /// Creates a figure of panels, with their data as CSV table, for the layout `wide` and, if that is not the small
+    /// layout, also for narrow screens.
     pub(crate) fn of_panels(
         name: impl Into<String>,
         title: &str,

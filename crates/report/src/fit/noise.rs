@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::numbers::{millimetres, plain};
 
-/// Estimated noise along one axis, with all values formatted as text.
+/// Estimated measurement noise along one axis, with all values formatted as text.
 #[derive(Serialize)]
 pub(super) struct Row {
     axis: String,
@@ -16,7 +16,7 @@ pub(super) struct Row {
     memory: String,
 }
 
-/// Rows of the noise table: one for each axis, then one for all axes together.
+/// Rows of the table of the measurement noise: one for each axis, then one for all axes together.
 pub(super) fn rows(report: &FitReport) -> Vec<Row> {
     let noise = &report.noise;
     let row = |axis: &str, sigma: f64, ar1: f64| Row {

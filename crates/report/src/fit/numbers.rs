@@ -24,8 +24,8 @@ pub(crate) struct Digits {
 }
 
 impl Digits {
-    /// Chooses the format with two significant digits of the standard error; five significant digits of the value if
-    /// `error` is not positive.
+    /// Chooses a format that shows two significant digits of the standard error `error`, or five significant digits of
+    /// the value if `error` is not positive.
     pub(crate) fn of(value: f64, error: f64) -> Digits {
         let value = if value.is_finite() { value.abs() } else { 0.0 };
         let known = error.is_finite() && error > 0.0;
@@ -51,7 +51,7 @@ impl Digits {
         }
     }
 
-    /// Formats the number divided by the power of ten, without the power.
+    /// Formats the quotient of `value` and the power of ten of this format, without the power itself.
     fn mantissa(self, value: f64) -> String {
         // Division by 1e5 is correctly rounded; multiplication by 1e-5 is not.
         let scaled = if self.exponent < 0 {
@@ -62,7 +62,7 @@ impl Digits {
         plain(scaled, self.decimals)
     }
 
-    /// Formats a number with its power of ten, if any.
+    /// Formats a number with the power of ten of this format, if it has one.
     pub(crate) fn one(self, value: f64) -> String {
         let text = self.mantissa(value);
         if self.exponent == 0 || !value.is_finite() {
@@ -72,7 +72,7 @@ impl Digits {
         }
     }
 
-    /// Formats an interval (lower, upper) with a common power of ten, if any.
+    /// Formats an interval (lower, upper) with a common power of ten, if this format has one.
     pub(crate) fn range(self, [low, high]: [f64; 2]) -> String {
         let (low, high) = (self.mantissa(low), self.mantissa(high));
         if self.exponent == 0 {

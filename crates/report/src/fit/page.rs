@@ -14,11 +14,11 @@ use crate::data_faults;
 use crate::figures::svg::{STYLE, without_style};
 use crate::literature::sources;
 
-/// Number of flights whose figures of states are expanded when the page is opened.
+/// Number of flights whose figures of the states over time are expanded when the page is opened.
 const OPEN: usize = 3;
 /// Number of flights whose figures of marker paths are expanded when the page is opened.
 const OPEN_TRACKS: usize = 6;
-/// Maximum number of non-identifiable directions in parameter space that are listed in the report.
+/// Maximum number of non-identifiable directions in parameter space that are listed in the report of a fit.
 const MAX_UNDETERMINED: usize = 20;
 
 /// Non-identifiable direction in parameter space, with all values formatted as text.
@@ -31,7 +31,7 @@ struct Undetermined {
     why: String,
 }
 
-/// Renders the HTML page of the fit with the given figures.
+/// Renders the HTML page of the report of a fit with the given figures.
 pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
     let (first, rest) = figures.states.split_at(OPEN.min(figures.states.len()));
     let (tracks, more_tracks) = figures
@@ -105,7 +105,7 @@ fn reasons_against(report: &FitReport) -> Vec<String> {
 }
 
 /// Renders a template of this crate with the given values; panics if the template is invalid. The values `css` and
-/// `style`, if not given, are the style sheets of the page of a fit and of figures.
+/// `style` default to the style sheets of the report of a fit and of figures.
 pub(crate) fn rendered(template: &str, context: Value) -> String {
     let mut environment = Environment::new();
     environment.set_undefined_behavior(UndefinedBehavior::Strict);
@@ -143,7 +143,8 @@ pub(crate) fn shown(drawn: &[Drawn]) -> Vec<Value> {
     drawn.iter().map(one).collect()
 }
 
-/// Copy of a figure in which the points with tooltips can receive the keyboard focus.
+/// Copy of a figure in which the points with tooltips can receive the keyboard focus, so that their values can be read
+/// without a pointer.
 pub(crate) fn reached(drawn: &Drawn) -> Drawn {
     let reached = |svg: &str| svg.replace("tabindex=\"-1\"", "tabindex=\"0\"");
     Drawn {
@@ -196,7 +197,7 @@ fn encoded(text: &str) -> String {
     encoded
 }
 
-/// Truncates a text to the maximum length of a note on the page ([`flights::short`]) and ends it with a full stop.
+/// Truncates a text to the maximum length of a note on the page and ends it with a full stop.
 pub(crate) fn sentence(text: &str) -> String {
     let text = flights::short(text.trim_end().trim_end_matches(':'));
     if text.ends_with(['.', '…', '!', '?']) {

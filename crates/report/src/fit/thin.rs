@@ -3,7 +3,7 @@
 /// Maximum number of points of a curve in a figure.
 pub(crate) const MAX_CURVE_POINTS: usize = 400;
 
-/// Every n-th of the points, with the smallest n for which at most `most` points remain.
+/// Every n-th of `points`, with the smallest n for which at most `most` points remain.
 pub(crate) fn stride<T: Copy>(points: &[T], most: usize) -> Vec<T> {
     let step = points.len().div_ceil(most.max(1)).max(1);
     points.iter().copied().step_by(step).collect()

@@ -10,10 +10,10 @@ use super::numbers::{millimetres, percent, plain};
 
 /// Maximum relative standard error at which the report calls a coefficient well determined.
 const GOOD: f64 = 0.1;
-/// Minimum ratio of a held-out flight's RMS prediction error to the noise at which the report calls the flight badly
-/// predicted.
+/// Minimum ratio of a held-out flight's RMS prediction error to the RMS noise at which the report calls the flight
+/// badly predicted.
 const FAR: f64 = 3.0;
-/// Maximum number of names listed in a sentence.
+/// Maximum number of names that a sentence lists; of the remaining names it states only the number.
 const MAX_NAMES: usize = 24;
 
 /// Sentences on the fitted data, the noise, the goodness of fit and the precision of the coefficients.
@@ -87,7 +87,7 @@ fn held_out_words(report: &FitReport) -> Option<String> {
     })
 }
 
-/// First sentences of the report: which coefficients the flights determine well, roughly, or not at all.
+/// First sentences of the report: which coefficients the measured flights determine well, roughly, or not at all.
 pub(super) fn opening(page: &FitPage<'_>) -> Vec<String> {
     let [good, loose, unknown, _] = by_precision(page);
     let mut sentences = Vec::new();
@@ -108,7 +108,7 @@ pub(super) fn opening(page: &FitPage<'_>) -> Vec<String> {
     sentences
 }
 
-/// Sentences that list the well determined, roughly determined, undetermined and fixed coefficients.
+/// Sentences that list the coefficients that are well determined, roughly determined, not determined, and fixed.
 fn determined(page: &FitPage<'_>) -> Vec<String> {
     let [good, loose, none, held] = by_precision(page);
     let good_is = format!(
@@ -127,8 +127,8 @@ fn determined(page: &FitPage<'_>) -> Vec<String> {
         .collect()
 }
 
-/// Names of the coefficients, as text: those that are well determined, those of which only the sign is, those that
-/// cannot be distinguished from 0, and the fixed ones.
+/// Names of the coefficients, as text, in four groups: well determined; determined only in sign; not distinguishable
+/// from 0; fixed.
 fn by_precision(page: &FitPage<'_>) -> [String; 4] {
     let mut kinds: [Vec<&str>; 4] = Default::default();
     for (name, found) in page.coefficients() {

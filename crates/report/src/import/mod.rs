@@ -3,47 +3,47 @@
 mod draw;
 mod page;
 
-/// Input of the HTML page of an import.
+/// Input of the HTML page that reports an import of motion-capture recordings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportPage {
     /// Name of the imported dataset.
     pub dataset: String,
-    /// Name of the model of the dataset.
+    /// Name of the model that the imported dataset specifies.
     pub model: String,
     /// Imported recordings, in the order in which they were read.
     pub takes: Vec<ImportedTake>,
 }
 
-/// Decisions, notes and flights of one imported recording.
+/// Choices of the import (such as units and axes), notes and flights of one imported recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportedTake {
     /// File name of the recording.
     pub file: String,
-    /// Decisions made by the import: pairs of subject and decision, as text.
+    /// Choices that the import made, such as units and axes: pairs of subject and choice, as text.
     pub decisions: Vec<(String, String)>,
     /// Notes on parts of the recording that were excluded or are uncertain.
     pub notes: Vec<String>,
     /// Height of the tracked body during the whole recording: pairs of time, s, and height, m; the height is not finite
     /// at times at which the body was not tracked.
     pub heights: Vec<(f64, f64)>,
-    /// Flights that were extracted from the recording.
+    /// Free flights that were extracted from the recording.
     pub flights: Vec<ImportedFlight>,
 }
 
 /// One flight extracted from a recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportedFlight {
-    /// File name of the flight's table in the dataset.
+    /// File name of the flight's table of measurements in the imported dataset.
     pub file: String,
-    /// Number of samples of the flight.
+    /// Number of samples between the beginning and the end of the flight.
     pub samples: usize,
-    /// Beginning of the flight, with the reason why it was chosen.
+    /// Beginning of the flight, with the reason why it was placed there.
     pub release: Edge,
-    /// End of the flight, with the reason why it was chosen.
+    /// End of the flight, with the reason why it was placed there.
     pub end: Edge,
     /// Times of the first and the last sample, s since the start of the recording.
     pub span: (f64, f64),
-    /// Gaps in which no marker of the body was measured: pairs of begin and end, s.
+    /// Gaps in which no marker of the body was measured: pairs of begin and end, s on the time axis of the recording.
     pub gaps: Vec<(f64, f64)>,
     /// Markers with missing samples: pairs of marker name and number of missing samples.
     pub missing: Vec<(String, usize)>,
@@ -56,7 +56,7 @@ pub struct ImportedFlight {
 /// Begin or end of a flight in a recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edge {
-    /// Time in the recording, s.
+    /// Time at which the flight begins or ends, s since the start of the recording.
     pub time: f64,
     /// Reason why the flight begins or ends at this time, as text.
     pub reason: String,
@@ -74,9 +74,9 @@ pub struct Curve {
 /// Distance between two markers of a rigid body over time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Distance {
-    /// Name of the marker pair.
+    /// Names of the two markers, as one text.
     pub name: String,
-    /// Distance of the two markers in the rigid-body definition, m.
+    /// Distance between the two markers on the body, according to the declared marker positions, m.
     pub template: f64,
     /// Pairs of time, s, and measured distance, m, during the flight and shortly before and after it; the distance is
     /// not finite where a marker is missing.
@@ -90,7 +90,7 @@ impl ImportedFlight {
     }
 }
 
-/// Renders the self-contained HTML page of an import.
+/// Renders the self-contained HTML page that reports an import of recordings.
 pub fn html(page: &ImportPage) -> String {
     page::html(page)
 }

@@ -11,14 +11,14 @@ use crate::fit::numbers::plain;
 use crate::fit::page::{capitalized, one, plain_values, rendered};
 use crate::fit::words::names;
 
-/// Maximum number of flights drawn, over all recordings.
+/// Maximum number of imported flights that are drawn, over all recordings.
 const MAX_FLIGHTS: usize = 60;
-/// Maximum number of gaps listed for each flight.
+/// Maximum number of gaps (intervals without a measured marker) that are listed for each flight.
 const MAX_GAPS: usize = 5;
-/// Maximum number of marker pairs listed for each recording.
+/// Maximum number of marker pairs whose distances are listed for each recording.
 const MAX_PAIRS: usize = 30;
 
-/// A recording, as input of the HTML template.
+/// A motion-capture recording, as input of the HTML template.
 #[derive(Serialize)]
 struct Take {
     file: String,
@@ -28,7 +28,7 @@ struct Take {
     pairs: Vec<Pair>,
 }
 
-/// A flight, as input of the HTML template; all values are formatted as text.
+/// An imported flight, as input of the HTML template; all values are formatted as text.
 #[derive(Serialize)]
 struct Row {
     file: String,
@@ -40,7 +40,7 @@ struct Row {
     unseen: String,
 }
 
-/// A pair of markers, as input of the HTML template; all lengths are formatted in mm.
+/// A pair of markers with their distance, as input of the HTML template; all lengths are formatted in mm.
 #[derive(Serialize)]
 struct Pair {
     name: String,
@@ -50,7 +50,7 @@ struct Pair {
     file: String,
 }
 
-/// Renders the HTML page of an import.
+/// Renders the HTML page that reports an import of recordings.
 pub(super) fn html(page: &ImportPage) -> String {
     let flights: usize = page.takes.iter().map(|take| take.flights.len()).sum();
     let mut takes = Vec::new();

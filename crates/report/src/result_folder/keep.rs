@@ -29,7 +29,8 @@ pub(super) fn entries_below(folder: &Path) -> io::Result<(Vec<PathBuf>, Vec<Path
     Ok((files, folders))
 }
 
-/// Whether the program wrote the file at `path`, and the file was not edited since then; always true for the manifest.
+/// Whether the program wrote the file `path` of a results folder, and the file was not edited since then; always true
+/// for the manifest (list of written files).
 fn is_own(folder: &Path, manifest: &Manifest, path: &Path) -> bool {
     let name = path.to_string_lossy().replace('\\', "/");
     name == MANIFEST || manifest.wrote(folder, &name)
@@ -77,8 +78,9 @@ pub(super) fn set_edited_aside(
     Ok(())
 }
 
-/// Removes a replaced folder. Its result files that were not edited since the program wrote them, and files that
-/// `current` also contains, are deleted; all other files are moved to `current`.
+/// Removes the folder `old` of earlier results after it was replaced by `current`. Its result files that were not
+/// edited since the program wrote them, and files that `current` also contains, are deleted; all other files are moved
+/// to `current`.
 pub(super) fn discard(old: &Path, current: &Path) -> io::Result<()> {
     let manifest = Manifest::read(old);
     let (files, folders) = entries_below(old)?;
@@ -142,7 +144,8 @@ fn free_name(folder: &Path, path: &Path) -> PathBuf {
     names.find(is_free).unwrap_or_else(|| folder.join(path))
 }
 
-/// Removes the parent folders of a removed file that are empty, up to `root`.
+/// Removes the folders that are empty after `file` was removed: those that contained it, below `root`. `file` is a path
+/// relative to `root`.
 pub(super) fn remove_empty_folders(root: &Path, file: &Path) {
     for folder in file.ancestors().skip(1) {
         if folder.as_os_str().is_empty() || fs::remove_dir(root.join(folder)).is_err() {

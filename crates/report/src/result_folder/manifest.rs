@@ -6,10 +6,10 @@ use std::path::Path;
 
 use super::ResultFile;
 
-/// Name of the manifest file in a folder of results.
+/// Name of the manifest file in a folder of results, which lists the files that the program wrote.
 pub const MANIFEST: &str = ".hyzer-results";
 
-/// First line of a manifest file, a comment.
+/// First line of a manifest (list of the files that the program wrote to a folder): a comment for the user.
 const HEAD: &str =
     "# Files that hyzer wrote here, and replaces. Other files in this folder are kept.";
 
@@ -29,8 +29,8 @@ impl Manifest {
         }
     }
 
-    /// Reads the manifest of a folder; empty if it cannot be read. Malformed lines are ignored, as are paths that
-    /// lead out of the folder.
+    /// Reads the manifest (list of the files that the program wrote) of a folder; empty if it cannot be read. Malformed
+    /// lines are ignored, as are paths that lead out of the folder.
     pub fn read(folder: &Path) -> Manifest {
         let text = std::fs::read_to_string(folder.join(MANIFEST)).unwrap_or_default();
         let lines = text.lines().filter_map(|line| {
@@ -54,7 +54,7 @@ impl Manifest {
         text
     }
 
-    /// Relative paths of the files in the manifest, sorted.
+    /// Relative paths of the files that the manifest lists, sorted.
     pub fn paths(&self) -> impl Iterator<Item = &str> {
         self.files.keys().map(String::as_str)
     }

@@ -49,13 +49,14 @@ pub enum ResultFolderError {
         /// Path of the file.
         path: PathBuf,
     },
-    /// The folder contains files, but no manifest of an earlier run, so the files may belong to the user.
+    /// The folder contains files, but no manifest (list of written files) of an earlier run, so the files may belong to
+    /// the user.
     #[error(
         "{} holds files that hyzer did not write ({}); expected a new or empty folder, or one of earlier results",
         path.display(), names.join(", ")
     )]
     Foreign {
-        /// Path of the folder that contains the files.
+        /// Path of the folder that contains files of unknown origin.
         path: PathBuf,
         /// Names of at most three of the files that the program did not write, sorted; followed by `…` if there are
         /// more.
@@ -77,13 +78,13 @@ pub enum ResultFolderError {
     },
 }
 
-/// Folder that was checked to accept results. Its contents change only when [`ResultFolder::replace`] is called.
+/// Folder of results that was checked to be usable. Its contents change only when [`ResultFolder::replace`] is called.
 #[derive(Clone, Debug)]
 pub struct ResultFolder {
     /// Absolute path of the folder, with symbolic links resolved.
     target: PathBuf,
-    /// Hidden folder beside the target in which results are prepared; `None` if the target cannot be renamed, such as
-    /// the current folder.
+    /// Hidden folder beside the target folder in which new results are prepared; `None` if the target cannot be
+    /// renamed, such as the current folder.
     part: Option<PathBuf>,
 }
 
@@ -247,8 +248,8 @@ fn is_folder(path: &Path) -> Result<(), ResultFolderError> {
     }
 }
 
-/// Returns an error if a folder contains files but no manifest, so that files of the user are not overwritten. `shown`
-/// is the path named in the error.
+/// Returns an error if a folder contains files but no manifest (list of the files that the program wrote), so that
+/// files of the user are not overwritten. `shown` is the path named in the error.
 fn refuse_foreign(target: &Path, shown: &Path) -> Result<(), ResultFolderError> {
     if target.join(MANIFEST).is_file() {
         return Ok(());

@@ -15,7 +15,7 @@ fn open(path: &Path) -> ResultFolder {
     ResultFolder::open(path).unwrap()
 }
 
-/// Paths and contents of all files in a folder, without the manifest.
+/// Paths and contents of all files in a folder of results, except the manifest (list of written files).
 fn contents(folder: &Path) -> Vec<(String, String)> {
     let (files, _) = entries_below(folder).unwrap();
     let each = files.iter().filter(|path| path.as_os_str() != MANIFEST);

@@ -11,15 +11,15 @@ use crate::figures::symbol;
 use crate::fit::numbers::unit;
 use crate::fit::thin::stride;
 
-/// Maximum number of scalar quantities that the viewer shows over time for a flight.
+/// Maximum number of scalar quantities that the 3D viewer shows over time for a flight.
 const MAX_NUMBERS: usize = 10;
-/// Maximum number of markers shown for a flight.
+/// Maximum number of markers that the 3D viewer shows for a flight.
 const MAX_MARKERS: usize = 12;
-/// Units of the quantities that the viewer shows: angles come first, then quantities with these units, in this order.
-/// Quantities with other units are not shown.
+/// Units of the quantities that the 3D viewer shows over time: angles come first, then quantities with these units, in
+/// this order. Quantities with other units are not shown.
 const UNITS: [&str; 2] = ["m/s", "rad/s"];
 
-/// Data of a flight for the viewer, with lengths in m and times in s.
+/// Data of a flight for the 3D viewer, with lengths in m and times in s.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct Flight {
     pub(super) name: String,
@@ -35,15 +35,15 @@ pub(super) struct Flight {
     measured: Vec<Vec<Option<[f64; 3]>>>,
     /// Predicted positions of the markers, m, as `predicted[time][marker]`.
     predicted: Vec<Vec<[f64; 3]>>,
-    /// Times at which all markers are measured, s.
+    /// Times at which all markers are measured, s; the viewer marks their mean position at these times.
     trail_times: Vec<f64>,
-    /// Mean position of the measured markers, m, at each of `trail_times`.
+    /// Mean of the measured positions of all markers, m, at each of `trail_times`.
     trail: Vec<[f64; 3]>,
     arrows: Vec<Arrow>,
     numbers: Vec<Number>,
 }
 
-/// Constant vector input of a flight, such as the wind, in the inertial frame.
+/// Constant vector input of a flight, such as the wind, in the inertial frame; drawn as an arrow.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 struct Arrow {
     name: String,
@@ -51,7 +51,7 @@ struct Arrow {
     unit: String,
 }
 
-/// Scalar quantity shown over time; one value for each time of the flight, `None` if the value is not finite.
+/// Scalar quantity of a flight shown over time; one value for each time, `None` if the value is not finite.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 struct Number {
     name: String,
@@ -75,8 +75,8 @@ impl<'m> FlightModel<'m> {
         }
     }
 
-    /// Viewer data of a flight with the given pairs of time and state, without measurements. Samples without a finite
-    /// position are omitted; the second value states for each sample whether it was retained.
+    /// Data for the 3D viewer of a flight with the given pairs of time and state, without measurements. Samples without
+    /// a finite position are omitted; the second value states for each sample whether it was retained.
     fn flight(&self, name: &str, samples: &[(f64, &[f64])]) -> (Flight, Vec<bool>) {
         let bound = self.body.bind(self.parameters.clone());
         let has_attitude = self.model.marker.as_ref().is_some_and(|m| m.frame != 0);
@@ -138,8 +138,7 @@ impl<'m> FlightModel<'m> {
         all.all(|v| v.is_finite()).then_some((origin, attitude))
     }
 
-    /// Constant vector inputs of the flight in the inertial frame, such as the wind, to be drawn as arrows; zero
-    /// vectors are omitted.
+    /// Constant vector inputs of the flight, such as the wind, in the inertial frame; zero vectors are omitted.
     fn arrows(&self) -> Vec<Arrow> {
         let layout = self.body.layout();
         let given = self.model.inputs.iter().filter(|input| input.frame == 0);
@@ -160,8 +159,8 @@ impl<'m> FlightModel<'m> {
             .collect()
     }
 
-    /// Quantities shown over time: height, horizontal distance from the first sample, and the model's angles, speeds
-    /// and angular rates.
+    /// Quantities that the viewer shows over time: height, horizontal distance from the first sample, and the model's
+    /// angles, speeds and angular rates.
     fn numbers(
         &self,
         bound: &BoundModel<'_>,
@@ -226,7 +225,7 @@ fn rounded(value: f64) -> f64 {
     }
 }
 
-/// Viewer data of a simulated flight, with at most about `most` samples.
+/// Data for the 3D viewer of a simulated flight, with at most about `most` samples.
 pub(super) fn flown(
     flight_model: &FlightModel<'_>,
     name: &str,
@@ -243,7 +242,7 @@ pub(super) fn flown(
     flight
 }
 
-/// Viewer data of a measured flight with its prediction, with at most `most` samples.
+/// Data for the 3D viewer of a measured flight and its prediction, with at most `most` samples.
 pub(super) fn recorded(
     flight_model: &FlightModel<'_>,
     evidence: &FlightEvidence,

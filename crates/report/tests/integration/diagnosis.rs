@@ -85,7 +85,7 @@ fn check(made: &Made) {
     assert!(!made.html.contains("<desc></desc>"));
 }
 
-/// Diagnosis report with the given verdict, and the HTML page made from it.
+/// Example of a diagnosis report with the given verdict, and the HTML page made from it.
 fn of(verdict: Verdict) -> (Report, Made) {
     let after = made::evidence(9);
     let before = found::without(&after);

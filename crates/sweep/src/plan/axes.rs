@@ -7,46 +7,46 @@ use flight::throw::{FIELDS, Throw};
 use model_spec::layout::Layout;
 use toml::de::DeTable;
 
-/// Key of `[vary]` that requests different random gusts in every flight.
+/// Key in the table `[vary]` of a sweep plan that requests different random gusts in every flight.
 const GUSTS: &str = "gusts";
-/// Maximum number of grid values of one varied quantity.
+/// Maximum number of grid values of one quantity that a sweep varies.
 const MAX_VALUES: usize = 1_000_000;
 
-/// A quantity that varies from flight to flight.
+/// A quantity that varies from flight to flight of a sweep.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     /// Name of the quantity in the plan, and of its column in the table of flights.
     pub name: String,
     /// Input of a flight that the quantity sets.
     pub target: Target,
-    /// Grid values or distribution of the quantity.
+    /// Grid values or probability distribution of the quantity.
     pub kind: AxisKind,
 }
 
 /// Input of a flight that a varied quantity sets: a quantity of the throw, an initial state, or a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
-    /// Field of the throw, by its index in [`FIELDS`].
+    /// Quantity of the throw, such as its speed, by its index in [`FIELDS`].
     Throw(usize),
-    /// Initial state, by its index.
+    /// Initial state, by its index in the state vector.
     State(usize),
     /// Parameter, coefficient or component of an input, by its index among the parameters of the compiled model.
     Parameter(usize),
 }
 
-/// Grid values or distribution of a quantity that varies.
+/// Grid values or probability distribution of a quantity that a sweep varies.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AxisKind {
-    /// The given values; the grid of the sweep has every combination of the values of all such quantities.
+    /// Values of a grid: the sweep includes every combination of the values of all grid quantities.
     Values(Vec<f64>),
-    /// Normally distributed random values.
+    /// Random values with a normal distribution.
     Normal {
         /// Mean of the distribution.
         mean: f64,
-        /// Standard deviation.
+        /// Standard deviation of the distribution.
         sd: f64,
     },
-    /// Uniformly distributed random values.
+    /// Random values with a uniform distribution.
     Uniform {
         /// Lower bound of the distribution.
         low: f64,
@@ -55,31 +55,33 @@ pub enum AxisKind {
     },
 }
 
-/// Reason why a name in a plan denotes no input of a flight.
+/// Reason why a name in a sweep plan denotes no input of a flight.
 #[derive(Debug, thiserror::Error)]
 enum NameError {
     /// No input has this name; the hint contains similar or all valid names.
     #[error("found nothing called {name:?} to vary{hint}")]
     Unknown { name: String, hint: String },
-    /// The name is that of two inputs.
+    /// The name denotes two inputs: a quantity of the throw, and a parameter of the model.
     #[error(
         "{0} is both a number of the throw and a parameter of the model; expected a plan by [initial] to vary the parameter"
     )]
     Ambiguous(String),
 }
 
-/// The model's layout and the plan's release and throw, in which names of a plan are looked up.
+/// The model's layout and the sweep plan's release (launch conditions) and throw, in which names of the plan are looked
+/// up.
 pub(super) struct Names<'a> {
     pub layout: &'a Layout,
     pub vocabulary: &'a Vocabulary,
     pub release: &'a Release,
     pub throw: Option<&'a Throw>,
-    /// Parameter values of the release, in the order of the compiled model's parameters.
+    /// Parameter values of the plan's release (launch conditions), in the order of the compiled model's parameters.
     pub parameters: &'a [f64],
 }
 
 impl Names<'_> {
-    /// Finds the input of a flight that `name` denotes, and its value in the plan's throw or release.
+    /// Finds the input of a flight that `name` denotes in a sweep plan, and the value of this input in the plan's throw
+    /// or release.
     fn find(&self, name: &str) -> Result<(Target, f64), NameError> {
         let mut found = Vec::new();
         if let Some(throw) = self.throw {
@@ -155,7 +157,7 @@ pub(crate) fn constant<'v>(vocabulary: &'v Vocabulary, name: &str) -> Option<&'v
     constants.into_iter().find(|known| known.name == name)
 }
 
-/// Reads the table `[vary]` of a plan. Returns the varied quantities, in the order of the file, and whether every
+/// Reads the table `[vary]` of a sweep plan. Returns the varied quantities, in the order of the file, and whether every
 /// flight has different random gusts.
 pub(super) fn read<'t>(
     reader: &mut Reader<'t>,
@@ -206,8 +208,8 @@ pub(super) fn read<'t>(
     (axes, gusts)
 }
 
-/// Reads the key `gusts` of `[vary]`: whether every flight has different random gusts. Faults are reported to `reader`;
-/// the result is then `false`.
+/// Reads the key `gusts` in the table `[vary]` of a sweep plan: whether every flight has different random gusts. Faults
+/// are reported to `reader`; the result is then `false`.
 fn own_gusts<'t>(
     reader: &mut Reader<'t>,
     names: &Names<'_>,
@@ -229,9 +231,9 @@ fn own_gusts<'t>(
     varies
 }
 
-/// Reads how the quantity `name` varies: a table with `values`, `range` and `count`, `normal`, `sd`, or `uniform`. With
-/// `sd` the mean is `own`, the value of the quantity in the throw or release of the plan. `None` after a fault, which
-/// is reported to `reader`.
+/// Reads how a sweep plan varies the quantity `name`: a table with `values`, `range` and `count`, `normal`, `sd`, or
+/// `uniform`. With `sd` the mean is `own`, the value of the quantity in the plan's throw or release. `None` after a
+/// fault, which is reported to `reader`.
 fn kind<'t>(reader: &mut Reader<'t>, name: &str, own: f64, value: &Value<'t>) -> Option<AxisKind> {
     const EXPECTED: &str = "a table, as in { values = [1.0, 2.0] }, { range = [0.0, 1.0], count = 5 }, { normal = [0.0, 1.0] }, \
          { sd = 1.0 } or { uniform = [0.0, 1.0] }";

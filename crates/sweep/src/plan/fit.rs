@@ -9,19 +9,19 @@ use toml::de::DeTable;
 
 use super::axes::{Axis, AxisKind, Names, Target};
 
-/// Maximum size of the `report.json` of a fit, bytes.
+/// Maximum size of the file `report.json` of a fit, from which standard errors are read, bytes.
 const MAX_BYTES: u64 = 64 << 20;
 
-/// The coefficients estimated by a fit, as quantities that the sweep varies (axes), and the correlations of their
-/// estimates as (name, name, correlation).
+/// The coefficients estimated by a fit, as quantities that the sweep varies, and the correlations of their estimates as
+/// (name, name, correlation).
 #[derive(Default)]
 pub(super) struct FitAxes {
     pub axes: Vec<Axis>,
     pub correlations: Vec<(String, String, f64)>,
 }
 
-/// Reads the table `[fit]`: `report`, the path of a fit's `report.json` relative to the plan, and optionally
-/// `coefficients`, the names of the coefficients to vary (default: all).
+/// Reads the table `[fit]` of a sweep plan: `report`, the path of a fit's `report.json` relative to the plan, and
+/// optionally `coefficients`, the names of the coefficients to vary (default: all).
 ///
 /// Coefficients already in `varied` are skipped. Coefficients at a bound or without a standard error do not vary; the
 /// second result lists their names and estimates.

@@ -22,13 +22,13 @@ use correlation::Factor;
 /// Flight `k` is at point `k mod grid` of the grid of input values; its random draws depend on `k` and the seed alone.
 #[derive(Clone)]
 pub struct Plan {
-    /// Model, including the plan's effects.
+    /// Model that is simulated, including the effects (optional model extensions) that the plan names.
     pub model: Model,
     /// Release (launch conditions) that all flights have in common; the varied quantities replace some of its values.
     pub release: Release,
     /// Motion at release, if it is specified in the table `[throw]` of the plan.
     pub throw: Option<Throw>,
-    /// Quantities that vary, in the order of the file; coefficients of a fit come last.
+    /// Quantities that vary from flight to flight, in the order of the file; coefficients of a fit come last.
     pub axes: Vec<Axis>,
     /// Whether every flight has different random gusts, whose phases follow from the seed of the gusts and the flight
     /// number.
@@ -39,9 +39,9 @@ pub struct Plan {
     pub flights: u64,
     /// Seed of the random draws of the varied quantities.
     pub seed: u64,
-    /// Method and tolerances of the integration.
+    /// Method and tolerances of the numerical integration of the flights.
     pub options: IntegrationOptions,
-    /// Cholesky factor of the correlation matrix of the normally distributed quantities, in the order of `axes`.
+    /// Cholesky factor of the correlation matrix of the normally distributed quantities, in their order in `axes`.
     pub(crate) factor: Factor,
 }
 
@@ -76,7 +76,7 @@ impl Plan {
         even.clamp(MIN, MAX)
     }
 
-    /// Number of parts (blocks of consecutive flights) into which the flights are divided.
+    /// Number of parts (blocks of consecutive flights) into which the flights of the sweep are divided.
     pub fn parts(&self) -> u64 {
         self.flights.div_ceil(self.part_len())
     }

@@ -18,11 +18,11 @@ use super::{Plan, fit};
 pub const MAX_FLIGHTS: u64 = 1 << 40;
 /// Maximum number of normally distributed quantities that a sweep varies.
 const MAX_NORMAL: usize = 256;
-/// Maximum size of a plan file, bytes.
+/// Maximum size of a file with a sweep plan, bytes.
 const MAX_FILE_BYTES: u64 = 16 << 20;
 /// Relative tolerance of the integration if none is specified in the plan; the same as in `hyzer simulate`.
 const TOLERANCE: f64 = 1e-6;
-/// Keys of a plan file that a release file (launch conditions) does not have.
+/// Keys of a sweep plan that a release file (launch conditions) does not have.
 const OWN_KEYS: [&str; 8] = [
     "effects",
     "flights",
@@ -34,7 +34,7 @@ const OWN_KEYS: [&str; 8] = [
     "fit",
 ];
 
-/// Reads a plan from a file; see [`read`].
+/// Reads a sweep plan (TOML) from a file; paths in the plan are relative to the folder of the file.
 ///
 /// # Errors
 /// [`ReleaseError`] with all faults of the file, or if the file cannot be read.
@@ -45,8 +45,9 @@ pub fn read_file(path: &Path) -> Result<Plan, ReleaseError> {
     })
 }
 
-/// Parses the text of a plan (TOML): a release, with `effects`, `flights`, `seed`, `tolerance`, `method`, `[vary]`,
-/// `[[correlations]]` and `[fit]`. Paths in the plan are relative to `folder`; `file` is the plan's name in messages.
+/// Parses the text of a sweep plan (TOML): a release (launch conditions), with `effects`, `flights`, `seed`,
+/// `tolerance`, `method`, `[vary]`, `[[correlations]]` and `[fit]`. Paths in the plan are relative to `folder`; `file`
+/// is the plan's name in messages.
 ///
 /// # Errors
 /// [`ReleaseError`] with all faults of the text.
@@ -72,8 +73,8 @@ pub fn read(file: &str, text: &str, folder: &Path) -> Result<Plan, ReleaseError>
     reader.finish(file, plan)
 }
 
-/// Resolves the name of a model or effect: the path in the plan's folder if there is such a file, otherwise `name`
-/// unchanged.
+/// Resolves the name of a model or effect in a sweep plan: the path in the plan's folder if there is such a file,
+/// otherwise `name` unchanged.
 fn beside(name: &str, folder: &Path) -> String {
     let path: PathBuf = folder.join(name);
     if path.is_file() {
@@ -83,8 +84,8 @@ fn beside(name: &str, folder: &Path) -> String {
     }
 }
 
-/// The names in the list `effects` of a plan, with paths resolved. Items that are not strings are skipped here and
-/// reported later.
+/// The names in the list `effects` (optional model extensions) of a sweep plan, with paths resolved. Items that are not
+/// strings are skipped here and reported later.
 fn effects(document: &DeTable<'_>, folder: &Path) -> Vec<String> {
     let items = document.get("effects").and_then(|e| e.get_ref().as_array());
     let names = items
@@ -189,7 +190,8 @@ fn throw<'t>(reader: &mut Reader<'t>, document: &DeTable<'t>) -> Option<Throw> {
     Some(throw)
 }
 
-/// Reads an integer key within bounds; `None` if the key is absent, or after a fault, which is reported to `reader`.
+/// Reads an integer key of a sweep plan within bounds; `None` if the key is absent, or after a fault, which is reported
+/// to `reader`.
 fn whole<'t>(
     reader: &mut Reader<'t>,
     document: &DeTable<'t>,
@@ -209,8 +211,9 @@ fn whole<'t>(
     Some(number as u64)
 }
 
-/// Reads the integration method and tolerance. Without the key `method`, selects the method that needs fewer
-/// evaluations of the right-hand side for the plan's release. `None` after a fault, which is reported to `reader`.
+/// Reads the integration method and tolerance from a sweep plan. Without the key `method`, selects the method that
+/// needs fewer evaluations of the right-hand side for the plan's release. `None` after a fault, which is reported to
+/// `reader`.
 fn options<'t>(
     reader: &mut Reader<'t>,
     document: &DeTable<'t>,

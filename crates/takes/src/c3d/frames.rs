@@ -3,26 +3,26 @@
 use super::parameters::Parameters;
 use super::{C3dError, Deviation, refuse};
 
-/// Maximum frame number that the 16-bit words of the header can state; as the number of the last frame it may also mean
-/// any greater number.
+/// Maximum frame number that a 16-bit word of the C3D header can state. As the number of the last frame it may also
+/// stand for any greater number.
 const LAST_OF_HEADER: u32 = 0xffff;
-/// Exclusive upper bound of the number of padding bytes after the last frame.
+/// Number of bytes after the last frame of a C3D file below which they count as padding.
 const PADDING: usize = 512;
 
-/// Frame number of the first frame, and number of frames.
+/// Number of the first frame in a C3D file, and number of frames.
 pub(super) struct Extent {
     pub first: u32,
     pub count: usize,
 }
 
-/// Quantities that determine the size of a frame and the position of the data in the file.
+/// Quantities that determine the size of a frame (one sample of all points) in a C3D file and the position of the data.
 pub(super) struct Layout {
-    /// Size of one stored number, bytes.
+    /// Size of one stored number of the C3D file, bytes.
     pub width: usize,
     pub points: usize,
-    /// Number of analogue words per frame, as the header states it.
+    /// Number of values of analogue sensors per frame, as the header states it.
     pub analog: usize,
-    /// Number of analogue samples per channel and frame.
+    /// Number of samples of each analogue sensor per frame.
     pub analog_per_channel: usize,
     pub data_start: usize,
     /// Number of bytes from the beginning of the data (field `data_start`) to the end of the file.
@@ -81,8 +81,8 @@ pub(super) fn frames(
     Ok((Extent { first, count: held }, size))
 }
 
-/// Number of the first frame and number of frames, from the header, or from the parameters if the 16 bits of the header
-/// do not suffice.
+/// Number of the first frame of a C3D file and number of frames, from the header, or from the parameters if the 16 bits
+/// of the header do not suffice.
 fn stated(
     parameters: &Parameters<'_>,
     first: u32,

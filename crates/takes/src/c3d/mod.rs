@@ -31,12 +31,12 @@ pub struct C3dError {
     pub expected: String,
 }
 
-/// A contradiction in a C3D file that has only one sensible interpretation, which is used.
+/// A contradiction in a C3D file that has only one sensible interpretation, and this interpretation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Deviation {
     /// The contradiction: its byte offset, what was found and what was expected.
     pub contradiction: C3dError,
-    /// Description of how the reader interprets the contradictory data.
+    /// Description of how the contradictory data are interpreted.
     pub read_as: String,
 }
 
@@ -168,7 +168,7 @@ impl<'a> Recording<'a> {
         &self.labels
     }
 
-    /// Contradictions in the file that were resolved because only one interpretation is sensible.
+    /// Contradictions in the file that have only one sensible interpretation, which is used.
     pub fn deviations(&self) -> &[Deviation] {
         &self.deviations
     }
@@ -260,8 +260,8 @@ impl<'a> Recording<'a> {
     }
 }
 
-/// Decides how to proceed after the error `cut`, which reports a parameter that extends past the parameter section. If
-/// the preceding parameters suffice and the extending parameter ends within the file of `length` bytes, the result is a
+/// Decides how to proceed after the error `cut`, which reports that a parameter extends past the parameter section. If
+/// the preceding parameters suffice and the extending one ends within the file of `length` bytes, the result is a
 /// [`Deviation`] by which only the preceding parameters are used. Otherwise the result is the error `cut`.
 fn after_the_cut(
     cut: C3dError,

@@ -4,7 +4,7 @@ use super::bytes::{Bytes, Order};
 use super::{C3dError, refuse};
 use crate::words::shown;
 
-/// A C3D parameter whose value is not decoded yet.
+/// A parameter of a C3D file whose value is not decoded yet.
 pub(super) struct Parameter<'a> {
     /// Byte offset of the parameter's type in the file.
     pub offset: usize,
@@ -13,7 +13,7 @@ pub(super) struct Parameter<'a> {
     pub data: Bytes<'a>,
 }
 
-/// Type and dimensions of a parameter, and the position of its data in the parameter section.
+/// Type and dimensions of a C3D parameter, and the position of its data in the parameter section of the file.
 pub(super) struct Shape<'a> {
     kind: i8,
     dimensions: &'a [u8],

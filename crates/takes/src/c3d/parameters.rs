@@ -10,19 +10,20 @@ use super::{C3dError, refuse};
 /// used.
 const MAX_ENTRIES: usize = 20_000;
 
-/// C3D parameters by group and name, both in upper case.
+/// Parameters of a C3D file by group and name, both in upper case.
 pub(super) struct Parameters<'a> {
     groups: BTreeMap<String, u8>,
     parameters: BTreeMap<(u8, String), Parameter<'a>>,
     /// Byte offset of the parameter section in the file.
     start: usize,
-    /// Byte offset in the file of the end of a parameter that extends past the parameter section; 0 if there is none.
+    /// Byte offset in the file of the end of a parameter that extends past the parameter section; 0 if no parameter
+    /// does.
     end_of_cut: usize,
 }
 
 impl<'a> Parameters<'a> {
-    /// Parses the parameter section, which begins at byte `start` of the file and ends where the data begin. If a
-    /// parameter extends past the section, the parameters before it are returned together with the fault.
+    /// Parses the parameter section of a C3D file, which begins at byte `start` of the file and ends where the data
+    /// begin. If a parameter extends past the section, the parameters before it are returned together with the fault.
     pub fn read(
         section: &'a [u8],
         start: usize,
@@ -87,7 +88,8 @@ impl<'a> Parameters<'a> {
         Ok((found, None))
     }
 
-    /// Byte offset in the file of the end of the parameter that extends past the parameter section; 0 if there is none.
+    /// Byte offset in the file of the end of the parameter that extends past the parameter section; 0 if no parameter
+    /// does.
     pub fn end_of_cut(&self) -> usize {
         self.end_of_cut
     }
@@ -195,8 +197,8 @@ impl<'a> Parameters<'a> {
         Ok(first.or(whole))
     }
 
-    /// Labels from the parameters LABELS, LABELS2, …, each of which contains at most 255 labels. Only the first
-    /// `points` labels are returned; there may be fewer.
+    /// Labels of the points from the parameters LABELS, LABELS2, …, each of which contains at most 255 labels. Only the
+    /// first `points` labels are returned; there may be fewer.
     pub fn labels(&self, points: usize) -> Result<Vec<String>, C3dError> {
         let mut labels = Vec::new();
         for number in 1.. {
@@ -227,7 +229,7 @@ impl<'a> Parameters<'a> {
     }
 }
 
-/// Decodes a text and strips blanks and zero bytes at both ends.
+/// Decodes a text of the file and strips blanks and zero bytes at both ends.
 fn text(bytes: &[u8]) -> String {
     let text = String::from_utf8_lossy(bytes);
     text.trim_matches([' ', '\0', '\t', '\r', '\n']).to_owned()

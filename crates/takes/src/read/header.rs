@@ -10,13 +10,13 @@ use crate::take::Take;
 use crate::unit::{LengthUnit, TimeUnit};
 use crate::words::{listed, shown};
 
-/// Label of a point or body whose column names contain no label.
+/// Label used for a point or body whose column names contain no label.
 const UNNAMED: &str = "body";
 
-/// Columns of a table, as its header line names them.
+/// Columns of a table of motion-capture data, as its header line names them.
 #[derive(Default)]
 struct Header {
-    /// Columns of each point or body by its label.
+    /// Columns of each recorded point or body by its label.
     tracks: Tracks<String>,
     time: Option<(usize, Option<TimeUnit>)>,
     frame: Option<usize>,

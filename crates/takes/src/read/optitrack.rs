@@ -12,12 +12,13 @@ use crate::take::Take;
 use crate::unit::LengthUnit;
 use crate::words::{listed, shown};
 
-/// Number of columns before the first track: frame and time.
+/// Number of columns of an OptiTrack table before those of points and bodies: frame and time.
 const FIXED: usize = 2;
-/// Maximum number of header lines after the file's properties, including the line that names the axis of each column.
+/// Maximum number of header lines of an OptiTrack table after the first line, which contains the file's properties. The
+/// line that names the axis of each column is included.
 const MAX_HEADER_LINES: usize = 12;
 
-/// Header lines above the columns, with one text per column.
+/// Header lines of an OptiTrack table above the columns, with one text per column.
 #[derive(Default)]
 struct Heads {
     types: Vec<String>,
@@ -84,7 +85,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Take, Fault> {
     Ok(take)
 }
 
-/// Properties in the first line of the file, by name.
+/// Properties in the first line of an OptiTrack file, such as the unit of length, by name.
 fn properties(sheet: &mut Sheet<'_>) -> Result<BTreeMap<String, String>, Fault> {
     if !sheet.advance()? || sheet.cell(0) != "Format Version" {
         let found = shown(sheet.cell(0));
@@ -98,7 +99,8 @@ fn properties(sheet: &mut Sheet<'_>) -> Result<BTreeMap<String, String>, Fault> 
         .collect())
 }
 
-/// Reads the header lines above the columns, up to and including the line that names the axis of each column.
+/// Reads the header lines of an OptiTrack table above the columns, up to and including the line that names the axis of
+/// each column.
 fn heads(sheet: &mut Sheet<'_>) -> Result<Heads, Fault> {
     const EXPECTED: &str = "the line of the axes, from Frame on";
     let mut heads = Heads::default();
@@ -143,7 +145,7 @@ fn heads(sheet: &mut Sheet<'_>) -> Result<Heads, Fault> {
     Err(sheet.fault(0, shown(sheet.cell(0)), EXPECTED))
 }
 
-/// Columns of each track by its type and name.
+/// Columns of each recorded point or body by its type and name.
 fn tracks(heads: &Heads, sheet: &Sheet<'_>) -> Result<Tracks<(String, String)>, Fault> {
     let mut tracks = Tracks::default();
     let at = |row: &[String], index: usize| row.get(index).cloned().unwrap_or_default();

@@ -16,7 +16,7 @@ use crate::take::Take;
 use crate::unit::LengthUnit;
 use crate::words::shown;
 
-/// Number of columns per body: position (3), angles (3), residual (1), rotation matrix (9).
+/// Number of columns per body in a Qualisys table: position (3), angles (3), residual (1), rotation matrix (9).
 const BODY: usize = 16;
 /// Index, within the columns of a body, of the first column of the rotation matrix.
 const MATRIX: usize = 7;
@@ -157,13 +157,14 @@ fn count(
     }
 }
 
-/// Content of a column that precedes those of the first point or body.
+/// Content of a column of a Qualisys table that precedes those of the first point or body.
 enum Fixed {
     Frame,
     Time,
 }
 
-/// Columns that precede those of the first point or body; `tracks` is the number of columns of all points or bodies.
+/// Columns of a Qualisys table that precede those of the first point or body; `tracks` is the number of columns of all
+/// points or bodies.
 fn fixed_columns(
     sheet: &Sheet<'_>,
     titles: Option<&[String]>,

@@ -9,9 +9,9 @@ use crate::take::Take;
 use crate::unit::LengthUnit;
 use crate::words::{listed, shown};
 
-/// Name of the section with the trajectories, the only one that is read.
+/// Name of the section of a Vicon file with the trajectories of points, the only section that is read.
 const SECTION: &str = "Trajectories";
-/// Number of columns before the first point: frame and sub-frame.
+/// Number of columns of a Vicon table before those of the first point: frame and sub-frame.
 const FIXED: usize = 2;
 
 pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Take, Fault> {
@@ -68,7 +68,8 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Take, Fault> {
     layout.samples(&mut sheet, starts_section)
 }
 
-/// Advances to the section with the trajectories; adds a note that lists the sections before it.
+/// Advances to the section of a Vicon file with the trajectories of points; adds a note that lists the sections before
+/// it.
 fn find_section(sheet: &mut Sheet<'_>, notes: &mut Vec<String>) -> Result<(), Fault> {
     let mut skipped: Vec<String> = Vec::new();
     while sheet.advance()? {
@@ -95,7 +96,8 @@ fn find_section(sheet: &mut Sheet<'_>, notes: &mut Vec<String>) -> Result<(), Fa
     ))
 }
 
-/// Labels and column indices of the points. A subject name with which all labels begin is removed from the labels.
+/// Labels and column indices of the points in a Vicon table. A subject name with which all labels begin is removed from
+/// the labels.
 fn points(
     sheet: &Sheet<'_>,
     labels: &[String],
@@ -157,7 +159,7 @@ fn points(
     Ok(found)
 }
 
-/// Unit of the points' coordinates, from the current row; `None` if this row is not a row of units.
+/// Unit of the points' coordinates from the current row of a Vicon table; `None` if this row is not a row of units.
 fn units(sheet: &Sheet<'_>, points: &[(String, [usize; 3])]) -> Result<Option<LengthUnit>, Fault> {
     if !sheet.cell(0).is_empty() {
         return Ok(None);

@@ -13,12 +13,12 @@ use crate::throws::GRAVITY;
 /// aerodynamic forces is computed from the rotation of the spin axis about the velocity. At smaller angles the whole
 /// displacement counts as unknown.
 const MIN_SINE: f64 = 0.2;
-/// Assumed standard deviation of the unknown change of the aerodynamic acceleration, relative to the product of lift
-/// acceleration and wobble angle.
+/// Assumed standard deviation of the unknown change of the aerodynamic acceleration, as a fraction of the product of
+/// lift acceleration and wobble angle (rad).
 const UNKNOWN: f64 = 0.5;
 
-/// Displacements of the centre of mass by the aerodynamic forces that change with the wobble of the spin axis, m, one
-/// row per sample: the `known` part, and the assumed magnitude of the `unknown` part.
+/// Displacements of the centre of mass by aerodynamic forces that change with the wobble of the spin axis, m, one row
+/// per sample. `known` is the computed displacement, `unknown` the assumed magnitude of the rest.
 pub(super) struct AirMotion {
     pub known: DMatrix<f64>,
     pub unknown: DMatrix<f64>,
@@ -67,7 +67,7 @@ pub(super) fn air_motion(
     }
 }
 
-/// Double integral of each column over time by the trapezoidal rule, after subtraction of the column's mean.
+/// Double integral over time of each column of `of` by the trapezoidal rule, after subtraction of the column's mean.
 fn twice_integrated(times: &[f64], of: &DMatrix<f64>) -> DMatrix<f64> {
     let once = |of: &DMatrix<f64>| {
         let mut sums = DMatrix::<f64>::zeros(of.nrows(), of.ncols());

@@ -13,30 +13,30 @@ use super::shape::{Placed, Shape};
 use super::smooth::Smooth;
 use super::{FreeFlight, MIN_SAMPLES, TemplateError, UpVote};
 
-/// Minimum and maximum degree of the polynomial in time that is fitted to a trajectory.
+/// Minimum and maximum degree of the polynomial in time that is fitted to the trajectory of a body point.
 const DEGREES: (usize, usize) = (2, 10);
-/// Maximum degree of the polynomial fitted to a trajectory, per turn of the body. At 1 per turn the polynomial has at
-/// most half as many waves as the body has turns, and so cannot follow the rotation.
+/// Maximum degree, per turn of the body, of the polynomial fitted to the trajectory of a body point. At 1 per turn the
+/// polynomial has at most half as many waves as the body has turns, and so cannot follow the rotation.
 const DEGREES_PER_TURN: f64 = 1.0;
 /// Number of iterations of the estimate of the spin axis and the centre of mass. Each iteration updates the weights of
 /// the samples, the degrees of the polynomials and the displacement of the centre of mass by aerodynamic forces.
 const PASSES: usize = 3;
-/// Criteria for a spin about one axis. The centre of mass solves the normal equations B p = −b, a weighted sum over
-/// samples; the body spins about one axis if the matrix B has one small eigenvalue. The values are the minimum ratio of
-/// the middle eigenvalue to the sum of the weights, and the maximum ratio of the least to the middle eigenvalue.
+/// Criteria for a spin about one axis. The centre of mass p solves the normal equations B p = −b, summed over samples
+/// with weights. For such a spin, the matrix B has one small eigenvalue. The values are the minimum ratio of B's middle
+/// eigenvalue to the sum of the weights, and the maximum ratio of its least to its middle eigenvalue.
 const SPIN: (f64, f64) = (0.05, 0.5);
-/// Minimum ratio of the mean square of the spin axis's wobble to the mean square of its measurement noise for the
-/// height of the centre of mass to be estimated.
+/// Minimum ratio of the mean square of the wobble of the spin axis to the mean square of the axis's measurement noise,
+/// for the height of the centre of mass to be estimated.
 const WOBBLE: f64 = 0.1;
 /// Minimum sine of the elevation of the spin axis at the beginning of a flight for the flight to count in the decision
 /// which direction of the axis points upwards.
 const UPWARDS: f64 = 0.2;
 
-/// Spin axis and centre of mass of the body, in the body-fixed axes of [`Shape`].
+/// Spin axis and centre of mass of a body, in the body-fixed axes of [`Shape`] (marker positions on the body).
 pub(super) struct Centre {
     /// Unit vector along the spin axis, in the direction that points upwards at the beginning of most flights.
     pub axis: Vector3<f64>,
-    /// Covariance of the components of the unit vector `axis` (dimensionless).
+    /// Covariance of the components of the unit vector along the spin axis (dimensionless).
     pub axis_covariance: Matrix3<f64>,
     /// Point of the spin axis at height 0, m; heights are measured along the axis from the mean of the markers.
     pub foot: Vector3<f64>,
@@ -65,11 +65,12 @@ struct Motion {
 /// Quantities that determine the covariance of one pose of the body, per unit variance of a measured coordinate; they
 /// depend only on the markers used for the pose.
 struct PoseNoise {
-    /// Number of markers used for the pose.
+    /// Number of markers from which the pose is computed.
     count: f64,
-    /// Mean position of the used markers in the axes of the shape, m.
+    /// Mean position on the body, in the axes of [`Shape`], of the markers from which the pose is computed, m.
     mean: Vector3<f64>,
-    /// Expected square of the cross-product matrix of the rotation error δ, E([δ]ₓᵀ [δ]ₓ), 1/m².
+    /// Expected square of the cross-product matrix of the rotation error δ of the pose, E([δ]ₓᵀ [δ]ₓ), per unit
+    /// variance of a measured coordinate, 1/m².
     rotation: Matrix3<f64>,
 }
 
@@ -108,7 +109,8 @@ struct Sums {
     noise: Matrix3<f64>,
     right: Vector3<f64>,
     weight: f64,
-    /// Degrees of freedom of the residuals of the poses, from which the measurement noise is estimated.
+    /// Degrees of freedom of the residuals of the poses, summed over all flights; the measurement noise is estimated
+    /// with them.
     freedom: f64,
     /// Contribution to the field `right` of the assumed magnitude of the unknown displacement by aerodynamic forces;
     /// the error of the centre of mass due to this displacement is computed from it.
@@ -161,8 +163,8 @@ pub(super) fn centre(shape: &Shape, flights: &[FreeFlight<'_>]) -> Result<Centre
     })
 }
 
-/// Unit vector of the spin axis: eigenvector of the matrix B of the normal equations in `sums` for the least
-/// eigenvalue; `None` if the body does not spin about one axis.
+/// Unit vector of the spin axis: the eigenvector, for the least eigenvalue, of the matrix B of the normal equations B p
+/// = −b in `sums` for the centre of mass p. `None` if the body does not spin about one axis.
 fn axis_of(sums: &Sums) -> Option<Vector3<f64>> {
     let eigen = SymmetricEigen::new(sums.raw - sums.noise);
     let mut order = [0, 1, 2];
@@ -187,8 +189,8 @@ fn at_height_zero(sums: &Sums, axis: &Vector3<f64>) -> (Vector3<f64>, Vector3<f6
     (-inverse * sums.right, slope, inverse)
 }
 
-/// Estimates the height of the centre of mass along the axis and the standard error of this height, m; `None` if the
-/// axis wobbles too little. `variance` is the variance of a position coordinate with weight 1, m².
+/// Estimates the height of the centre of mass along the spin axis and the standard error of this height, m; `None` if
+/// the axis wobbles too little. `variance` is the variance of a position coordinate with weight 1, m².
 fn height(sums: &Sums, axis: &Vector3<f64>, variance: f64) -> Option<(f64, f64)> {
     let (foot, slope, _) = at_height_zero(sums, axis);
     let direction = axis + slope;
@@ -209,8 +211,8 @@ fn height(sums: &Sums, axis: &Vector3<f64>, variance: f64) -> Option<(f64, f64)>
     ))
 }
 
-/// Weighted mean squares, per degree of freedom, of the residuals after the polynomial fits: those of the direction of
-/// the spin axis (dimensionless) and those of the trajectory of the centre of mass, m².
+/// Weighted mean squares, per degree of freedom, of the residuals after polynomials in time were fitted: those of the
+/// direction of the spin axis (dimensionless) and those of the trajectory of the centre of mass, m².
 fn residuals(motions: &[Motion], point: &Vector3<f64>, axis: &Vector3<f64>) -> (f64, f64) {
     let (mut axes, mut paths, mut axis_freedom, mut freedom) = (0.0, 0.0, 0.0, -3.0);
     for motion in motions {
@@ -230,9 +232,9 @@ fn residuals(motions: &[Motion], point: &Vector3<f64>, axis: &Vector3<f64>) -> (
     )
 }
 
-/// Whether `axis` points upwards at the beginning of most flights (on average over the flights if the numbers of
-/// flights with either direction are equal), and the numbers of flights with the more frequent and with the less
-/// frequent direction; `None` if these numbers are equal.
+/// Whether the spin axis `axis` points upwards at the beginning of most flights (on average over the flights if as many
+/// begin upwards as downwards). Also returns the numbers of flights with the more frequent and with the less frequent
+/// direction; `None` if these numbers are equal.
 fn side(motions: &[Motion], axis: &Vector3<f64>) -> (bool, Option<UpVote>) {
     let heights = motions.iter().map(|motion| {
         let early = (motion.rotations.len() / 10).max(3);

@@ -6,16 +6,17 @@ use super::centre::Centre;
 use super::shape::Shape;
 use super::{CentreHeight, EstimatedMarker, EstimatedTemplate};
 
-/// Maximum standard error, m, at which an estimated height of the centre of mass is used for the template.
+/// Maximum standard error of the estimated height of the centre of mass, m, at which the estimate is used.
 const WORST_HEIGHT: f64 = 0.01;
-/// Minimum distance from the third axis, m, of the marker that the first axis points to.
+/// Minimum distance from the spin axis (third body axis), m, of the marker that the first body axis points to.
 const OFF_AXIS: f64 = 0.005;
 /// Number of parameters, in addition to the marker coordinates, on which the body frame depends: point of the spin axis
 /// at height 0 (3), direction of the axis (3), height of the centre of mass (1).
 const MORE: usize = 7;
 
-/// Assembles the template from the shape and the centre of mass; `stated` is the height of the centre of mass specified
-/// by the user, m. If it is `None`, the estimated height is used if it is accurate enough, otherwise 0.
+/// Assembles the template (marker positions in the body frame) from the shape and the centre of mass. `stated` is the
+/// height of the centre of mass specified by the user, m. If it is `None`, the estimated height is used if it is
+/// accurate enough, otherwise 0.
 pub(super) fn template(
     labels: &[String],
     shape: &Shape,
@@ -89,7 +90,7 @@ pub(super) fn template(
     }
 }
 
-/// Square root of the greatest eigenvalue of a covariance matrix.
+/// Square root of the greatest eigenvalue of a covariance matrix: the greatest standard deviation in any direction.
 fn greatest(covariance: &Matrix3<f64>) -> f64 {
     covariance.symmetric_eigenvalues().max().max(0.0).sqrt()
 }
@@ -111,7 +112,7 @@ fn first_marker(shape: &Shape, centre: &Centre, height: f64) -> usize {
     off.unwrap_or_else(farthest)
 }
 
-/// Marker positions in the body frame, m, whose first axis points to the marker with the index `first`. `values`
+/// Marker positions in the body frame whose first axis points to the marker with the index `first`, m. `values`
 /// contains `size` marker coordinates, the point of the spin axis at the mean height of the markers, the direction of
 /// the spin axis, and the height of the centre of mass, in this order.
 fn placed(values: &DVector<f64>, size: usize, centre: &Centre, first: usize) -> DVector<f64> {

@@ -15,7 +15,7 @@ mod text;
 
 use crate::words::listed;
 
-/// Samples of one free flight.
+/// Times and measured marker positions of the samples of one free flight.
 #[derive(Clone, Copy, Debug)]
 pub struct FreeFlight<'a> {
     /// Times of the samples, s, increasing.
@@ -27,26 +27,27 @@ pub struct FreeFlight<'a> {
 /// Body template estimated from free flights: marker positions and centre of mass, with their uncertainty.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EstimatedTemplate {
-    /// Markers, in the order of the given labels.
+    /// Markers with their estimated positions, in the order of the given labels.
     pub markers: Vec<EstimatedMarker>,
-    /// Standard deviation of one coordinate of a measured position, m.
+    /// Estimated standard deviation of one coordinate of a measured marker position, m.
     pub sigma: f64,
-    /// Source of the position of the centre of mass along the spin axis.
+    /// Source of the height of the centre of mass along the spin axis.
     pub height: CentreHeight,
-    /// Standard error of the direction of the third axis, rad: the greatest over the directions normal to it.
+    /// Standard error of the direction of the third body axis (the spin axis), rad: the greatest over the directions
+    /// normal to it.
     pub tilt_error: f64,
-    /// Number of flights that begin with the third axis upwards and downwards; the direction of the third axis is that
-    /// of the majority. `None` if the two numbers are equal.
+    /// Number of flights that begin with the third body axis (the spin axis) upwards and downwards; the axis points in
+    /// the direction of the majority. `None` if the two numbers are equal.
     pub up: Option<UpVote>,
-    /// Index of the marker that the first axis points to.
+    /// Index of the marker that the first body axis points to.
     pub first: usize,
     /// Number of flights with at least one usable pose.
     pub flights: usize,
-    /// Number of samples whose attitude was determined.
+    /// Number of samples, over all flights, in which the attitude of the body was determined.
     pub samples: usize,
-    /// Number of marker positions left out as outliers.
+    /// Number of measured marker positions left out as outliers.
     pub outliers: usize,
-    /// Number of turns of the body about its axis, summed over all flights.
+    /// Number of turns of the body about its spin axis, summed over all flights.
     pub turns: f64,
 }
 
@@ -55,32 +56,32 @@ pub struct EstimatedTemplate {
 pub struct EstimatedMarker {
     /// Label of the marker in the recording.
     pub label: String,
-    /// Position in the body frame, m.
+    /// Position of the marker in the body frame, m.
     pub position: [f64; 3],
-    /// Standard errors of the position, m. If the height of the centre of mass was not estimated, the third value is
-    /// the error of the marker's height relative to the other markers only.
+    /// Standard errors of the marker position along the body axes, m. If the height of the centre of mass was not
+    /// estimated, the third value is the error of the marker's height relative to the other markers only.
     pub std_error: [f64; 3],
 }
 
-/// Source of the position of the centre of mass along the spin axis. Heights are relative to the mean of the markers.
+/// Source of the height of the centre of mass along the spin axis. Heights are relative to the mean of the markers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CentreHeight {
-    /// Estimated from the wobble of the body in the flights.
+    /// The height is estimated from the wobble of the body in the flights.
     Estimated {
         /// Estimated height of the centre of mass along the spin axis, relative to the mean of the markers, m.
         height: f64,
-        /// Standard error of the height, m.
+        /// Standard error of the estimated height, m.
         std_error: f64,
     },
-    /// Stated by the user.
+    /// The height is stated by the user.
     Stated {
         /// Stated height of the centre of mass along the spin axis, relative to the mean of the markers, m.
         height: f64,
-        /// Estimate of the same height from the flights, for comparison, and its standard error, m; `None` if the
-        /// flights do not determine the height.
+        /// Estimate, from the flights, of the height that the user stated, for comparison, and its standard error, m;
+        /// `None` if the flights do not determine the height.
         shown: Option<(f64, f64)>,
     },
-    /// Assumed to be 0, the mean height of the markers, because the flights do not determine it.
+    /// The height is assumed to be 0, the mean height of the markers, because the flights do not determine it.
     Assumed {
         /// Standard error of the unused estimate of the height from the flights, m; `None` if the spin axis wobbles too
         /// little for an estimate.
@@ -88,12 +89,12 @@ pub enum CentreHeight {
     },
 }
 
-/// Numbers of flights that begin with the third axis upwards and downwards.
+/// Numbers of flights that begin with the third body axis (the spin axis) upwards and downwards.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UpVote {
-    /// Number of flights with the third axis upwards at the release.
+    /// Number of flights with the third body axis upwards at the release.
     pub for_it: usize,
-    /// Number of flights with the third axis downwards at the release.
+    /// Number of flights with the third body axis downwards at the release.
     pub against: usize,
 }
 
@@ -106,10 +107,10 @@ pub enum TemplateError {
         count(labels.len(), "point"), listed(labels)
     )]
     FewPoints {
-        /// Labels of the available points.
+        /// Labels of the points that move as one body.
         labels: Vec<String>,
     },
-    /// A marker is never seen together with enough other markers to fix its position on the body.
+    /// A marker is never seen together with enough other markers to determine its position on the body.
     #[error(
         "found no sample that places {label} among the other points, expected it with 3 others or more, or a template by --markers"
     )]
@@ -164,7 +165,7 @@ impl EstimatedTemplate {
     }
 }
 
-/// Formats a count with its noun in the singular or plural.
+/// Formats a count with its noun in the singular or plural, such as `1 flight` or `2 flights`.
 fn count(number: usize, noun: &str) -> String {
     match number {
         1 => format!("1 {noun}"),

@@ -10,11 +10,12 @@ use crate::throws::{centred, fitted, median};
 /// Maximum number of iterations of the estimate of the marker positions on the body, and number of initial iterations
 /// that also decide which measured positions are outliers.
 const PASSES: (usize, usize) = (60, 8);
-/// Maximum change of any marker position in one iteration, m, at which the estimate of the shape counts as converged.
+/// Maximum change of any marker position on the body in one iteration, m, at which the estimate of these positions
+/// counts as converged.
 const CONVERGED: f64 = 1e-9;
 /// Factors a and b of the maximum sum of squared residuals of a pose, σ² (f + a √(2f) + b), where f is the number of
-/// degrees of freedom and σ the standard deviation of a coordinate. If the sum is greater, a marker position is removed
-/// as an outlier.
+/// degrees of freedom and σ the standard deviation of a measured coordinate. If the sum is greater, a marker position
+/// is removed as an outlier.
 const MISFIT: (f64, f64) = (4.0, 8.0);
 /// Lower bound of the estimated standard deviation of a measured coordinate, m; without it, samples without noise would
 /// count as outliers.
@@ -25,15 +26,15 @@ const FLAT: f64 = 0.05;
 
 /// Marker positions on the body (the shape), and the poses of the body in all samples.
 pub(super) struct Shape {
-    /// Marker positions relative to their mean, m.
+    /// Positions of the markers on the body relative to their mean, m.
     pub points: Vec<Vector3<f64>>,
-    /// Covariance of the marker positions, m²; its rank is 3 × points − 6.
+    /// Covariance of the coordinates of all marker positions on the body, m²; its rank is 3 × number of markers − 6.
     pub covariance: DMatrix<f64>,
-    /// Standard deviation of one coordinate of a measured position, m.
+    /// Estimated standard deviation of one coordinate of a measured marker position, m.
     pub sigma: f64,
-    /// Poses of the samples, by flight.
+    /// Poses of the body in the samples: one list for each flight.
     pub poses: Vec<Vec<Placed>>,
-    /// Number of marker positions left out as outliers.
+    /// Number of measured marker positions left out as outliers.
     pub outliers: usize,
 }
 
@@ -42,13 +43,13 @@ pub(super) struct Shape {
 pub(super) struct Placed {
     /// Index of the sample in its flight.
     pub sample: usize,
-    /// Position in the room, m, of the mean of all marker positions of the shape.
+    /// Position in the room, m, of the point of the body that is the mean of all marker positions.
     pub position: Vector3<f64>,
-    /// Rotation from the body-fixed axes to the axes of the room.
+    /// Rotation matrix from the body-fixed axes to the axes of the room.
     pub rotation: Matrix3<f64>,
-    /// Whether each marker is used for the pose.
+    /// For each marker, whether its measured position is used for the pose.
     pub used: Vec<bool>,
-    /// Sum of squared residuals of the used markers, m².
+    /// Sum of the squared residuals of the pose over the markers used for it, m².
     squares: f64,
 }
 
@@ -216,7 +217,8 @@ fn pose(points: &[Vector3<f64>], row: &Row, used: Vec<bool>, sample: usize) -> O
 }
 
 impl Placed {
-    /// Degrees of freedom of the residuals of the pose.
+    /// Degrees of freedom of the residuals of the pose: number of used coordinates minus number of fitted pose
+    /// parameters.
     fn freedom(&self) -> f64 {
         3.0 * self.used.iter().filter(|used| **used).count() as f64 - 6.0
     }
@@ -248,8 +250,8 @@ fn placed(points: &[Vector3<f64>], rows: &[Row], sigma: f64) -> Vec<Placed> {
     rows.iter().enumerate().filter_map(place).collect()
 }
 
-/// Recomputes each pose in `poses` for the marker positions `points`, from the same markers. Poses that cannot be
-/// computed are left out.
+/// Recomputes each pose in `poses` for the marker positions `points` on the body, from the same markers. Poses that
+/// cannot be computed are left out.
 fn replaced(
     points: &[Vector3<f64>],
     rows: &[Vec<Row>],
@@ -264,7 +266,8 @@ fn replaced(
     each.collect()
 }
 
-/// Robust standard deviation of a coordinate, m, from the median of the samples' squared residuals.
+/// Robust standard deviation of a measured coordinate, m, from the median over the samples of the squared residuals of
+/// the poses.
 fn robust_sigma(poses: &[Vec<Placed>]) -> f64 {
     let each = poses.iter().flatten().map(|pose| {
         // Median of χ² over its degrees of freedom, by Wilson and Hilferty.
@@ -307,8 +310,8 @@ fn means(
     centred(each.collect())
 }
 
-/// Covariance of the marker positions per unit variance of a measured coordinate: pseudo-inverse of the normal matrix
-/// with the poses eliminated. The six directions of a rigid motion of the shape are left out.
+/// Covariance of the marker positions on the body, per unit variance of a measured coordinate: pseudo-inverse of the
+/// normal matrix with the poses eliminated. The six directions of a rigid motion of all markers are left out.
 fn covariance(points: &[Vector3<f64>], poses: &[Vec<Placed>]) -> DMatrix<f64> {
     let size = 3 * points.len();
     let mut normal = DMatrix::<f64>::zeros(size, size);

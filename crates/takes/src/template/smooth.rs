@@ -2,26 +2,26 @@
 
 use nalgebra::DMatrix;
 
-/// Weighted least-squares polynomials in time over the samples of a flight.
+/// Least-squares fits of polynomials in time to weighted samples of a flight.
 pub(super) struct Smooth {
-    /// Square roots of the samples' weights.
+    /// Square roots of the weights of the samples.
     roots: Vec<f64>,
     /// Orthonormal basis of the weighted polynomials, whose values are multiplied by the square roots of the weights:
     /// one row per sample, one column per basis function.
     basis: DMatrix<f64>,
-    /// Matrix that converts the coefficients of a polynomial in the columns of `basis` to those in the Legendre
-    /// polynomials.
+    /// Matrix that converts the coefficients of a polynomial in the columns of `basis` to its coefficients in the
+    /// Legendre polynomials.
     coefficients: DMatrix<f64>,
     /// First and second derivatives of the Legendre polynomials with respect to time, 1/s and 1/s²: one row per sample,
     /// one column per degree from 0.
     derivatives: [DMatrix<f64>; 2],
-    /// Values of the Legendre polynomials: one row per sample, one column per degree from 0.
+    /// Values of the Legendre polynomials at the samples: one row per sample, one column per degree from 0.
     values: DMatrix<f64>,
 }
 
 impl Smooth {
-    /// Prepares polynomials up to a degree for sample times (s) and weights; `None` unless there are more samples than
-    /// coefficients.
+    /// Prepares fits of polynomials up to a degree for sample times (s) and weights; `None` unless there are more
+    /// samples than coefficients.
     pub fn new(times: &[f64], weights: &[f64], degree: usize) -> Option<Self> {
         let (count, columns) = (times.len(), degree + 1);
         if count <= columns {

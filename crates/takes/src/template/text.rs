@@ -2,7 +2,7 @@
 
 use super::{CentreHeight, EstimatedTemplate, count};
 
-/// Formats a length, given in m, in mm.
+/// Formats a length `metres`, given in m, as a text in mm.
 fn mm(metres: f64) -> String {
     format!("{:.1} mm", 1e3 * metres)
 }

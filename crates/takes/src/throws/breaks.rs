@@ -9,15 +9,15 @@ use super::cut::{CUBIC, Fit, FlightEnd, HINGES, JUMPS};
 use super::windows::{SLOW, allowed};
 use super::{GRAVITY, norm};
 
-/// Number of standard errors by which a fitted jump of the velocity or a fitted acceleration must exceed the bound that
-/// applies to it, such as [`TOUCH`] or [`IMPACT`], for the flight to end there.
+/// Number of standard errors by which a fitted jump of the velocity or a fitted acceleration must exceed its bound,
+/// such as [`TOUCH`] or [`IMPACT`], for the flight to end there.
 const CERTAIN: f64 = 4.5;
 /// Minimum jump of the velocity at an impact, m/s; air changes the velocity by less within a sample or two.
 const IMPACT: f64 = 1.0;
 /// Minimum upward jump of the velocity at the ground, m/s. It is small because a body that touches the ground with its
 /// edge begins to turn more than to rise.
 const TOUCH: f64 = 0.2;
-/// Maximum height of the body above its lowest level in the recording at which it may touch the ground, m: the extent
+/// Maximum height of the body above the lowest level of its trajectory at which it may touch the ground, m: the extent
 /// of a thrown body below its centre.
 const REACH: f64 = 0.15;
 /// Height above the lowest level of the trajectory, m, below which an upward jump of the velocity means that the ground
@@ -29,12 +29,12 @@ const SLIGHT: f64 = 0.1;
 const LIKELY: f64 = 2.0;
 /// Minimum time between two descents to the ground that count as separate, s.
 const APART: f64 = 0.5;
-/// Number of lowest samples of a trajectory that are ignored as possible ghost points when its lowest level is
+/// Number of lowest samples of a trajectory that are ignored as possible false (ghost) points when its lowest level is
 /// determined.
 const BELOW: usize = 3;
 
-/// Whether a flight ends at `end`, because the body moves beyond this end in a way that the air cannot cause. `ground`
-/// is the height of the lowest level of the trajectory, m.
+/// Whether a flight ends at `end`, its supposed beginning or end, because the body moves beyond it in a way that the
+/// air cannot cause. `ground` is the height of the lowest level of the trajectory, m.
 pub(super) fn is_break(end: &FlightEnd<'_>, ground: f64) -> bool {
     let Some(changed) = end.best(&HINGES) else {
         return false;
@@ -65,9 +65,9 @@ pub(super) fn is_break(end: &FlightEnd<'_>, ground: f64) -> bool {
     rests || !allowed(velocity, air, CERTAIN * error)
 }
 
-/// Jump of the velocity at the fitted change of motion, m/s, and its standard error on one axis, m/s; `None` if the
-/// fitted velocity does not jump. The velocity is the derivative with respect to the time counted outwards from the
-/// flight; at the beginning of a flight this time runs backwards.
+/// Jump of the velocity at the change of motion that `motion` fits, m/s, and its standard error on one axis, m/s;
+/// `None` if the fitted velocity does not jump. The velocity is the derivative with respect to the time counted
+/// outwards from the flight; at the beginning of a flight this time runs backwards.
 fn velocity_jump(motion: &Fit) -> Option<([f64; 3], f64)> {
     (motion.hinge.first() == Some(&1)).then(|| {
         let jump = [0, 1, 2].map(|axis| motion.coefficients[(CUBIC, axis)]);
@@ -102,15 +102,15 @@ pub(super) fn touches(end: &FlightEnd<'_>, ground: f64) -> bool {
     })
 }
 
-/// Lowest level of a trajectory, m, apart from a few lower samples that may be ghost points.
+/// Lowest height of a trajectory, m, apart from a few lower samples that may be false (ghost) points.
 pub(super) fn lowest(path: &[[f64; 3]]) -> f64 {
     let mut heights: Vec<f64> = path.iter().map(|position| position[2]).collect();
     let place = BELOW.min(heights.len() - 1);
     *heights.select_nth_unstable_by(place, f64::total_cmp).1
 }
 
-/// Whether the height `lowest` of the lowest level of the trajectory, m, is that of the ground, because the body comes
-/// down to it more than once. A single low point may be where a flight turns upwards.
+/// Whether the height `lowest` of the lowest level of the trajectory `path`, m, is that of the ground, because the body
+/// comes down to it more than once. A single low point may be where a flight turns upwards.
 pub(super) fn is_ground(times: &[f64], path: &[[f64; 3]], lowest: f64) -> bool {
     let low = times.iter().zip(path);
     let low = low.filter(|(_, at)| at[2] < lowest + REACH);

@@ -9,26 +9,26 @@ use super::quadratic::quadratic;
 use super::track::Track;
 use super::windows::half;
 
-/// Samples outside the flight that are included in the fit of a change of motion: time span that they cover, s, and
-/// their minimum number.
+/// Samples outside the flight that are included in the fit of a change of motion at its beginning or end: time span
+/// that they cover, s, and their minimum number.
 const BEYOND: (f64, usize) = (0.03, 4);
-/// Number of times per sampling interval that are tried as the time of a change of motion.
+/// Number of times per sampling interval that are tried as the time of a change of motion (release, impact).
 const CANDIDATES: usize = 4;
-/// Number of samples next to a change of motion that are excluded from the flight, since the time of the change is
-/// accurate to only about one sampling interval.
+/// Number of samples next to a change of motion (release, impact) that are excluded from the flight, since the time of
+/// the change is accurate to only about one sampling interval.
 const MARGIN: usize = 1;
 /// Exponents of the hinge terms that are tried for a change of motion. A hinge term is a power of the time from the
 /// change outwards, and 0 inside the flight: the exponent 1 represents a jump of the velocity, 2 a jump of the
 /// acceleration, and 3 a jump of the derivative of the acceleration.
 pub(super) const HINGES: [&[i32]; 4] = [&[2], &[2, 3], &[1], &[1, 2]];
-/// Exponents of the hinge terms that are tried for a touch of the ground, as in `HINGES`: a jump of the velocity, alone
-/// or with a jump of the acceleration.
+/// Exponents of the hinge terms (powers of the time after the touch, 0 before) that are tried for a touch of the
+/// ground: a jump of the velocity, alone or with a jump of the acceleration.
 pub(super) const JUMPS: [&[i32]; 2] = [&[1], &[1, 2]];
 
-/// Number of coefficients of the cubic that describes the flight on one axis.
+/// Number of coefficients of the cubic in time that describes the motion in the flight on one axis.
 pub(super) const CUBIC: usize = 4;
 
-/// A change of the motion at the beginning or the end of a flight.
+/// A change of the motion at the beginning or the end of a flight, such as the release or an impact.
 #[derive(Clone, Debug)]
 pub(super) struct Change {
     /// Sample of the flight next to the change, as index in the track (samples in which the body is seen): the flight's
@@ -85,7 +85,7 @@ pub(super) struct Fit {
 /// Beginning or end of a free flight, with the samples around it to which a change of motion is fitted.
 pub(super) struct FlightEnd<'t> {
     pub track: &'t Track,
-    /// Trajectory of a body point, m.
+    /// Trajectory of the body point whose motion is examined, m: one position for each sample of the track.
     pub path: &'t [[f64; 3]],
     /// Index in the track (samples in which the body is seen) of the first sample of the flight if `early` is true,
     /// otherwise of its last sample.
@@ -124,8 +124,8 @@ impl<'t> FlightEnd<'t> {
         }
     }
 
-    /// Fits a change of motion for each list of exponents in `hinges` and for several times of the change; returns the
-    /// fit with the smallest Bayesian information criterion, or `None` if no fit is possible.
+    /// Fits a change of motion (release, impact) for each list of exponents in `hinges` and for several times of the
+    /// change. Returns the fit with the smallest Bayesian information criterion, or `None` if no fit is possible.
     pub fn best(&self, hinges: &[&'static [i32]]) -> Option<Fit> {
         let mut best: Option<Fit> = None;
         for i in self.near.start..self.near.end.saturating_sub(1) {
@@ -146,7 +146,7 @@ impl<'t> FlightEnd<'t> {
         best
     }
 
-    /// Fit without a change of motion.
+    /// Fit of a cubic in time to the samples, without a change of motion; `None` if no fit is possible.
     pub fn smooth(&self) -> Option<Fit> {
         self.fit(self.track.times[self.last], &[])
     }

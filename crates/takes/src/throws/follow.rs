@@ -7,16 +7,18 @@ use super::track::Track;
 use super::windows::half;
 use super::{FINEST, ThrowOptions, median};
 
-/// Difference between a sample and its prediction, in standard deviations, above which the sample counts as deviating.
+/// Difference between a measured position and its prediction, in standard deviations, above which the sample counts as
+/// deviating.
 const STRANGE: f64 = 4.5;
-/// Number of consecutive samples that must all deviate from their prediction before the predicate [`Checks::is_break`]
-/// decides whether the flight ends there.
+/// Number of consecutive samples that must all deviate from their prediction before it is examined whether the flight
+/// ends there.
 const CONSECUTIVE: usize = 2;
-/// Rate of change of the acceleration in free flight, m/s³, that is tolerated when a sample is compared with its
-/// prediction from a quadratic.
+/// Rate of change of the acceleration in free flight, m/s³, that is tolerated when a measured position is compared with
+/// its prediction from a quadratic in time.
 const JERK: f64 = 60.0;
 
-/// Reason why a flight was not followed further. All indices refer to the track (samples in which the body is seen).
+/// Reason why a flight was not followed further in time. All indices refer to the track (samples in which the body is
+/// seen).
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Stop {
     /// The recording has no further samples in which the body is seen.
@@ -27,7 +29,7 @@ pub(super) enum Stop {
     /// The samples after the one with the index `last` deviate from their prediction. If the flight is followed
     /// backwards in time, "after" means earlier.
     Deviation { last: usize },
-    /// The ground supports the body near the sample with the index `last`.
+    /// The ground supports the body near the sample `last`, an index in the track (samples in which the body is seen).
     Touch { last: usize },
 }
 
@@ -50,14 +52,14 @@ pub(super) struct Checks<'c> {
     /// Predicate that is called when samples deviate from their prediction: whether the flight ends at the track index
     /// given by the first argument. The second argument is true if the samples are examined backwards in time.
     pub is_break: &'c dyn Fn(usize, bool) -> bool,
-    /// Whether the ground supports the body at a sample. Called at every sample that is followed forwards in time,
-    /// since a slight touch may cause no deviation.
+    /// Whether the ground supports the body at a track index (sample in which the body is seen). Called at every sample
+    /// that is followed forwards in time, since a slight touch may cause no deviation from the prediction.
     pub touches: &'c dyn Fn(usize) -> bool,
 }
 
-/// Follows a flight along the trajectory `path` (m) of a body point, backwards and forwards in time from the middle of
-/// `run`, a range of track indices in free flight; `checks` decide where it ends. Returns the reasons why it was not
-/// followed further at its beginning and at its end.
+/// Follows a flight along the trajectory `path` (m) of a body point, backwards and forwards in time, until `checks` end
+/// it. It starts from the middle of `run`, a range of track indices in free flight. Returns the reasons why the flight
+/// was not followed further at its beginning and at its end.
 pub(super) fn follow(
     track: &Track,
     path: &[[f64; 3]],

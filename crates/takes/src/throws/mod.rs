@@ -34,9 +34,9 @@ const FINEST: f64 = 5e-5;
 /// Limits on the duration of flights and of gaps in them, for the search for throws in a recording.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThrowOptions {
-    /// Minimum duration of a free flight, s.
+    /// Minimum duration of a free flight that counts as a throw, s.
     pub shortest: f64,
-    /// Maximum duration of a gap across which a flight is followed, s.
+    /// Maximum duration of a gap in the measurements across which a flight is followed, s.
     pub longest_gap: f64,
 }
 
@@ -67,27 +67,27 @@ pub enum Cause {
     Disturbed,
     /// The body is not seen for a while; the value is the time between the samples before and after this gap, s.
     Gap(f64),
-    /// The recording begins or ends.
+    /// The recording begins or ends during the flight.
     Recording,
 }
 
-/// Beginning or end of a free flight in a recording.
+/// Beginning or end of a free flight in a recording, with its cause.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cut {
     /// Index, in the recording, of the first or the last sample of the free flight.
     pub sample: usize,
-    /// Time of the change of motion that begins or ends the free flight, s.
+    /// Time of the change of motion (release, impact) that begins or ends the free flight, s.
     pub time: f64,
-    /// Cause of the change of motion that begins or ends the free flight.
+    /// Cause of the change of motion that begins or ends the free flight, such as the hand or the ground.
     pub cause: Cause,
 }
 
 /// A throw: one free flight of a body in a recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Throw {
-    /// Beginning of the free flight.
+    /// Beginning of the free flight, with its cause.
     pub release: Cut,
-    /// End of the free flight.
+    /// End of the free flight, with its cause.
     pub end: Cut,
     /// Number of samples within the flight in which the body is not seen.
     pub unseen: usize,
@@ -102,14 +102,14 @@ impl Throw {
     }
 }
 
-/// Throws in a recording, and notes on the search for them.
+/// Throws found in a recording, and notes on the search for them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Throws {
     /// Throws in the order of time.
     pub throws: Vec<Throw>,
     /// Labels of the points that move as one body, or of the tracked body.
     pub labels: Vec<String>,
-    /// Notes on candidates that do not count as throws, such as free motion of too short a duration, with the reason.
+    /// Notes on motions that do not count as throws, such as free motion of too short a duration, with the reason.
     pub notes: Vec<String>,
 }
 
@@ -144,7 +144,7 @@ pub fn find_throws(take: &Take, labels: &[&str], options: &ThrowOptions) -> Thro
     found
 }
 
-/// Ranges of at least 3 consecutive samples around which local quadratic fits (`windows`) show free flight, as indices
+/// Ranges of at least 3 consecutive samples in free flight according to the local quadratic fits `windows`, as indices
 /// in the track (samples in which the body is seen).
 fn runs(track: &Track, windows: &[Option<Window>], options: &ThrowOptions) -> Vec<Range<usize>> {
     let noise = windows::noise(windows);
@@ -245,7 +245,8 @@ fn cause(track: &Track, stop: &Stop, change: &Change, early: bool) -> Cause {
     }
 }
 
-/// Removes flights that are too short or that follow the impact of an earlier flight; adds a note on each.
+/// Removes flights that are too short and flights that only follow the impact of an earlier flight; adds a note on
+/// each.
 fn select(found: &mut Throws, options: &ThrowOptions) {
     let mut kept: Vec<Throw> = Vec::new();
     let mut last_end: Option<Cut> = None;
@@ -285,7 +286,7 @@ fn norm(a: [f64; 3]) -> f64 {
     dot(a, a).sqrt()
 }
 
-/// Distance of two positions, m.
+/// Distance between two positions, m.
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     norm([b[0] - a[0], b[1] - a[1], b[2] - a[2]])
 }

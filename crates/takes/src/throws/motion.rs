@@ -4,8 +4,8 @@ use super::track::Track;
 use super::{distance, norm};
 use crate::take::Take;
 
-/// Maximum time between two samples, in sampling intervals, for the speed and the rate of rotation between the two
-/// samples to be computed; a longer time is a gap.
+/// Maximum time between two samples, in sampling intervals, for the speed and the rate of rotation between them to be
+/// computed; a longer time counts as a gap.
 const GAP: f64 = 1.5;
 
 /// Time series of the motion of a body in a recording; values are not finite where the body is not seen.
@@ -13,12 +13,12 @@ const GAP: f64 = 1.5;
 pub struct Motion {
     /// Times, s: those of the samples, and one within each gap.
     pub times: Vec<f64>,
-    /// Height of the centroid of the followed points, m.
+    /// Height of the centroid of the tracked points at each of `times`, m.
     pub heights: Vec<f64>,
-    /// Speed of the centroid, m/s.
+    /// Speed of the centroid of the tracked points at each of `times`, m/s.
     pub speeds: Vec<f64>,
-    /// Rate of rotation, rad/s, from the angle between consecutive attitudes; `None` if the attitude is not computed. A
-    /// rate above π per sampling interval is aliased to a lower one.
+    /// Rate of rotation of the body, rad/s, from the angle between consecutive attitudes; `None` if the attitude is not
+    /// computed. A rate above π per sampling interval is aliased to a lower one.
     pub rotation: Option<Vec<f64>>,
 }
 
@@ -60,7 +60,8 @@ pub fn motion(take: &Take, labels: &[&str]) -> Option<Motion> {
     Some(motion)
 }
 
-/// Angle between the attitudes of the body at two indices of the track, rad.
+/// Angle of the rotation between the attitudes of the body at two indices of the track (samples in which the body is
+/// seen), rad.
 fn turn(track: &Track, i: usize, j: usize) -> f64 {
     let relative = track.rotation(j) * track.rotation(i).transpose();
     // The sine determines the angle accurately near 0, where the cosine alone does not.

@@ -6,9 +6,10 @@ use super::cluster::rigid_points;
 use crate::take::Take;
 use crate::words::listed;
 
-/// Minimum number of points that move as one body for their attitude to be computed.
+/// Minimum number of points that move as one body for the attitude of the body to be computed.
 const ATTITUDE: usize = 3;
-/// Minimum extent across their longest direction, m, of points that move as one body for their attitude to be computed.
+/// Minimum extent, across their longest direction, of points that move as one body for the attitude of the body to be
+/// computed, m.
 const EXTENT: f64 = 0.01;
 
 /// Motion of the tracked points or of the tracked body in a recording, over the samples in which it is seen.
@@ -16,19 +17,19 @@ pub(super) struct Track {
     pub labels: Vec<String>,
     /// Indices of the samples of the recording in which the body is seen.
     pub samples: Vec<usize>,
-    /// Times of the samples, s.
+    /// Times of the samples in which the body is seen, s.
     pub times: Vec<f64>,
     /// Centroid of the tracked points, or position of the tracked body, at each sample, m.
     pub centres: Vec<[f64; 3]>,
     /// Rotations from the body-fixed axes of the tracked points to the axes of the room, one per sample; empty if the
     /// attitude is not computed.
     rotations: Vec<Matrix3<f64>>,
-    /// Median time between samples, s.
+    /// Median time between consecutive samples in which the body is seen, s.
     pub step: f64,
 }
 
 impl Track {
-    /// Follows the points or the body named in `labels`; if `labels` is empty, the first tracked body or, without one,
+    /// Selects the points or the body named in `labels`; if `labels` is empty, the first tracked body or, without one,
     /// the largest set of points that move as one. Returns `None` and adds a note if the points or the body are seen in
     /// fewer than two samples.
     pub fn new(take: &Take, labels: &[&str], notes: &mut Vec<String>) -> Option<Self> {

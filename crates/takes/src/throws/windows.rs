@@ -7,11 +7,11 @@ use nalgebra::{SMatrix, SVector};
 use super::track::Track;
 use super::{FINEST, GRAVITY, dot, median, norm};
 
-/// Half of the time span of the samples to which a local quadratic is fitted, s.
+/// Half of the time span of the samples to which a quadratic in time is fitted around one sample, s.
 const HALF: f64 = 0.042;
-/// Minimum number of samples on each side of the central sample of a local quadratic fit.
+/// Minimum number of samples on each side of the central sample of a local fit of a quadratic in time.
 const MIN_HALF: usize = 4;
-/// Speed below which a body that does not fall counts as carried or at rest, m/s.
+/// Speed below which a body that is not in free fall counts as carried or at rest, m/s.
 pub(super) const SLOW: f64 = 1.0;
 /// Constants a and b of the maximum aerodynamic acceleration a + b V² of a body in free flight at the speed V: a in
 /// m/s², b in 1/m. For comparison, a shuttlecock, with a terminal speed of 6.8 m/s, has b = 0.21 1/m.
@@ -19,15 +19,16 @@ const AERODYNAMIC: (f64, f64) = (3.0, 0.3);
 /// Maximum aerodynamic acceleration of a body in free flight along its velocity, m/s²: still air does not accelerate a
 /// body forwards, but wind may do so slightly.
 const PUSH: f64 = 2.5;
-/// Maximum ratio of the residual of a local quadratic fit to the standard deviation of a measured position, for the
-/// motion to count as smooth.
+/// Maximum ratio of the standard deviation of the residuals of a local quadratic fit to that of a measured position,
+/// for the motion to count as smooth.
 const SMOOTH: f64 = 2.5;
-/// Prior standard deviation of each coordinate of [`Window::offset`], m.
+/// Prior standard deviation of each coordinate of [`Window::offset`] (position of the smoothly moving body point
+/// relative to the centroid of the points), m.
 const OFFSET: f64 = 0.1;
 /// Standard deviation of a measured position, m, that is assumed for the weight of the prior on [`Window::offset`].
 const TYPICAL: f64 = 1e-3;
 
-/// Quadratic in time fitted to the samples around one sample.
+/// Quadratic in time fitted to the motion of a body in the samples around one sample.
 #[derive(Clone, Debug)]
 pub(super) struct Window {
     pub velocity: [f64; 3],
@@ -35,7 +36,7 @@ pub(super) struct Window {
     /// Position of the body point that moves smoothly (in free flight the centre of mass) relative to the centroid of
     /// the followed points, in the body-fixed axes of these points, m.
     pub offset: [f64; 3],
-    /// Standard deviation of the residuals on one axis, m.
+    /// Standard deviation of the residuals of the quadratic fit on one axis, m.
     pub residual: f64,
     /// Standard error of the fitted acceleration per unit standard deviation of a measured position, 1/s².
     pub spread: f64,
@@ -54,8 +55,8 @@ impl Window {
     }
 }
 
-/// Whether the air can cause the acceleration `air` (without gravity, m/s²) of a body in free flight at a velocity
-/// (m/s); `slack` is the uncertainty of the acceleration, m/s².
+/// Whether aerodynamic forces and wind can cause the acceleration `air` (without gravity, m/s²) of a body in free
+/// flight at a velocity (m/s); `slack` is the uncertainty of the acceleration, m/s².
 pub(super) fn allowed(velocity: [f64; 3], air: [f64; 3], slack: f64) -> bool {
     let speed = norm(velocity);
     let push = dot(air, velocity) / speed.max(1e-9);
@@ -63,13 +64,13 @@ pub(super) fn allowed(velocity: [f64; 3], air: [f64; 3], slack: f64) -> bool {
         && (push <= PUSH + slack || speed <= SLOW)
 }
 
-/// Number of samples on each side of the central sample of a local quadratic fit.
+/// Number of samples on each side of the central sample to which a local quadratic in time is fitted.
 pub(super) fn half(track: &Track) -> usize {
     ((HALF / track.step).round() as usize).max(MIN_HALF)
 }
 
-/// Local quadratic fit around each sample of the track; `None` where there are too few samples for a fit or the samples
-/// span a gap.
+/// Fit of a quadratic in time around each sample of the track; `None` where there are too few samples for a fit or the
+/// samples span a gap.
 pub(super) fn windows(track: &Track) -> Vec<Option<Window>> {
     let half = half(track);
     (0..track.times.len())

@@ -7,7 +7,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use takes::{LengthUnit, ReadOptions, ThrowOptions, TimeUnit, find_throws};
 
-/// Number of randomly damaged files per format; all ten formats together have 20,000.
+/// Number of randomly damaged files per file format; all ten formats together have 20,000.
 const EACH: usize = 2000;
 
 /// Damages a file at one to five random positions: changes, removes, repeats or exchanges bytes, or truncates the file.

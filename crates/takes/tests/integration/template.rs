@@ -15,7 +15,8 @@ fn estimated(made: &Flights, height: Option<f64>) -> Result<EstimatedTemplate, T
     estimate_template(&labels(made.markers.len()), &flights, height)
 }
 
-/// True marker positions, rotated about the third axis so that the marker `first` lies above the first axis.
+/// True marker positions, rotated about the third body axis so that the marker with the index `first` lies above the
+/// first axis.
 fn turned(markers: &[[f64; 3]], first: usize) -> Vec<[f64; 3]> {
     let [x, y, _] = markers[first];
     let (s, c) = (y / x.hypot(y), x / x.hypot(y));
@@ -24,9 +25,9 @@ fn turned(markers: &[[f64; 3]], first: usize) -> Vec<[f64; 3]> {
         .collect()
 }
 
-/// Errors of an estimated marker template: maximum distance from the true positions across the spin axis, m; maximum
-/// difference along the axis, relative to the mean of the markers, m; and error of the estimated height of the centre
-/// of mass in standard errors, `None` if it was not estimated.
+/// Errors of the estimated marker positions on a body: maximum distance from the true positions across the spin axis,
+/// m; maximum difference along the axis, relative to the mean of the markers, m; and error of the estimated height of
+/// the centre of mass in standard errors, `None` if it was not estimated.
 fn errors(made: &Flights, found: &EstimatedTemplate) -> (f64, f64, Option<f64>) {
     let truth = turned(&made.markers, found.first);
     let pairs = || found.markers.iter().zip(&truth);
@@ -40,7 +41,7 @@ fn errors(made: &Flights, found: &EstimatedTemplate) -> (f64, f64, Option<f64>) 
     (across.fold(0.0, f64::max), along.fold(0.0, f64::max), z)
 }
 
-/// Numbers of seeds whose estimated marker template meets a criterion, such as an error below 1 mm.
+/// Numbers of random seeds for which the estimated marker positions meet a criterion, such as an error below 1 mm.
 #[derive(Debug, Default)]
 struct Counts {
     across: usize,
@@ -49,9 +50,10 @@ struct Counts {
     heights_within: usize,
 }
 
-/// Counts the seeds whose estimated markers are within 1 mm of the true ones across the axis, and within 1 mm along it
-/// apart from the error of the centre of mass. Also counts the seeds with an estimated height, and those whose height
-/// is within 1.96 standard errors.
+/// Simulates flights for seeds 0 to `seeds` − 1 and counts the seeds whose estimated marker positions are within 1 mm
+/// of the true ones across the spin axis, and those within 1 mm along it apart from the error of the centre of mass.
+/// Also counts the seeds with an estimated height of the centre of mass, and those whose height is within 1.96 standard
+/// errors.
 fn over_seeds(plan: &Plan, seeds: u64) -> Counts {
     let mut counts = Counts::default();
     let mut squares = 0.0;

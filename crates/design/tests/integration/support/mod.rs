@@ -5,10 +5,10 @@ use flight::throw::Throw;
 use nalgebra::Vector3;
 use oracle::{Chart, Point, derivatives};
 
-/// Step size of the reference integration, s.
+/// Step size of the oracle's integration (independent implementation of the laws of motion), s.
 const STEP: f64 = 1e-3;
 
-/// Compiles a built-in model for flights of throws.
+/// Compiles a built-in model, given by its name, as a body that can be thrown.
 pub fn body(name: &str) -> ThrownBody {
     ThrownBody::new(model_spec::load::load(name, &[]).expect(name)).expect(name)
 }
@@ -83,7 +83,7 @@ pub fn oracle_path(flights: &ThrowFlights<'_>, throw: &Throw) -> Vec<Vector3<f64
     panic!("the flight does not end");
 }
 
-/// Minimum distance between the points of a path and a given point, m.
+/// Minimum distance, m, between the point `to` and a path, given by points that are joined by straight segments.
 pub fn distance(path: &[Vector3<f64>], to: Vector3<f64>) -> f64 {
     let pairs = path.windows(2).map(|pair| {
         let along = pair[1] - pair[0];

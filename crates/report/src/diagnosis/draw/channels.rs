@@ -15,15 +15,15 @@ use crate::fit::thin::stride;
 
 /// Maximum number of load channels (force or moment components) drawn, one figure each.
 const MAX_CHANNELS: usize = 12;
-/// Maximum number of load histories (one for each flight) drawn for each load channel.
+/// Maximum number of time histories (one for each flight) drawn for each load (force or moment component).
 const MAX_HISTORIES: usize = 12;
-/// Maximum number of points drawn for each load history.
+/// Maximum number of points with which a load history is drawn.
 const MAX_POINTS: usize = 120;
 /// Height of the plot area for the load history of one flight, SVG units.
 const TALL: f64 = 84.0;
-/// Space above each plot, SVG units.
+/// Space above the plot area of a load history, SVG units.
 const ABOVE: f64 = 24.0;
-/// Space below each plot, SVG units.
+/// Space below the plot area of a load history, SVG units.
 const BELOW: f64 = 24.0;
 
 /// Draws the time histories of the loads that the model lacks, one figure for each load channel (force or moment
@@ -62,8 +62,8 @@ fn figure(index: usize, channel: &LoadChannel) -> Drawn {
     })
 }
 
-/// Points (time in s, value, standard error) of a load history; points that are not finite are dropped, and the rest
-/// is thinned to at most [`MAX_POINTS`].
+/// Points (time in s, value, standard error) of the time history of a load; points that are not finite are dropped, and
+/// the rest is thinned to at most [`MAX_POINTS`].
 fn points(history: &LoadHistory) -> Vec<[f64; 3]> {
     let all = history.t.iter().zip(&history.value).zip(&history.std_error);
     let all: Vec<[f64; 3]> = all.map(|((t, v), e)| [*t, *v, *e]).collect();
@@ -163,8 +163,8 @@ fn draw(channel: &LoadChannel, title: &str, layout: Layout) -> String {
     svg.finish(title, (layout.width, tall), layout.most, letters)
 }
 
-/// Draws the error band of ±2 standard errors as a closed path. `points` are (time, value, standard error); `x` and `y`
-/// map a time and a value to SVG units.
+/// Draws the error band of ±2 standard errors around a load history as a closed path. `points` are (time, value,
+/// standard error); `x` and `y` map a time and a value to SVG units.
 fn ribbon(svg: &mut Svg, points: &[[f64; 3]], x: &impl Fn(f64) -> f64, y: &impl Fn(f64) -> f64) {
     let upper = points.iter().map(|[t, v, e]| (x(*t), y(v + 2.0 * e)));
     let lower = points.iter().rev().map(|[t, v, e]| (x(*t), y(v - 2.0 * e)));

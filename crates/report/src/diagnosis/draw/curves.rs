@@ -9,10 +9,10 @@ use crate::fit::Drawn;
 use crate::fit::numbers::with_unit;
 use crate::fit::thin::MAX_CURVE_POINTS;
 
-/// Maximum number of curves drawn.
+/// Maximum number of coefficient curves drawn in the report.
 const MAX_CURVES: usize = 24;
 
-/// Whether the effects added to the model change the curve.
+/// Whether the effects that the diagnosis added to the model change the coefficient curve, by more than rounding.
 fn moves(curve: &CoefficientCurve) -> bool {
     let largest = curve
         .before
@@ -23,7 +23,7 @@ fn moves(curve: &CoefficientCurve) -> bool {
     pairs.any(|(b, a)| (a - b).abs() > 1e-9 * largest)
 }
 
-/// Draws each curve that has points; curves that the added effects change come first.
+/// Draws each coefficient curve that has points; curves that the effects added to the model change come first.
 pub(super) fn curves(report: &Report) -> Vec<Drawn> {
     let mut curves: Vec<&CoefficientCurve> =
         report.curves.iter().filter(|c| !c.x.is_empty()).collect();
@@ -85,7 +85,8 @@ fn figure(index: usize, curve: &CoefficientCurve) -> Drawn {
     drawn_panels(&name, &title, caption, Layout::SMALL, &panels)
 }
 
-/// Histogram bars of the number of samples along the curve; empty for fewer than two points.
+/// Histogram bars of the number of samples along the abscissa of the coefficient curve; empty for fewer than two
+/// points.
 fn bars(curve: &CoefficientCurve) -> Vec<Bar> {
     let points = curve.x.iter().zip(&curve.support).take(MAX_CURVE_POINTS);
     let points: Vec<(f64, f64)> = points

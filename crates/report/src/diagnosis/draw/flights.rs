@@ -12,7 +12,7 @@ use crate::fit::thin::stride;
 
 /// Maximum number of flights drawn as one chart row each; more flights are drawn as dots in order of their residual.
 const MAX_ROWS: usize = 16;
-/// Maximum number of flights drawn as dots.
+/// Maximum number of flights drawn as dots, two for each flight.
 const MAX_DOTS: usize = 2000;
 
 /// Draws the RMS residuals of the fitted flights, without and with the effects added to the model; `None` if no effect
@@ -51,7 +51,7 @@ pub(super) fn flights(report: &Report) -> Option<Drawn> {
 }
 
 /// Draws two dots for each flight: its RMS residuals without and with the effects added to the model. Flights are
-/// ordered by the residual without these effects; `noise` is the RMS noise, mm.
+/// ordered by the residual without these effects; `noise` is the RMS measurement noise, mm.
 fn ranked(title: &str, fitted: &[&FlightGain], noise: f64) -> Drawn {
     let sizes = fitted
         .iter()

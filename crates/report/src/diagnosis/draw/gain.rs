@@ -9,11 +9,11 @@ use crate::figures::chart::{Chart, Row, Shape, axis_for};
 use crate::fit::Drawn;
 use crate::fit::draw::not_drawn;
 
-/// Maximum number of held-out flights drawn, one chart row each.
+/// Maximum number of held-out flights whose prediction errors are drawn, one chart row each.
 const MAX_FLIGHTS: usize = 12;
 
-/// Draws the RMS prediction errors, mm, with one chart row for all flights and one for each held-out flight. `None` if
-/// the reduction of the out-of-sample error was not measured.
+/// Draws the RMS prediction errors without and with the effects added to the model, mm: one chart row for all flights
+/// and one for each held-out flight. `None` if the errors were not compared.
 pub(super) fn gain(report: &Report) -> Option<Drawn> {
     let gain = report.gain.as_ref()?;
     let mm = |metres: f64| 1e3 * metres;
@@ -74,7 +74,7 @@ pub(super) fn gain(report: &Report) -> Option<Drawn> {
     Some(drawn_chart("gain", &chart, &caption, Layout::SMALL))
 }
 
-/// Chart row of a flight: RMS error, mm, without and with the effects added to the model.
+/// Chart row of a flight: RMS prediction error or residual, mm, without and with the effects added to the model.
 pub(super) fn row(flight: &FlightGain) -> Row {
     let before = 1e3 * flight.rms_before_m.unwrap_or(f64::NAN);
     let after = flight.rms_after_m.map(|rms| 1e3 * rms);

@@ -65,8 +65,8 @@ impl Figures {
     }
 }
 
-/// Draws the predictions of the held-out flights by the extended model, or by the model under test if it was not
-/// extended. Empty if the fits are not available.
+/// Draws the predictions of the held-out flights by the model with the effects that the diagnosis added, or by the
+/// model under test if none were added. Empty if the fits are not available.
 fn held_out(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
     let Some(fits) = &page.fits else {
         return Vec::new();
@@ -82,8 +82,8 @@ fn held_out(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
     described.collect()
 }
 
-/// Creates a figure with a description for screen readers from its caption and CSV table (`texts`); see
-/// [`Drawn::in_layouts`].
+/// Creates a figure from its caption and CSV table (`texts`) by calling `draw` for the layout `wide` and for narrow
+/// screens. The caption also becomes the description for screen readers.
 pub(super) fn drawn(
     name: &str,
     title: &str,
@@ -97,7 +97,7 @@ pub(super) fn drawn(
     })
 }
 
-/// Creates a figure of panels, with a description for screen readers.
+/// Creates a figure of panels; the caption also becomes the description for screen readers.
 pub(super) fn drawn_panels(
     name: &str,
     title: &str,
@@ -109,7 +109,7 @@ pub(super) fn drawn_panels(
     drawn(name, title, texts, wide, |l| figure_of(l, title, panels))
 }
 
-/// Creates a figure of a chart, with a description for screen readers.
+/// Creates a figure of a chart; the caption also becomes the description for screen readers.
 pub(super) fn drawn_chart(name: &str, chart: &Chart, caption: &str, wide: Layout) -> Drawn {
     let texts = [caption.to_owned(), chart.csv()];
     drawn(name, &chart.title, texts, wide, |l| chart.draw(l))

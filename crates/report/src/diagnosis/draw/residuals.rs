@@ -10,11 +10,11 @@ use crate::figures::{Dots, Layout, Look, Panel};
 use crate::fit::Drawn;
 use crate::fit::draw::residuals::{FlightsOfRole, flights_of, panel, residual_figure};
 
-/// Maximum number of dots of each series on a narrow screen.
+/// Maximum number of dots of each series of residuals in the version of a figure for narrow screens.
 const NARROW_DOTS: usize = 400;
 
-/// Draws one figure for the residuals of the fitted flights and one for the held-out flights; no figure for a role
-/// without flights.
+/// Draws one figure for the residuals of the fitted flights and one for those of the held-out flights. A figure without
+/// flights is omitted.
 pub(super) fn residuals(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
     let sigma = page.report.noise.sigma_m;
     let figure = |before: FlightsOfRole<'_>| {
@@ -40,8 +40,8 @@ pub(super) fn residuals(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
     FlightsOfRole::all(page.before).map(figure).collect()
 }
 
-/// Panel of one axis, with index `axis` and name `name`: residuals of the model under test (`before`) in grey, with
-/// residuals of the extended model (`after`) drawn on top. `sigma` is the standard deviation of the noise, m.
+/// Panel of the residuals along one axis, with index `axis` and name `name`: those of the model under test (`before`)
+/// in grey, with those of the extended model (`after`) drawn on top. `sigma` is the standard deviation of the noise, m.
 fn both(
     before: &[&FlightEvidence],
     after: &[&FlightEvidence],

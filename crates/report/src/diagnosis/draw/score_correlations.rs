@@ -8,13 +8,13 @@ use crate::figures::csv::Table;
 use crate::figures::svg::{Svg, cut};
 use crate::fit::Drawn;
 
-/// Maximum number of coefficients drawn.
+/// Maximum number of coefficients in the drawn matrix of score correlations.
 const MAX_COEFFICIENTS: usize = 25;
-/// Number of steps of the colour scale in the legend.
+/// Number of steps of the colour scale in the legend of the score correlations.
 const STEPS: usize = 40;
 
-/// Draws the score correlations of the coefficients of the most significant effects; `None` for fewer than two
-/// coefficients.
+/// Draws the correlations between the effective scores of the coefficients of the most significant candidate effects;
+/// `None` for fewer than two coefficients.
 pub(super) fn score_correlations(report: &Report) -> Option<Drawn> {
     let all = &report.score_correlations.names;
     let order = strongest(report);
@@ -131,8 +131,8 @@ fn draw(report: &Report, order: &[usize], title: &str, layout: Layout) -> String
     )
 }
 
-/// Draws a cell of the given size, with its upper left corner at `place`, SVG units. Its opacity increases with the
-/// absolute correlation `value`; a value that is not finite is shown in a separate colour.
+/// Draws a cell of the correlation matrix with the given size and its upper left corner at `place`, SVG units. Its
+/// opacity increases with the absolute correlation `value`; a value that is not finite is shown in a separate colour.
 fn shade(svg: &mut Svg, value: f64, place: (f64, f64), size: (f64, f64)) {
     if value.is_finite() {
         svg.veil("alike", 0.05 + 0.95 * value.abs().min(1.0), place, size);

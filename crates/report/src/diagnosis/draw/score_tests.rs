@@ -9,11 +9,11 @@ use crate::figures::chart::{Axis, Chart, Row, Shape};
 use crate::fit::Drawn;
 use crate::fit::draw::not_drawn;
 
-/// Maximum number of candidate effects drawn.
+/// Maximum number of candidate effects whose score tests are drawn.
 const MAX_CANDIDATES: usize = 60;
 
-/// Draws the equivalent z of each candidate effect's score test as a bar, the most significant first; `None` if there
-/// are no candidates.
+/// Draws the score test of each candidate effect as a bar of the equivalent standard normal quantile z, the most
+/// significant first; `None` if there are no candidates.
 pub(super) fn score_tests(report: &Report) -> Option<Drawn> {
     let mut all: Vec<&CandidateTest> = report.candidates.iter().collect();
     // Candidates without a finite z-equivalent come last.

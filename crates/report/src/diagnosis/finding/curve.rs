@@ -12,27 +12,28 @@ use crate::angle::{is_angle, is_angle_state};
 use crate::bands::{covariance, std_error};
 use crate::figures::axis::range;
 
-/// Number of intervals into which the range of the abscissa is divided.
+/// Number of intervals into which the range of a curve's abscissa is divided.
 const INTERVALS: usize = 32;
 /// Minimum number of samples in an interval of the abscissa for the curve to have a point there, and maximum number of
-/// samples of an interval at which the quantity is evaluated.
+/// samples of an interval at which the plotted quantity is evaluated.
 const SAMPLES: (usize, usize) = (4, 7);
 /// Maximum number of samples, over all flights, from which the curve is computed.
 const MAX_SAMPLES: usize = 20_000;
-/// Quantiles of the abscissa between which the curve is drawn.
+/// Quantiles of the abscissa, over the samples, between which the curve is drawn.
 const QUANTILES: (f64, f64) = (0.005, 0.995);
-/// Minimum change of the quantity along the curve, relative to its largest absolute value, for the curve to be drawn.
+/// Minimum change of the plotted quantity along the curve, relative to its largest absolute value, for the curve to be
+/// drawn.
 const FLAT: f64 = 1e-6;
 
 /// Curve of a quantity of the extended model (with the found effects) over a variable, and the same quantity of the
 /// model under test at the same states.
 #[derive(Clone, Debug, PartialEq)]
 pub(in super::super) struct Curve {
-    /// Name of the quantity in the model.
+    /// Name, in the model, of the quantity that the curve shows.
     pub(in super::super) quantity: String,
-    /// Description of the quantity, from its documentation; empty if it has none.
+    /// Description of the plotted quantity, from its documentation; empty if it has none.
     pub(in super::super) doc: String,
-    /// SI unit of the quantity, as text.
+    /// SI unit of the plotted quantity, as text.
     pub(in super::super) unit: String,
     /// Name of the variable on the abscissa.
     pub(in super::super) over: String,
@@ -44,16 +45,17 @@ pub(in super::super) struct Curve {
     pub(in super::super) points: Vec<Point>,
 }
 
-/// Point of a curve: medians of the values at samples within one interval of the abscissa.
+/// Point of a curve: medians, over the samples within one interval of the abscissa, of the variable and of the plotted
+/// quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in super::super) struct Point {
     /// Value of the variable on the abscissa, in degrees for angles, otherwise SI.
     pub(in super::super) x: f64,
-    /// Value of the quantity in the model under test, SI; NaN if this model lacks the quantity.
+    /// Value of the plotted quantity in the model under test, SI; NaN if this model lacks the quantity.
     pub(in super::super) before: f64,
-    /// Value of the quantity in the extended model, SI.
+    /// Value of the plotted quantity in the extended model, SI.
     pub(in super::super) after: f64,
-    /// Standard error of the value in the extended model, SI.
+    /// Standard error of the plotted quantity in the extended model, SI.
     pub(in super::super) error: f64,
     /// Number of samples in the interval of the abscissa, including those at which the quantity was not evaluated.
     pub(in super::super) samples: usize,
@@ -62,7 +64,7 @@ pub(in super::super) struct Point {
 /// Variable on the abscissa of a curve.
 struct Abscissa<'m> {
     name: &'m str,
-    /// SI unit, as text.
+    /// SI unit of the variable, as text.
     unit: String,
     /// Documentation of an auxiliary variable; empty for other variables.
     doc: &'m str,
@@ -70,18 +72,17 @@ struct Abscissa<'m> {
     column: Column,
 }
 
-/// Where the values of a variable are found in the data of a flight.
+/// Location of the values of a variable in the data of a flight.
 #[derive(Clone, Copy)]
 enum Column {
     State(usize),
-    /// Index among the quantities of the compiled model.
+    /// Index of an auxiliary variable among the quantities of the compiled model.
     Quantity(usize),
     Time,
 }
 
-/// Computes the curve of a scalar auxiliary variable over another variable on which it depends. Searches the auxiliary
-/// variables that the effects named in `effects` add or replace, and returns the first curve that is not flat; `None`
-/// if there is none.
+/// Searches the scalar auxiliary variables that the effects named in `effects` add or replace. Returns the curve of the
+/// first one that is not constant, over another variable on which it depends; `None` if there is none.
 pub(super) fn of<'n>(fits: &Fits<'_>, effects: impl IntoIterator<Item = &'n str>) -> Option<Curve> {
     let after = fits.after?;
     let model = &after.problem().model;
@@ -258,8 +259,8 @@ fn points(samples: &[Sample<'_>], models: &Models<'_>) -> Vec<Point> {
     }
 }
 
-/// Fits of the model under test and of the extended model, with which the drawn quantity is evaluated at a sample. Its
-/// standard error follows from the covariance matrix of the extended model's coefficients.
+/// Fits of the model under test and of the extended model, with which the drawn quantity is evaluated at a sample. The
+/// standard error of the quantity follows from the covariance matrix of the extended model's coefficients.
 struct Models<'f> {
     before: &'f Fit,
     after: &'f Fit,
@@ -267,9 +268,10 @@ struct Models<'f> {
     /// Index of the drawn quantity in the model under test (`None` if that model lacks the quantity), and in the
     /// extended model.
     positions: (Option<usize>, usize),
-    /// Finite-difference step of each global parameter: its standard error, SI.
+    /// Finite-difference step for the derivative with respect to each global parameter: its standard error, SI; 0 if it
+    /// has none.
     steps: Vec<f64>,
-    /// Correlation matrix of the global parameters; 0 for parameters without a standard error.
+    /// Correlation matrix of the parameters common to all flights; 0 for parameters without a standard error.
     correlations: DMatrix<f64>,
 }
 
@@ -308,8 +310,8 @@ impl<'f> Models<'f> {
         }
     }
 
-    /// At a sample: value of the quantity in the model under test, value in the extended model, and standard error of
-    /// the value in the extended model.
+    /// At a sample: value of the drawn quantity in the model under test, value in the extended model, and standard
+    /// error of the value in the extended model.
     fn values(&self, sample: &Sample<'_>) -> [f64; 3] {
         let (before, after) = self.flights[sample.flight];
         let unextended = match (before, self.positions.0) {

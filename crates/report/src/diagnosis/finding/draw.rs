@@ -10,9 +10,9 @@ use crate::figures::{Bar, Layout, Line, Panel, symbol};
 use crate::fit::Drawn;
 use crate::fit::numbers::{Digits, unit, with_unit};
 
-/// File name, without suffix, of the figure in the opening section of the report.
+/// File name, without suffix, of the figure in the opening section of the diagnosis report.
 const NAME: &str = "finding";
-/// Maximum number of rows of a chart.
+/// Maximum number of rows of a chart, each for a coefficient or a candidate effect.
 const MAX_ROWS: usize = 10;
 /// Half width of a 95 % confidence interval, in standard errors.
 const WIDTH_95: f64 = 1.96;
@@ -61,8 +61,8 @@ pub(super) fn curve(curve: &Curve) -> Drawn {
     drawn_panels(NAME, &title, caption, Layout::COLUMN, &panels)
 }
 
-/// Draws the estimated coefficients of the first hypothesis, in units of their smallest effect sizes of interest if all
-/// are declared, otherwise in standard errors. `None` if there are no estimates.
+/// Draws the estimated coefficients of the hypothesis that fits best, in units of their smallest effect sizes of
+/// interest if all are declared, otherwise in standard errors. `None` if there are no estimates.
 pub(super) fn estimates(report: &Report) -> Option<Drawn> {
     let effects = report.causes.first()?.effects.iter();
     let all = effects.flat_map(|e| &e.estimates);
@@ -115,7 +115,8 @@ pub(super) fn estimates(report: &Report) -> Option<Drawn> {
     Some(drawn_chart(NAME, &chart, caption, Layout::COLUMN))
 }
 
-/// Draws the most significant score tests with the significance threshold; `None` if there are no candidates.
+/// Draws the most significant score tests of candidate effects with the significance threshold; `None` if there are no
+/// candidates.
 pub(super) fn strongest(report: &Report) -> Option<Drawn> {
     let mut all: Vec<&CandidateTest> = report.candidates.iter().collect();
     all.retain(|c| c.z.is_finite());

@@ -10,8 +10,8 @@ use crate::fit::numbers::{Digits, percent, plain, significant, unit};
 use crate::fit::page::sentence;
 use crate::fit::words::names;
 
-/// Minimum absolute ratio of an estimate to its standard error at which the report calls the effect far beyond chance.
-/// The threshold is so high that chance does not reach it even in a large number of diagnoses.
+/// Minimum absolute ratio of an effect's estimate to its standard error at which the report calls the effect far beyond
+/// chance. The threshold is so high that chance does not reach it even in a large number of diagnoses.
 const BEYOND_CHANCE: f64 = 8.0;
 /// Bonferroni-corrected p-value above which the report attributes the test result of the strongest remaining candidate
 /// effect to chance.
@@ -74,7 +74,8 @@ fn joined(parts: impl IntoIterator<Item = String>) -> String {
     parts.collect::<Vec<_>>().join(" ")
 }
 
-/// Sentences that describe the effects of the hypothesis `cause`.
+/// Sentences that describe the effects of the hypothesis `cause`, one of those that may explain the misfit of the
+/// model.
 fn says(cause: &Cause) -> String {
     let each = cause.effects.iter().map(|effect| match effect.doc.trim() {
         "" => sentence(&words::readable(&effect.name)),

@@ -9,10 +9,10 @@ const WIDTH: f64 = 360.0;
 const LETTERS: f64 = 13.0;
 /// Maximum number of coefficients in the drawn correlation matrix.
 const MAX_COEFFICIENTS: usize = 40;
-/// Maximum number of coefficients for which the values are printed in the cells.
+/// Maximum number of coefficients for which the correlations are printed in the cells of the matrix.
 const MAX_WRITTEN: usize = 12;
-/// Maximum number of coefficients for which the diagonal shows the names of the coefficients; for more coefficients, it
-/// shows their row indices.
+/// Maximum number of coefficients for which the diagonal of the drawn matrix shows their names; for more coefficients,
+/// it shows their row indices.
 const MAX_NAMED: usize = 8;
 
 /// Draws the lower triangle of the correlation matrix of the estimated coefficients; `None` for fewer than two.
@@ -105,14 +105,14 @@ fn scale(svg: &mut Svg, left: f64, top: f64) {
     }
 }
 
-/// Formats a correlation briefly, such as `−.87`, for a cell of width `side`, SVG units.
+/// Formats a correlation without a leading zero, such as `−.87`, for a cell of width `side`, SVG units.
 fn short(value: f64, side: f64) -> String {
     let text = plain(value, if side < 27.0 { 1 } else { 2 });
     text.replacen("0.", ".", 1)
 }
 
-/// Colour of a cell: from blue (−1) through white (0) to orange (1), distinguishable for the colour-blind; grey if
-/// not finite.
+/// Colour of a cell of the correlation matrix: from blue (−1) through white (0) to orange (1), distinguishable for the
+/// colour-blind; grey if not finite.
 fn colour(value: f64) -> String {
     if !value.is_finite() {
         return "#bbb".to_owned();

@@ -7,7 +7,7 @@ use super::super::Drawn;
 use super::not_drawn;
 use crate::figures::{Bar, Layout, Panel};
 
-/// Minimum number of flights for which the histogram is drawn.
+/// Minimum number of fitted flights for which the histogram of their residuals is drawn.
 const MIN_FLIGHTS: usize = 8;
 
 /// Draws the histogram of the RMS residuals (mm) of the fitted flights; `None` for fewer than [`MIN_FLIGHTS`] flights.

@@ -34,7 +34,7 @@ pub(crate) fn not_drawn(number: usize, what: &str) -> String {
     }
 }
 
-/// Range of sample indices for which times, measurements and predictions all exist.
+/// Range of the indices of the samples for which times, measurements and predictions all exist.
 fn samples(flight: &FlightEvidence) -> std::ops::Range<usize> {
     let lengths = [flight.measured.len(), flight.predicted.len()];
     0..lengths.into_iter().fold(flight.times.len(), usize::min)
@@ -44,7 +44,7 @@ fn samples(flight: &FlightEvidence) -> std::ops::Range<usize> {
 struct MeasuredPoint {
     /// Time of the sample, s.
     time: f64,
-    /// Index of the marker.
+    /// Index of the marker among the markers of the flight.
     marker: usize,
     /// Measured position, m.
     measured: [f64; 3],

@@ -7,9 +7,9 @@ use crate::figures::Layout;
 use crate::figures::chart::{Axis, Chart, Row, Shape};
 use crate::fit::numbers::percent;
 
-/// Minimum and maximum of the axis of relative standard errors, %.
+/// Minimum and maximum of the chart axis on which relative standard errors are drawn, %.
 const AXIS: (f64, f64) = (0.1, 1e3);
-/// Maximum number of coefficients drawn, one chart row each.
+/// Maximum number of coefficients whose relative standard errors are drawn, one chart row each.
 const MAX_ROWS: usize = 24;
 
 /// Draws the relative standard error of each estimated coefficient, the smallest first; `None` if no coefficient was

@@ -9,9 +9,9 @@ use super::{points, samples};
 use crate::bands::{PredictionBand, prediction_band};
 use crate::figures::{Dots, Layout, Look, Mark, Panel};
 
-/// Maximum number of flights drawn, one figure each.
+/// Maximum number of held-out flights whose prediction errors are drawn, one figure each.
 const MAX_FLIGHTS: usize = 6;
-/// Maximum number of dots of a series.
+/// Maximum number of dots with which a series of prediction errors is drawn.
 const MAX_DOTS: usize = 400;
 /// Half width of a 95 % confidence interval, in standard errors.
 const WIDTH_95: f64 = 1.96;
@@ -96,7 +96,7 @@ fn figure(
     Drawn::of_panels(name, &flight.file, caption, Layout::SMALL, &panels)
 }
 
-/// Times (s) and prediction errors (mm) along one axis, for all markers, without outliers.
+/// Times (s) and prediction errors (mm) of a flight along one axis, for all markers, without outliers.
 fn errors(flight: &FlightEvidence, axis: usize) -> Vec<(f64, f64)> {
     let points = points(flight, flight.markers.len()).filter(|point| !point.is_outlier);
     let errors = points.map(|point| (point.time, point.residual[axis]));

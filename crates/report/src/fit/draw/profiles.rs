@@ -7,9 +7,10 @@ use super::super::Drawn;
 use super::super::numbers::{Digits, raised, unit};
 use crate::figures::{Dots, Layout, Line, Look, Mark, Panel};
 
-/// Deviance above which a value of the coefficient is rejected at the 5 % level: 95 % quantile of χ²(1).
+/// Deviance of the profile likelihood above which a value of the coefficient is rejected at the 5 % level: 95 %
+/// quantile of χ²(1).
 const LEVEL: f64 = 3.84;
-/// Maximum number of profiles drawn.
+/// Maximum number of profile likelihoods drawn, one figure each.
 const MAX_PROFILES: usize = 24;
 
 /// Draws one figure for each profile likelihood in the report.

@@ -10,25 +10,25 @@ use super::{MAX_FLIGHTS, points, samples};
 use crate::figures::csv::of_panels;
 use crate::figures::{Dots, Layout, Look, Mark, Panel, figure_of};
 
-/// Maximum number of dots in a panel, over all markers.
+/// Maximum number of residuals drawn as dots in a panel, over all markers.
 const MAX_DOTS: usize = 1500;
-/// Maximum number of dots for each marker on a narrow screen.
+/// Maximum number of residuals drawn as dots for each marker on a narrow screen.
 const NARROW_DOTS: usize = 150;
 
 /// Flights of one role (fitted or held out), whose residuals are drawn in one figure.
 pub(crate) struct FlightsOfRole<'e> {
-    /// File name of the figure without suffix.
+    /// File name, without suffix, of the figure of residuals.
     pub(crate) name: &'static str,
-    /// Title of the figure.
+    /// Title of the figure of residuals.
     pub(crate) title: &'static str,
-    /// Flights among the first [`MAX_FLIGHTS`] flights; the figures show no others.
+    /// Flights of this role among the first [`MAX_FLIGHTS`] flights of the evidence, which are the only ones drawn.
     pub(crate) flights: Vec<&'e FlightEvidence>,
     /// Sentences at the end of the caption: the meaning of the residuals, and the files of the flights.
     pub(crate) notes: String,
 }
 
 impl<'e> FlightsOfRole<'e> {
-    /// The fitted flights, then the held-out flights; a role without flights is left out.
+    /// Groups the flights by role: the fitted flights, then the held-out flights; a role without flights is left out.
     pub(crate) fn all(evidence: &'e [FlightEvidence]) -> impl Iterator<Item = FlightsOfRole<'e>> {
         let kinds = [
             (
@@ -73,7 +73,7 @@ pub(crate) fn flights_of(evidence: &[FlightEvidence], role: Role) -> Vec<&Flight
     drawn.filter(|f| f.role == role).collect()
 }
 
-/// Draws panels of residuals; in any layout but the widest with at most `dots` dots of each series.
+/// Draws panels of residuals. In any layout but the widest, each series has at most `dots` dots.
 pub(crate) fn residual_figure(
     layout: Layout,
     title: &str,
@@ -90,8 +90,8 @@ pub(crate) fn residual_figure(
     figure_of(layout, title, &fewer)
 }
 
-/// Draws one figure for the residuals of the fitted flights and one for the held-out flights; no figure for a role
-/// without flights.
+/// Draws one figure for the residuals of the fitted flights and one for those of the held-out flights. A figure without
+/// flights is omitted.
 pub(in super::super) fn residuals(evidence: &[FlightEvidence], noise: &NoiseReport) -> Vec<Drawn> {
     let figure = |of: FlightsOfRole<'_>| {
         let axes = ["x", "y", "z"].into_iter().enumerate();

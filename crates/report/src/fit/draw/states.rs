@@ -12,7 +12,7 @@ use crate::figures::{Layout, Line, Panel, StateLabel, panels_of_states, symbol};
 /// Maximum ratio of the peak magnitudes of two states that share a panel. In a small panel, the nutation of the
 /// angular rates must remain visible next to the spin.
 const APART: f64 = 3.0;
-/// Maximum number of states drawn in a figure.
+/// Maximum number of states that a figure of one flight shows.
 const MAX_LINES: usize = 24;
 /// Quantities that are drawn in addition to the states if the model defines them: name, title and unit.
 const QUANTITIES: [(&str, &str, &str); 3] = [
@@ -85,7 +85,7 @@ fn state_panels(flight: &FlightEvidence, model: &Model) -> Vec<Panel> {
     })
 }
 
-/// Points (time in s, value) of the column with the index `at` of a table whose rows are the samples.
+/// Points (time in s, value) of column `at` of a table with one row for each sample of the flight.
 fn column(flight: &FlightEvidence, table: &[Vec<f64>], at: usize) -> Vec<(f64, f64)> {
     let value = |s: usize| table.get(s).and_then(|row| row.get(at)).copied();
     let points = samples(flight).map(|s| (flight.times[s], value(s).unwrap_or(f64::NAN)));

@@ -8,9 +8,9 @@ use super::{MAX_FLIGHTS, MeasuredPoint, not_drawn, points, predicted, samples};
 use crate::figures::axis::range;
 use crate::figures::{Dots, Layout, Line, Look, Panel};
 
-/// Maximum number of markers drawn: the number of distinct line colours.
+/// Maximum number of markers whose paths are drawn: the number of distinct line colours.
 const MAX_MARKERS: usize = 4;
-/// Maximum number of dots for each marker; more dots would hide the line.
+/// Maximum number of measured positions drawn as dots for each marker; more dots would hide the line of the prediction.
 const MAX_DOTS: usize = 80;
 
 /// Draws the measured and predicted marker paths of each flight: top view, and height over time.
@@ -30,7 +30,7 @@ fn map(flight: &FlightEvidence) -> Panel {
     panel(flight, |_, p| (p[0], p[1]))
 }
 
-/// Aspect ratio (height over width) of a top view, including a margin of 10 %.
+/// Height of a top view divided by its width, including a margin of 10 %.
 fn shape(map: &Panel) -> f64 {
     let points = || map.lines.iter().flat_map(|line| &line.points);
     let (x, y) = (range(points().map(|p| p.0)), range(points().map(|p| p.1)));

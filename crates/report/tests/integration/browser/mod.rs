@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
-/// Names of the programs that are tried as browser.
+/// Names of the programs that are tried in turn as the web browser of the tests.
 const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];
 
 /// Maximum time to wait until a condition becomes true in the browser.

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use diagnose::*;
 use identify::FlightEvidence;
 
-/// Standard deviation of the noise, m.
+/// Standard deviation of the noise of a measured marker coordinate in the example, m.
 const SIGMA: f64 = 0.0015;
-/// Candidate effects of the example diagnosis: name, coefficient, unit, quantity on which the effect acts, score
-/// statistic.
+/// Candidate effects (possible model extensions) of the example diagnosis: name, coefficient, unit, quantity on which
+/// the effect acts, score statistic.
 const LOOKED_FOR: [(&str, &str, &str, &str, f64); 26] = [
     ("zero-lift-drag-angle", "alpha_0", "rad", "drag", 812.4),
     ("cubic-drag", "C_Daaa", "1/rad^3", "drag", 604.2),
@@ -70,7 +70,7 @@ fn cause(at: usize, value: f64, std_error: f64) -> Cause {
     }
 }
 
-/// Example of a diagnosis report with the given verdict.
+/// Example of a diagnosis report with the given verdict on the given flights.
 pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
     let extended = matches!(
         verdict,
@@ -323,7 +323,7 @@ fn outside(flights: &[FlightEvidence]) -> Unattributed {
     }
 }
 
-/// Returns the flights with predictions of a model that lacks an effect: the prediction error grows with time.
+/// Returns the flights with predictions of a model that lacks an effect, so that the prediction error grows with time.
 pub fn without(flights: &[FlightEvidence]) -> Vec<FlightEvidence> {
     let mut flights = flights.to_vec();
     for (i, flight) in flights.iter_mut().enumerate() {
@@ -336,7 +336,7 @@ pub fn without(flights: &[FlightEvidence]) -> Vec<FlightEvidence> {
     flights
 }
 
-/// Text of an effect in the model language.
+/// Text of an example effect (optional model extension) in the model language.
 pub const EXTENDED: &str = "/// The drag is least near the angle of zero lift.
 effect zero_lift_drag_angle on disc {
   site drag;

@@ -22,7 +22,7 @@ impl Random {
     }
 }
 
-/// Standard deviation of the noise, m.
+/// Standard deviation of the noise of a measured marker coordinate in the example, m.
 const SIGMA: f64 = 0.0015;
 
 /// Example of a disc flight with three markers and a sample rate of 120 Hz.
@@ -94,7 +94,7 @@ pub fn flight(number: usize, samples: usize) -> FlightEvidence {
     flight
 }
 
-/// Measurements and predictions of `flights` example flights, to be drawn.
+/// Measurements and predictions of `flights` example flights, as input of the figures.
 pub fn evidence(flights: usize) -> Vec<FlightEvidence> {
     (1..=flights)
         .map(|n| flight(n, 110 + 10 * (n % 4)))

@@ -28,14 +28,14 @@ fn scaled(a: V, s: f64) -> V {
     a.map(|x| s * x)
 }
 
-/// A disc, by its coefficients of force × ½ρA / mass, 1/m, and of moment × ½ρAd / moment of inertia about a diameter,
-/// 1/m².
+/// A disc, given by its coefficients: those of force times ½ρA / mass, 1/m, and those of moment times ½ρAd / moment of
+/// inertia about a diameter, 1/m².
 struct Disc {
     lift: (f64, f64),
     drag: (f64, f64),
     pitch: f64,
     damping: f64,
-    /// Moment of inertia about the axis / moment of inertia about a diameter.
+    /// Moment of inertia about the spin axis divided by that about a diameter.
     ratio: f64,
 }
 
@@ -113,7 +113,8 @@ impl Disc {
     }
 }
 
-/// Simulates a free flight, recorded in m with z up; also returns the maximum lift acceleration, m/s².
+/// Simulates a recording of one free flight of a disc, in m with z up; also returns the maximum lift acceleration,
+/// m/s².
 pub fn clean_flight(seed: u64) -> (Take, f64) {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let r = &mut random;

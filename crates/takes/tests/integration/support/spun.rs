@@ -11,14 +11,14 @@ pub struct Plan {
     pub flights: usize,
     pub rate: f64,
     pub sigma: f64,
-    /// Maximum angular rate about a diameter, rad/s.
+    /// Maximum angular rate of the disc about a diameter (wobble), rad/s.
     pub wobble: f64,
-    /// Range of the spin, rad/s.
+    /// Minimum and maximum spin of the disc, rad/s.
     pub spin: (f64, f64),
     pub seconds: (f64, f64),
     /// Fraction of the marker positions that are missing.
     pub gaps: f64,
-    /// Fraction of the marker positions with an error of several centimetres.
+    /// Fraction of the marker positions that are outliers, with an error of several centimetres.
     pub outliers: f64,
     /// Whether the flights begin with the disc upside down.
     pub inverted: bool,
@@ -49,12 +49,12 @@ struct State {
     x: Vector3<f64>,
     v: Vector3<f64>,
     r: Matrix3<f64>,
-    /// Angular velocity in body axes, rad/s.
+    /// Angular velocity of the disc in body axes, rad/s.
     w: Vector3<f64>,
 }
 
-/// Linear acceleration in axes of the room and angular acceleration in body axes of a disc with lift, drag and
-/// aerodynamic moments.
+/// Linear acceleration in axes of the room and angular acceleration in body axes of a simulated disc with lift, drag
+/// and aerodynamic moments.
 fn law(s: &State) -> (Vector3<f64>, Vector3<f64>) {
     let (m, ia, id, d, rho) = (0.175, 0.00235, 0.00122, 0.27, 1.2);
     let area = std::f64::consts::PI * d * d / 4.0;
@@ -95,7 +95,7 @@ fn advance(from: &State, at: &State, h: f64) -> State {
     }
 }
 
-/// Simulates the flights of a plan; the same seed gives the same flights.
+/// Simulates the flights of the disc with the settings `plan`; the same seed gives the same flights.
 pub fn flights(plan: &Plan, seed: u64) -> Flights {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let r = &mut random;

@@ -7,7 +7,7 @@ use rand_distr::{Distribution, Normal};
 
 pub type V = [f64; 3];
 
-/// How a flight ends.
+/// Cause of the end of a simulated flight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum End {
     Ground,
@@ -15,12 +15,12 @@ pub enum End {
     Catch,
 }
 
-/// True release and end of one simulated throw.
+/// True times of the release and the end of one simulated throw.
 #[derive(Clone, Copy, Debug)]
 pub struct Truth {
-    /// Time of release, s.
+    /// True time of the release, s.
     pub release: f64,
-    /// Time of the end, s.
+    /// Time of the end of the flight, s.
     pub end: f64,
     pub kind: End,
 }
@@ -40,7 +40,7 @@ fn length(a: V) -> f64 {
     a.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-/// Thrown body: aerodynamic accelerations divided by the square of the speed, 1/m, spin, tilt and marker positions.
+/// Simulated body: drag and lift acceleration divided by the square of the speed, 1/m, spin, tilt and marker positions.
 struct Body {
     drag: f64,
     lift: f64,
@@ -49,7 +49,7 @@ struct Body {
     markers: Vec<V>,
 }
 
-/// Phase of the motion of a body in one simulated throw.
+/// Phase of the motion of a body in one simulated throw, such as in the hand or in flight.
 #[derive(Clone, Copy, PartialEq)]
 enum Phase {
     Held,
@@ -93,7 +93,7 @@ impl Body {
     }
 }
 
-/// Simulates a recording with the given number of throws.
+/// Simulates a recording of the given number of throws of one body.
 pub fn recording(seed: u64, throws: usize) -> Made {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let r = &mut random;
@@ -279,7 +279,7 @@ fn fly(body: &Body, rate: f64, throw: &Throw) -> (Vec<Vec<V>>, Truth) {
     (rows, truth)
 }
 
-/// Formats marker positions as a table of Vicon in mm with y up.
+/// Formats marker positions, one row per sample, as a Vicon table in mm with y up.
 fn vicon(rows: &[Vec<Option<V>>], rate: f64) -> String {
     let count = rows[0].len();
     let mut text = format!("Trajectories\n{rate}\n,");
