@@ -23,7 +23,7 @@ use crate::selection::{
 };
 use crate::validation::{Validated, predictive_terms};
 
-/// Maximum number of unknowns added by a hypothesis of one effect that is accepted without comparison by BIC.
+/// A hypothesis of one effect that adds at most this number of unknowns is accepted without comparison by BIC.
 const FREE_UNKNOWNS: usize = 6;
 
 /// Result of a diagnosis: the report, the fits, and the model extended by the effects found, if any.

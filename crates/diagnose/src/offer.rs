@@ -43,8 +43,9 @@ pub(crate) struct MeasuredExtension<R> {
 pub(crate) type OfferedExtension<R> = ((ExtendedModel, Fit), R);
 
 /// Fits the extended model if it is not yet fitted, measures its out-of-sample gain (reduction of the prediction
-/// error), and calls `on_extension`. If `is_consensus` (the effects were found by the agreement of most flights),
-/// flights that contradict the extension are predicted without it. `noise_floor` is the noise of one coordinate, m.
+/// error), and calls `on_extension` with the extended model. If `is_consensus` (the effects were found by the agreement
+/// of most flights), flights that contradict the added effects are predicted without them. `noise_floor` is the
+/// standard deviation of the noise of one coordinate, m.
 ///
 /// # Errors
 /// [`DiagnosisError::Fit`] if the extended model cannot be fitted, or the caller cancelled.
@@ -110,7 +111,7 @@ pub(crate) fn measure<R: Send>(
 }
 
 impl<R> MeasuredExtension<R> {
-    /// Whether the extended model makes practically the same predictions as the model under test.
+    /// Whether the model under test and the extended model make practically the same predictions.
     pub fn changes_nothing(&self) -> bool {
         let gain = self.gain.as_ref();
         gain.is_some_and(PredictiveGain::changes_nothing)

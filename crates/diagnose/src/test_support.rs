@@ -5,7 +5,8 @@ use identify::{Fit, FitOptions, Iterate, fit};
 
 use crate::context::{CandidateId, Context, DiagnosisOptions, EncompassingModel, ScoreTestModel};
 
-/// The model `disc`, which lacks the effect (model extension) `stall`, fitted to three flights of `examples/mystery`.
+/// The model `disc`, which lacks the effect (model extension) `stall`, fitted to three flights of the dataset
+/// `examples/mystery`.
 pub(crate) struct Fixture {
     /// Fit of the model under test.
     pub fit: Fit,
@@ -24,7 +25,7 @@ impl Fixture {
     }
 }
 
-/// The first `flights` flights of `examples/mystery`.
+/// Loads the first `flights` flights of the dataset `examples/mystery`.
 pub(crate) fn mystery(flights: usize) -> Dataset {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/mystery");
     let mut dataset = dataset::load(folder.as_ref()).unwrap();
@@ -32,7 +33,8 @@ pub(crate) fn mystery(flights: usize) -> Dataset {
     dataset
 }
 
-/// Loads three flights of `examples/mystery`, fits the model `disc` to them, and creates its score-test model.
+/// Loads three flights of the dataset `examples/mystery`, fits the model `disc` to them, and creates the score-test
+/// model of this fit.
 pub(crate) fn fixture() -> Fixture {
     // The inputs of the score-test model are never freed.
     let context = Context {

@@ -18,7 +18,7 @@ const GRAVITY: f64 = 9.81;
 const DRAG: f64 = 1.2 / 2.0 * std::f64::consts::PI / 4.0 * 0.066 * 0.066 * 0.52;
 const SIGMA: f64 = 0.0015;
 
-/// Acceleration, m/s²: gravity, drag, and `side` to the left of the velocity.
+/// Acceleration of the simulated shuttlecock, m/s²: gravity, drag, and `side` to the left of the velocity.
 fn acceleration(velocity: V, side: f64) -> V {
     let left = V::z().cross(&velocity).normalize();
     -V::z() * GRAVITY - velocity * (velocity.norm() * DRAG / MASS) + left * side

@@ -17,7 +17,7 @@ const MIN_EXPECTED_CHI2: f64 = 10.0;
 /// concordant flights. A flight with enough information and a smaller ratio is discordant.
 const MIN_SHARE: f64 = 0.25;
 
-/// Flights divided by whether they agree with a common value of one unknown.
+/// Division of the flights into those that agree with a common value of one unknown and those that contradict it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Concordance {
     /// Indices of the flights that contradict the value of the unknown on which all other flights agree.

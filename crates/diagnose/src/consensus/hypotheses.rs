@@ -33,9 +33,9 @@ const MIN_CONCORDANT: f64 = 0.5;
 
 /// Result of the search for effects that the model may lack and on which the flights agree.
 pub(crate) struct Consensus {
-    /// Hypotheses that explain at least half of the excess χ² of all flights, best fit first. May be empty: then one
-    /// hypothesis explains at least half of the excess χ² of the flights outside `discordant`, but none explains half
-    /// of that of all flights.
+    /// Hypotheses of one missing effect that explain at least half of the excess χ² of all flights, best fit first.
+    /// Empty if only flights outside `discordant` support a hypothesis: it explains at least half of the excess χ² of
+    /// these flights, but no hypothesis explains half of that of all flights.
     pub hypotheses: Vec<Hypothesis>,
     /// Fraction, 0 … 1, of the excess χ² that the best hypothesis explains, over all flights, or over the concordant
     /// flights if `hypotheses` is empty. The excess χ² is the weighted sum of squares minus its expectation for pure
@@ -49,8 +49,9 @@ pub(crate) struct Consensus {
     pub discordant: Vec<usize>,
 }
 
-/// Searches for hypotheses of one effect on which the flights agree. `None` if there are fewer than [`MIN_FLIGHTS`]
-/// flights, or no such hypothesis explains the fraction [`MIN_EXPLAINED`] of the misfit beyond noise.
+/// Searches for hypotheses of one missing effect on which the flights agree. `None` if there are fewer than
+/// [`MIN_FLIGHTS`] flights. Also `None` if no such hypothesis explains the fraction [`MIN_EXPLAINED`] of the misfit
+/// beyond noise, of all flights or of the concordant flights.
 ///
 /// # Errors
 /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated, or the caller cancelled.
@@ -167,7 +168,8 @@ fn explained_without_discordant(
     best
 }
 
-/// Sign-flip test of the flights' scores at the fit of the hypothesis `given`, whose effects are nuisance parameters.
+/// Sign-flip test of the flights' scores at the fit of the hypothesis `given`. The effects of this hypothesis are
+/// nuisance parameters.
 fn sign_flip_test(
     model: &ScoreTestModel<'_>,
     given: &Hypothesis,

@@ -13,10 +13,10 @@ use crate::context::{CandidateId, ColumnId, Partition, ScoreTestModel, select};
 use crate::error::DiagnosisError;
 use crate::score_test::{MIN_TOLERANCE, eliminate_locals, keep_directions};
 
-/// Number of random sign vectors drawn for the null distribution.
+/// Number of random sign vectors, with one sign for each flight, drawn for the null distribution of the sign-flip test.
 const DRAWS: usize = 10_000;
 
-/// Seed of the random sign vectors.
+/// Seed of the random sign vectors that simulate the null distribution of the sign-flip test.
 const SEED: u64 = 1;
 
 /// Effective scores and information of the single flights, the input of the sign-flip test.
@@ -123,8 +123,9 @@ impl SignFlipTest {
         each.sum()
     }
 
-    /// Cosine of the angle between a flight's whitened residuals and the Jacobian column of an unknown, after
-    /// projection of this column on the nuisance columns. 0 if the flight has no information about the unknown.
+    /// Cosine of the angle between a flight's whitened residuals and the Jacobian column of an unknown, after the
+    /// nuisance columns are projected out of this column. Positive if the sum of squares decreases as the unknown
+    /// increases; 0 if the flight has no information about the unknown.
     pub(super) fn cosine(&self, flight: usize, column: ColumnId) -> f64 {
         let at = (flight, column.index());
         let norms = (self.information[at] * self.fits[flight].squares).sqrt();

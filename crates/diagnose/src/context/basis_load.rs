@@ -8,9 +8,9 @@ use ode::DifferentiableRhs;
 
 /// Equations of motion whose parameters are those of a model, followed by one coefficient for each basis function.
 ///
-/// Each additional parameter is the coefficient `c` of a load `c · basis(t, x) · load`. At `c = 0`, the derivative of
-/// the right-hand side with respect to `c` is its derivative with respect to the coefficient of `load`, times `basis(t,
-/// x)`.
+/// Each additional parameter is the coefficient `c` of a force or moment component `c · basis(t, x) · load`. At
+/// `c = 0`, the derivative of the right-hand side with respect to `c` is its derivative with respect to the coefficient
+/// of `load`, times `basis(t, x)`.
 pub(crate) struct BasisLoads<'a, B> {
     motion: DifferentiableModelRhs<'a>,
     pattern: Vec<(usize, usize)>,

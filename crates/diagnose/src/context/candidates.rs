@@ -14,7 +14,7 @@ pub(crate) struct Candidate {
     /// Sentences that describe the effect if its first coefficient is above (index 0) or below (index 1) its null
     /// value; the general description for an effect that declares no such sentence.
     pub senses: [String; 2],
-    /// Site of the effect: the load or equation that it changes.
+    /// Site of the effect: the load (force or moment component) or the equation of the model that it changes.
     pub site: String,
     /// Names of the variables on which the effect depends.
     pub variables: Vec<String>,

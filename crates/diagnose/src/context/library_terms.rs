@@ -15,8 +15,8 @@ use ode::DifferentiableRhs;
 use super::basis_load::BasisLoads;
 use super::ids::TermId;
 
-/// All terms of a term library (products of variables that are added to loads), with the indices of their load
-/// coefficients and variables in the layout of a model.
+/// All terms of a term library (products of variables that are added to loads), with the model's indices of their load
+/// coefficients and variables.
 #[derive(Clone, Debug)]
 pub(crate) struct LibraryTerms {
     /// The term library: variables, products of their powers, and the quantities to which the products can be added.
@@ -24,15 +24,15 @@ pub(crate) struct LibraryTerms {
     /// The terms, ordered by load channel, the force or moment component to which they contribute: all products of
     /// variables for the first component, then all products for the second, and so on.
     pub terms: IndexVec<TermId, Term>,
-    /// Parameter index of the load coefficient of each load channel (force or moment component).
+    /// For each load channel (force or moment component): index of the parameter that scales the load in the model.
     pub loads: IndexVec<ChannelId, ParamId>,
     /// Quantity index of each variable; variables are auxiliary quantities of the model.
     variables: IndexVec<VariableId, QuantityId>,
 }
 
 impl LibraryTerms {
-    /// Finds the load coefficients and the variables of a term library in the layout of a model; `None` if one of them
-    /// is missing.
+    /// Finds the load coefficients and the variables of a term library in a model, whose indices `layout` contains;
+    /// `None` if one of them is missing.
     pub fn new(library: Arc<TermLibrary>, layout: &Layout) -> Option<Self> {
         let loads = library.channels.iter();
         let loads = loads.map(|channel| layout.parameter(&channel.coefficient));

@@ -21,7 +21,8 @@ pub struct DiagnosisOptions<'a> {
     /// Name of the dataset, as shown in the report and in the doc comments of the effects that a diagnosis creates from
     /// library terms (products of variables added to loads).
     pub dataset: &'a str,
-    /// Names of effects that are excluded from the candidates, the effects that the model may lack.
+    /// Names of effects (optional model extensions) that the diagnosis does not consider as candidates for a missing
+    /// effect.
     pub without: &'a [String],
     /// Options of every fit in the diagnosis. The number of threads, the progress callback and the cancellation apply
     /// to the whole diagnosis.
@@ -62,7 +63,7 @@ pub struct ThrowRanges {
     pub hyzer: (f64, f64),
     /// Absolute spin rate about the axis of symmetry, rad/s; throws with either sense of rotation are drawn.
     pub spin: (f64, f64),
-    /// Number of headings of the velocity, evenly spaced over the full circle.
+    /// Number of possible headings of the velocity, evenly spaced over the full circle.
     pub headings: usize,
     /// Height of release above the ground, m.
     pub height: f64,
@@ -91,7 +92,8 @@ impl Default for ThrowRanges {
 /// Reason why the options of a diagnosis are invalid.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum OptionsError {
-    /// A name in `without` is neither a built-in effect nor an effect in the model's own file.
+    /// A name in the list `without` of excluded effects is neither a built-in effect nor an effect in the model's own
+    /// file.
     #[error("there is no effect `{name}`{}", nearest.as_ref().map(|near| format!("; did you mean `{near}`?")).unwrap_or_default())]
     UnknownEffect {
         /// The unknown name, as given in the options.
@@ -107,8 +109,8 @@ pub enum OptionsError {
         /// Invalid value of the option.
         value: f64,
     },
-    /// A range of launch conditions is empty or not finite, or a count, duration or sampling rate is not positive or
-    /// too large.
+    /// A range of launch conditions is empty or not finite; or the number of headings, the duration or the sampling
+    /// rate is not positive or too large.
     #[error("the throws have no usable {name}")]
     ThrowRange {
         /// Name of the invalid field of [`ThrowRanges`].
@@ -117,7 +119,8 @@ pub enum OptionsError {
 }
 
 impl DiagnosisOptions<'_> {
-    /// Checks the names of effects against a model, and all numeric options against their valid ranges.
+    /// Checks that every effect named in `without` is built in or defined in the model's file, and that all numeric
+    /// options are in their valid ranges.
     ///
     /// # Errors
     /// [`OptionsError`] of the first invalid option.

@@ -13,7 +13,7 @@ use super::partition::select_vector;
 use super::score_test_model::ScoreTestModel;
 
 /// Stopping criteria of a refit, a fit of the model under test with some candidate effects. The relative tolerance
-/// suffices because hypotheses are compared by whole units of χ²; a refit that needs more than 30 steps counts as not
+/// suffices because hypotheses are compared by whole units of χ². A refit that needs more than 30 steps counts as not
 /// converged.
 const REFIT_STOPPING: StoppingCriteria = StoppingCriteria {
     ftol_rel: 1e-5,
@@ -21,8 +21,8 @@ const REFIT_STOPPING: StoppingCriteria = StoppingCriteria {
     ..StoppingCriteria::CONVERGED
 };
 
-/// Mean squared whitened residual above which a refit need not be solved to convergence: the hypothesis explains so
-/// little that its exact minimum does not matter.
+/// Mean squared whitened residual above which the fit of a hypothesis (set of missing effects) need not converge: the
+/// hypothesis explains so little that its exact minimum does not matter.
 const MISFIT_RATIO: f64 = 3.0;
 
 /// Result of fitting the model under test extended by some of the candidate effects (effects that it may lack).

@@ -119,7 +119,7 @@ impl<'a> ScoreTestModel<'a> {
         self.context.is_out_of_time() || self.steps.load(Ordering::Relaxed) >= MAX_STEPS
     }
 
-    /// Adds the number of steps of one refit to the total.
+    /// Adds the least-squares steps of one refit to the total over all refits (fits with some candidate effects).
     pub fn count_steps(&self, steps: usize) {
         self.steps.fetch_add(steps, Ordering::Relaxed);
     }
@@ -247,8 +247,8 @@ impl<'a> ScoreTestModel<'a> {
         own.eq(flights.iter().map(|flight| &flight.file))
     }
 
-    /// Number of measured coordinates in all fitted flights: 3 for each measured point. Returns 2 if there are fewer
-    /// than 2.
+    /// Number of measured coordinates in all fitted flights: 3 for each measured position. At least 2, also if there
+    /// are fewer.
     pub fn coordinates(&self) -> usize {
         let points = |flight: &Observations| flight.measured.iter().flatten().count();
         (3 * self.flights.iter().map(points).sum::<usize>()).max(2)

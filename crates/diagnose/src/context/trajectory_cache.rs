@@ -8,8 +8,8 @@ use identify::{FitProblem, Iterate};
 /// each use.
 const MAX_CACHE_BYTES: usize = 128 << 20;
 
-/// States and sensitivities of one flight at its sample times, in the memory layout of `identify::linearise_with`;
-/// `None` until they are first computed.
+/// States of one flight at its sample times, and their sensitivities to all unknowns, as one flat vector in the layout
+/// that `identify::linearise_with` writes and reads. `None` until they are first computed.
 pub(crate) type CachedTrajectory = Option<Vec<f64>>;
 
 /// Cache of the trajectories of all flights at one linearization point. Sensitivities to the coefficients of library

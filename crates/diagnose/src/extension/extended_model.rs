@@ -12,8 +12,8 @@ pub struct ExtendedModel {
     pub effects: Vec<String>,
     /// The model with the added effects switched on.
     pub model: Model,
-    /// Source texts, in the model language, of the effects created from library terms, in the order of their
-    /// identifiers in `effects`, where they come last.
+    /// Source texts, in the model language, of the effects created from library terms. The order is that of the last
+    /// entries of `effects`, which are the identifiers of these effects.
     pub written: Vec<String>,
     tree: ModelTree,
 }

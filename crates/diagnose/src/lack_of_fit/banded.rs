@@ -25,7 +25,8 @@ pub(super) struct Projected {
     /// L⁻¹ Bᵀ z for each right-hand side z, where B is the design and L the Cholesky factor of BᵀB. Stored as `sides`
     /// values for each column of B; 0 for linearly dependent columns.
     pub coordinates: Vec<f64>,
-    /// Cholesky factor L of the Gram matrix, stored by columns in the same band layout; 0 for dependent columns.
+    /// Cholesky factor L of the Gram matrix: `factor[column][d]` is the entry at (column + d, column). 0 in linearly
+    /// dependent columns.
     factor: Vec<[f64; BANDWIDTH + 1]>,
     /// Number of linearly independent columns of the design.
     pub rank: usize,

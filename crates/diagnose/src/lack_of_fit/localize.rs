@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 use super::noise_floor::FlightSeries;
 use super::spline_basis::{SUPPORT, SplineBasis};
 
-/// Fraction of the maximum deviation. The reported time interval contains the samples around the maximum at which the
-/// deviation is at least this fraction.
+/// Fraction of a flight's largest smooth deviation that bounds the reported time interval: the interval contains the
+/// samples around the maximum at which the deviation is at least this fraction of it.
 const STRETCH: f64 = 0.5;
 
 /// The largest smooth deviation of a flight's measurements from the fitted model.

@@ -11,14 +11,14 @@ use identify::{AxesNoise, Channel, NoiseModel, group_count};
 use super::series::Series;
 use super::spline_basis::SplineBasis;
 
-/// Range (minimum, maximum) in which the lag-1 autocorrelation is searched.
+/// Range (minimum, maximum) in which the lag-1 autocorrelation of the measurement noise is searched.
 const AR1_RANGE: (f64, f64) = (-0.8, 0.95);
 
-/// Number of steps of the golden-section search for the lag-1 autocorrelation; 10 steps reduce the range to a
-/// hundredth.
+/// Number of steps of the golden-section search for the lag-1 autocorrelation of the noise; 10 steps reduce the
+/// searched range to a hundredth.
 const GOLDEN_STEPS: usize = 10;
 
-/// Step in the autocorrelation for the finite-difference curvature of the deviance.
+/// Step of the lag-1 autocorrelation in the finite difference that gives the curvature of the restricted deviance.
 const CURVATURE_STEP: f64 = 0.03;
 
 /// Number of residuals of one axis after which no further flight is used to estimate the autocorrelation.
@@ -198,7 +198,8 @@ mod tests {
     use rand_chacha::ChaCha12Rng;
     use rand_distr::StandardNormal;
 
-    /// Flights with AR(1) noise of 2 mm, added to a smooth motion of 50 mm, with gaps.
+    /// Residuals of simulated flights, with gaps: AR(1) noise of 2 mm, with lag-1 autocorrelation `ar1`, added to a
+    /// smooth motion of 50 mm.
     fn flights(ar1: f64) -> Vec<FlightSeries> {
         let mut random = ChaCha12Rng::seed_from_u64(3);
         let mut series = || {

@@ -14,24 +14,26 @@ use serde::{Deserialize, Serialize};
 use crate::context::{BasisLoads, LibraryTerms, ScoreTestModel};
 use crate::score_test::{eliminate_locals, keep_directions};
 
-/// Maximum time between knots, s; exceeded only if a flight would need more than [`MAX_KNOTS`] knots.
+/// Maximum time between the knots of a missing load's time history, s; exceeded only if a flight would need more than
+/// [`MAX_KNOTS`] knots.
 const KNOT_INTERVAL: f64 = 0.2;
 
-/// Maximum number of knots of a load coefficient's history in one flight.
+/// Maximum number of knots of the time history of one missing load in one flight.
 const MAX_KNOTS: usize = 9;
 
 /// Maximum number of flights for which time histories of missing loads are estimated; further flights are ignored.
 const MAX_FLIGHTS: usize = 12;
 
-/// Value with which the expectation maximization starts, for two standard deviations of a load coefficient: that of its
-/// value at the first knot, and that of its increments between knots.
+/// Initial value, in the expectation maximization, of both standard deviations of a load coefficient's random walk:
+/// that of its value at the first knot, and that of its increments between knots.
 const INITIAL_SIGMA: f64 = 0.03;
 
 /// Number of iterations of the expectation maximization that estimates the standard deviations of the load
 /// coefficients.
 const EM_ITERATIONS: usize = 40;
 
-/// Minimum standard deviation of the first value and of the increments of a random walk; prevents division by 0.
+/// Minimum standard deviation of the first value and of the increments of a load coefficient's random walk; prevents
+/// division by 0.
 const MIN_SIGMA: f64 = 1e-7;
 
 /// Time history, in one flight, of the coefficient of a load (a force or moment component) that the model lacks.
@@ -102,7 +104,8 @@ impl WalkSigma {
     };
 }
 
-/// Sum of expected squares of random-walk values or increments, and number of summands; their ratio is the variance.
+/// Sum of the expected squares of first values, or of increments, of a random walk, and number of summands. The ratio
+/// of the two is the variance.
 #[derive(Clone, Copy, Debug, Default)]
 struct SquareSum {
     squares: f64,
@@ -226,7 +229,7 @@ impl FlightLoads {
     }
 }
 
-/// Evenly spaced knots from 0 to `end`, s; at least 2.
+/// Evenly spaced knot times of a load's time history, from 0 to `end`, s; at least 2.
 fn knots(end: f64) -> Vec<f64> {
     let count = ((end / KNOT_INTERVAL).ceil() as usize + 1).clamp(2, MAX_KNOTS);
     let knot = |k: usize| end * k as f64 / (count - 1) as f64;

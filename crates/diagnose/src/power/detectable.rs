@@ -20,8 +20,8 @@ const MIN_SHARE: f64 = 0.25;
 /// Maximum number of parameters named in the report as confounded with one effect.
 const MAX_NAMED: usize = 8;
 
-/// Maximum ratio of an effect's minimum detectable size to the width of its bounds; above it, the effect counts as
-/// not identifiable.
+/// Maximum ratio of a coefficient's minimum detectable size to the width of the coefficient's bounds. Above it, the
+/// effect of the coefficient counts as not identifiable.
 const MAX_FRACTION_OF_BOUNDS: f64 = 0.5;
 
 /// An effect that the flights cannot distinguish from the parameters of the model under test.
@@ -29,8 +29,8 @@ const MAX_FRACTION_OF_BOUNDS: f64 = 0.5;
 pub struct NotIdentifiable {
     /// Display name of the effect: its identifier in the model language, with hyphens instead of underscores.
     pub name: String,
-    /// Names of the confounding coefficients, or `initial states`; empty if the effect does not influence these
-    /// flights.
+    /// Names of the coefficients of the model under test with which the effect is confounded, or `initial states`;
+    /// empty if the effect does not influence these flights.
     #[serde(rename = "absorbed_by")]
     pub confounded_with: Vec<String>,
 }
@@ -86,8 +86,8 @@ pub(crate) fn detectable(
     (hidden, detectable)
 }
 
-/// Minimum detectable difference of a coefficient from its null value, SI; `None` if it is not finite or not small
-/// compared with the coefficient's bounds.
+/// Minimum detectable difference of a coefficient from its null value, SI. `None` if it is not finite, or not less than
+/// half the width of the coefficient's bounds.
 fn detectable_size<Id>(
     tests: &ScoreTests,
     parameter: &CandidateParameter<Id>,

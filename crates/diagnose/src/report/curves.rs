@@ -10,13 +10,14 @@ const INTERVALS: usize = 24;
 /// Minimum number of samples in an interval of the abscissa for the curve to have a point in this interval.
 const MIN_SAMPLES: usize = 4;
 
-/// Quantiles of the abscissa's samples between which the curve is computed.
+/// Quantiles of the abscissa (angle of attack or speed) over all samples; a curve is computed between these two.
 const QUANTILES: (f64, f64) = (0.005, 0.995);
 
-/// Names of the auxiliary variables that can be the abscissa; the first that the model contains is used.
+/// Names of the auxiliary variables that can be the abscissa of a coefficient's curve: angle of attack, speed. The
+/// first that the model contains is used.
 const ABSCISSAE: [&str; 2] = ["alpha", "V"];
 
-/// Prefix of the names of auxiliary variables that are coefficients.
+/// Prefix of the names of auxiliary variables that are aerodynamic coefficients, such as `C_D`.
 const COEFFICIENT_PREFIX: &str = "C_";
 
 /// A coefficient of the model as a function of the abscissa, the angle of attack or the speed, without and with the
@@ -79,7 +80,7 @@ pub(crate) fn curves(
 /// Medians of a coefficient in one interval of the abscissa in the models without and with the added effects, and
 /// number of samples of the model without them in this interval.
 struct Interval {
-    /// Abscissa of the centre of the interval.
+    /// Centre of the interval, in the unit of the abscissa.
     centre: f64,
     before: f64,
     after: f64,
@@ -115,16 +116,16 @@ fn medians(mut before: Vec<(f64, f64)>, mut after: Vec<(f64, f64)>) -> Option<Ve
     Some(intervals.collect())
 }
 
-/// Values of the points with abscissa in [`from`, `from + width`); points are pairs (abscissa, value), sorted by
-/// abscissa.
+/// Second entries of those pairs in `points` whose first entry, the abscissa, lies in [`from`, `from + width`). The
+/// pairs are sorted by abscissa.
 fn within(points: &[(f64, f64)], from: f64, width: f64) -> Vec<f64> {
     let first = points.partition_point(|p| p.0 < from);
     let last = points.partition_point(|p| p.0 < from + width);
     points[first..last].iter().map(|p| p.1).collect()
 }
 
-/// Pairs of the values of the model quantities named `over` and `quantity`, at all samples of the flights at which both
-/// values are finite.
+/// Pairs of the values of two model quantities, first `over`, then `quantity`, at all samples of the flights at which
+/// both values are finite.
 fn points(quantity: &str, over: &str, flights: &[FlightEvidence]) -> Vec<(f64, f64)> {
     let mut points = Vec::new();
     for flight in flights {

@@ -9,10 +9,11 @@ use crate::validation::{PredictiveGain, Validated};
 /// of the report to name the coefficient.
 const MIN_BIAS: f64 = 3.0;
 
-/// Maximum number of flights named in a sentence.
+/// Maximum number of flights that a sentence of the report lists by name.
 const MAX_NAMES: usize = 16;
 
-/// Summary of the report in one paragraph.
+/// Summary text of the report, one paragraph: the verdict, the agreement of the flights, the gain in prediction error,
+/// and the coefficients that the missing effect biased.
 pub(crate) fn summary(report: &Report) -> String {
     let mut text = answer(report);
     if let Some(consensus) = &report.consensus {
@@ -215,8 +216,8 @@ fn described_effect(effect: &CauseEffect) -> String {
     )
 }
 
-/// Sentence that explains why a hypothesis is not accepted although the residuals are noise: it can fit almost any data
-/// and does not improve out-of-sample predictions.
+/// Sentence that explains why a hypothesis (set of missing effects) is not accepted although it leaves only noise in
+/// the residuals: it can fit almost any data and does not improve out-of-sample predictions.
 pub(crate) fn refused(validated: &Validated) -> String {
     let names = validated.extension.effects.join(" with ");
     let errors = validated.gain.as_ref().map_or_else(String::new, |gain| {

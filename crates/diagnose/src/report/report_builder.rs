@@ -92,9 +92,9 @@ pub(super) fn verdict(is_significant: bool, causes: &[Cause]) -> Verdict {
     }
 }
 
-/// Sets two fields of `cause`. `explained` is the fraction of the excess χ² (misfit beyond noise) that the cause
-/// explains. `remaining_m` is the root mean square of the residuals in excess of the noise once the cause is included,
-/// m.
+/// Sets the fields `explained` and `remaining_m` of `cause`, an explanation of the misfit. `explained` is the fraction
+/// of the excess χ² (misfit beyond noise) that it accounts for. `remaining_m` is the root mean square, m, of the
+/// residuals in excess of the noise in the model that includes its effects.
 pub(super) fn add_share(cause: &mut Cause, residuals: &LackOfFit) {
     let share = cause.chi2_decrease / residuals.excess_chi2.max(f64::MIN_POSITIVE);
     cause.explained = share.clamp(0.0, 1.0);
@@ -345,7 +345,7 @@ mod tests {
     use crate::test_support::mystery;
 
     /// Report of a fit that did not converge and in which the first flight has no samples. The two values of the array
-    /// state whether a model error is detected: with the usual detection threshold, and with the threshold −∞.
+    /// state whether a model error is detected: first with the default detection threshold, then with the threshold −∞.
     fn report_of_faulty_fit() -> (Report, [bool; 2]) {
         let mut dataset = mystery(4);
         dataset.flights[0]

@@ -6,7 +6,7 @@ use crate::extension::ExtendedModel;
 use crate::lack_of_fit::{LackOfFit, SmoothMisfit};
 use crate::text::{millimetres, three_figures};
 
-/// Maximum number of flights whose largest smooth deviation is described in the sentence on the lack of fit.
+/// Maximum number of flights whose largest smooth deviation is described in the report's text on the lack of fit.
 const MAX_DEPARTURES: usize = 3;
 
 /// Replaces the lack-of-fit test in the report by `residuals`, the test of the extended model; `None` leaves the report
@@ -81,8 +81,8 @@ fn departure(found: &SmoothMisfit) -> String {
     format!("{file}, {coordinate} by {sign}{size} at {from_s:.2} to {to_s:.2} s")
 }
 
-/// Display names (with hyphens instead of underscores) of the effects with the identifiers `effects`, joined by " with
-/// ".
+/// Joins the display names of the effects with the identifiers `effects`, such as `spin-decay with wind`. Display names
+/// have hyphens instead of underscores.
 pub(crate) fn display_names(effects: &[String]) -> String {
     let names: Vec<String> = effects.iter().map(|name| display_name(name)).collect();
     names.join(" with ")
@@ -98,7 +98,7 @@ pub(crate) fn note_not_offered(report: &mut Report, extension: &ExtendedModel) {
 }
 
 /// Marks the report as incomplete and adds a note with the reason: the deadline if `is_out_of_time`, otherwise the
-/// maximum number of steps.
+/// maximum number of least-squares steps.
 pub(crate) fn note_incomplete(report: &mut Report, is_out_of_time: bool) {
     report.complete = false;
     let why = match is_out_of_time {

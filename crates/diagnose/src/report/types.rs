@@ -53,7 +53,7 @@ pub struct Report {
     pub seconds: BTreeMap<String, f64>,
     /// Score test of each candidate effect (effect that the model may lack), smallest p-value first.
     pub candidates: Vec<CandidateTest>,
-    /// Significance threshold of the score tests.
+    /// Significance threshold of the score tests of the candidate effects.
     pub threshold: Threshold,
     /// Correlations between the effective scores of the coefficients of the candidate effects.
     #[serde(rename = "alike")]
@@ -155,12 +155,13 @@ pub struct CauseEffect {
     pub name: String,
     /// Description of the effect; for candidates, according to the sign of the estimate.
     pub doc: String,
-    /// Site of the effect: the load or equation that it changes.
+    /// Site of the effect: the load (force or moment component) or the equation of the model that it changes.
     pub site: String,
     /// Names of the variables on which the effect depends.
     pub variables: Vec<String>,
-    /// Estimates of the effect's coefficients by name. For a state, which has one value for each flight, the root mean
-    /// square over the flights of its differences from the null value.
+    /// Estimates of the effect's coefficients and states, by name. A state has one value for each flight; its estimate
+    /// is the root mean square, over the flights, of the difference between this value and the value at which the
+    /// effect vanishes.
     pub estimates: BTreeMap<String, Estimate>,
     /// Score statistic of the effect, χ², tested at the fit of the model under test; 0 for an effect created from
     /// library terms.
@@ -193,7 +194,7 @@ pub struct NoiseSummary {
     pub sigma_m: f64,
     /// Lag-1 autocorrelation of the noise, averaged over the axes.
     pub ar1: f64,
-    /// Fraction of the measured points that are outliers, 0 … 1.
+    /// Fraction of the measured positions that are outliers, 0 … 1.
     pub outlier_fraction: f64,
 }
 
@@ -218,7 +219,7 @@ pub struct CandidateTest {
     pub name: String,
     /// Description of the candidate effect: the doc comment of its declaration in the model language.
     pub doc: String,
-    /// Site of the effect: the load or equation that it changes.
+    /// Site of the effect: the load (force or moment component) or the equation of the model that it changes.
     pub site: String,
     /// Score statistic; distributed as χ² with `dof` degrees of freedom under the null hypothesis.
     pub statistic: f64,
@@ -232,7 +233,8 @@ pub struct CandidateTest {
     pub z: f64,
     /// Whether the p-value is below the familywise threshold.
     pub significant: bool,
-    /// Tolerance 1 − R²: fraction of the effect's squared sensitivity that the nuisance parameters do not explain.
+    /// Tolerance 1 − R² of the best determined direction of the effect's coefficients: the fraction of its squared
+    /// sensitivity that the nuisance parameters do not explain.
     #[serde(rename = "visible")]
     pub tolerance: f64,
     /// One-step estimates of the effect's coefficients by name, with all other candidates at their null value.
@@ -243,7 +245,7 @@ pub struct CandidateTest {
 /// Significance threshold of the score tests, corrected for multiple testing.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Threshold {
-    /// Familywise probability of a false alarm, if the model is correct.
+    /// Familywise probability of a false alarm: that any candidate effect is significant although the model is correct.
     #[serde(rename = "false_alarms")]
     pub alpha: f64,
     /// Natural logarithm of the p-value below which a single test is significant.

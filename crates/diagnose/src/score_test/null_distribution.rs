@@ -71,20 +71,20 @@ pub(crate) fn ln_p_to_z(ln_p: f64) -> f64 {
     (low + high) / 2.0
 }
 
-/// Number of Monte Carlo draws of the smallest p-value.
+/// Number of Monte Carlo draws of the smallest p-value of all tests, from which the familywise thresholds are computed.
 const DRAWS: usize = 2000;
 
 /// Familywise level at which the quantile of the smallest p-value is simulated; thresholds at other levels are
 /// extrapolated from it.
 const SIMULATED_LEVEL: f64 = 0.05;
 
-/// Familywise min-P thresholds: for each of `levels`, the log p-value below which the smallest p-value of all tests
-/// falls with this probability under the null hypothesis (Westfall and Young 1993).
+/// Familywise min-P thresholds (Westfall and Young 1993). For each of `levels`: the log p-value below which the
+/// smallest p-value of all tests falls with a probability of that level under the null hypothesis.
 ///
-/// Each of `whitenings` is one test: a matrix that maps scores with the given covariance to independent standard
+/// Each of `whitenings` is one test: a matrix that maps scores with covariance `covariance` to independent standard
 /// normal variables, whose sum of squares is the statistic. There are `independent` additional tests of one degree of
-/// freedom, independent of all others. Thresholds at levels other than 5 % are extrapolated in proportion to the
-/// level, as for independent tests.
+/// freedom, independent of all others. Thresholds at levels other than 5 % are extrapolated in proportion to the level,
+/// as for independent tests.
 pub(crate) fn minp_thresholds(
     covariance: &DMatrix<f64>,
     whitenings: &[DMatrix<f64>],
@@ -111,7 +111,7 @@ pub(crate) fn minp_thresholds(
     levels.iter().map(threshold).collect()
 }
 
-/// Stacks the rows of all whitening matrices into one matrix.
+/// Stacks the rows of all whitening matrices, one matrix for each test, into one matrix.
 fn stacked(whitenings: &[DMatrix<f64>], columns: usize) -> DMatrix<f64> {
     let mut all = DMatrix::zeros(whitenings.iter().map(DMatrix::nrows).sum(), columns);
     let mut row = 0;
@@ -135,8 +135,8 @@ fn square_root(covariance: &DMatrix<f64>) -> DMatrix<f64> {
     root
 }
 
-/// Smallest log p-value of tests with degrees of freedom `dofs`; `normal` contains the whitened scores of the tests
-/// one after the other.
+/// Smallest log p-value of several χ² tests with degrees of freedom `dofs`. `normal` contains the whitened scores of
+/// the first test, then those of the second, and so on.
 fn least_ln_p(dofs: &[usize], normal: &[f64]) -> f64 {
     // Among tests with equal degrees of freedom, the largest statistic has the smallest p-value.
     let mut greatest: Vec<f64> = vec![0.0; 1 + dofs.iter().copied().max().unwrap_or(0)];

@@ -6,8 +6,8 @@ use super::score_tests::{MIN_TOLERANCE, ScoreTests};
 
 impl ScoreTests {
     /// Gauss–Newton step of all global unknowns (parameters and library-term coefficients). The tested unknowns move
-    /// along the principal directions whose score exceeds `limit` standard deviations; the nuisance parameters are
-    /// re-estimated. Also returns the number of these directions.
+    /// only along those eigenvectors of their effective information whose score exceeds `limit` standard deviations;
+    /// the nuisance parameters are re-estimated. Also returns the number of these eigenvectors.
     pub fn one_step_along_significant(&self, limit: f64) -> (DVector<f64>, usize) {
         let tested = &self.partition.tested;
         let mut along = DVector::zeros(tested.len());

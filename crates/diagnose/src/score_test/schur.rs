@@ -14,17 +14,17 @@ pub(super) fn inverse_sqrt(value: f64) -> f64 {
 /// Score and information of the tested unknowns after the nuisance parameters are projected out.
 #[derive(Clone, Debug)]
 pub(super) struct EffectiveScore {
-    /// Effective information of the tested columns: the Schur complement H_tt − H_tn H_nn⁻¹ H_nt, with rows and columns
-    /// multiplied by the argument `scale` of [`EffectiveScore::new`]. H is the Hessian of half the sum of squares; `t`
-    /// denotes tested, `n` nuisance columns.
+    /// Effective information of the tested unknowns: the Schur complement H_tt − H_tn H_nn⁻¹ H_nt, with rows and
+    /// columns multiplied by the scale factors passed to [`EffectiveScore::new`]. H is the Hessian of half the sum of
+    /// squares; `t` denotes tested unknowns, `n` nuisance parameters.
     pub information: DMatrix<f64>,
-    /// Effective score −(g_t − H_tn H_nn⁻¹ g_n) of the tested columns `t`, with each entry multiplied by the argument
-    /// `scale` of [`EffectiveScore::new`]. H and g are the Hessian and the gradient of half the sum of squares; `n`
-    /// denotes nuisance columns.
+    /// Effective score −(g_t − H_tn H_nn⁻¹ g_n) of the tested unknowns `t`, with each entry multiplied by the scale
+    /// factor passed to [`EffectiveScore::new`]. H and g are the Hessian and the gradient of half the sum of squares;
+    /// `n` denotes nuisance parameters.
     pub score: DVector<f64>,
     /// Projection coefficients H_nn⁻¹ H_nt, where H is the Hessian of half the sum of squares: one row for each
-    /// nuisance column `n`, one column for each tested column `t`. The columns are multiplied by the argument `scale`
-    /// of [`EffectiveScore::new`].
+    /// nuisance parameter `n`, one column for each tested unknown `t`. The columns are multiplied by the scale factors
+    /// passed to [`EffectiveScore::new`].
     pub nuisance_projection: DMatrix<f64>,
     /// Step −H_nn⁻¹ g_n of the nuisance parameters `n` with the tested parameters fixed, from the Hessian H and the
     /// gradient g of half the sum of squares.
@@ -32,8 +32,9 @@ pub(super) struct EffectiveScore {
 }
 
 impl EffectiveScore {
-    /// Computes the effective score from the Hessian `h` and the gradient `g` of half the sum of squares; tested
-    /// columns are multiplied by `scale`. `None` if the information of the nuisance parameters cannot be inverted.
+    /// Computes the effective score from the Hessian `h` and the gradient `g` of half the sum of squares. The rows and
+    /// columns of the tested unknowns are multiplied by `scale`. `None` if the information of the nuisance parameters
+    /// cannot be inverted.
     pub fn new(
         (h, g): (&DMatrix<f64>, &DVector<f64>),
         partition: &Partition,

@@ -12,11 +12,11 @@ use crate::context::{
 };
 use crate::error::DiagnosisError;
 
-/// Minimum tolerance 1 − R² of a tested direction; below it, integration errors dominate and the direction is not
-/// tested.
+/// Minimum tolerance 1 − R² of a tested direction, where R² is the fraction of its squared sensitivity that the
+/// nuisance parameters explain. Below this tolerance, integration errors dominate and the direction is not tested.
 pub(crate) const MIN_TOLERANCE: f64 = 1e-8;
 
-/// Seed of the simulated null distribution from which thresholds are computed.
+/// Seed of the simulated null distribution from which the familywise significance thresholds are computed.
 const THRESHOLD_SEED: u64 = 1;
 
 /// Score tests of candidate effects and library terms. The parameters of the model under test, and of candidates that
@@ -31,8 +31,8 @@ pub(crate) struct ScoreTests {
     pub terms: IndexVec<TermId, ScoreTest>,
     /// Partition of the columns of the normal equations into nuisance and tested columns.
     pub partition: Partition,
-    /// Effective information of the tested unknowns, with rows and columns multiplied by `scale`. The diagonal would be
-    /// 1 if the nuisance parameters were not projected out.
+    /// Effective information of the tested unknowns, with rows and columns multiplied by the factors in `scale`.
+    /// Without the projection of the nuisance parameters, the diagonal would be 1.
     pub information: DMatrix<f64>,
     /// Effective scores of the tested unknowns, each multiplied by its entry in `scale`.
     pub score: DVector<f64>,
@@ -44,7 +44,7 @@ pub(crate) struct ScoreTests {
     pub nuisance_projection: DMatrix<f64>,
     /// Information matrix of the nuisance parameters.
     pub nuisance_information: DMatrix<f64>,
-    /// Squared norms of the Jacobian column of each tested unknown, before and after elimination of the local
+    /// For each tested unknown: squared norm of its Jacobian column before and after elimination of the local
     /// parameters (initial states of the flights).
     pub norms: Vec<ColumnNorms>,
     pub(super) nuisance_step: DVector<f64>,
@@ -56,7 +56,7 @@ pub(crate) struct ScoreTests {
     state_tests: usize,
 }
 
-/// Squared norms of one column of the whitened Jacobian.
+/// Squared norms of one column of the whitened Jacobian, before and after elimination of the flights' initial states.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ColumnNorms {
     /// Squared norm of the column, over all flights.
@@ -109,8 +109,9 @@ impl ScoreTest {
 }
 
 impl ScoreTests {
-    /// Computes the tests at the linearization point of the normal equations `blocks`; `global` are the values of the
-    /// global parameters at this point.
+    /// Computes the score tests at the linearization point of the normal equations `blocks`, one block for each flight.
+    /// `global` are the values of the global parameters at this point. The parameters of the candidate effects in
+    /// `conditioned_on` are nuisance parameters and not tested.
     ///
     /// # Errors
     /// [`DiagnosisError::UndeterminedInitialState`] if the samples of a flight do not determine its initial state;
@@ -252,8 +253,8 @@ impl ScoreTests {
         test
     }
 
-    /// Familywise thresholds: for each of `levels`, the log p-value below which the smallest p-value of all tests
-    /// falls with this probability under the null hypothesis.
+    /// Familywise thresholds: for each of `levels`, the log p-value below which the smallest p-value of all tests falls
+    /// with a probability of that level under the null hypothesis.
     pub fn thresholds<const N: usize>(&self, levels: [f64; N]) -> [f64; N] {
         let (whitenings, others) = (&self.whitenings, self.state_tests);
         let found = minp_thresholds(
@@ -335,8 +336,8 @@ impl PerFlightCandidate {
     }
 }
 
-/// Decrease of the weighted sum of squares, to second order, by fitting the parameters of the given columns of the
-/// normal equations; the parameters of all other columns remain fixed.
+/// Decrease of the weighted sum of squares, to second order, by fitting the unknowns that belong to `columns` of the
+/// normal equations; all other unknowns remain fixed.
 fn decrease(equations: &GlobalEquations, columns: &[ColumnId]) -> f64 {
     let gradient = select_vector(&equations.gradient, columns);
     let matrix = select(&equations.matrix, columns, columns);

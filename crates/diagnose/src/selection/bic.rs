@@ -12,9 +12,10 @@ const MAX_BIC_DIFFERENCE: f64 = 12.0;
 const TERM_BIC_MARGIN: f64 = 1.0;
 
 /// Returns the hypotheses whose BIC is near the smallest, without changing their order. Hypotheses with at most `free`
-/// unknowns are retained whatever their BIC. The result is empty if the library terms in `terms` are adequate and their
-/// BIC is smaller by more than [`TERM_BIC_MARGIN`]. Unknowns are penalized because several effects together, or an
-/// effect with a separate value for each flight, can fit almost any data.
+/// unknowns are retained whatever their BIC. The result is empty if the library terms in `terms` are adequate (no other
+/// term or candidate effect remains significant) and their BIC is smaller by more than [`TERM_BIC_MARGIN`]. Unknowns
+/// are penalized because several effects together, or an effect with a separate value for each flight, can fit almost
+/// any data.
 pub(crate) fn select_by_bic(
     model: &ScoreTestModel<'_>,
     hypotheses: Vec<Hypothesis>,
@@ -32,8 +33,9 @@ pub(crate) fn select_by_bic(
     each.filter(|(_, keep)| *keep).map(|(h, _)| h).collect()
 }
 
-/// Whether the library terms `terms` are an alternative to `hypotheses`, none of which is a single effect: they are
-/// adequate, and their BIC is near the smallest of the hypotheses.
+/// Whether the library terms `terms` are an alternative to `hypotheses`, none of which is a single effect. They are if
+/// no other term or candidate effect remains significant with them, and their BIC is near the smallest of the
+/// hypotheses.
 pub(crate) fn are_alternative(
     model: &ScoreTestModel<'_>,
     hypotheses: &[Hypothesis],

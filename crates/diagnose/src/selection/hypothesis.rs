@@ -23,8 +23,8 @@ pub(crate) struct Hypothesis {
     /// Score tests of all candidates outside this hypothesis, with the effects of this hypothesis as nuisance
     /// parameters.
     pub tests: ScoreTests,
-    /// False if the fit reached the maximum number of steps or was abandoned, as in [`Refitted::is_finished`]; true
-    /// otherwise.
+    /// False if the fit reached the maximum number of steps, or was abandoned because it progressed slowly at a large
+    /// misfit; true otherwise.
     pub is_finished: bool,
     cache: TrajectoryCache,
 }

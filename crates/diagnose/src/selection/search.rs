@@ -43,7 +43,8 @@ pub(crate) struct Search {
     pub at_base: TestsAtPoint,
     /// Model confidence set: hypotheses that are not rejected, best fit first.
     pub accepted: Vec<Hypothesis>,
-    /// Hypotheses of the most recent search round in which no hypothesis was adequate, best fit first.
+    /// Hypotheses of the most recent search round in which no hypothesis was adequate (left no candidate effect and no
+    /// library term significant), best fit first.
     pub rejected: Vec<Hypothesis>,
 }
 
@@ -135,8 +136,9 @@ impl Search {
         ln_p(candidate).min(ln_p(term)) < self.at_base.thresholds.detect
     }
 
-    /// Whether the sum of squares `expected` from linearization is below the sum of squares `fitted`, or exceeds it by
-    /// less than the margins [`CHI2_MARGIN`] and [`CHI2_MARGIN_RELATIVE`].
+    /// Whether the sum of squares `expected` from linearization is below `fitted`, or exceeds it by less than a margin.
+    /// The margin is [`CHI2_MARGIN`] plus the fraction [`CHI2_MARGIN_RELATIVE`] of the decrease from the fit of the
+    /// model under test to `fitted`.
     pub fn is_near(&self, expected: f64, fitted: f64) -> bool {
         expected < fitted + CHI2_MARGIN + CHI2_MARGIN_RELATIVE * (self.at_base.squares - fitted)
     }
@@ -225,8 +227,9 @@ impl Search {
         Ok(true)
     }
 
-    /// Stores those of the hypotheses `fitted` that are adequate in `self.accepted`; if none is adequate, stores all of
-    /// them in `self.rejected`. The stored hypotheses are sorted by the sum of squares, in ascending order.
+    /// Stores the adequate hypotheses of `fitted`, which leave no candidate effect and no library term significant, in
+    /// `self.accepted`; if none is adequate, stores all of them in `self.rejected`. The stored hypotheses are sorted by
+    /// the sum of squares, in ascending order.
     fn classify(
         &mut self,
         model: &ScoreTestModel<'_>,
@@ -363,7 +366,7 @@ fn strongest_singles(tests: &ScoreTests) -> Vec<Vec<CandidateId>> {
 }
 
 /// Rejected hypotheses extended by one effect: the `count` extensions with the smallest expected sums of squares, in
-/// ascending order. Each extension is stored with the index in `rejected` of the hypothesis that it extends.
+/// ascending order. Each is a pair: the effects, and the index in `rejected` of the hypothesis that is extended.
 fn strongest_additions(rejected: &[Hypothesis], count: usize) -> Vec<(Vec<CandidateId>, usize)> {
     let mut all: Vec<(Vec<CandidateId>, usize, f64)> = Vec::new();
     for (parent, hypothesis) in rejected.iter().enumerate().take(MAX_PARENTS) {

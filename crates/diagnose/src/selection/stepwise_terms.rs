@@ -101,8 +101,8 @@ impl StepwiseModel {
         self.selected.len() + self.effect_unknowns
     }
 
-    /// Returns the better of two models: the adequate one, or, if both or neither are adequate, the one with the
-    /// smaller sum of squares. `None` if both arguments are `None`.
+    /// Returns the better of two models with selected library terms: the one that leaves nothing significant or, if
+    /// both or neither do, the one with the smaller sum of squares. `None` if both arguments are `None`.
     pub fn better(one: Option<Self>, other: Option<Self>) -> Option<Self> {
         let rank = |model: &Self| (!model.is_adequate, model.squares);
         match (one, other) {
@@ -180,8 +180,9 @@ impl StepwiseModel {
     }
 
     /// Selects the most significant remaining library term and fits the model again, repeatedly. Stops if `most` terms
-    /// are selected, the model is adequate, no term decreases the sum of squares, or the remaining terms cannot be
-    /// expected to explain as much as an accepted hypothesis. `before` is the fit of the model under test.
+    /// are selected, no effect or term remains significant, no term decreases the sum of squares, or the remaining
+    /// terms cannot be expected to explain as much as an accepted hypothesis. `before` is the fit of the model under
+    /// test.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if the caller cancelled.

@@ -60,7 +60,7 @@ pub(crate) fn cross_validate(
 
 /// Out-of-sample gain (reduction of the prediction error) of the second model over the first, each given with its fit
 /// to the flights of the diagnosis: on the held-out flights if the dataset declares some, otherwise by
-/// cross-validation. `noise_floor_m` is the noise of one coordinate, m.
+/// cross-validation. `noise_floor_m` is the standard deviation of the noise of one coordinate, m.
 ///
 /// # Errors
 /// [`FitError::Interrupted`] if the caller cancelled.

@@ -66,8 +66,8 @@ impl PredictiveGain {
         self.error_reduction_m() < -self.standard_error_m
     }
 
-    /// Whether the predictions without and with the extension are practically the same: the difference of the RMS
-    /// errors and its standard error are below the fraction [`SAME_ERROR`] of the noise.
+    /// Whether the predictions without and with the added effects are practically the same: the difference of the RMS
+    /// errors and its standard error are below the fraction [`SAME_ERROR`] of the noise standard deviation.
     pub(crate) fn changes_nothing(&self) -> bool {
         let same = SAME_ERROR * self.noise_floor_m;
         self.error_reduction_m().abs() < same && self.standard_error_m < same
@@ -100,7 +100,8 @@ pub(super) struct FlightErrors {
 }
 
 /// Reduction of the out-of-sample error from the fit `before` to the fit `after`, on the held-out flights of the
-/// dataset; `None` if no held-out flight is predicted. `noise_floor_m` is the noise of one coordinate, m.
+/// dataset; `None` if no held-out flight is predicted. `noise_floor_m` is the standard deviation of the noise of one
+/// coordinate, m.
 pub fn held_out_gain(
     before: &FitReport,
     after: &FitReport,
@@ -151,8 +152,8 @@ pub(super) fn errors(
         .collect()
 }
 
-/// Summarizes the prediction errors: RMS errors over flights, jackknife standard error of their difference, and
-/// paired comparison of the flights. `None` without flights.
+/// Summarizes the prediction errors of two models, without and with the added effects: RMS errors over the flights,
+/// jackknife standard error of their difference, and paired comparison of the flights. `None` without flights.
 pub(super) fn summarize(
     flights: Vec<FlightErrors>,
     noise_floor_m: f64,
