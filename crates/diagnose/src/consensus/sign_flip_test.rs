@@ -135,8 +135,9 @@ impl SignFlipTest {
         }
     }
 
-    /// Familywise p-value of each group of columns by the maximum statistic: the fraction of random sign vectors for
-    /// which the agreement on any group is at least the observed agreement on this group.
+    /// Familywise p-value of the sign-flip test of each group of columns of the normal equations, by the maximum
+    /// statistic: the fraction of random sign vectors for which the agreement of the flights on any group is at least
+    /// the observed agreement on this group.
     pub fn p_values(&self, groups: &[Vec<ColumnId>]) -> Vec<f64> {
         let groups: Vec<Vec<Vec<f64>>> = groups
             .iter()
@@ -159,8 +160,8 @@ impl SignFlipTest {
         observed.into_iter().map(p_value).collect()
     }
 
-    /// Value of [`cosine`](Self::cosine) of every flight for the unknown of `column`, scaled to a vector of unit
-    /// length.
+    /// For every flight: cosine of the angle between its whitened residuals and the Jacobian column of the unknown of
+    /// `column`. The vector of these cosines is scaled to unit length.
     fn unit_cosines(&self, column: ColumnId) -> Vec<f64> {
         let cosines: Vec<f64> = (0..self.flights())
             .map(|f| self.cosine(f, column))
@@ -171,8 +172,9 @@ impl SignFlipTest {
     }
 }
 
-/// Agreement of the flights on a group of columns, given by the cosines of all flights for each column: maximum over
-/// the columns of the absolute sum of the cosines, each multiplied by its flight's entry in `signs`.
+/// Agreement of the flights on a group of unknowns. `group` contains one vector for each unknown: for each flight, the
+/// cosine of the angle between its residuals and the unknown's Jacobian column. The agreement is the maximum over the
+/// unknowns of the absolute sum of the cosines, each multiplied by its flight's entry in `signs`.
 fn agreement(signs: &[f64], group: &[Vec<f64>]) -> f64 {
     let sum = |cosines: &Vec<f64>| -> f64 {
         let each = cosines.iter().zip(signs);

@@ -11,8 +11,8 @@ pub(crate) struct Candidate {
     pub name: String,
     /// Description of the effect: the doc comment of the effect's declaration in the model language.
     pub doc: String,
-    /// Sentences that describe the effect if its first coefficient is above (index 0) or below (index 1) its null
-    /// value; the general description for an effect that declares no such sentence.
+    /// Two sentences that describe the effect: the first if its first coefficient is above its null value, the second
+    /// if below. An effect that declares no such sentence has its general description here.
     pub senses: [String; 2],
     /// Site of the effect: the load (force or moment component) or the equation of the model that it changes.
     pub site: String,

@@ -134,7 +134,8 @@ impl ScoreTestModel<'_> {
         true
     }
 
-    /// Wraps the error of one flight as a fit error with the file of the flight.
+    /// Converts `reason`, the error of the flight with index `flight`, to a fit error that names the file of the
+    /// flight.
     pub fn flight_error(&self, flight: usize, reason: FlightError) -> FitError {
         FitError::Flight {
             file: self.flights[flight].file.clone(),

@@ -48,8 +48,8 @@ impl TrajectoryCache {
         self.slots.is_empty()
     }
 
-    /// Calls `work` with the cached trajectory of a flight, and returns the result of `work`. A trajectory that `work`
-    /// writes to its argument is stored unless the cache would exceed [`MAX_CACHE_BYTES`].
+    /// Calls `work` with the cached trajectory of a flight, `None` if there is none, and returns the result of `work`.
+    /// A trajectory that `work` writes to its argument is stored unless the cache would exceed [`MAX_CACHE_BYTES`].
     pub fn with_flight<R>(
         &self,
         flight: usize,

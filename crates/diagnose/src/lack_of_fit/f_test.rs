@@ -14,8 +14,8 @@ pub(super) fn f_survival(value: f64, (dof1, dof2): (f64, f64)) -> f64 {
     erfc(z / std::f64::consts::SQRT_2) / 2.0
 }
 
-/// Test statistic with its expectation and the variance that results from the estimation of the noise; tested as an F
-/// variable.
+/// Lack-of-fit statistic, with its expectation and the variance that results from the estimation of the noise; tested
+/// as an F variable.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct ScaledStatistic {
     /// Test statistic: sum of squares over the estimated noise variance.

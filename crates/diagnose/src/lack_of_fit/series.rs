@@ -43,7 +43,8 @@ impl Series {
         }
     }
 
-    /// Whitens the series with the noise model of an axis, and projects it on the splines of `basis`.
+    /// Whitens the residuals and derivatives of the series with the noise model of its coordinate axis, and projects
+    /// them on the splines of `basis`.
     pub fn whitened(
         &self,
         basis: &SplineBasis,

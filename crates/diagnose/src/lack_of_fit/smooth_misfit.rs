@@ -17,11 +17,11 @@ const MIN_TOLERANCE: f64 = 1e-9;
 /// Lack-of-fit statistics of one flight: reduction of the sum of squares of its residuals by two sets of splines.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct FlightMisfit {
-    /// Reduction of the sum of squares by splines that follow slow deviations, such as those caused by wrong forces.
-    /// The knots are a fifth of the flight's duration apart.
+    /// Reduction of the sum of squares by splines that follow slow deviations of the residuals from zero, such as those
+    /// caused by wrong forces. The knots are a fifth of the flight's duration apart.
     pub slow: ScaledStatistic,
-    /// Reduction of the sum of squares by splines that follow fast deviations, such as those caused by errors of marker
-    /// positions, attitude and spin. There are several knots for each turn of the body.
+    /// Reduction of the sum of squares by splines that follow fast deviations of the residuals from zero, such as those
+    /// caused by errors of marker positions, attitude and spin. There are several knots for each turn of the body.
     pub fine: ScaledStatistic,
 }
 

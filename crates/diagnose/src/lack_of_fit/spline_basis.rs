@@ -44,7 +44,7 @@ impl SplineBasis {
     }
 }
 
-/// Maximum number of knot intervals of one flight; bounds the memory.
+/// Maximum number of knot intervals of a spline basis over one flight; bounds the memory.
 const MAX_INTERVALS: f64 = 4096.0;
 
 #[cfg(test)]

@@ -102,8 +102,8 @@ impl ScoreTestModel<'_> {
         Ok(step)
     }
 
-    /// Residuals, m, of a flight after the given steps of the global parameters and of the flight's local parameters,
-    /// by linearization at the point `at`.
+    /// Residuals, m, of a flight, by linearization at the point `at`, after the step `global_step` of the global
+    /// parameters and the step `local_step` of the flight's local parameters (its initial state).
     fn residuals_after_step(
         &self,
         at: LinearizationPoint<'_>,

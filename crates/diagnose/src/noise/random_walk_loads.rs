@@ -29,7 +29,7 @@ const MAX_FLIGHTS: usize = 12;
 const INITIAL_SIGMA: f64 = 0.03;
 
 /// Number of iterations of the expectation maximization that estimates the standard deviations of the load
-/// coefficients.
+/// coefficients' random walks.
 const EM_ITERATIONS: usize = 40;
 
 /// Minimum standard deviation of the first value and of the increments of a load coefficient's random walk; prevents
@@ -41,7 +41,7 @@ const MIN_SIGMA: f64 = 1e-7;
 pub struct LoadHistory {
     /// File name of the flight.
     pub file: String,
-    /// Times of the knots, s after the first sample.
+    /// Times of the knots at which the load coefficient is estimated, s after the first sample.
     pub t: Vec<f64>,
     /// Estimated load coefficient at each knot; near 0 at times at which the loads of the model are complete.
     pub value: Vec<f64>,
@@ -50,8 +50,8 @@ pub struct LoadHistory {
 }
 
 /// Estimated time histories of missing loads: one list for each load channel (force or moment component) of the term
-/// library, in the order of the library, with one history for each of the first [`MAX_FLIGHTS`] flights. Empty if no
-/// library is compatible with the model.
+/// library, in the order of the library. A list contains at most one history for each of the first [`MAX_FLIGHTS`]
+/// flights. Empty if no library is compatible with the model.
 pub(crate) fn random_walk_loads(
     model: &ScoreTestModel<'_>,
     at: &Iterate,

@@ -99,9 +99,9 @@ pub(crate) fn next_throw(
     Ok(best.map(|(after, release)| NextThrow::new(release, after, now)))
 }
 
-/// Normal equations of a simulated flight from the launch conditions `release`, observed like the measured flight
-/// `like` and linearized at the unknowns `at`; `None` if the model cannot start from these conditions or cannot be
-/// integrated.
+/// Normal equations of a simulated flight from the launch conditions `release`, under the conditions of the measured
+/// flight `like`, linearized at the unknowns `at`; `None` if the model cannot start from these launch conditions or
+/// cannot be integrated.
 fn simulated(
     problem: &FitProblem,
     (like, release): (&Observations, &Release),

@@ -192,7 +192,7 @@ pub struct Estimate {
 pub struct NoiseSummary {
     /// Standard deviation of the noise of one coordinate, m.
     pub sigma_m: f64,
-    /// Lag-1 autocorrelation of the noise, averaged over the axes.
+    /// Lag-1 autocorrelation of the noise, averaged over the three coordinate axes.
     pub ar1: f64,
     /// Fraction of the measured positions that are outliers, 0 … 1.
     pub outlier_fraction: f64,

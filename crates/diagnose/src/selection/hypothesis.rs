@@ -30,7 +30,7 @@ pub(crate) struct Hypothesis {
 }
 
 impl Hypothesis {
-    /// Linearization point of the normal equations at the fitted values.
+    /// Linearization point of the normal equations at the fitted values of this hypothesis.
     pub fn linearization_point(&self) -> LinearizationPoint<'_> {
         LinearizationPoint {
             problem: &self.problem,
@@ -64,8 +64,8 @@ impl Hypothesis {
 }
 
 impl ScoreTestModel<'_> {
-    /// Fits the candidate effects `effects` together with the model under test, starting at `from`; `None` if the fit
-    /// or the score tests fail.
+    /// Fits the candidate effects `effects` together with the model under test, with `from` as initial values of the
+    /// unknowns; `None` if the fit or the score tests fail.
     pub fn fit_hypothesis(
         &self,
         effects: &[CandidateId],
@@ -75,8 +75,8 @@ impl ScoreTestModel<'_> {
         self.fit_hypothesis_cached(effects, from, noise, TrajectoryCache::DISABLED)
     }
 
-    /// Fits the candidate effects `effects` together with the model under test, starting at `from`, and stores the
-    /// trajectories at the fitted values in `cache`. `None` if the fit or the score tests fail.
+    /// Fits the candidate effects `effects` together with the model under test, with `from` as initial values of the
+    /// unknowns. Stores the trajectories at the fitted values in `cache`. `None` if the fit or the score tests fail.
     pub fn fit_hypothesis_cached(
         &self,
         effects: &[CandidateId],

@@ -365,8 +365,9 @@ fn strongest_singles(tests: &ScoreTests) -> Vec<Vec<CandidateId>> {
     near.take(MAX_REFITS).map(|(id, _)| vec![id]).collect()
 }
 
-/// Rejected hypotheses extended by one effect: the `count` extensions with the smallest expected sums of squares, in
-/// ascending order. Each is a pair: the effects, and the index in `rejected` of the hypothesis that is extended.
+/// Rejected hypotheses extended by one effect to `count` effects: at most [`MAX_REFITS`] extensions, with expected sums
+/// of squares near the smallest, in ascending order of this sum. Each is a pair: the effects, and the index in
+/// `rejected` of the hypothesis that is extended.
 fn strongest_additions(rejected: &[Hypothesis], count: usize) -> Vec<(Vec<CandidateId>, usize)> {
     let mut all: Vec<(Vec<CandidateId>, usize, f64)> = Vec::new();
     for (parent, hypothesis) in rejected.iter().enumerate().take(MAX_PARENTS) {
