@@ -8,7 +8,7 @@ use crate::context::OptionsError;
 /// Reason why a diagnosis cannot be completed.
 #[derive(Debug, thiserror::Error)]
 pub enum DiagnosisError {
-    /// An option has an invalid value or an unknown name.
+    /// An option has an invalid value, or names an effect that does not exist.
     #[error(transparent)]
     Options(#[from] OptionsError),
     /// The flights cannot be fitted.

@@ -94,7 +94,7 @@ struct Agreed {
 
 /// Fits each single candidate effect on which the flights agree, and returns the hypotheses, best fit first. A
 /// hypothesis is omitted if, once its effect is included, the flights still agree on a further candidate or library
-/// term.
+/// term (product of variables added to a load).
 fn agreed_hypotheses(
     model: &ScoreTestModel<'_>,
     search: &Search,

@@ -14,6 +14,6 @@ index_type!(
 
 index_type!(
     /// Index of a global column of the normal equations. The columns are those of the encompassing model's global
-    /// parameters, then one column for the coefficient of each library term.
+    /// parameters, then one column for the coefficient of each library term (product of variables added to a load).
     pub(crate) struct ColumnId;
 );

@@ -90,7 +90,7 @@ impl LibraryTerms {
         channels.map(|(id, channel)| (id, channel.site.as_str()))
     }
 
-    /// Site of a library term: the name of the load (such as lift) to which the term is added.
+    /// Site of a library term (product of variables): the name of the load (such as lift) to which the term is added.
     pub fn site(&self, term: TermId) -> &str {
         &self.library.channels[self.terms[term].channel].site
     }

@@ -43,7 +43,8 @@ impl ScoreTestModel<'_> {
     }
 
     /// Normal equations of every flight for its local parameters (initial state), the global parameters (common to all
-    /// flights) and the coefficients of the library terms, with residuals whitened by the noise model `noise`.
+    /// flights) and the coefficients of the library terms (products of variables added to loads), with residuals
+    /// whitened by the noise model `noise`.
     ///
     /// # Errors
     /// [`FitError::Flight`] if a trajectory cannot be integrated; [`FitError::Interrupted`] if the caller cancelled.
@@ -159,8 +160,8 @@ impl ScoreTestModel<'_> {
         globals.map(|global| global.param).collect()
     }
 
-    /// Equations of motion extended by the library terms, and the index, in these equations, of the parameter of each
-    /// global column of the normal equations.
+    /// Equations of motion extended by the library terms (products of variables added to loads), and the index, in
+    /// these equations, of the parameter of each global column of the normal equations.
     fn motion_with_terms<'c>(
         &self,
         conditions: &'c BoundModel<'c>,

@@ -50,7 +50,8 @@ impl Default for DiagnosisOptions<'_> {
     }
 }
 
-/// Ranges (minimum, maximum) of launch conditions that a thrower can achieve, and how the simulated throws are sampled.
+/// Ranges (minimum, maximum) of launch conditions that a thrower can achieve; also height of release, observed duration
+/// and sampling rate of the simulated throws.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThrowRanges {
     /// Speed of the body at release, m/s.

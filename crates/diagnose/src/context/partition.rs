@@ -28,7 +28,7 @@ impl Partition {
     }
 }
 
-/// Submatrix of `matrix` with the given rows and columns, in the given order.
+/// Submatrix of `matrix` that consists of its rows `rows` and its columns `columns`, in the order of these lists.
 pub(crate) fn select<R: Idx, C: Idx>(
     matrix: &DMatrix<f64>,
     rows: &[R],
@@ -39,7 +39,7 @@ pub(crate) fn select<R: Idx, C: Idx>(
     })
 }
 
-/// Subvector of `vector` with the entries at the given rows, in the given order.
+/// Subvector of `vector` that consists of its entries with the indices `rows`, in the order of this list.
 pub(crate) fn select_vector<I: Idx>(vector: &DVector<f64>, rows: &[I]) -> DVector<f64> {
     DVector::from_fn(rows.len(), |i, _| vector[rows[i].index()])
 }

@@ -136,7 +136,7 @@ impl<'a> ScoreTestModel<'a> {
     }
 
     /// Name of the global parameter to which a column of the normal equations belongs; `None` for the column of a
-    /// library term.
+    /// library term (product of variables added to a load).
     pub fn column_name(&self, column: ColumnId) -> Option<&str> {
         let global = self.problem.globals.get(column.index())?;
         Some(global.name.as_str())

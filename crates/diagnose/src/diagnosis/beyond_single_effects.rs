@@ -71,8 +71,9 @@ impl Analysis<'_> {
         stepwise.extend(&self.model, search, &self.before, most)
     }
 
-    /// Selects library terms with the candidate effects `effects` included in the model. If terms were already selected
-    /// without these effects, the better of the two selections is stored, as determined by [`StepwiseModel::better`].
+    /// Selects library terms (products of variables added to loads) with the candidate effects `effects` included in
+    /// the model. If terms were already selected without these effects, the better of the two selections is stored, as
+    /// determined by [`StepwiseModel::better`].
     fn search_terms_beside(&mut self, effects: &[CandidateId]) -> Result<(), DiagnosisError> {
         let (model, search) = (&self.model, &self.search);
         let Some(single) = model.fit_hypothesis(effects, &self.base, &search.noise) else {

@@ -26,8 +26,8 @@ const DAMPING: f64 = 1e-12;
 impl ScoreTestModel<'_> {
     /// Estimates the noise of the residuals and marks outliers. The residuals are first corrected by one linearized
     /// step: the nuisance parameters are re-estimated, and significant contributions of candidate effects and library
-    /// terms are removed. Nuisance parameters include those of the candidates in `conditioned_on`. `noise` is the noise
-    /// model that weights the residuals.
+    /// terms (products of variables added to loads) are removed. Nuisance parameters include those of the candidates in
+    /// `conditioned_on`. `noise` is the noise model that weights the residuals.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated; [`DiagnosisError::UndeterminedInitialState`] if

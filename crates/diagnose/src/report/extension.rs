@@ -21,7 +21,8 @@ pub(crate) fn add_alternative(report: &mut Report, terms: &FittedTerms, search: 
 }
 
 /// Adds the fit of the extended model to the report. If the report contains no explanation (`causes`) yet, the effects
-/// created from library terms are added as an explanation; `chi2_decrease` is their decrease of χ².
+/// created from library terms (products of variables added to loads) are added as an explanation; `chi2_decrease` is
+/// their decrease of χ².
 pub(crate) fn add_extension(
     report: &mut Report,
     (extension, chi2_decrease): (&ExtendedModel, f64),

@@ -151,7 +151,8 @@ pub struct RemainingEffect {
 /// One effect of an explanation of the misfit (a [`Cause`]), with the estimates of its coefficients.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CauseEffect {
-    /// Display name, with hyphens, of the candidate effect or of the effect created from library terms.
+    /// Display name, with hyphens, of the candidate effect or of the effect created from library terms (products of
+    /// variables added to loads).
     pub name: String,
     /// Description of the effect; for candidates, according to the sign of the estimate.
     pub doc: String,
@@ -164,7 +165,7 @@ pub struct CauseEffect {
     /// effect vanishes.
     pub estimates: BTreeMap<String, Estimate>,
     /// Score statistic of the effect, χ², tested at the fit of the model under test; 0 for an effect created from
-    /// library terms.
+    /// library terms (products of variables added to loads).
     pub statistic: f64,
     /// Whether every estimate of the effect differs from its null value by less than the smallest effect size of
     /// interest.
@@ -284,8 +285,8 @@ pub struct FlightGain {
     pub rms_after_m: Option<f64>,
 }
 
-/// Lack of fit that no candidate effect explains, with the loads (force and moment components) and library terms whose
-/// addition to the model would reduce the lack of fit.
+/// Lack of fit that no candidate effect explains, with the loads (force and moment components) and library terms
+/// (products of variables) whose addition to the model would reduce the lack of fit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Unattributed {
     /// Sentences that state in which load channels (force or moment components) the lack of fit lies.

@@ -19,8 +19,8 @@ pub(crate) const MIN_TOLERANCE: f64 = 1e-8;
 /// Seed of the simulated null distribution from which the familywise significance thresholds are computed.
 const THRESHOLD_SEED: u64 = 1;
 
-/// Score tests of candidate effects and library terms. The parameters of the model under test, and of candidates that
-/// are included in the null hypothesis, are nuisance parameters.
+/// Score tests of candidate effects and library terms (products of variables added to loads). The parameters of the
+/// model under test, and of candidates that are included in the null hypothesis, are nuisance parameters.
 #[derive(Clone, Debug)]
 pub(crate) struct ScoreTests {
     /// Test of each candidate effect (effect that the model may lack); `None` if the parameters of the candidate are

@@ -7,8 +7,8 @@ use crate::context::ScoreTestModel;
 /// Maximum difference of a hypothesis' BIC from the smallest BIC at which the hypothesis is retained.
 const MAX_BIC_DIFFERENCE: f64 = 12.0;
 
-/// Maximum amount by which the BIC of the model with library terms may be below the smallest BIC of the hypotheses
-/// while the hypotheses are still preferred.
+/// Maximum amount by which the BIC of the model with library terms (products of variables added to loads) may be below
+/// the smallest BIC of the hypotheses while the hypotheses are still preferred.
 const TERM_BIC_MARGIN: f64 = 1.0;
 
 /// Returns the hypotheses whose BIC is near the smallest, without changing their order. Hypotheses with at most `free`
@@ -33,9 +33,9 @@ pub(crate) fn select_by_bic(
     each.filter(|(_, keep)| *keep).map(|(h, _)| h).collect()
 }
 
-/// Whether the library terms `terms` are an alternative to `hypotheses`, none of which is a single effect. They are if
-/// no other term or candidate effect remains significant with them, and their BIC is near the smallest of the
-/// hypotheses.
+/// Whether the library terms (products of variables added to loads) `terms` are an alternative to `hypotheses`, none of
+/// which is a single effect. They are if no other term or candidate effect remains significant with them, and their BIC
+/// is near the smallest of the hypotheses.
 pub(crate) fn are_alternative(
     model: &ScoreTestModel<'_>,
     hypotheses: &[Hypothesis],
@@ -64,9 +64,9 @@ fn bic_of_terms(model: &ScoreTestModel<'_>, terms: &StepwiseModel) -> f64 {
 }
 
 /// Returns for each hypothesis, given by (BIC, number of unknowns), whether it is retained. No hypothesis is retained
-/// if the BIC of the library terms, `of_terms`, is smaller than the BIC of every hypothesis by more than
-/// [`TERM_BIC_MARGIN`]. Otherwise a hypothesis is retained if it has at most `free` unknowns, or its BIC is near the
-/// smallest.
+/// if the BIC of the library terms (products of variables added to loads), `of_terms`, is smaller than the BIC of every
+/// hypothesis by more than [`TERM_BIC_MARGIN`]. Otherwise a hypothesis is retained if it has at most `free` unknowns,
+/// or its BIC is near the smallest.
 fn near_least(scored: &[(f64, usize)], of_terms: f64, free: usize) -> Vec<bool> {
     let least = scored.iter().map(|s| s.0).fold(f64::INFINITY, f64::min);
     if of_terms < least - TERM_BIC_MARGIN {

@@ -48,7 +48,7 @@ pub(crate) struct Search {
     pub rejected: Vec<Hypothesis>,
 }
 
-/// Score tests of candidate effects and library terms at a linearization point.
+/// Score tests of candidate effects and library terms (products of variables added to loads) at a linearization point.
 pub(crate) struct TestsAtPoint {
     pub tests: ScoreTests,
     /// Familywise thresholds of log p-values, for detection and rejection.
@@ -67,8 +67,8 @@ pub(crate) enum Weights<'n> {
 }
 
 impl ScoreTestModel<'_> {
-    /// Score tests of all candidate effects and library terms at the linearization point `at`. Only the parameters of
-    /// the model under test are nuisance parameters.
+    /// Score tests of all candidate effects and library terms (products of variables added to loads) at the
+    /// linearization point `at`. Only the parameters of the model under test are nuisance parameters.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated.
@@ -124,7 +124,8 @@ impl Search {
         Ok(search)
     }
 
-    /// Whether a candidate or a library term is significant at the fit of the model under test.
+    /// Whether a candidate or a library term (product of variables added to a load) is significant at the fit of the
+    /// model under test.
     pub fn is_significant(&self) -> bool {
         let ln_p = |test: Option<&ScoreTest>| test.map_or(0.0, |test| test.ln_p);
         let candidate = self
