@@ -257,7 +257,7 @@ impl<'a> Analysis<'a> {
     }
 
     /// The fitted model with library terms (products of variables added to loads); `None` unless its BIC is near the
-    /// smallest BIC of the accepted hypotheses.
+    /// smallest BIC of the accepted hypotheses (sets of missing effects).
     fn alternative_terms(&self) -> Option<&FittedTerms> {
         let hypotheses = &self.search.accepted;
         let terms = self.stepwise.as_ref().filter(|_| !hypotheses.is_empty());

@@ -23,8 +23,9 @@ const ALPHA_REJECT: f64 = 0.002;
 /// cannot be significant.
 const MIN_FLIGHTS: usize = 20;
 
-/// Minimum fraction of the excess χ² that a hypothesis must explain to be accepted. The excess χ² is the weighted sum
-/// of squares minus its expectation for pure noise, over all flights or over the concordant flights.
+/// Minimum fraction of the excess χ² that a hypothesis (set of missing effects) must explain to be accepted. The excess
+/// χ² is the weighted sum of squares minus its expectation for pure noise, over all flights or over the concordant
+/// flights.
 const MIN_EXPLAINED: f64 = 0.5;
 
 /// Minimum fraction of concordant flights, which agree on the effect, for the diagnosis to be repeated without the

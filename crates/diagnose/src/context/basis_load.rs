@@ -24,9 +24,9 @@ pub(crate) struct BasisLoads<'a, B> {
 }
 
 impl<'a, B: FnMut(f64, &[f64], &mut [f64])> BasisLoads<'a, B> {
-    /// Extends the equations of motion `conditions` by one parameter for each load coefficient in `loads`, with indices
-    /// from `first` on. `basis` is called with the time in s and the state, and writes one basis function value for
-    /// each of `loads`.
+    /// Extends the equations of motion `conditions` by one parameter for each load coefficient (of a force or moment
+    /// component) in `loads`, with indices from `first` on. `basis` is called with the time in s and the state, and
+    /// writes one basis function value for each of `loads`.
     pub fn new(conditions: &'a BoundModel<'a>, loads: &[ParamId], first: usize, basis: B) -> Self {
         let motion = conditions.differentiable_rhs();
         let mut pattern = motion.parameter_jacobian_pattern().to_vec();

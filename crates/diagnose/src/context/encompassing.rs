@@ -12,15 +12,16 @@ use model_spec::term_library::TermLibrary;
 use super::candidates::{Candidate, identifier};
 use super::ids::CandidateId;
 
-/// A model extended by all candidate effects (effects that it may lack) and, where compatible, by the loads of a term
-/// library.
+/// A model extended by all candidate effects (effects that it may lack). Where a term library is compatible with the
+/// model, its loads (additional force and moment components) are also part of it.
 #[derive(Clone, Debug)]
 pub(crate) struct EncompassingModel {
     /// The model with every candidate effect (effect that it may lack) switched on.
     pub model: Model,
     /// The candidate effects (effects that the model may lack), in the order in which they were switched on.
     pub candidates: IndexVec<CandidateId, Candidate>,
-    /// The term library whose loads are part of the model; `None` if no library is compatible with the model.
+    /// The term library whose loads (force and moment components) are part of the model; `None` if no library is
+    /// compatible with the model.
     pub library: Option<Arc<TermLibrary>>,
 }
 

@@ -256,7 +256,7 @@ impl<'a> ScoreTestModel<'a> {
 }
 
 /// Estimation problem of the encompassing model (the model with all candidate effects), with the options of the fit.
-/// The load coefficients of the term library are fixed at 0.
+/// The coefficients of the loads (force and moment components) of the term library are fixed at 0.
 fn encompassing_problem(
     encompassing: &EncompassingModel,
     context: Context<'_>,
@@ -281,8 +281,8 @@ fn encompassing_problem(
     Ok(problem)
 }
 
-/// Indices and constant values of the parameters that are not estimated: candidates outside `on`, at their null values,
-/// and load coefficients of the term library, at 0.
+/// Indices and constant values of the parameters that are not estimated: those of candidates outside `on`, at their
+/// null values, and the coefficients of the loads (force and moment components) of the term library, at 0.
 fn fixed_parameters(encompassing: &EncompassingModel, on: &[CandidateId]) -> Vec<(usize, f64)> {
     let layout = Layout::new(&encompassing.model);
     let null = encompassing.candidates.iter_enumerated();

@@ -14,18 +14,19 @@ use serde::{Deserialize, Serialize};
 use crate::context::{BasisLoads, LibraryTerms, ScoreTestModel};
 use crate::score_test::{eliminate_locals, keep_directions};
 
-/// Maximum time between the knots of a missing load's time history, s; exceeded only if a flight would need more than
-/// [`MAX_KNOTS`] knots.
+/// Maximum time between the knots of the time history of a missing load (force or moment component), s; exceeded only
+/// if a flight would need more than [`MAX_KNOTS`] knots.
 const KNOT_INTERVAL: f64 = 0.2;
 
-/// Maximum number of knots of the time history of one missing load in one flight.
+/// Maximum number of knots of the time history of one missing load (force or moment component) in one flight.
 const MAX_KNOTS: usize = 9;
 
-/// Maximum number of flights for which time histories of missing loads are estimated; further flights are ignored.
+/// Maximum number of flights for which time histories of missing loads (force and moment components) are estimated;
+/// further flights are ignored.
 const MAX_FLIGHTS: usize = 12;
 
-/// Initial value, in the expectation maximization, of both standard deviations of a load coefficient's random walk:
-/// that of its value at the first knot, and that of its increments between knots.
+/// Initial value, in the expectation maximization, of two standard deviations of the random walk of a load (force or
+/// moment component): that of its coefficient at the first knot, and that of the increments between knots.
 const INITIAL_SIGMA: f64 = 0.03;
 
 /// Number of iterations of the expectation maximization that estimates the standard deviations of the load
@@ -43,7 +44,8 @@ pub struct LoadHistory {
     pub file: String,
     /// Times of the knots at which the load coefficient is estimated, s after the first sample.
     pub t: Vec<f64>,
-    /// Estimated load coefficient at each knot; near 0 at times at which the loads of the model are complete.
+    /// Estimated coefficient of the missing load at each knot; near 0 at times at which the loads (force and moment
+    /// components) of the model are complete.
     pub value: Vec<f64>,
     /// Standard errors of `value`, one for each knot.
     pub std_error: Vec<f64>,
@@ -189,8 +191,8 @@ impl FlightLoads {
         })
     }
 
-    /// Posterior mean and covariance of the load coefficients at the knots, given the random walks' standard
-    /// deviations; `None` if the posterior information matrix cannot be inverted.
+    /// Posterior mean and covariance of the coefficients of missing loads (force and moment components) at the knots,
+    /// given the random walks' standard deviations; `None` if the posterior information matrix cannot be inverted.
     fn posterior(&self, sigmas: &[WalkSigma]) -> Option<(DVector<f64>, DMatrix<f64>)> {
         let mut matrix = self.information.clone();
         let knots = self.knots.len();
@@ -209,8 +211,8 @@ impl FlightLoads {
         Some((-(&covariance * &self.gradient), covariance))
     }
 
-    /// For the random walk of each load channel, adds to `sums` the expected squares of the first value and of the
-    /// increments between knots, computed from their posterior mean and covariance.
+    /// For the random walk of each load channel (force or moment component), adds to `sums` the expected squares of the
+    /// first value and of the increments between knots, computed from their posterior mean and covariance.
     fn add_expected_squares(
         &self,
         (mean, covariance): (&DVector<f64>, &DMatrix<f64>),
@@ -229,7 +231,7 @@ impl FlightLoads {
     }
 }
 
-/// Evenly spaced knot times of a load's time history, from 0 to `end`, s; at least 2.
+/// Evenly spaced knot times, from 0 to `end`, s, of the time history of a missing load; at least 2.
 fn knots(end: f64) -> Vec<f64> {
     let count = ((end / KNOT_INTERVAL).ceil() as usize + 1).clamp(2, MAX_KNOTS);
     let knot = |k: usize| end * k as f64 / (count - 1) as f64;

@@ -323,11 +323,11 @@ pub struct Consensus {
 pub struct LoadChannel {
     /// Name of the load in which the force or moment is missing: lift, drag, side, roll, pitch or spin.
     pub site: String,
-    /// Ratio of the χ² decrease by the library terms of this load alone to the decrease by the terms of all loads, 0 …
-    /// 1.
+    /// Ratio of the χ² decrease by the library terms of this load (force or moment component) alone to the decrease by
+    /// the terms of all loads, 0 … 1.
     #[serde(rename = "explains")]
     pub explained: f64,
-    /// Time history of the load coefficient in each flight.
+    /// Time history, in each flight, of the coefficient of the missing load.
     pub histories: Vec<LoadHistory>,
 }
 

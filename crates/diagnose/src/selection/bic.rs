@@ -4,11 +4,12 @@ use super::hypothesis::Hypothesis;
 use super::stepwise_terms::StepwiseModel;
 use crate::context::ScoreTestModel;
 
-/// Maximum difference of a hypothesis' BIC from the smallest BIC at which the hypothesis is retained.
+/// Maximum amount by which the BIC of a hypothesis (set of missing effects) may exceed the smallest BIC of all
+/// hypotheses for the hypothesis to be retained.
 const MAX_BIC_DIFFERENCE: f64 = 12.0;
 
 /// Maximum amount by which the BIC of the model with library terms (products of variables added to loads) may be below
-/// the smallest BIC of the hypotheses while the hypotheses are still preferred.
+/// the smallest BIC of the hypotheses (sets of missing effects) while the hypotheses are still preferred.
 const TERM_BIC_MARGIN: f64 = 1.0;
 
 /// Returns the hypotheses whose BIC is near the smallest, without changing their order. Hypotheses with at most `free`
@@ -63,10 +64,10 @@ fn bic_of_terms(model: &ScoreTestModel<'_>, terms: &StepwiseModel) -> f64 {
     bic(model, terms.squares, terms.unknowns())
 }
 
-/// Returns for each hypothesis, given by (BIC, number of unknowns), whether it is retained. No hypothesis is retained
-/// if the BIC of the library terms (products of variables added to loads), `of_terms`, is smaller than the BIC of every
-/// hypothesis by more than [`TERM_BIC_MARGIN`]. Otherwise a hypothesis is retained if it has at most `free` unknowns,
-/// or its BIC is near the smallest.
+/// Returns for each hypothesis (set of missing effects), given by (BIC, number of unknowns), whether it is retained. No
+/// hypothesis is retained if the BIC of the library terms (products of variables added to loads), `of_terms`, is
+/// smaller than the BIC of every hypothesis by more than [`TERM_BIC_MARGIN`]. Otherwise a hypothesis is retained if it
+/// has at most `free` unknowns, or its BIC is near the smallest.
 fn near_least(scored: &[(f64, usize)], of_terms: f64, free: usize) -> Vec<bool> {
     let least = scored.iter().map(|s| s.0).fold(f64::INFINITY, f64::min);
     if of_terms < least - TERM_BIC_MARGIN {

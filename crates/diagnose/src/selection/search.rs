@@ -8,13 +8,13 @@ use crate::context::{CandidateId, LinearizationPoint, ScoreTestModel, Trajectory
 use crate::error::{DiagnosisError, if_possible};
 use crate::score_test::{ScoreTest, ScoreTests};
 
-/// A hypothesis is fitted only if its sum of squares, χ², expected from linearization exceeds the smallest expected sum
-/// of all hypotheses by less than a margin: this amount plus an allowance, [`CHI2_MARGIN_RELATIVE`], for linearization
-/// error.
+/// A hypothesis (set of missing effects) is fitted only if its sum of squares, χ², expected from linearization exceeds
+/// the smallest expected sum of all hypotheses by less than a margin: this amount plus an allowance,
+/// [`CHI2_MARGIN_RELATIVE`], for linearization error.
 const CHI2_MARGIN: f64 = 30.0;
 
-/// Part of the margin within which a hypothesis is fitted, as a fraction of the largest expected decrease of the sum of
-/// squares. It allows for linearization error and is added to [`CHI2_MARGIN`].
+/// Part of the margin within which a hypothesis (set of missing effects) is fitted, as a fraction of the largest
+/// expected decrease of the sum of squares. It allows for linearization error and is added to [`CHI2_MARGIN`].
 const CHI2_MARGIN_RELATIVE: f64 = 0.25;
 
 /// Maximum number of hypotheses fitted in one round of the search; all of them have the same number of effects.
@@ -41,7 +41,7 @@ pub(crate) struct Search {
     /// Score tests of all candidate effects and library terms (products of variables added to loads) at the fit of the
     /// model under test.
     pub at_base: TestsAtPoint,
-    /// Model confidence set: hypotheses that are not rejected, best fit first.
+    /// Model confidence set: hypotheses (sets of missing effects) that are not rejected, best fit first.
     pub accepted: Vec<Hypothesis>,
     /// Hypotheses of the most recent search round in which no hypothesis was adequate (left no candidate effect and no
     /// library term significant), best fit first.
@@ -188,8 +188,8 @@ impl Search {
         Ok(fitted)
     }
 
-    /// Fits a hypothesis again, with initial values estimated from the samples, because its refit from the fit of the
-    /// model under test did not converge. Returns the fit with the smaller sum of squares.
+    /// Fits a hypothesis (set of missing effects) again, with initial values estimated from the samples, because its
+    /// refit from the fit of the model under test did not converge. Returns the fit with the smaller sum of squares.
     fn fitted_from_scratch(
         &self,
         model: &ScoreTestModel<'_>,
@@ -210,8 +210,9 @@ impl Search {
         Ok(again.unwrap_or(hypothesis))
     }
 
-    /// Estimates the noise with the hypothesis `given` included. If the estimate differs from the stored noise model,
-    /// stores the estimate, repeats all tests with it, and returns true; otherwise returns false.
+    /// Estimates the noise with the hypothesis (set of missing effects) `given` included. If the estimate differs from
+    /// the stored noise model, stores the estimate, repeats all tests with it, and returns true; otherwise returns
+    /// false.
     fn refine_noise(
         &mut self,
         model: &mut ScoreTestModel<'_>,

@@ -6,6 +6,6 @@
 pub(crate) struct Thresholds {
     /// Log p-value below which a model error is detected.
     pub detect: f64,
-    /// Log p-value below which a hypothesis is rejected.
+    /// Log p-value below which a hypothesis (set of missing effects) is rejected.
     pub reject: f64,
 }
