@@ -4,8 +4,8 @@ use super::hypothesis::Hypothesis;
 use super::stepwise_terms::StepwiseModel;
 use crate::context::ScoreTestModel;
 
-/// Maximum amount by which the BIC of a hypothesis (set of missing effects) may exceed the smallest BIC of all
-/// hypotheses for the hypothesis to be retained.
+/// Maximum amount by which the BIC of a hypothesis (set of missing effects) may exceed the smallest BIC for the
+/// hypothesis to be retained: the smallest of all hypotheses and of the model with library terms.
 const MAX_BIC_DIFFERENCE: f64 = 12.0;
 
 /// Maximum amount by which the BIC of the model with library terms (products of variables added to loads) may be below
@@ -67,7 +67,7 @@ fn bic_of_terms(model: &ScoreTestModel<'_>, terms: &StepwiseModel) -> f64 {
 /// Returns for each hypothesis (set of missing effects), given by (BIC, number of unknowns), whether it is retained. No
 /// hypothesis is retained if the BIC of the library terms (products of variables added to loads), `of_terms`, is
 /// smaller than the BIC of every hypothesis by more than [`TERM_BIC_MARGIN`]. Otherwise a hypothesis is retained if it
-/// has at most `free` unknowns, or its BIC is near the smallest.
+/// has at most `free` unknowns, or its BIC is near the smallest of the hypotheses and the library terms.
 fn near_least(scored: &[(f64, usize)], of_terms: f64, free: usize) -> Vec<bool> {
     let least = scored.iter().map(|s| s.0).fold(f64::INFINITY, f64::min);
     if of_terms < least - TERM_BIC_MARGIN {
