@@ -26,7 +26,7 @@ pub enum ValueError {
         /// Name, as passed to [`ModelTree::with_values`], that the model does not declare.
         name: String,
     },
-    /// A given value is infinite or not a number.
+    /// A value passed to [`ModelTree::with_values`] is infinite or not a number.
     #[error("the value of `{name}` is {value}, expected a finite number")]
     NotFinite {
         /// Name of the quantity whose new value is invalid, as passed to [`ModelTree::with_values`].
@@ -207,7 +207,7 @@ fn keep_defaults(case: &mut Check, earlier: &[Default]) {
     }
 }
 
-/// Literal that, in the given unit, has exactly the SI value `value`, bit for bit; `None` if there is no such literal.
+/// Literal that, in the unit `unit`, has exactly the SI value `value`, bit for bit; `None` if there is no such literal.
 fn literal(value: f64, unit: Option<&UnitExpr>) -> Option<String> {
     let of = |text: &str| si_value(&Quantity::new(text, None, Span::default()).number, unit);
     let nearest = value / of("1");
