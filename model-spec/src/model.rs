@@ -45,7 +45,7 @@ pub struct Model {
     /// Frames of reference. Each frame follows its parent, the frame from which it is rotated. Frame 0 is inertial,
     /// with its third axis up.
     pub frames: Vec<Frame>,
-    /// The body whose equations of motion are derived from the stated forces and moments; `None` if the model states
+    /// The body whose equations of motion are derived from the declared forces and moments; `None` if the model states
     /// every differential equation.
     pub body: Option<Body>,
     /// Functions given by tables, in order of declaration.

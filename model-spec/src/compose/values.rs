@@ -38,12 +38,13 @@ pub enum ValueError {
 
 impl ModelTree {
     /// Returns a copy of the tree in which parameters, coefficients and components of inputs (such as `wind_x`) have
-    /// other default values, given in SI units. After a check of the copy, the default values equal the given values
-    /// bit for bit.
+    /// the default values in `values`: pairs of name and value, SI. After a check of the copy, its default values equal
+    /// these values bit for bit.
     ///
     /// Each value is written in the unit of its declaration. If no literal in that unit represents the value exactly,
-    /// it is written in SI units. Bounds that a value violates are removed. A check case that relies on a replaced
-    /// default gets a `set` statement with the previous value, so that its expected results remain valid.
+    /// it is written in SI units. Bounds that a value violates are removed. A check case (test case in the model file)
+    /// that relies on a replaced default gets a `set` statement with the previous value, so that its expected results
+    /// remain valid.
     ///
     /// ```
     /// use model_spec::ModelTree;
@@ -87,7 +88,8 @@ impl ModelTree {
     }
 }
 
-/// A replaced default value, in the form of the statement `set NAME = literals unit;` of a check case.
+/// A replaced default value, in the form of the statement `set NAME = literals unit;` of a check case (test case in the
+/// model file).
 struct Default {
     name: Name,
     literals: Vec<Number>,
