@@ -5,8 +5,8 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Constants to generate, each a table of the built-in files of one folder: name of the constant, its doc comment, name
-/// of the folder, and extension of the files.
+/// Rust constants that this build script writes, each a table of the built-in files of one folder. The fields are the
+/// name of the constant, its doc comment, the name of the folder, and the extension of the files.
 const TABLES: [(&str, &str, &str, &str); 7] = [
     (
         "MODELS",

@@ -3,8 +3,8 @@
 pub use crate::source::{Source, Span};
 use crate::suggest;
 
-/// Maximum number of errors that are shown and for which spelling suggestions are searched; further errors are only
-/// counted.
+/// Maximum number of errors in model files that are shown and for which spelling suggestions are searched; further
+/// errors are only counted.
 pub(crate) const MAX_SHOWN: usize = 50;
 
 /// Category of an error in a model file, such as a syntax error or a unit error.

@@ -42,9 +42,10 @@ pub struct Model {
     pub inputs: Vec<Input>,
     /// Components of the state vector, in order.
     pub states: Vec<State>,
-    /// Frames of reference, parents before children; frame 0 is inertial with its third axis up.
+    /// Frames of reference. Each frame follows its parent, the frame from which it is rotated. Frame 0 is inertial,
+    /// with its third axis up.
     pub frames: Vec<Frame>,
-    /// The body whose equations of motion are derived from the stated forces and moments; `None` if the model states
+    /// The body whose equations of motion are derived from the declared forces and moments; `None` if the model states
     /// every differential equation.
     pub body: Option<Body>,
     /// Functions given by tables, in order of declaration.
@@ -66,7 +67,8 @@ pub struct Model {
     /// The observed point, whose coordinates are specified with each observation; `None` if the model observes no
     /// marker.
     pub marker: Option<Marker>,
-    /// The measurement equation: a vector in the inertial frame, m; `None` if the model has none.
+    /// Measurement equation: expression for the observed position, a vector with components in the inertial frame, m.
+    /// `None` if the model has none.
     pub observation: Option<Observation>,
     /// Rate of true time relative to recorded time (the time stamps of the measurements). Every time derivative is
     /// multiplied by it. `None` if the rate is 1.
@@ -146,13 +148,13 @@ pub struct State {
 pub struct Frame {
     /// Name of the frame.
     pub name: String,
-    /// Orientation of the frame relative to its parent.
+    /// Orientation of the frame relative to its parent, the frame from which it is rotated.
     pub kind: FrameKind,
     /// Source span of the declaration.
     pub span: Span,
 }
 
-/// Orientation of a frame relative to its parent.
+/// Orientation of a frame relative to its parent, the frame from which it is rotated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FrameKind {
     /// The inertial frame, with its third axis up. Only frame 0 has this kind.

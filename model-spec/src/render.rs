@@ -10,8 +10,8 @@ use crate::source::{Source, Span};
 /// excerpt.
 const MAX_LINE_BYTES: usize = 300;
 
-/// Formats diagnostics as text, in the order of their source spans, with ANSI colours if `color`. At most 50 are shown;
-/// the number of further ones is stated.
+/// Formats diagnostics (errors in model files) as text, in the order of their source spans, with ANSI colours if
+/// `color`. At most 50 are shown; the number of further ones is stated.
 pub fn render(diagnostics: &[Diagnostic], sources: &[Source], color: bool) -> String {
     let mut ordered: Vec<&Diagnostic> = diagnostics.iter().collect();
     ordered.sort_by_key(|d| d.span);

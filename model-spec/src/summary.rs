@@ -158,8 +158,8 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
     Ok(())
 }
 
-/// Writes the null value (value at which the effect is absent) of a coefficient or state of an effect (named change to
-/// a model), and the smallest difference from the null value that matters in practice.
+/// Writes to `out` a line about `what`, a coefficient or state of an effect (named change to a model): its null value
+/// (value at which the effect is absent), and the smallest difference from the null value that matters in practice.
 fn unknown(out: &mut String, what: &str, unknown: &EffectUnknown, unit: &str) -> std::fmt::Result {
     let value = |value: f64| with_unit(value, unit);
     write!(out, "  {what} vanishes at {}", value(unknown.null_value))?;

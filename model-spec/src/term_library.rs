@@ -101,9 +101,9 @@ pub struct Variable {
     pub quantity: String,
     /// Name of the variable in names of terms, such as `alpha` in `drag-by-alpha-squared`.
     pub name: String,
-    /// Class of the variable, such as `speed`: one of [`VARIABLES`](crate::VARIABLES).
+    /// Kind of quantity that the variable is, such as `speed`: one of [`VARIABLES`](crate::VARIABLES).
     pub depends_on: String,
-    /// Definition of the variable as source text in model notation.
+    /// Definition of the variable as source text in the notation of model files.
     pub formula: String,
     /// Definition of the variable as syntax tree.
     value: Expr,
@@ -189,9 +189,10 @@ impl TermLibrary {
         &BUILT_IN
     }
 
-    /// Returns the first compatible built-in term library, or else one generated from the model's quantities. The
-    /// second result is the model with the effect (named change to a model) [`TermLibrary::loads`] of that library
-    /// applied. `None` if the model has neither a body nor an equation `der(STATE) = …` to which a term can be added.
+    /// Returns a term library for a model, and the model with the effect (named change to a model)
+    /// [`TermLibrary::loads`] of that library applied. It is the first built-in library whose effect can be applied to
+    /// the model, or else one generated from the model's quantities. `None` if the model has neither a body nor an
+    /// equation `der(STATE) = …` to which a term can be added.
     pub fn for_model(model: &Model) -> Option<(Arc<TermLibrary>, ModelTree)> {
         let (tree, binding) = (ModelTree::of(model), Binding::new(model));
         let with_loads = |library: &TermLibrary| {
@@ -269,7 +270,7 @@ impl TermLibrary {
         &self.products[term.product]
     }
 
-    /// Product of a term without its coefficient, as an expression in model notation.
+    /// Product of a term without its coefficient, as an expression in the notation of model files.
     pub fn formula(&self, term: Term) -> String {
         let factor = |factor: &Factor| {
             let formula = &self.variables[factor.variable].formula;
@@ -305,8 +306,8 @@ impl TermLibrary {
         }
     }
 
-    /// Classes of variables on which a term depends, from [`VARIABLES`](crate::VARIABLES), without duplicates; empty
-    /// for the constant 1.
+    /// Kinds of variables on which a term depends, such as `speed`, from [`VARIABLES`](crate::VARIABLES), without
+    /// duplicates; empty for the constant 1.
     pub fn depends_on(&self, term: Term) -> Vec<&str> {
         let mut words: Vec<&str> = Vec::new();
         for factor in self.factors(term) {
@@ -404,7 +405,7 @@ impl Channel {
     }
 }
 
-/// Factors of a product of variables; adjacent equal variables become a power.
+/// Converts a product, given as the list of its variables, to powers: adjacent equal variables become one factor.
 fn powers(variables: &[VariableId]) -> Vec<Factor> {
     let runs = variables.chunk_by(|a, b| a == b);
     runs.map(|run| Factor {

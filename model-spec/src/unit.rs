@@ -6,7 +6,8 @@ use std::fmt;
 
 pub mod symbol;
 
-/// A base unit. The discriminant is the index of its exponent in [`Unit::doubled`].
+/// A base unit: one of the seven SI base units, or the radian. The discriminant is the index of its exponent in
+/// [`Unit::doubled`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[allow(missing_docs)]
 pub enum Base {
@@ -114,8 +115,9 @@ impl Unit {
         self.agrees(Unit::ONE)
     }
 
-    /// Removes the radian if it is redundant: if other base units than the second occur (`m*rad/s²` becomes `m/s²`), or
-    /// if its exponent exceeds 1. An angle or an angular rate is returned unchanged.
+    /// Removes the radian if it is redundant: if the unit contains a base unit other than the second and the radian
+    /// (`m*rad/s²` becomes `m/s²`), or if the exponent of the radian exceeds 1. An angle or an angular rate is returned
+    /// unchanged.
     #[must_use]
     pub fn tidy(self) -> Unit {
         let mut tidied = self;
@@ -207,8 +209,8 @@ impl Unit {
             .filter(|&(_, doubled)| doubled != 0)
     }
 
-    /// Formats the unit as numerator over denominator. `times` separates factors; `power` formats an exponent from
-    /// twice its value.
+    /// Formats the unit as numerator over denominator, with `times` between factors. `power` returns the text of an
+    /// exponent, given twice the exponent.
     fn written(self, times: &str, power: impl Fn(i8) -> String) -> String {
         let side = |sign: i8| -> Vec<String> {
             PRINT_ORDER

@@ -22,7 +22,7 @@ impl LaneObserver {
         }
     }
 
-    /// Computes the observed position, m, at many states: three components, one column per component.
+    /// Computes the observed position, m, at many states. The result has one column for each of the three components.
     ///
     /// `states` holds one column per state variable; equal rows of the columns form one state vector. `parameters`
     /// holds the parameter values in the order of the model's layout, equal for all states. Each element of `varied` is

@@ -153,7 +153,7 @@ fn scalar(
     end
 }
 
-/// Pseudorandom number between -1 and 1; `seed` is the state of the generator.
+/// Pseudorandom number between -1 and 1; `seed` is the state of the generator, which each call advances.
 fn noise(seed: &mut u64) -> f64 {
     *seed = seed
         .wrapping_mul(6364136223846793005)
@@ -192,7 +192,7 @@ fn difference(a: &End, b: &End) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Test cases: model, initial states and parameters.
+/// Test cases, each with a model, and the initial states and parameters of one flight.
 fn scenes() -> Vec<(Model, Vec<f64>, Vec<f64>)> {
     let mut scenes = Vec::new();
     for (name, release) in [

@@ -28,8 +28,8 @@ struct ModelSource {
 }
 
 impl Config {
-    /// Creates a configuration without models. Its defaults are plain `f64` code, and the value of the environment
-    /// variable `OUT_DIR` as output directory.
+    /// Creates a configuration without models. By default, the generated code computes with `f64`, and the output
+    /// directory is the value of the environment variable `OUT_DIR`.
     pub fn new() -> Config {
         Config::default()
     }

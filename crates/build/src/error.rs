@@ -36,7 +36,7 @@ pub enum BuildError {
     Write {
         /// Output directory, in which the file was to be written.
         directory: PathBuf,
-        /// Error of the operating system.
+        /// Error that the operating system returned when the file was written.
         source: io::Error,
     },
 }

@@ -115,8 +115,8 @@ impl<F: Function> Kernel for Pass<'_, F> {
     }
 }
 
-/// Evaluates `f` in a chain in which each argument depends on the previous result; its time per element is the latency
-/// of `f`.
+/// Evaluates `f` in a chain in which each argument depends on the previous result. The run time per element of `from`
+/// is the latency of `f`.
 fn chained(from: &[f64], f: impl Fn(f64) -> f64) -> f64 {
     from.iter().fold(0.0, |sum, x| f(x + sum * 1e-300))
 }

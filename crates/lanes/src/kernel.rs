@@ -3,7 +3,7 @@
 use crate::fused::ScalarLane;
 use crate::real::Lanes;
 
-/// A computation that is generic over the lane type.
+/// A computation that is generic over the lane type (type with one number per SIMD lane).
 ///
 /// `run` and all its callees over `T` must be `#[inline(always)]`: functions that are not inlined are compiled for
 /// the baseline processor, where every operation on wide lanes becomes a call.

@@ -77,7 +77,7 @@ pub trait Real:
     fn sin_cos(self) -> (Self, Self);
     /// Polar angle of the point (`x`, `self`), within 2 ulp; 0 at the origin.
     fn atan2(self, x: Self) -> Self;
-    /// An elementary function; [`ElementaryFunction`] states its accuracy.
+    /// Value of the elementary function `function` at `self`; [`ElementaryFunction`] states the accuracy.
     fn elementary(self, function: ElementaryFunction) -> Self;
     /// Exponential function, within 2 ulp.
     #[inline(always)]

@@ -78,7 +78,8 @@ impl ScalarIsa {
     }
 }
 
-/// Runs a scalar kernel (computation on single numbers), compiled for the instruction set that the processor supports.
+/// Runs a scalar kernel (computation on single numbers), compiled for the widest supported instruction set that is not
+/// wider than [`Isa::best`].
 #[inline(always)]
 pub(crate) fn run_scalar<K: ScalarKernel>(kernel: K) {
     #[target_feature(enable = "avx512f,avx512dq,avx512vl,fma")]
@@ -98,8 +99,8 @@ pub(crate) fn run_scalar<K: ScalarKernel>(kernel: K) {
     }
 }
 
-/// Calls an intrinsic. The existence of a value of the lane type proves that the processor supports the intrinsic; see
-/// "Soundness" in the documentation of this module.
+/// Calls a SIMD intrinsic of the processor. This is sound because a value of the lane type exists only if the processor
+/// supports the intrinsic; see "Soundness" in the documentation of this module.
 macro_rules! instruction {
     ($e:expr) => {{
         // SAFETY: see Soundness, Intrinsics.

@@ -7,8 +7,8 @@ use crate::model::{self, Expr, ExprKind, Shape};
 use crate::syntax::ast::{self, BodyClass, BodyPartKind, Name};
 use crate::unit::Unit;
 
-/// The statements of a body's block, one field per kind of statement. Each kind occurs at most once; `None` if the
-/// block does not contain it.
+/// The statements in a block `body NAME { … }` or `point NAME { … }`, one field per kind of statement. Each kind occurs
+/// at most once; `None` if the block does not contain it.
 #[derive(Default)]
 pub(super) struct Parts<'a> {
     mass: Option<&'a ast::Expr>,

@@ -6,7 +6,7 @@ use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{Expr, ExprKind, Shape};
 use crate::unit::Unit;
 
-/// Maximum number of declarations that one unit error labels.
+/// Maximum number of declarations that the message of one unit error shows with an annotation.
 const MAX_LABELS: usize = 8;
 
 /// Maximum number of operands (names and literals) of an expression that the message of a unit error takes into

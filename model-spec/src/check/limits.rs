@@ -17,7 +17,8 @@ const GIMBAL_LIMIT: f64 = 0.01;
 const MAX_LIMITS: usize = 100;
 
 impl Checker<'_> {
-    /// Checks the stated limits, and adds the limit that avoids gimbal lock if the attitude is given by three angles.
+    /// Checks the validity limits that the model file states. If three angles describe the attitude, also adds the
+    /// limit that avoids gimbal lock.
     pub fn limits(&mut self) {
         let file = self.file;
         for item in &file.items {

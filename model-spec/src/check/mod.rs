@@ -151,8 +151,8 @@ struct Checker<'a> {
     /// Results of checking definitions: of each `let` in order of declaration, then of each equation whose derivative
     /// `der(…)` an expression uses.
     definitions: Vec<Definition>,
-    /// Source span of the first use of each declared name of unknown unit, by index of the unknown; `None` if not yet
-    /// used.
+    /// Source span of the first use of each declared name whose unit is to be inferred, by index of the unknown unit;
+    /// `None` if the name is not yet used.
     first_uses: Vec<Option<Span>>,
     /// Maps the index of each state whose `der(…)` an expression uses to an index into [`Checker::definitions`].
     derivatives: HashMap<usize, usize>,

@@ -54,7 +54,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Unit of a declared quantity; `None` for an auxiliary variable whose definition has an error.
+    /// Unit of the declared quantity `symbol`; `None` for an auxiliary variable whose definition has an error.
     pub fn unit_of_symbol(&self, symbol: Symbol) -> Option<UnitOf> {
         let term = match symbol {
             Symbol::Param(i) => &self.params[i],

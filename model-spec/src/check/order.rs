@@ -60,8 +60,8 @@ impl Checker<'_> {
         definitions.iter().map(used_by).collect()
     }
 
-    /// Topological order of the definitions by depth-first search: dependencies first, otherwise in source order.
-    /// Definitions on a cycle are omitted, and up to [`MAX_CYCLES`] cycles are reported.
+    /// Indices of the definitions in topological order, by depth-first search: dependencies first, otherwise in source
+    /// order. Definitions on a cycle are omitted, and up to [`MAX_CYCLES`] cycles are reported.
     pub fn ordered(&mut self, definitions: &[Defining<'_>]) -> Vec<usize> {
         let edges = self.dependencies(definitions);
         let mut cycles = 0;

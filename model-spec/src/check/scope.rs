@@ -7,7 +7,7 @@ use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::model::Function;
 use crate::syntax::ast::Name;
 
-/// Declared entity that a name refers to, by index into the model's vectors.
+/// Declared entity that a name refers to, such as a parameter or a state, by index into the model's vectors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Symbol {
     Param(usize),

@@ -279,8 +279,9 @@ impl Binding {
     }
 }
 
-/// Names that the expressions of an effect (named change to a model) may use: names that the model or the effect
-/// declares, and names of needed quantities that a fallback expression replaces.
+/// Names that the expressions of an effect (named change to a model) may use. These are the names that the model or the
+/// effect declares, and names in the `needs` statement of the effect that the model lacks but for which the statement
+/// contains a fallback expression.
 struct Uses<'a> {
     binding: &'a Binding,
     own: BTreeSet<&'a str>,

@@ -201,8 +201,8 @@ impl ModelTree {
         }
     }
 
-    /// Checks the model; returns the checked model, which is `None` if there is any error other than a unit error, and
-    /// all errors.
+    /// Checks the model. Returns all errors, and the checked model; the latter is `None` if there is any error other
+    /// than a unit error.
     pub(crate) fn check_with_faults(&self) -> Checked {
         let mut checked = check::check(&self.file, &self.sources);
         if checked.diagnostics.is_empty() {

@@ -26,7 +26,7 @@ pub enum ValueError {
         /// Name, as passed to [`ModelTree::with_values`], that the model does not declare.
         name: String,
     },
-    /// A given value is infinite or not a number.
+    /// A value passed to [`ModelTree::with_values`] is infinite or not a number.
     #[error("the value of `{name}` is {value}, expected a finite number")]
     NotFinite {
         /// Name of the quantity whose new value is invalid, as passed to [`ModelTree::with_values`].
@@ -38,12 +38,13 @@ pub enum ValueError {
 
 impl ModelTree {
     /// Returns a copy of the tree in which parameters, coefficients and components of inputs (such as `wind_x`) have
-    /// other default values, given in SI units. After a check of the copy, the default values equal the given values
-    /// bit for bit.
+    /// the default values in `values`: pairs of name and value, SI. After a check of the copy, its default values equal
+    /// these values bit for bit.
     ///
     /// Each value is written in the unit of its declaration. If no literal in that unit represents the value exactly,
-    /// it is written in SI units. Bounds that a value violates are removed. A check case that relies on a replaced
-    /// default gets a `set` statement with the previous value, so that its expected results remain valid.
+    /// it is written in SI units. Bounds that a value violates are removed. A check case (test case in the model file)
+    /// that relies on a replaced default gets a `set` statement with the previous value, so that its expected results
+    /// remain valid.
     ///
     /// ```
     /// use model_spec::ModelTree;
@@ -87,7 +88,8 @@ impl ModelTree {
     }
 }
 
-/// A replaced default value, in the form of the statement `set NAME = literals unit;` of a check case.
+/// A replaced default value, in the form of the statement `set NAME = literals unit;` of a check case (test case in the
+/// model file).
 struct Default {
     name: Name,
     literals: Vec<Number>,
@@ -207,7 +209,7 @@ fn keep_defaults(case: &mut Check, earlier: &[Default]) {
     }
 }
 
-/// Literal that, in the given unit, has exactly the SI value `value`, bit for bit; `None` if there is no such literal.
+/// Literal that, in the unit `unit`, has exactly the SI value `value`, bit for bit; `None` if there is no such literal.
 fn literal(value: f64, unit: Option<&UnitExpr>) -> Option<String> {
     let of = |text: &str| si_value(&Quantity::new(text, None, Span::default()).number, unit);
     let nearest = value / of("1");

@@ -151,7 +151,7 @@ impl Change<'_> {
     }
 }
 
-/// The name that refers to the replaced definition in a `replace` statement.
+/// Name that stands for the replaced definition in a `replace` statement of an effect (named change to a model).
 pub(crate) const PREVIOUS: &str = "previous";
 
 /// Substitutes `old` for each name `previous` in `e`, and sets `found` if there is such a name. Adds the number of

@@ -1,6 +1,7 @@
 //! The functions of one scalar, with their names in the model language.
 
-/// Functions of one scalar; each is defined everywhere, with a stated value and derivative at its singular points.
+/// A function of one scalar. It is defined for every argument, and has a defined derivative at singular points, such as
+/// derivative 0 of the absolute value at 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Function {
     /// Sine.
@@ -29,7 +30,7 @@ pub enum Function {
     Step,
     /// Hyperbolic tangent.
     Tanh,
-    /// A table, by index into [`Model::tables`](super::Model::tables).
+    /// A table (function given by its values at knots), by index into [`Model::tables`](super::Model::tables).
     Table(usize),
 }
 

@@ -244,7 +244,8 @@ pub struct Input {
     pub unit: Option<UnitExpr>,
 }
 
-/// Declaration of a state other than those of frames and body.
+/// Declaration `state NAME = value;` of a state. States that the declarations of frames and of the body introduce have
+/// no such statement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
     /// Name of the state.
@@ -258,11 +259,11 @@ pub struct State {
 pub struct Frame {
     /// Name of the frame.
     pub name: Name,
-    /// Orientation of the frame relative to its parent.
+    /// Orientation of the frame relative to its parent, the frame from which it is rotated.
     pub kind: FrameKind,
 }
 
-/// Orientation of a frame relative to its parent.
+/// Orientation of a frame relative to its parent, the frame from which it is rotated.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FrameKind {
     /// Inertial frame, with its third axis up.
@@ -306,7 +307,7 @@ pub enum LoadClass {
 }
 
 impl LoadClass {
-    /// Keyword with which the declaration of a load of this class begins.
+    /// Keyword `force` or `moment`, with which the declaration of the load begins.
     pub(crate) fn keyword(self) -> &'static str {
         match self {
             LoadClass::Force => "force",
@@ -369,7 +370,7 @@ pub struct Limit {
 pub struct Check {
     /// Title of the check case (test case in a model file); no other check case of the file has the same title.
     pub title: String,
-    /// Statements of the case's block, in order.
+    /// Statements between the braces of the check case (test case in a model file), in order.
     pub parts: Vec<CheckPart>,
 }
 

@@ -19,9 +19,10 @@ pub(super) struct Lexeme {
 pub(super) struct Lexed {
     /// Tokens without comments; the last is [`Token::End`].
     pub tokens: Vec<Lexeme>,
-    /// `///` lines without the marker, each with the index in `tokens` of the token that follows it.
+    /// `///` lines of the source text without the leading `///`, each with the index in `tokens` of the token that
+    /// follows it.
     pub docs: Vec<(usize, String)>,
-    /// The `//!` lines of the file without the marker, joined by newlines.
+    /// The `//!` lines of the file without the leading `//!`, joined by newlines.
     pub file_doc: String,
     /// Lexical errors, in the order of their source spans.
     pub diagnostics: Vec<Diagnostic>,

@@ -45,7 +45,7 @@ pub(super) const STATEMENTS: [&str; 30] = [
     "decreases",
 ];
 
-/// Marker that a syntax error has already been reported, so that the current statement is abandoned.
+/// Error of a grammar rule: a syntax error has already been reported, and the current statement is abandoned.
 pub(super) struct Reported;
 
 /// Result of a grammar rule; an `Err` means that the error has already been reported.
@@ -149,7 +149,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Source span of the previous token; at the start of the text, that of the next token.
+    /// Source span of the previous token; at the start of the text, source span of the next token.
     pub fn behind(&self) -> Span {
         match self.at.checked_sub(1) {
             Some(i) => {

@@ -16,8 +16,8 @@ use crate::layout::depending_on;
 use crate::model::{Body, Expr, ExprKind, Model, Shape};
 use crate::unit::Unit;
 
-/// Number of variables of highest priority of which a generated term library contains all products of two (squares
-/// included). It contains other variables only alone.
+/// Number of variables, in order of priority, that a generated library of candidate terms combines in products of two
+/// (squares included). Further variables occur in no product of two.
 const MAX_IN_PRODUCTS: usize = 4;
 
 /// Maximum number of auxiliary variables of a model that become variables of its generated term library (library of
@@ -28,8 +28,8 @@ const MAX_NAMED: usize = 3;
 /// terms that the model may lack).
 const MAX_STATES: usize = 6;
 
-/// Maximum number of explicitly written equations `der(STATE) = …` of a model to which the candidate terms of the
-/// generated library can be added; further equations are skipped.
+/// Maximum number of explicitly written equations `der(STATE) = …` of a model to which the generated library of
+/// candidate terms can add a term; further equations are skipped.
 const MAX_EQUATIONS: usize = 8;
 
 /// `needs` statement of every generated effect (addition of one candidate term to a model) that uses `air_velocity`,
@@ -40,8 +40,9 @@ const DOWNSTREAM: &str = "unit(in_inertial(air_velocity))";
 const LEFTWARD: &str = "unit(cross(inertial.3, in_inertial(air_velocity)))";
 const WEIGHT: &str = "mass*(9.80665 [m/s^2])";
 
-/// A variable of the generated term library, with its definition. `rank` (0 to 4) is its priority: variables are sorted
-/// by ascending rank, and products of two are formed only of the first [`MAX_IN_PRODUCTS`] variables.
+/// A variable of the generated term library, with its definition. `rank` is its priority, from 0 (highest) to 4:
+/// variables are sorted by ascending rank, and products of two are formed only of the first [`MAX_IN_PRODUCTS`]
+/// variables.
 struct Variable {
     name: String,
     definition: String,
@@ -91,8 +92,8 @@ pub(super) fn library(model: &Model) -> Option<LibraryFile> {
     })
 }
 
-/// Names of the factors of each product: none for the constant 1, each variable alone, and each pair of the first
-/// [`MAX_IN_PRODUCTS`] variables (squares included).
+/// Products that a generated term library contains, each as the list of its factors: an empty list for the constant 1,
+/// each of the variables `names` alone, and each pair of the first [`MAX_IN_PRODUCTS`] variables (squares included).
 fn products(names: &[String]) -> Vec<Vec<String>> {
     let mut products = vec![Vec::new()];
     products.extend(names.iter().map(|name| vec![name.clone()]));
@@ -156,7 +157,7 @@ fn channels_of_body(model: &Model, body: &Body) -> (String, Vec<ChannelEntry>) {
     (loads, channels)
 }
 
-/// Name of the frame of the inertia tensor; `None` for a point mass.
+/// Name of the frame in which the inertia tensor of `body` has its components; `None` for a point mass.
 fn axes<'a>(model: &'a Model, body: &Body) -> Option<&'a str> {
     let rotation = body.rotation.as_ref()?;
     Some(&model.frames[rotation.inertia_frame].name)
@@ -299,7 +300,7 @@ fn scaled(name: &str, unit: Unit) -> String {
     }
 }
 
-/// Class of variable to which a quantity belongs, guessed from the name and unit of the quantity: one of
+/// Kind of variable to which a quantity belongs, guessed from the name and unit of the quantity: one of
 /// [`VARIABLES`](crate::VARIABLES), such as `spin` or `height`.
 fn depends_on(name: &str, unit: Unit) -> &'static str {
     match () {

@@ -55,7 +55,7 @@ const TABLE: [(&str, Unit, (i128, i128), bool); 30] = [
 /// Number of leading entries of [`TABLE`] that accept an SI prefix.
 const PREFIXED: usize = 19;
 
-/// SI prefixes with their powers of ten.
+/// SI prefixes, each with its power of ten, such as 3 for `k`.
 const PREFIXES: [(&str, i32); 12] = [
     ("k", 3),
     ("m", -3),

@@ -30,9 +30,9 @@ fn right(effects: &str, names: &[&str]) -> Model {
     with(effects, names).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Text of an effect (named change to a model) that displaces the observed position along axis 1, by the new
-/// coefficient `by_{part}`, for the marker with number `part` only. `input` is the text that declares the input
-/// `marker_is`.
+/// Text of an effect (named change to a model) that displaces the observed position along axis 1. The displacement is
+/// the new coefficient `by_{part}` times component `part` of the input vector `marker_is`. `input` is the text that
+/// declares this vector.
 fn on_marker(name: &str, part: u8, input: &str) -> String {
     format!(
         "effect {name} {{ site marker; variables none; {input} coefficient by_{part} = 0 m;\n\

@@ -8,11 +8,12 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Maximum allowed difference between two results, relative to the largest result of the function. It allows for
-/// different rounding of the elementary functions of the standard library and of the crate `lanes`.
+/// Maximum allowed difference between a result of the generated code and of the bytecode, relative to the largest
+/// result of the function. It allows for different rounding of the elementary functions of the standard library and of
+/// the crate `lanes`.
 const TOLERANCE: f64 = 1e-12;
 
-/// Number of points at which each model is evaluated.
+/// Number of test points (sets of states and parameters) at which the functions of each model are evaluated.
 const POINTS: usize = 5;
 
 /// Text of a test model whose names are keywords of Rust, or names that generated code also uses.
@@ -63,7 +64,8 @@ fn cases(folder: &Path) -> Vec<Case> {
     built_in.into_iter().chain(files).collect()
 }
 
-/// States and parameters that differ by up to 10 % from the defaults; `k` is the number of the test point.
+/// States and parameters of the test point number `k`. They differ by up to 10 % from the model's defaults; in place of
+/// a default of 0, they are between 0.1 and 0.7.
 fn point(layout: &codegen::Layout, k: usize) -> (Vec<f64>, Vec<f64>) {
     let vary = |value: f64, n: usize| {
         let wave = ((7 * n + 3 * k) as f64).sin();
@@ -85,7 +87,8 @@ fn point(layout: &codegen::Layout, k: usize) -> (Vec<f64>, Vec<f64>) {
 
 const MARKER: [f64; 3] = [0.1, -0.02, 0.01];
 
-/// Results of all functions of a model, computed by its bytecode: one list per function.
+/// Results of all functions of a model for the states `x` and parameters `p`, computed by its bytecode: one list per
+/// function.
 fn by_tape(tape: &TapeModel, x: &[f64], p: &[f64]) -> Vec<Vec<f64>> {
     let prepared = tape.prepare(p);
     let at = At {
@@ -119,8 +122,9 @@ fn by_tape(tape: &TapeModel, x: &[f64], p: &[f64]) -> Vec<Vec<f64>> {
     all
 }
 
-/// Source text of a function of the test program that prints all results of a generated module at a point, one line per
-/// function. `observed` is the number of components of the observation, and `k` the number of the point.
+/// Source text of a function of the test program. The function prints all results of a generated module for the states
+/// `x` and parameters `p`, one line per function of the module. `observed` is the number of components of the
+/// observation, and `k` the number of the test point.
 fn printer(module: &str, observed: usize, k: usize, x: &[f64], p: &[f64]) -> String {
     let marker = &MARKER[..if observed == 0 { 0 } else { 3 }];
     format!(

@@ -3,7 +3,8 @@
 use crate::primitive::Primitive;
 use std::hint::cold_path;
 
-/// Threshold on |x| below which guarded functions treat x as 0, chosen so that its square is still a normal number.
+/// Threshold on |x| below which guarded functions, such as the reciprocal with value 0 at 0, treat x as 0. It is chosen
+/// so that its square is still a normal number.
 const ZERO: f64 = 1e-75;
 
 #[inline(always)]

@@ -5,8 +5,8 @@ use crate::primitive::{Primitive, map_lanes};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use std::hint::cold_path;
 
-/// Maximum |x| + |y| for which no intermediate result of `atan2` overflows; the reciprocal is the minimum x of the fast
-/// path of `atan2`.
+/// Maximum |x| + |y| for which no intermediate result of `atan2` overflows. Its reciprocal is the minimum x for which
+/// `atan2` uses its fast path for small angles.
 const MAX_SUM: f64 = 1e300;
 
 /// π/4 minus the `f64` nearest to π/4: low-order part of π/4 in sums that must be more accurate than one `f64`.

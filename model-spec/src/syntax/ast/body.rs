@@ -30,11 +30,11 @@ pub struct Body {
     pub class: BodyClass,
     /// Name of the body.
     pub name: Name,
-    /// Statements of the body's block, in order.
+    /// Statements between the braces of the declaration, in order.
     pub parts: Vec<BodyPart>,
 }
 
-/// A statement in the block of a body.
+/// A statement in a block `body NAME { … }` or `point NAME { … }`, such as `mass EXPR;`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BodyPart {
     /// Kind of statement, with its content.
@@ -43,7 +43,7 @@ pub struct BodyPart {
     pub span: Span,
 }
 
-/// Kinds of statement in the block of a body.
+/// Kinds of statement in a block `body NAME { … }` or `point NAME { … }`, with their content.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BodyPartKind {
     /// `mass EXPR;`: mass, kg.

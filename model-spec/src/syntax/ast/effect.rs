@@ -7,7 +7,7 @@ use crate::source::Span;
 /// NAME { … }`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Effect {
-    /// Name of the effect.
+    /// Name of the effect (named change to a model), words separated by underscores.
     pub name: Name,
     /// Documentation: the `///` lines before the effect.
     pub doc: String,

@@ -4,7 +4,8 @@
 
 use lanes::ElementaryFunction::{self, Asin, Exp, Log, Tanh};
 
-/// Values computed by mpmath, as (function, argument, value), at arguments where an implementation switches branches.
+/// Values of elementary functions computed by mpmath, as (function, argument, value). The arguments include those where
+/// an implementation switches to another formula.
 pub const REFERENCE_VALUES: [(ElementaryFunction, f64, f64); 28] = [
     (Exp, -745.0, 5e-324),
     (Exp, -708.5, 2.006132305331306e-308),
