@@ -52,7 +52,7 @@ pub struct Compiled {
     pub prepare: Function,
     /// Names of the invariants (values that depend on parameters alone) that `prepare` computes.
     pub prepared: Vec<String>,
-    /// Function that computes the time derivatives of the states (output section `dx`).
+    /// Function that computes the time derivatives `dx` of the states.
     pub f: Function,
     /// Function that computes the time derivatives `dx` of the states and their state Jacobian `j`.
     pub f_jac: Function,
@@ -258,8 +258,8 @@ impl Compiler {
             .map_or_else(Vec::new, |y| y.to_vec())
     }
 
-    /// Compiles the function `name`, which computes `values` and no derivatives. Its only output section is the vector
-    /// `section`.
+    /// Compiles the function `name`, which computes `values` and no derivatives. The values form its only output, a
+    /// vector with the name `section`.
     fn values(&mut self, name: &'static str, section: &'static str, values: &[NodeId]) -> Function {
         let ssa = self.optimised(values);
         self.scheduled(name, &ssa, vec![dense(section, values.len())])
@@ -291,7 +291,7 @@ impl Compiler {
         }
     }
 
-    /// Names of all outputs of the given sections: `u_dot`, `d_u_dot_d_w`, …
+    /// Names of all outputs in `sections` (output vectors and matrices such as `dx` and `j`): `u_dot`, `d_u_dot_d_w`, …
     fn results(&self, sections: &[Section]) -> Vec<String> {
         let layout = &self.lowered.layout;
         let names = sections.iter().flat_map(|section| {
@@ -340,7 +340,7 @@ impl Compiler {
     }
 }
 
-/// Output section with the name `name` that holds all `len` entries of a vector.
+/// Returns the description of an output vector with the name `name` and `len` elements, all of which are stored.
 pub(crate) fn dense(name: &'static str, len: usize) -> Section {
     Section {
         name,

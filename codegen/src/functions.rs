@@ -109,7 +109,7 @@ impl From<ElementaryFunction> for MathFunction {
 }
 
 impl MathFunction {
-    /// All functions except tables.
+    /// All elementary functions except table lookups.
     pub const ALL: [MathFunction; 11] = [
         MathFunction::Sin,
         MathFunction::Cos,

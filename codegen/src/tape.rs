@@ -64,7 +64,7 @@ pub struct Tape {
     tables: Tables,
 }
 
-/// Inputs of a program, for one flight or one flight per lane.
+/// Input values for one evaluation of a program. If `T` is a SIMD vector, each lane belongs to one flight.
 #[derive(Clone, Copy, Debug)]
 pub struct Inputs<'a, T> {
     /// Time since release (the start of the flight), s.
@@ -89,7 +89,7 @@ impl Tape {
         allocate::tape(program)
     }
 
-    /// Number of registers, which is the minimum length of the scratch space.
+    /// Number of registers, which is the minimum length of the buffer for register values (scratch space).
     pub fn registers(&self) -> usize {
         self.registers
     }

@@ -4,7 +4,7 @@
 use super::partials;
 use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol};
 
-/// Vertex of the linearized graph: a result, an independent symbol, or an intermediate value.
+/// Vertex of the linearized computational graph: a result, an independent symbol, or an intermediate value.
 #[derive(Clone, Debug)]
 pub(super) struct Vertex {
     /// Jacobian column of an independent symbol; `None` for other vertices.

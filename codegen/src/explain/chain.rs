@@ -264,8 +264,8 @@ impl Cut {
         }
     }
 
-    /// Total derivative of a node with respect to the symbol [`Cut::by`]. The derivatives of the named quantities on
-    /// which the node depends are represented by new local symbols.
+    /// Total derivative of a node with respect to the symbol in the field `by`. The derivatives of the named quantities
+    /// on which the node depends are represented by new local symbols.
     pub fn derivative(&mut self, id: NodeId) -> NodeId {
         let derivative = self.differentiated(id);
         self.tidy(&[derivative])[0]

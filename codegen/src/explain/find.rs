@@ -185,7 +185,7 @@ fn components<'a>(
         .filter(move |name| *name != quantity.name)
 }
 
-/// Symbol of a state, parameter, coefficient or input component of this name.
+/// Symbol of the state, parameter, coefficient or input component with the name `wanted`; an error if there is none.
 pub(super) fn symbol(model: &Model, wanted: &str) -> Result<Symbol, ExplainError> {
     let layout = Layout::new(model);
     if let Some(k) = layout.state(wanted) {

@@ -38,7 +38,8 @@ fn values(tape: &TapeModel, count: usize, x: &[f64], p: &[f64]) -> Vec<f64> {
     q
 }
 
-/// Checks that code and formula of every derivative of every quantity of a model agree with finite differences.
+/// Checks that the generated code and the LaTeX formula of every derivative of every quantity of a model agree with
+/// finite differences.
 fn derivatives_agree_with_differences(model: &Model) {
     let layout = Layout::new(model);
     let (x, p) = point(&layout);
@@ -101,7 +102,7 @@ fn derivatives_agree_with_differences(model: &Model) {
     }
 }
 
-/// Declares one test for each model, so that they run on several threads.
+/// Declares, for each model name, one test of the derivatives, so that the models are tested on several threads.
 macro_rules! derivatives_agree_with_differences {
     ($($model:ident),*) => {
         mod derivatives_agree_with_differences {

@@ -44,7 +44,7 @@ pub enum Symbol {
 /// Expression whose operands are other nodes of the graph.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Node {
-    /// Node of a numerical constant.
+    /// Numerical constant.
     Number(Number),
     /// Leaf: state, parameter, time or another symbol.
     Symbol(Symbol),
@@ -90,11 +90,12 @@ pub struct ExprGraph {
     facts: Vec<ValueFacts>,
     index: FastMap<Node, NodeId>,
     contents: FastMap<NodeId, product::Content>,
-    /// Definition of each [`Symbol::Local`], and the known properties of its value.
+    /// Definition of each local symbol (leaf that stands for an intermediate value), and the known properties of its
+    /// value.
     locals: Vec<(ValueFacts, NodeId)>,
     local_of: FastMap<NodeId, NodeId>,
-    /// For each sum whose square root is defined as a [`Symbol::Local`], the node of that symbol. Powers of the sum are
-    /// written as powers of the symbol.
+    /// For each sum whose square root is defined as a local symbol (leaf with a definition), the node of that symbol.
+    /// Powers of the sum are written as powers of the symbol.
     root_of: FastMap<NodeId, NodeId>,
     names: FastMap<NodeId, String>,
     has_masks: bool,
@@ -107,7 +108,7 @@ impl ExprGraph {
         ExprGraph::default()
     }
 
-    /// Creates an empty graph whose expressions may look up the given tables.
+    /// Creates an empty graph whose expressions may look up values in `tables`.
     pub fn with_tables(tables: Tables) -> ExprGraph {
         ExprGraph {
             tables,
@@ -115,7 +116,7 @@ impl ExprGraph {
         }
     }
 
-    /// Tables that the expressions look up.
+    /// Tables (functions given by values at knots) that the expressions look up.
     pub fn tables(&self) -> &Tables {
         &self.tables
     }
@@ -172,7 +173,8 @@ impl ExprGraph {
         }
     }
 
-    /// Names a node that has no name yet. If the node is a sum, its negative is also named, with the prefix `minus_`.
+    /// Gives a node the name `name` unless it already has one. If the node is a sum, its negative is also named, with
+    /// the prefix `minus_`.
     pub fn name(&mut self, id: NodeId, name: impl Into<String>) {
         let name = name.into();
         if let Node::Sum(terms, _) = self.node(id)
@@ -275,7 +277,7 @@ impl ExprGraph {
         }
     }
 
-    /// Node that defines the [`Symbol::Local`] with this index.
+    /// Node that defines the local symbol with the index `local`.
     pub fn definition(&self, local: u32) -> NodeId {
         self.locals[local as usize].1
     }

@@ -46,7 +46,8 @@ pub struct Lowered {
     /// Name and node of each component of the auxiliary variables, in order of declaration; auxiliary variables that
     /// depend on the marker are omitted.
     pub quantities: Vec<(String, NodeId)>,
-    /// Expressions of the limits of validity, in order of declaration; the model is valid while each exceeds its bound.
+    /// Left-hand sides of the limits of validity, in order of declaration; the model is valid while each exceeds its
+    /// bound.
     pub limits: Vec<NodeId>,
     /// Names and source locations of the named nodes, in the order in which the names were first assigned.
     pub provenance: Vec<Provenance>,

@@ -259,7 +259,7 @@ impl Ssa {
     }
 
     /// Optimises the program: runs factoring and common-subexpression elimination until nothing changes, at most 4
-    /// times, then sign placement.
+    /// times, then changes the signs of sums to reduce the number of negations.
     pub fn optimise(&mut self) {
         for _ in 0..4 {
             let before = self.defs.clone();

@@ -68,7 +68,7 @@ fn full(compiled: &Compiled, function: &Function, x: &[f64], p: &[f64]) -> Vec<(
 }
 
 /// Checks that the functions of `at`, compiled with the `fixed` parameters (index, value) as constants, agree with
-/// those of `whole` at random points. Other parameters are near their defaults.
+/// those of `whole` for random states and parameters. Parameters that are not fixed are near their defaults.
 fn check(whole: &Compiled, fixed: &[(usize, f64)], at: &Compiled, random: &mut Random) {
     let (at_rest, falling) = singular(whole);
     for k in 0..20 {
