@@ -45,7 +45,8 @@ pub struct Compiled {
     pub layout: Layout,
     /// Model lowered to scalar expressions, with names and source locations of its auxiliary variables.
     pub lowered: Lowered,
-    /// Parameter index of each column of `jp` and `dy_dp`; all parameters unless a [`Selection`] was given.
+    /// Parameter index of each column of the parameter Jacobians `jp` and `dy_dp`; all parameters unless a
+    /// [`Selection`] was given.
     pub columns: Vec<usize>,
     /// Function that computes the invariants, which depend on parameters alone. It runs once per flight, and its
     /// results are inputs of all other functions.

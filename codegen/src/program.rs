@@ -167,7 +167,7 @@ pub struct Function {
     pub name: &'static str,
     /// Program that computes the outputs.
     pub program: Program,
-    /// Groups of consecutive outputs, in order; each group forms one vector or matrix, such as `dx` or `j`.
+    /// Output vectors and matrices, such as `dx` and `j`, in the order of their outputs.
     pub sections: Vec<Section>,
     /// Name of each output in generated code: `u_dot`, `d_u_dot_d_w`, …
     pub results: Vec<String>,

@@ -94,7 +94,7 @@ impl Tape {
         self.registers
     }
 
-    /// Number of results of an evaluation.
+    /// Number of results of one evaluation of the program.
     pub fn outputs(&self) -> usize {
         self.outputs.len()
     }

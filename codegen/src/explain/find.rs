@@ -34,7 +34,7 @@ enum Meaning<'a> {
     Rate(usize),
 }
 
-/// Resolves the name of a quantity; an error if the name is unknown or ambiguous.
+/// Finds the quantity of a model with the name `wanted`; an error if the name is unknown or ambiguous.
 pub(super) fn quantity(model: &Model, wanted: &str) -> Result<FoundQuantity, ExplainError> {
     let wanted = wanted.trim();
     let meaning = meaning(model, wanted)?;

@@ -7,7 +7,7 @@ fn load(name: &str) -> Model {
 }
 
 /// Pseudorandom states between 0.3 and 1.1 (in their SI units), and parameters up to 20 % above their defaults in
-/// magnitude, or between 0 and 0.3 where the default is 0. The tested models are valid at such points.
+/// magnitude, or between 0 and 0.3 where the default is 0. The tested models are valid for these values.
 fn point(layout: &Layout) -> (Vec<f64>, Vec<f64>) {
     let mut seed = 7_u64;
     let mut next = || {

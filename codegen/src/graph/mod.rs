@@ -83,7 +83,7 @@ pub fn opposite_name(name: &str) -> String {
         .map_or_else(|| format!("minus_{name}"), str::to_string)
 }
 
-/// Hash-consed graph of simplified scalar expressions.
+/// Hash-consed graph of simplified scalar expressions: identical expressions share one node.
 #[derive(Clone, Debug, Default)]
 pub struct ExprGraph {
     nodes: Vec<Node>,
@@ -195,8 +195,8 @@ impl ExprGraph {
     }
 
     /// Creates a local symbol: a leaf with the given definition, which simplification does not expand, so that a value
-    /// used several times is computed once; `facts` are the known properties of this value. Within the current
-    /// [scope](ExprGraph::scope), sums equal to the definition are replaced by this leaf.
+    /// used several times is computed once; `facts` are the known properties of this value. Sums equal to the
+    /// definition are replaced by this leaf until the enclosing call of [`scope`](ExprGraph::scope) returns.
     pub fn local(&mut self, facts: ValueFacts, definition: NodeId) -> NodeId {
         self.locals.push((facts, definition));
         let id = self.intern(Node::Symbol(Symbol::Local(self.locals.len() as u32 - 1)));
@@ -206,9 +206,9 @@ impl ExprGraph {
         id
     }
 
-    /// Creates a local symbol for the square root of a sum; `facts` are the known properties of the sum. Within the
-    /// current [scope](ExprGraph::scope), the sum is replaced by the square of that symbol, so that no half-integer
-    /// powers appear in derivatives.
+    /// Creates a local symbol (leaf with a definition) for the square root of a sum; `facts` are the known properties
+    /// of the sum. Until the enclosing call of [`scope`](ExprGraph::scope) returns, the sum is replaced by the square
+    /// of that symbol, so that no half-integer powers appear in derivatives.
     pub fn local_root(&mut self, facts: ValueFacts, sum: NodeId) -> NodeId {
         let definition = self.intern(Node::Product(Box::new([(sum, 1)])));
         let root = self.local(
@@ -255,7 +255,8 @@ impl ExprGraph {
         result
     }
 
-    /// Sum whose square root is the node `id`; `None` unless the node was created by [`ExprGraph::local_root`].
+    /// Sum whose square root is the node `id`; `None` unless `id` is a local symbol (leaf with a definition) that
+    /// [`ExprGraph::local_root`] created for the square root of a sum.
     pub fn rooted_sum(&self, id: NodeId) -> Option<NodeId> {
         let Node::Symbol(Symbol::Local(k)) = self.node(id) else {
             return None;

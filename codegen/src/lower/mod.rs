@@ -31,7 +31,7 @@ pub struct Provenance {
     pub text: String,
 }
 
-/// Lowered model: equations of motion and all outputs as scalar graph nodes.
+/// Lowered model: equations of motion and all outputs as nodes of one graph of scalar expressions.
 #[derive(Clone, Debug)]
 pub struct Lowered {
     /// Expression graph that contains all nodes of the model.

@@ -31,7 +31,7 @@ const OBSERVATION: &[Input] = &[
     Input::Marker,
 ];
 
-/// Signatures of all functions of a model, `prepare` first.
+/// Signatures of all generated functions of a model, `prepare` first.
 pub(super) const FUNCTIONS: [Signature; 8] = [
     Signature {
         name: "prepare",

@@ -28,7 +28,7 @@ const ARGUMENTS: [&str; 16] = [
 /// Maximum length of a name derived from an expression, in characters; longer names are shortened.
 const MAX_NAME_LENGTH: usize = 28;
 
-/// Allocator of unique statement names within one function.
+/// Allocator of unique names for the variables that hold the results of the statements of one function.
 #[derive(Clone, Debug)]
 pub struct Namer {
     taken: BTreeSet<String>,

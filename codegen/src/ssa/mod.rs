@@ -115,7 +115,7 @@ impl Ssa {
         id
     }
 
-    /// Creates a table indexed by definition, filled with copies of `entry`.
+    /// Creates a table with one entry for each definition, filled with copies of `entry`.
     pub fn side_table<T: Clone>(&self, entry: T) -> IndexVec<DefId, T> {
         vec![entry; self.defs.len()].into()
     }

@@ -26,7 +26,7 @@ impl PiecewiseCubic {
         }
     }
 
-    /// Arguments of the knots, increasing.
+    /// Argument values at the knots, in increasing order.
     pub fn knots(&self) -> &[f64] {
         &self.knots
     }

@@ -16,8 +16,8 @@ fn with_all_effects(name: &str) -> Model {
     load(name, &names).expect("they go together")
 }
 
-/// Index in the parameter vector of each coefficient that an effect (named change to a model) added to the model, with
-/// the null value (the value at which the effect is absent).
+/// For each coefficient that an effect (named change to a model) added to the model: its index in the parameter vector,
+/// and its null value, at which the effect is absent.
 fn vanishing(model: &Model, compiled: &Compiled) -> Vec<(usize, f64)> {
     let own = model.effects.iter().flat_map(|e| &e.coefficients);
     own.map(|c| (compiled.layout.coefficient(c.index).index(), c.null_value))
