@@ -95,8 +95,8 @@ impl Compiled {
             .find(|function| function.name == name)
     }
 
-    /// Counts, by kind, the operations that the function with this name needs but leaves to `prepare`, which runs once
-    /// per flight. All counts are zero for an unknown name.
+    /// Counts, by kind, the operations that the model function with the name `name`, such as `f_jac`, needs but leaves
+    /// to `prepare`, which runs once per flight. All counts are zero for an unknown name.
     pub fn count_prepared(&self, name: &str) -> count::Count {
         let Some(function) = self.function(name) else {
             return count::Count::default();
@@ -113,7 +113,8 @@ impl Compiled {
         count::count_for(&self.prepare.program, &slots)
     }
 
-    /// Counts, by kind, the operations of the function with this name; all counts are zero for an unknown name.
+    /// Counts, by kind, the operations of the model function with the name `name`, such as `f_jac`; all counts are zero
+    /// for an unknown name.
     pub fn count(&self, name: &str) -> count::Count {
         self.function(name)
             .map_or_else(count::Count::default, |function| {

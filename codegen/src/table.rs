@@ -119,7 +119,7 @@ impl Tables {
         Tables(cubics.into_iter().map(CubicTable::new).collect())
     }
 
-    /// Returns the table of this index.
+    /// Returns the table with the index `id`.
     ///
     /// # Panics
     /// If no table has this index.

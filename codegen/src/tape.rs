@@ -34,7 +34,8 @@ enum Opcode {
     SinCos,
 }
 
-/// Registers of an instruction: target and operands. Operand fields that its operation does not use repeat `a`.
+/// Registers of an instruction: the target, which receives the result, and the operands. Operand fields that its
+/// operation does not use repeat `a`.
 #[derive(Clone, Copy, Debug)]
 struct Instruction {
     target: u32,

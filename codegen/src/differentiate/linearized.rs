@@ -76,7 +76,7 @@ impl LinearizedGraph {
         edges.map(|&(_, partial)| partial).collect()
     }
 
-    /// Replaces the partial derivatives on all edges, in the order of [`partials`](Self::partials), and removes the
+    /// Replaces the partial derivatives on all edges by `partials`, which are ordered vertex by vertex, and removes the
     /// edges whose new partial derivative is 0.
     pub fn set_partials(&mut self, graph: &ExprGraph, partials: &[NodeId]) {
         let mut next = partials.iter().copied();

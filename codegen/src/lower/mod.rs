@@ -163,7 +163,8 @@ pub fn lower(model: &Model) -> Lowered {
 }
 
 impl Lowered {
-    /// Returns the nodes of all outputs: state derivatives, limits of validity, observation,
+    /// Returns the nodes of all outputs: state derivatives, limits of validity, observed marker position and auxiliary
+    /// variables. Nodes may occur twice, because two fields contain auxiliary variables:
     /// [`quantities`](Lowered::quantities) and [`lets`](Lowered::lets).
     pub(crate) fn nodes(&mut self) -> Vec<NodeId> {
         let mut nodes = Vec::new();

@@ -71,7 +71,7 @@ struct Uses {
     /// Number of uses of each definition, as operand or root.
     count: IndexVec<DefId, u32>,
     is_root: IndexVec<DefId, bool>,
-    /// Whether each definition is a factor of a product with other factors.
+    /// Whether each definition is a factor of a product that is used and has at least two factors.
     in_product: IndexVec<DefId, bool>,
 }
 
