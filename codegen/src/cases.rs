@@ -15,7 +15,7 @@ pub struct Comparison {
     /// SI unit of the expected and of the computed value, in the notation of model files; `1` if the quantity is
     /// dimensionless.
     pub unit: String,
-    /// Value computed from the model, in [`unit`](Self::unit).
+    /// Value computed from the model, in the SI unit `unit`.
     pub found: f64,
     /// Expected value and tolerance, as stated in the check case (test case in a model file).
     pub expected: Expectation,

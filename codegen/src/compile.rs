@@ -45,14 +45,15 @@ pub struct Compiled {
     pub layout: Layout,
     /// Model lowered to scalar expressions, with names and source locations of its auxiliary variables.
     pub lowered: Lowered,
-    /// Parameter index of each column of `jp` and `dy_dp`; all parameters unless a [`Selection`] was given.
+    /// Parameter index of each column of the parameter Jacobians `jp` and `dy_dp`; all parameters unless a
+    /// [`Selection`] was given.
     pub columns: Vec<usize>,
     /// Function that computes the invariants, which depend on parameters alone. It runs once per flight, and its
     /// results are inputs of all other functions.
     pub prepare: Function,
     /// Names of the invariants (values that depend on parameters alone) that `prepare` computes.
     pub prepared: Vec<String>,
-    /// Function that computes the time derivatives of the states (output section `dx`).
+    /// Function that computes the time derivatives `dx` of the states.
     pub f: Function,
     /// Function that computes the time derivatives `dx` of the states and their state Jacobian `j`.
     pub f_jac: Function,
@@ -94,8 +95,8 @@ impl Compiled {
             .find(|function| function.name == name)
     }
 
-    /// Counts, by kind, the operations that the function with this name needs but leaves to `prepare`, which runs once
-    /// per flight. All counts are zero for an unknown name.
+    /// Counts, by kind, the operations that the model function with the name `name`, such as `f_jac`, needs but leaves
+    /// to `prepare`, which runs once per flight. All counts are zero for an unknown name.
     pub fn count_prepared(&self, name: &str) -> count::Count {
         let Some(function) = self.function(name) else {
             return count::Count::default();
@@ -112,7 +113,8 @@ impl Compiled {
         count::count_for(&self.prepare.program, &slots)
     }
 
-    /// Counts, by kind, the operations of the function with this name; all counts are zero for an unknown name.
+    /// Counts, by kind, the operations of the model function with the name `name`, such as `f_jac`; all counts are zero
+    /// for an unknown name.
     pub fn count(&self, name: &str) -> count::Count {
         self.function(name)
             .map_or_else(count::Count::default, |function| {
@@ -258,8 +260,8 @@ impl Compiler {
             .map_or_else(Vec::new, |y| y.to_vec())
     }
 
-    /// Compiles the function `name`, which computes `values` and no derivatives. Its only output section is the vector
-    /// `section`.
+    /// Compiles the function `name`, which computes `values` and no derivatives. The values form its only output, a
+    /// vector with the name `section`.
     fn values(&mut self, name: &'static str, section: &'static str, values: &[NodeId]) -> Function {
         let ssa = self.optimised(values);
         self.scheduled(name, &ssa, vec![dense(section, values.len())])
@@ -291,7 +293,7 @@ impl Compiler {
         }
     }
 
-    /// Names of all outputs of the given sections: `u_dot`, `d_u_dot_d_w`, …
+    /// Names of all outputs in `sections` (output vectors and matrices such as `dx` and `j`): `u_dot`, `d_u_dot_d_w`, …
     fn results(&self, sections: &[Section]) -> Vec<String> {
         let layout = &self.lowered.layout;
         let names = sections.iter().flat_map(|section| {
@@ -340,7 +342,7 @@ impl Compiler {
     }
 }
 
-/// Output section with the name `name` that holds all `len` entries of a vector.
+/// Returns the description of an output vector with the name `name` and `len` elements, all of which are stored.
 pub(crate) fn dense(name: &'static str, len: usize) -> Section {
     Section {
         name,

@@ -109,7 +109,7 @@ impl From<ElementaryFunction> for MathFunction {
 }
 
 impl MathFunction {
-    /// All functions except tables.
+    /// All elementary functions except table lookups.
     pub const ALL: [MathFunction; 11] = [
         MathFunction::Sin,
         MathFunction::Cos,
@@ -124,8 +124,8 @@ impl MathFunction {
         MathFunction::NonZero,
     ];
 
-    /// Name of the function, used in printed expressions and in names of generated variables. For a table it is only
-    /// `table`; see [`Tables::name`].
+    /// Name of the function, used in printed expressions and in names of generated variables. For every table it is
+    /// `table`; [`Tables::name`] returns the name of a particular table.
     pub fn name(self) -> &'static str {
         match self {
             MathFunction::Sin => "sin",
@@ -331,7 +331,7 @@ pub enum FunctionLowering {
 }
 
 impl FunctionLowering {
-    /// Lowering of the given function of the model language.
+    /// Lowering of the function `function` of the model language: to one operation, or to a composition of operations.
     pub fn of(function: Named) -> FunctionLowering {
         FunctionLowering::Call(match function {
             Named::Tan => return FunctionLowering::Tan,

@@ -141,7 +141,7 @@ pub fn write_files(directory: &Path, files: &[SourceFile]) -> io::Result<Vec<Str
     Ok(changed)
 }
 
-/// Rust files in a directory that are not among the generated files.
+/// Paths, relative to `directory`, of the Rust files in it that are not among the generated `files`.
 fn stale(directory: &Path, files: &[SourceFile]) -> io::Result<Vec<String>> {
     let mut found = Vec::new();
     let mut folders = vec![PathBuf::new()];

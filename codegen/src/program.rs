@@ -101,7 +101,7 @@ impl Op {
     }
 }
 
-/// Statement of a program: one operation. Operands refer to the result of statement k as `Operand::Temp(k)`.
+/// Statement of a program: one operation. Later statements refer to the result of statement k as `Operand::Temp(k)`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statement {
     /// Operation that the statement computes.
@@ -113,10 +113,10 @@ pub struct Statement {
     pub about: Option<About>,
 }
 
-/// Auxiliary variable to which a statement contributes.
+/// Auxiliary variable of the model to which a statement of a program contributes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct About {
-    /// Index of the auxiliary variable in `Lowered::provenance`.
+    /// Index of the auxiliary variable in `Lowered::provenance`, the list of named values with their source locations.
     pub origin: usize,
     /// Whether the statement computes the auxiliary variable itself; false for a subexpression of its definition.
     pub exact: bool,
@@ -127,7 +127,8 @@ pub struct About {
 pub struct Program {
     /// Statements in order of execution; operands refer only to earlier statements.
     pub statements: Vec<Statement>,
-    /// Operands whose values are the results of the program, in the order of the output sections of the [`Function`].
+    /// Operands whose values are the results of the program, in the order of the output vectors and matrices of the
+    /// function.
     pub outputs: Vec<Operand>,
     /// Tables that the statements look up.
     pub tables: Tables,
@@ -151,9 +152,9 @@ impl Program {
 /// Consecutive outputs of a function that form one vector or matrix.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Section {
-    /// Name of the section: `dx`, `j`, `jp`, `y`, …
+    /// Name of the vector or matrix: `dx`, `j`, `jp`, `y`, …
     pub name: &'static str,
-    /// Number of outputs in the section.
+    /// Number of outputs in the vector or matrix; for a sparse matrix, the number of stored entries.
     pub len: usize,
     /// Sparsity pattern of a matrix: (row, column) of each entry, ordered by row; `None` for a dense vector.
     pub pattern: Option<Vec<(u32, u32)>>,
@@ -166,27 +167,28 @@ pub struct Function {
     pub name: &'static str,
     /// Program that computes the outputs.
     pub program: Program,
-    /// Sections of the outputs, in order.
+    /// Output vectors and matrices, such as `dx` and `j`, in the order of their outputs.
     pub sections: Vec<Section>,
     /// Name of each output in generated code: `u_dot`, `d_u_dot_d_w`, …
     pub results: Vec<String>,
 }
 
 impl Function {
-    /// Section with a given name; `None` if the function has none.
+    /// Output section (vector or matrix such as `dx` or `j`) with the name `name`; `None` if the function has none.
     pub fn section(&self, name: &str) -> Option<&Section> {
         self.sections.iter().find(|section| section.name == name)
     }
 
-    /// Sparsity pattern (row, column) of a section; empty if the section is missing or dense.
+    /// Sparsity pattern of the output matrix `name`: (row, column) of each entry. Empty if the function has no such
+    /// matrix, or if `name` is a dense vector.
     pub fn pattern(&self, name: &str) -> &[(u32, u32)] {
         self.section(name)
             .and_then(|section| section.pattern.as_deref())
             .unwrap_or(&[])
     }
 
-    /// Index range of a section within the outputs; empty at the end of the outputs if the function has no such
-    /// section.
+    /// Index range of the output vector or matrix `name` within the outputs of the function; an empty range at the end
+    /// of the outputs if the function has no such vector or matrix.
     pub fn range(&self, name: &str) -> std::ops::Range<usize> {
         let mut start = 0;
         for section in &self.sections {

@@ -6,7 +6,7 @@
 use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol, ValueFacts};
 use crate::number::Number;
 
-/// Values of the symbols that are replaced by constants.
+/// Constant values of symbols such as parameters, which specialization substitutes for the symbols.
 pub type Values = FastMap<Symbol, Number>;
 
 /// Expression graph with some symbols replaced by constants and the results simplified.

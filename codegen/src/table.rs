@@ -55,7 +55,7 @@ impl TableFunction {
 pub struct CubicTable {
     /// Name of the table in the model; empty for a table that was read from generated code.
     pub name: String,
-    /// Documentation of the table in the model.
+    /// Doc comment (`///` lines) of the table in the model; empty for a table that was read from generated code.
     pub doc: String,
     /// Name of the table's argument.
     pub argument: String,
@@ -119,7 +119,7 @@ impl Tables {
         Tables(cubics.into_iter().map(CubicTable::new).collect())
     }
 
-    /// Returns the table of this index.
+    /// Returns the table with the index `id`.
     ///
     /// # Panics
     /// If no table has this index.

@@ -34,7 +34,8 @@ enum Opcode {
     SinCos,
 }
 
-/// Registers of an instruction: target and operands. Operand fields that its operation does not use repeat `a`.
+/// Registers of an instruction: the target, which receives the result, and the operands. Operand fields that its
+/// operation does not use repeat `a`.
 #[derive(Clone, Copy, Debug)]
 struct Instruction {
     target: u32,
@@ -64,7 +65,7 @@ pub struct Tape {
     tables: Tables,
 }
 
-/// Inputs of a program, for one flight or one flight per lane.
+/// Input values for one evaluation of a program. If `T` is a SIMD vector, each lane belongs to one flight.
 #[derive(Clone, Copy, Debug)]
 pub struct Inputs<'a, T> {
     /// Time since release (the start of the flight), s.
@@ -89,12 +90,12 @@ impl Tape {
         allocate::tape(program)
     }
 
-    /// Number of registers, which is the minimum length of the scratch space.
+    /// Number of registers, which is the minimum length of the buffer for register values (scratch space).
     pub fn registers(&self) -> usize {
         self.registers
     }
 
-    /// Number of results of an evaluation.
+    /// Number of results of one evaluation of the program.
     pub fn outputs(&self) -> usize {
         self.outputs.len()
     }

@@ -10,7 +10,8 @@ use lanes::{ScalarKernel, ScalarLane, dispatch_scalar};
 pub struct TapeFunction {
     /// Bytecode of the function.
     pub tape: Tape,
-    /// Sections of the results, in order; each section is written to a separate output array.
+    /// Output vectors and matrices of the function (such as `dx` and `j`), in order; each is written to a separate
+    /// array.
     pub sections: Vec<Section>,
 }
 

@@ -12,18 +12,18 @@ pub(crate) use variables::Variables;
 /// One line of the body of a generated function.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Step {
-    /// Comment that quotes the source line of the model for the statements that follow; the value is an index into
-    /// `Lowered::provenance`.
+    /// Comment that quotes the source line of the model from which the following statements are compiled. The value is
+    /// an index into `Lowered::provenance`, the list of named values with their source locations.
     Source(usize),
-    /// Loads an input array element into its local variable; the operand identifies the element.
+    /// Loads an element of an input array into its local variable; the operand identifies the array and the element.
     Load(Operand),
-    /// Assigns the result of the statement with this index to its local variable.
+    /// Assigns the result of the program statement with this index to its local variable.
     Let(usize),
     /// Assigns sine and cosine of one angle to their local variables.
     SinCos {
-        /// Index of the statement that computes the sine.
+        /// Index of the program statement that computes the sine.
         sin: usize,
-        /// Index of the statement that computes the cosine.
+        /// Index of the program statement that computes the cosine.
         cos: usize,
         /// Operand whose value is the angle, rad.
         angle: Operand,
@@ -32,7 +32,8 @@ pub(crate) enum Step {
     Store {
         /// Index of the output among all outputs of the function.
         output: usize,
-        /// Index of the output section, which is also the index of the output array.
+        /// Index of the output section (vector or matrix such as `dx` or `j`), which is also the index of the output
+        /// array.
         section: usize,
         /// Index of the element within the output array.
         element: usize,
@@ -41,7 +42,7 @@ pub(crate) enum Step {
     Gap,
 }
 
-/// Function body as a list of lines over named local variables.
+/// Body of a generated function as a list of lines that use named local variables.
 ///
 /// Inputs are loaded at their first use and results stored as soon as they are computed, which shortens the live ranges
 /// of variables.
@@ -70,13 +71,14 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// Returns the operation of the statement with this index.
+    /// Returns the operation of the program statement with the index `statement`.
     pub fn op(&self, statement: usize) -> &'a Op {
         &self.function.program.statements[statement].op
     }
 
-    /// Returns the model source line of an auxiliary variable as `file:line  text`, truncated to 94 characters;
-    /// `origin` is the index of the variable in `Lowered::provenance`.
+    /// Returns the model source line of an auxiliary variable as `file:line  text`, truncated to 94 characters.
+    /// `origin` is the index of the variable in `Lowered::provenance`, the list of named values with their source
+    /// locations.
     pub fn source_line(&self, origin: usize) -> String {
         const MAX_CHARS: usize = 94;
         let origin = &self.compiled.lowered.provenance[origin];
@@ -98,7 +100,7 @@ impl<'a> Body<'a> {
     }
 }
 
-/// Input argument of a generated function.
+/// Input argument of a generated function: the time, or one of the input arrays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Input {
     Time,
@@ -153,13 +155,13 @@ struct Planner<'a> {
     compiled: &'a Compiled,
     function: &'a Function,
     variables: &'a Variables,
-    /// For each statement, the indices of the outputs that it computes.
+    /// For each statement of the program, by index, the indices of the function outputs that it computes.
     outputs: Vec<Vec<usize>>,
     /// For each angle of which both sine and cosine are computed, the indices (sine, cosine) of the two statements;
     /// stored under both indices.
     pairs: HashMap<usize, (usize, usize)>,
     loaded: HashSet<(Input, u32)>,
-    /// Source lines of the model that have been emitted as comments.
+    /// Source lines of the model that have been emitted as comments, as (name of the source text, line number).
     quoted: HashSet<(&'a str, usize)>,
     steps: Vec<Step>,
 }

@@ -8,26 +8,27 @@ use crate::specialize::Specialized;
 use crate::ssa::{Ssa, build};
 use std::ops::Range;
 
-/// Values to be differentiated, and their linearized computational graph.
+/// Model outputs to be differentiated (time derivatives of the states, or marker position), and their linearized
+/// computational graph.
 pub(super) struct Differentiable {
     roots: Vec<NodeId>,
     edges: LinearizedGraph,
-    /// Index range of the local symbols that represent shared subexpressions.
+    /// Indices of the local symbols (leaves with a definition) that represent shared subexpressions.
     locals: Range<usize>,
 }
 
-/// SSA definitions of values and their Jacobians, ready for scheduling.
+/// SSA definitions of model outputs and of their Jacobians, ready to be scheduled as the statements of a function.
 struct Jacobians {
     ssa: Ssa,
     sections: Vec<Section>,
 }
 
-/// Group of Jacobian columns: name of the output section, and number of columns.
+/// Group of adjacent Jacobian columns that form one output matrix: (name of the matrix, number of columns).
 type Columns = (&'static str, usize);
 
 impl Compiler {
-    /// Returns the linearized graphs of the state derivatives and of the observation if some parameters are fixed to
-    /// given values; `(None, None)` otherwise.
+    /// Returns the linearized graphs of the state derivatives and of the observed marker position if some parameters
+    /// are fixed to given values; `(None, None)` otherwise.
     ///
     /// Fixed values change which subexpressions are worth sharing. Partial derivatives are therefore taken of the
     /// unspecialized model, and then values and partial derivatives are specialized together.
@@ -95,7 +96,7 @@ impl Compiler {
     }
 
     /// Compiles the model functions `observe` and `observe_jac`: the observed marker position alone, and with its
-    /// Jacobians. `known` is the linearized graph of the observation; `None` if it must be computed.
+    /// Jacobians. `known` is the linearized graph of the marker position; `None` if it must be computed.
     pub(super) fn observation(&mut self, known: Option<Differentiable>) -> [Function; 2] {
         let ssa = self.optimised(&self.observed());
         let layout = &self.lowered.layout;
@@ -132,8 +133,8 @@ impl Compiler {
         states.chain(parameters).collect()
     }
 
-    /// Builds the linearized graph of the roots of `ssa` with respect to `symbols`. `value` is the name of the output
-    /// section (`dx` or `y`), from which the names of the roots are formed.
+    /// Builds the linearized graph of the requested results (roots) of `ssa` with respect to `symbols`. `value` is the
+    /// name of the output vector that the roots form (`dx` or `y`), from which the names of the roots are derived.
     fn linearized(&mut self, ssa: &Ssa, value: &str, symbols: &[Symbol]) -> Differentiable {
         let columns: Vec<String> = symbols.iter().map(|&s| self.symbol_name(s)).collect();
         let rows = (0..ssa.roots.len()).map(|row| self.row_name(value, row));
@@ -153,8 +154,8 @@ impl Compiler {
         }
     }
 
-    /// Compiles the values `of` and their Jacobians; each element of `columns` is a group of Jacobian columns that
-    /// becomes one output section. With [`Effort::Full`], compares two elimination orders and uses the one with the
+    /// Compiles the values in `of` and their Jacobians. Each element of `columns` is a group of Jacobian columns that
+    /// becomes one output matrix. With [`Effort::Full`], compares two elimination orders and uses the one with the
     /// lower operation cost.
     fn jacobians(
         &mut self,
@@ -217,7 +218,7 @@ impl Differentiable {
 }
 
 impl Jacobians {
-    /// Returns a copy that contains only the first `sections` output sections.
+    /// Returns a copy that contains only the first `sections` output vectors and matrices.
     fn first_sections(&self, sections: usize) -> Jacobians {
         let sections = self.sections[..sections].to_vec();
         let mut ssa = self.ssa.clone();

@@ -7,7 +7,7 @@
 use super::linearized::{LinearizedGraph, Vertex, add_edge};
 use crate::graph::{ExprGraph, Node, NodeId};
 
-/// Greedy rule that selects the next vertex to eliminate.
+/// Greedy rule that selects the next vertex of the linearized computational graph to eliminate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum EliminationOrder {
     /// Selects the vertex with the lowest cost of elimination: the number of added multiplications minus a weighted

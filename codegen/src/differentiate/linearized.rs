@@ -4,7 +4,7 @@
 use super::partials;
 use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol};
 
-/// Vertex of the linearized graph: a result, an independent symbol, or an intermediate value.
+/// Vertex of the linearized computational graph: a result, an independent symbol, or an intermediate value.
 #[derive(Clone, Debug)]
 pub(super) struct Vertex {
     /// Jacobian column of an independent symbol; `None` for other vertices.
@@ -76,7 +76,7 @@ impl LinearizedGraph {
         edges.map(|&(_, partial)| partial).collect()
     }
 
-    /// Replaces the partial derivatives on all edges, in the order of [`partials`](Self::partials), and removes the
+    /// Replaces the partial derivatives on all edges by `partials`, which are ordered vertex by vertex, and removes the
     /// edges whose new partial derivative is 0.
     pub fn set_partials(&mut self, graph: &ExprGraph, partials: &[NodeId]) {
         let mut next = partials.iter().copied();

@@ -4,8 +4,9 @@ use crate::graph::{ExprGraph, Node, NodeId, Symbol, ValueFacts};
 use crate::schedule::Namer;
 use crate::ssa::{Ssa, SsaDef};
 
-/// Builds graph nodes for the definitions of `ssa`. Every sum, and every product that is used several times, becomes a
-/// local symbol defined by its value; `namer` names these symbols. Returns the nodes of the requested results (roots).
+/// Builds graph nodes for the SSA definitions of `ssa`. Every sum, and every product that is used several times,
+/// becomes a local symbol defined by its value; `namer` names these symbols. Returns the nodes of the requested results
+/// (roots).
 pub(crate) fn share_values(ssa: &Ssa, graph: &mut ExprGraph, namer: &mut Namer) -> Vec<NodeId> {
     let uses = ssa.uses();
     let order = ssa.order();

@@ -256,7 +256,8 @@ impl Cut {
         leaf
     }
 
-    /// Returns the definition of a local symbol, and any other node unchanged.
+    /// Returns the definition of the node `id` if it is a local symbol (leaf with a definition); returns any other node
+    /// unchanged.
     pub fn inside(&self, id: NodeId) -> NodeId {
         match self.graph.node(id) {
             Node::Symbol(Symbol::Local(k)) => self.graph.definition(*k),
@@ -264,8 +265,8 @@ impl Cut {
         }
     }
 
-    /// Total derivative of a node with respect to the symbol [`Cut::by`]. The derivatives of the named quantities on
-    /// which the node depends are represented by new local symbols.
+    /// Total derivative of a node with respect to the symbol in the field `by`. The derivatives of the named quantities
+    /// on which the node depends are represented by new local symbols.
     pub fn derivative(&mut self, id: NodeId) -> NodeId {
         let derivative = self.differentiated(id);
         self.tidy(&[derivative])[0]

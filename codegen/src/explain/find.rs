@@ -34,7 +34,7 @@ enum Meaning<'a> {
     Rate(usize),
 }
 
-/// Resolves the name of a quantity; an error if the name is unknown or ambiguous.
+/// Finds the quantity of a model with the name `wanted`; an error if the name is unknown or ambiguous.
 pub(super) fn quantity(model: &Model, wanted: &str) -> Result<FoundQuantity, ExplainError> {
     let wanted = wanted.trim();
     let meaning = meaning(model, wanted)?;
@@ -185,7 +185,7 @@ fn components<'a>(
         .filter(move |name| *name != quantity.name)
 }
 
-/// Symbol of a state, parameter, coefficient or input component of this name.
+/// Symbol of the state, parameter, coefficient or input component with the name `wanted`; an error if there is none.
 pub(super) fn symbol(model: &Model, wanted: &str) -> Result<Symbol, ExplainError> {
     let layout = Layout::new(model);
     if let Some(k) = layout.state(wanted) {

@@ -34,7 +34,7 @@ pub struct Explanation {
     /// LaTeX formula `left = right` of the quantity; one formula per component if there is no vector formula.
     pub latex: Vec<String>,
     /// LaTeX formula of the derivative, then formulas of the derivatives of the auxiliary variables to which that
-    /// formula refers; empty if [`wrt`](Self::wrt) is `None`.
+    /// formula refers; empty if the quantity itself is explained.
     pub derivative: Vec<String>,
     /// Generated statements that depend on parameters alone and run once per flight.
     pub once: String,

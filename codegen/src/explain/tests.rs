@@ -7,7 +7,7 @@ fn load(name: &str) -> Model {
 }
 
 /// Pseudorandom states between 0.3 and 1.1 (in their SI units), and parameters up to 20 % above their defaults in
-/// magnitude, or between 0 and 0.3 where the default is 0. The tested models are valid at such points.
+/// magnitude, or between 0 and 0.3 where the default is 0. The tested models are valid for these values.
 fn point(layout: &Layout) -> (Vec<f64>, Vec<f64>) {
     let mut seed = 7_u64;
     let mut next = || {
@@ -38,7 +38,8 @@ fn values(tape: &TapeModel, count: usize, x: &[f64], p: &[f64]) -> Vec<f64> {
     q
 }
 
-/// Checks that code and formula of every derivative of every quantity of a model agree with finite differences.
+/// Checks that the generated code and the LaTeX formula of every derivative of every quantity of a model agree with
+/// finite differences.
 fn derivatives_agree_with_differences(model: &Model) {
     let layout = Layout::new(model);
     let (x, p) = point(&layout);
@@ -101,7 +102,7 @@ fn derivatives_agree_with_differences(model: &Model) {
     }
 }
 
-/// Declares one test for each model, so that they run on several threads.
+/// Declares, for each model name, one test of the derivatives, so that the models are tested on several threads.
 macro_rules! derivatives_agree_with_differences {
     ($($model:ident),*) => {
         mod derivatives_agree_with_differences {

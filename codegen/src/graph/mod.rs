@@ -44,7 +44,7 @@ pub enum Symbol {
 /// Expression whose operands are other nodes of the graph.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Node {
-    /// Node of a numerical constant.
+    /// Numerical constant.
     Number(Number),
     /// Leaf: state, parameter, time or another symbol.
     Symbol(Symbol),
@@ -83,18 +83,19 @@ pub fn opposite_name(name: &str) -> String {
         .map_or_else(|| format!("minus_{name}"), str::to_string)
 }
 
-/// Hash-consed graph of simplified scalar expressions.
+/// Hash-consed graph of simplified scalar expressions: identical expressions share one node.
 #[derive(Clone, Debug, Default)]
 pub struct ExprGraph {
     nodes: Vec<Node>,
     facts: Vec<ValueFacts>,
     index: FastMap<Node, NodeId>,
     contents: FastMap<NodeId, product::Content>,
-    /// Definition of each [`Symbol::Local`], and the known properties of its value.
+    /// Definition of each local symbol (leaf that stands for an intermediate value), and the known properties of its
+    /// value.
     locals: Vec<(ValueFacts, NodeId)>,
     local_of: FastMap<NodeId, NodeId>,
-    /// For each sum whose square root is defined as a [`Symbol::Local`], the node of that symbol. Powers of the sum are
-    /// written as powers of the symbol.
+    /// For each sum whose square root is defined as a local symbol (leaf with a definition), the node of that symbol.
+    /// Powers of the sum are written as powers of the symbol.
     root_of: FastMap<NodeId, NodeId>,
     names: FastMap<NodeId, String>,
     has_masks: bool,
@@ -107,7 +108,7 @@ impl ExprGraph {
         ExprGraph::default()
     }
 
-    /// Creates an empty graph whose expressions may look up the given tables.
+    /// Creates an empty graph whose expressions may look up values in `tables`.
     pub fn with_tables(tables: Tables) -> ExprGraph {
         ExprGraph {
             tables,
@@ -115,7 +116,7 @@ impl ExprGraph {
         }
     }
 
-    /// Tables that the expressions look up.
+    /// Tables (functions given by values at knots) that the expressions look up.
     pub fn tables(&self) -> &Tables {
         &self.tables
     }
@@ -172,7 +173,8 @@ impl ExprGraph {
         }
     }
 
-    /// Names a node that has no name yet. If the node is a sum, its negative is also named, with the prefix `minus_`.
+    /// Gives a node the name `name` unless it already has one. If the node is a sum, its negative is also named, with
+    /// the prefix `minus_`.
     pub fn name(&mut self, id: NodeId, name: impl Into<String>) {
         let name = name.into();
         if let Node::Sum(terms, _) = self.node(id)
@@ -193,8 +195,8 @@ impl ExprGraph {
     }
 
     /// Creates a local symbol: a leaf with the given definition, which simplification does not expand, so that a value
-    /// used several times is computed once; `facts` are the known properties of this value. Within the current
-    /// [scope](ExprGraph::scope), sums equal to the definition are replaced by this leaf.
+    /// used several times is computed once; `facts` are the known properties of this value. Sums equal to the
+    /// definition are replaced by this leaf until the enclosing call of [`scope`](ExprGraph::scope) returns.
     pub fn local(&mut self, facts: ValueFacts, definition: NodeId) -> NodeId {
         self.locals.push((facts, definition));
         let id = self.intern(Node::Symbol(Symbol::Local(self.locals.len() as u32 - 1)));
@@ -204,9 +206,9 @@ impl ExprGraph {
         id
     }
 
-    /// Creates a local symbol for the square root of a sum; `facts` are the known properties of the sum. Within the
-    /// current [scope](ExprGraph::scope), the sum is replaced by the square of that symbol, so that no half-integer
-    /// powers appear in derivatives.
+    /// Creates a local symbol (leaf with a definition) for the square root of a sum; `facts` are the known properties
+    /// of the sum. Until the enclosing call of [`scope`](ExprGraph::scope) returns, the sum is replaced by the square
+    /// of that symbol, so that no half-integer powers appear in derivatives.
     pub fn local_root(&mut self, facts: ValueFacts, sum: NodeId) -> NodeId {
         let definition = self.intern(Node::Product(Box::new([(sum, 1)])));
         let root = self.local(
@@ -253,7 +255,8 @@ impl ExprGraph {
         result
     }
 
-    /// Sum whose square root is the node `id`; `None` unless the node was created by [`ExprGraph::local_root`].
+    /// Sum whose square root is the node `id`; `None` unless `id` is a local symbol (leaf with a definition) that
+    /// [`ExprGraph::local_root`] created for the square root of a sum.
     pub fn rooted_sum(&self, id: NodeId) -> Option<NodeId> {
         let Node::Symbol(Symbol::Local(k)) = self.node(id) else {
             return None;
@@ -275,7 +278,7 @@ impl ExprGraph {
         }
     }
 
-    /// Node that defines the [`Symbol::Local`] with this index.
+    /// Node that defines the local symbol with the index `local`.
     pub fn definition(&self, local: u32) -> NodeId {
         self.locals[local as usize].1
     }

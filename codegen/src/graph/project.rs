@@ -116,9 +116,9 @@ impl ExprGraph {
         }
     }
 
-    /// Whether a node is a sum in which one of the nodes `components` occurs as a factor of a term. A component may
-    /// also occur in a nested sum: a factor of a term that is a sum itself. Nested sums are searched at most `depth`
-    /// levels deep.
+    /// Whether a node is a sum in which one of the nodes `components` (the components of a vector) occurs as a factor
+    /// of a term. A component may also occur in a nested sum: a factor of a term that is a sum itself. Nested sums are
+    /// searched at most `depth` levels deep.
     fn holds(&self, id: NodeId, components: &[NodeId], depth: u32) -> bool {
         let Node::Sum(terms, _) = self.node(id) else {
             return false;

@@ -12,7 +12,7 @@ pub(crate) use names::{Style, name, rate};
 use model_spec::model::{Equation, Expr, ExprKind, Load, Model};
 use names::words;
 
-/// LaTeX of an expression of a model.
+/// LaTeX of an expression in the model language; `model` is the model that contains the expression.
 pub fn expression(model: &Model, expr: &Expr) -> String {
     tree::piece(model, expr).text
 }

@@ -9,7 +9,7 @@ const GREEK: [&str; 25] = [
     "Gamma", "Delta", "Omega",
 ];
 
-/// Typeface of a name in LaTeX: italic for scalars, bold for vectors.
+/// Typeface of a variable name in LaTeX: italic for scalars, bold for vectors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Style {
     Scalar,
@@ -70,7 +70,8 @@ fn is_letter(name: &str) -> bool {
     GREEK.contains(&name) || name.chars().count() == 1
 }
 
-/// Splits the name of a variable into the name of its base symbol and the LaTeX of its subscript, which may be empty.
+/// Splits the name of a variable into the name of its base symbol and the LaTeX of its subscript, which may be empty:
+/// `v_x` into `v` and the subscript `x`.
 fn split(name: &str) -> (String, String) {
     let mut parts: Vec<&str> = name.split('_').filter(|part| !part.is_empty()).collect();
     let mut base = String::new();

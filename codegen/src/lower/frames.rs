@@ -5,7 +5,7 @@ use crate::graph::{ExprGraph, NodeId, Symbol};
 use crate::number::Number;
 use model_spec::model::{FrameKind, Model};
 
-/// Nodes of the three components of a vector in a given frame.
+/// Graph nodes of the three components of a vector in one coordinate frame.
 pub type Vector = [NodeId; 3];
 
 /// Vector sum `a + b`, by component.

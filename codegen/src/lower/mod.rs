@@ -31,7 +31,7 @@ pub struct Provenance {
     pub text: String,
 }
 
-/// Lowered model: equations of motion and all outputs as scalar graph nodes.
+/// Lowered model: equations of motion and all outputs as nodes of one graph of scalar expressions.
 #[derive(Clone, Debug)]
 pub struct Lowered {
     /// Expression graph that contains all nodes of the model.
@@ -46,7 +46,8 @@ pub struct Lowered {
     /// Name and node of each component of the auxiliary variables, in order of declaration; auxiliary variables that
     /// depend on the marker are omitted.
     pub quantities: Vec<(String, NodeId)>,
-    /// Expressions of the limits of validity, in order of declaration; the model is valid while each exceeds its bound.
+    /// Left-hand sides of the limits of validity, in order of declaration; the model is valid while each exceeds its
+    /// bound.
     pub limits: Vec<NodeId>,
     /// Names and source locations of the named nodes, in the order in which the names were first assigned.
     pub provenance: Vec<Provenance>,
@@ -162,7 +163,8 @@ pub fn lower(model: &Model) -> Lowered {
 }
 
 impl Lowered {
-    /// Returns the nodes of all outputs: state derivatives, limits of validity, observation,
+    /// Returns the nodes of all outputs: state derivatives, limits of validity, observed marker position and auxiliary
+    /// variables. Nodes may occur twice, because two fields contain auxiliary variables:
     /// [`quantities`](Lowered::quantities) and [`lets`](Lowered::lets).
     pub(crate) fn nodes(&mut self) -> Vec<NodeId> {
         let mut nodes = Vec::new();

@@ -128,7 +128,7 @@ impl Lowering<'_> {
         total.map(|component| self.graph.project(component))
     }
 
-    /// Lowers the attitude kinematics: writes the derivatives of rotation angles and quaternions to `dx`.
+    /// Lowers the attitude kinematics: writes the time derivatives of rotation angles and quaternions to `dx`.
     fn angles(&mut self, dx: &mut [NodeId]) {
         let model = self.model;
         for (k, frame) in model.frames.iter().enumerate() {

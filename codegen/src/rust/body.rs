@@ -8,7 +8,7 @@ use crate::program::Operand;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// Tokens of all lines of a function body in order, comments included.
+/// Tokens of all lines of the body of a generated function in order, comments included.
 pub(super) fn statements(writer: Writer<'_>) -> TokenStream {
     let mut tokens = TokenStream::new();
     for &step in &writer.body.steps {

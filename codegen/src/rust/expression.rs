@@ -16,7 +16,7 @@ pub(super) struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// Tokens of the right-hand side of the statement with this index.
+    /// Tokens of the right-hand side of the program statement with the index `k`.
     pub fn statement(&self, k: usize) -> TokenStream {
         self.op(self.body.op(k)).tokens
     }

@@ -24,7 +24,8 @@ pub(crate) fn file(compiled: &Compiled, function: &Function) -> String {
     print::file(&[HEADER], quote!(#title #tables use lanes::Real; #item))
 }
 
-/// Tokens of a generated Rust function, with its documentation and the given attributes.
+/// Tokens of the Rust function that is generated for `function`, with its documentation and the attributes
+/// `attributes`.
 pub(super) fn item(
     compiled: &Compiled,
     function: &Function,

@@ -21,18 +21,20 @@ const HELPERS: [(&str, &str); 11] = [
     (table_names::METHOD, table_names::METHOD),
 ];
 
-/// Name of the helper function for a method of `lanes::Real`; `None` if `f64` has a method of equal name and meaning.
+/// Name of the `f64` helper function that replaces a method of `lanes::Real` in generated code; `None` if `f64` has a
+/// method of equal name and meaning.
 pub(super) fn for_method(method: &str) -> Option<&'static str> {
     let found = HELPERS.iter().find(|(known, _)| *known == method);
     found.map(|(_, helper)| *helper)
 }
 
-/// Whether a name is the name of a helper function.
+/// Whether a name is the name of a helper function: an `f64` function that replaces a method of `lanes::Real`.
 pub(super) fn is_helper(name: &str) -> bool {
     HELPERS.iter().any(|(_, helper)| *helper == name)
 }
 
-/// Definitions of the helper functions whose names occur in `tokens`.
+/// Tokens that define those `f64` helper functions (replacements of methods of `lanes::Real`) whose names occur in
+/// `tokens`.
 pub(super) fn used_in(tokens: &TokenStream) -> TokenStream {
     let mut used = BTreeSet::new();
     collect(tokens.clone(), &mut used);

@@ -53,8 +53,8 @@ fn documentation(compiled: &Compiled, model: &Model) -> String {
     text
 }
 
-/// Tokens of the type of a model, which implements the generated trait `Equations`, and of the static `MODEL`, a value
-/// of the generated type `Model`.
+/// Tokens that declare the type of a model, which implements the generated trait `Equations`, and the static `MODEL`, a
+/// value of the generated type `Model`.
 fn equations(compiled: &Compiled) -> TokenStream {
     let kind = type_ident(&compiled.name);
     let methods = FUNCTIONS.iter().map(|function| {

@@ -88,7 +88,8 @@ pub fn emit(compiled: &Compiled, model: &Model) -> Vec<SourceFile> {
     files
 }
 
-/// Hash of all source texts of a model (64-bit FNV-1a); generated code stores the hash of its source model.
+/// Hash (64-bit FNV-1a) of all source texts of a model. Generated code stores the hash of the model from which it was
+/// generated.
 pub fn source_hash(model: &Model) -> u64 {
     let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
     for source in &model.sources {

@@ -10,11 +10,13 @@ use quote::quote;
 /// Maximum line width in printed arrays and trailing comments, characters.
 const WIDTH: usize = 100;
 
-/// Text of the marker comment that [`finish`] replaces by a blank line.
+/// Text of a marker comment in generated code; [`finish`] replaces the comment by a blank line.
 const BLANK: &str = "@blank";
-/// Prefix of a marker comment whose text [`finish`] moves to the end of the following statement.
+/// Prefix of a marker comment in generated code; [`finish`] moves the text after the prefix to the end of the following
+/// statement.
 const TRAILING: &str = "@trailing ";
-/// Text of the marker comment before an array that [`finish`] prints with several elements per line.
+/// Text of a marker comment before an array in generated code; [`finish`] prints this array with several elements per
+/// line.
 const FILL: &str = "@fill";
 
 /// Tokens of a comment line before an item or a statement.

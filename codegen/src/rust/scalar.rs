@@ -11,7 +11,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Number type of generated code.
+/// Number type with which generated code computes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Scalar {
     /// `f64`, with functions of the standard library and helpers for guarded functions.

@@ -12,7 +12,7 @@ pub(super) struct Signature {
     /// First line of the doc comment of the generated function.
     pub summary: &'static str,
     pub inputs: &'static [Input],
-    /// Output arrays: (name of the program section, name of the argument).
+    /// Output arrays of the function: (name of the vector or matrix in the compiled model, name of the Rust argument).
     pub outputs: &'static [(&'static str, &'static str)],
 }
 
@@ -31,7 +31,7 @@ const OBSERVATION: &[Input] = &[
     Input::Marker,
 ];
 
-/// Signatures of all functions of a model, `prepare` first.
+/// Signatures of all generated functions of a model, `prepare` first.
 pub(super) const FUNCTIONS: [Signature; 8] = [
     Signature {
         name: "prepare",
@@ -96,21 +96,21 @@ pub(super) const FUNCTIONS: [Signature; 8] = [
     },
 ];
 
-/// Signature of a function of a compiled model.
+/// Signature of the generated Rust function for a function of a compiled model.
 pub(super) fn of(function: &Function) -> &'static Signature {
     let found = FUNCTIONS.iter().find(|known| known.name == function.name);
     found.expect("every function of a compiled model has a signature")
 }
 
 impl Signature {
-    /// Name of the output argument to which a program section is written.
+    /// Name of the Rust argument to which the output vector or matrix `section`, such as `dx`, is written.
     pub fn argument(&self, section: &str) -> &'static str {
         let found = self.outputs.iter().find(|(known, _)| *known == section);
         found.map_or("output", |(_, argument)| argument)
     }
 }
 
-/// Length of an input array; `None` for the time, which is a single number.
+/// Number of elements of an input array of a generated function; `None` for the time, which is a single number.
 pub(super) fn input_len(compiled: &Compiled, input: Input) -> Option<usize> {
     let layout = &compiled.layout;
     match input {

@@ -19,7 +19,8 @@ pub(super) fn is_constant(name: &str) -> bool {
     ENDS.iter().any(|end| name.contains(end))
 }
 
-/// Names of the two constants of a table function: the knots of its table, and the cubics of the function.
+/// Names of the two generated constants that describe a table or one of its derivatives: the knots, and the
+/// coefficients of the cubics.
 pub(super) fn names(tables: &Tables, function: TableFunction) -> [Ident; 2] {
     let table = &tables.table(function.table()).name;
     let [knots, cubics] = ENDS;

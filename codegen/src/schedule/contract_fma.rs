@@ -93,7 +93,7 @@ pub(super) fn latency(op: &Op) -> u32 {
     }
 }
 
-/// Removes the statements marked in `gone`, which must be unused, and renumbers the operands.
+/// Removes the statements marked in `gone`, whose results must be unused, and renumbers the operands.
 fn without(mut program: Program, gone: &[bool]) -> Program {
     let mut places = Vec::with_capacity(gone.len());
     let mut next = 0;

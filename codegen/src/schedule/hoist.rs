@@ -23,7 +23,7 @@ pub struct Hoisted {
 pub(super) type HoistedNodes = FastMap<DefId, NodeId>;
 
 impl Hoisted {
-    /// Creates an empty set of hoisted expressions for a model with these parameter names.
+    /// Creates an empty set of hoisted expressions for a model; `parameters` contains the names of its parameters.
     pub fn new(parameters: &[String]) -> Hoisted {
         Hoisted {
             parameters: parameters.to_vec(),

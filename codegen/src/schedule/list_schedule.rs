@@ -9,8 +9,8 @@ use std::collections::HashMap;
 /// Issue width of the processor model: maximum number of operations started per clock cycle.
 const WIDTH: u32 = 2;
 
-/// Number of live values from which on register pressure determines the order: the statement that frees the most
-/// registers is issued first, and latency breaks ties. Processors have only 16 or 32 registers.
+/// Register pressure limit: if at least this many values are live, the statement that frees the most registers is
+/// issued first, and latency breaks ties. Processors have only 16 or 32 registers.
 const LIVE_VALUES_LIMIT: usize = 20;
 
 /// Reorders the statements by list scheduling: of the ready statements, issues the one with the longest latency path to

@@ -16,7 +16,7 @@ use hoist::HoistedNodes;
 use model_spec::index::IndexVec;
 use std::f64::consts::PI;
 
-/// Schedules the definitions reachable from the roots as a program.
+/// Orders the SSA definitions on which the roots (requested results) depend as the statements of a program.
 ///
 /// `results` contains names of the roots in order, and may be empty. If `hoisted` is given, expressions that depend
 /// only on parameters are hoisted: they become results of `prepare`, which the program reads as inputs. If `None`, the
@@ -71,7 +71,7 @@ struct Uses {
     /// Number of uses of each definition, as operand or root.
     count: IndexVec<DefId, u32>,
     is_root: IndexVec<DefId, bool>,
-    /// Whether each definition is a factor of a product with other factors.
+    /// Whether each definition is a factor of a product that is used and has at least two factors.
     in_product: IndexVec<DefId, bool>,
 }
 
@@ -122,8 +122,8 @@ struct Schedule<'a> {
 }
 
 impl Schedule<'_> {
-    /// Emits the definitions in the order `order`, and sets the roots as outputs of the program; `results` contains the
-    /// names of the roots.
+    /// Emits statements for the definitions in the order `order`, and sets the roots (requested results) as outputs of
+    /// the program; `results` contains the names of the roots.
     fn emit_roots(&mut self, order: &[DefId], results: &[String]) {
         let mut outputs: IndexVec<DefId, Vec<usize>> = self.ssa.side_table(Vec::new());
         for (k, &(_, root)) in self.ssa.roots.iter().enumerate() {
@@ -158,7 +158,7 @@ impl Schedule<'_> {
         self.hoisted.is_some() && self.ssa.facts[id].fixed
     }
 
-    /// Emits a definition after its operands, unless already emitted.
+    /// Emits the statements that compute the definition `id`, after those of its operands, unless already emitted.
     fn emit(&mut self, id: DefId) {
         if self.values[id].is_some() {
             return;
@@ -202,7 +202,8 @@ impl Schedule<'_> {
         }
     }
 
-    /// Whether a reciprocal is emitted as a division: its argument is nonzero, and its only use is in a product.
+    /// Whether the reciprocal `id` is emitted as a division: its argument is nonzero, and its only use is in a product.
+    /// False for other definitions.
     fn divides(&self, id: DefId) -> bool {
         let SsaDef::Recip(x) = self.ssa.defs[id] else {
             return false;
@@ -351,7 +352,8 @@ impl Schedule<'_> {
         self.in_turn(start, steps, id)
     }
 
-    /// Applies the operations `steps` to `value`, one after the other; the result of the last one defines `id`.
+    /// Emits statements that apply the operations `steps` to `value`, one after the other; the last statement computes
+    /// the definition `id`.
     fn in_turn(&mut self, mut value: Operand, steps: Vec<(Binary, Operand)>, id: DefId) -> Operand {
         let many = steps.len();
         for (k, (binary, operand)) in steps.into_iter().enumerate() {

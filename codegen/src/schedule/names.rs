@@ -28,20 +28,20 @@ const ARGUMENTS: [&str; 16] = [
 /// Maximum length of a name derived from an expression, in characters; longer names are shortened.
 const MAX_NAME_LENGTH: usize = 28;
 
-/// Allocator of unique statement names within one function.
+/// Allocator of unique names for the variables that hold the results of the statements of one function.
 #[derive(Clone, Debug)]
 pub struct Namer {
     taken: BTreeSet<String>,
     given: FastMap<DefId, String>,
     states: Vec<String>,
     parameters: Vec<String>,
-    /// Index of each auxiliary variable in `Lowered::provenance`, by name.
+    /// Index of each named value of the model in `Lowered::provenance` (the list of their source locations), by name.
     origins: FastMap<String, usize>,
 }
 
 impl Namer {
-    /// Creates a namer for one function of a model with the given names of states and parameters; `origins` contains
-    /// the names of the nodes in `Lowered::provenance`, in the same order.
+    /// Creates a namer for one function of a model with the given names of states and parameters. `origins` contains
+    /// the names in `Lowered::provenance` (the list of named values with their source locations), in the same order.
     pub fn new(states: &[String], parameters: &[String], origins: &[String]) -> Namer {
         let taken = ARGUMENTS.iter().map(|&name| name.to_string());
         let taken = taken
@@ -92,7 +92,7 @@ impl Namer {
         })
     }
 
-    /// Unique name of a definition; further calls return the same name.
+    /// Unique name of the variable that holds a definition; further calls for the same definition return the same name.
     pub fn name(&mut self, ssa: &Ssa, graph: &ExprGraph, id: DefId) -> String {
         if let Some(known) = self.given.get(&id) {
             return known.clone();
@@ -131,7 +131,7 @@ impl Namer {
         self.unique(name)
     }
 
-    /// Unique name for the negative of a definition.
+    /// Unique name of the variable that holds the negative of a definition.
     pub fn negated(&mut self, ssa: &Ssa, graph: &ExprGraph, id: DefId) -> String {
         let wanted = opposite_name(&self.describe(ssa, graph, id, 3));
         self.unique(&wanted)

@@ -4,7 +4,8 @@ use super::{DefId, Signed, Ssa, SsaDef, cancel};
 use crate::number::Number;
 use model_spec::index::IndexVec;
 
-/// Extracts common factors from all sums that are used, including the inner sums that factoring creates.
+/// Extracts common factors from all sums on which a requested result depends, including the inner sums that factoring
+/// creates.
 pub fn factor(ssa: &mut Ssa) {
     let mut uses = ssa.uses();
     let mut k = 0;

@@ -115,7 +115,7 @@ impl Ssa {
         id
     }
 
-    /// Creates a table indexed by definition, filled with copies of `entry`.
+    /// Creates a table with one entry for each definition, filled with copies of `entry`.
     pub fn side_table<T: Clone>(&self, entry: T) -> IndexVec<DefId, T> {
         vec![entry; self.defs.len()].into()
     }
@@ -259,7 +259,7 @@ impl Ssa {
     }
 
     /// Optimises the program: runs factoring and common-subexpression elimination until nothing changes, at most 4
-    /// times, then sign placement.
+    /// times, then changes the signs of sums to reduce the number of negations.
     pub fn optimise(&mut self) {
         for _ in 0..4 {
             let before = self.defs.clone();

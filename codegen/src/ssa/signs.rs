@@ -6,8 +6,8 @@
 use super::{DefId, Ssa, SsaDef};
 use model_spec::index::IndexVec;
 
-/// Negates sums, with compensating signs in the definitions that use the sums, as long as the total number of negations
-/// decreases.
+/// Negates sums and changes signs in the definitions that use them, so that the results are unchanged, as long as the
+/// total number of negations decreases.
 pub fn settle(ssa: &mut Ssa) {
     absorb_fixed(ssa);
     let mut users = users(ssa);

@@ -26,7 +26,7 @@ impl PiecewiseCubic {
         }
     }
 
-    /// Arguments of the knots, increasing.
+    /// Argument values at the knots, in increasing order.
     pub fn knots(&self) -> &[f64] {
         &self.knots
     }
@@ -46,7 +46,8 @@ impl PiecewiseCubic {
         }
     }
 
-    /// Origin and coefficients of the cubic that applies at `x`, in powers of the distance from the origin.
+    /// Returns the cubic that applies at `x`: its origin, which is the argument of a knot, and the coefficients of the
+    /// powers 0 to 3 of the distance from that origin.
     pub fn piece(&self, x: f64) -> (f64, [f64; 4]) {
         let below = self.knots.partition_point(|&knot| knot <= x);
         (self.knots[below.saturating_sub(1)], self.cubics[below])

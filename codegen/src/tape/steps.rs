@@ -159,7 +159,7 @@ fn order_in_runs(steps: &[Step], values: usize) -> Vec<usize> {
 /// For each value, the steps that read it, listed once per operand that reads it.
 struct Readers {
     steps: Vec<usize>,
-    /// For each value, the position in `steps` at which its readers begin; the last entry is the length of `steps`.
+    /// For each value, the position of its first reader in the list `steps`; the last entry is the length of that list.
     starts: Vec<usize>,
 }
 

@@ -16,8 +16,8 @@ fn with_all_effects(name: &str) -> Model {
     load(name, &names).expect("they go together")
 }
 
-/// Index in the parameter vector of each coefficient that an effect (named change to a model) added to the model, with
-/// the null value (the value at which the effect is absent).
+/// For each coefficient that an effect (named change to a model) added to the model: its index in the parameter vector,
+/// and its null value, at which the effect is absent.
 fn vanishing(model: &Model, compiled: &Compiled) -> Vec<(usize, f64)> {
     let own = model.effects.iter().flat_map(|e| &e.coefficients);
     own.map(|c| (compiled.layout.coefficient(c.index).index(), c.null_value))
@@ -68,7 +68,7 @@ fn full(compiled: &Compiled, function: &Function, x: &[f64], p: &[f64]) -> Vec<(
 }
 
 /// Checks that the functions of `at`, compiled with the `fixed` parameters (index, value) as constants, agree with
-/// those of `whole` at random points. Other parameters are near their defaults.
+/// those of `whole` for random states and parameters. Parameters that are not fixed are near their defaults.
 fn check(whole: &Compiled, fixed: &[(usize, f64)], at: &Compiled, random: &mut Random) {
     let (at_rest, falling) = singular(whole);
     for k in 0..20 {

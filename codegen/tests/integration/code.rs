@@ -36,8 +36,8 @@ fn operations_do_not_creep_up() {
     }
 }
 
-/// Lowest operation counts of `f`, `f_jac` and `f_jac_par` for the disc model among the other code generators in
-/// benches/peers; negations are not counted.
+/// Lowest operation counts that another code generator in benches/peers reaches for the functions `f`, `f_jac` and
+/// `f_jac_par` of the disc model; negations are not counted.
 const LEANEST_PEER: [usize; 3] = [125, 522, 722];
 
 #[test]

@@ -142,7 +142,7 @@ fn part_name(owner: Option<&str>, names: &mut UniqueNames<impl Fn(&str) -> bool>
     names.take_numbered(&base)
 }
 
-/// Generator of unique identifiers that are not reserved.
+/// Generator of unique identifiers that are not reserved in the output language.
 struct UniqueNames<F> {
     taken: HashSet<String>,
     /// Last numeric suffix that `take_numbered` used for each name.
@@ -172,7 +172,7 @@ impl<F: Fn(&str) -> bool> UniqueNames<F> {
         }
     }
 
-    /// Returns `name`, with underscores appended until it is unique.
+    /// Returns `name`, with underscores appended until it is neither in use nor reserved.
     fn take(&mut self, name: &str) -> String {
         let mut name = name.to_string();
         while !self.is_free(&name) {

@@ -24,7 +24,7 @@ pub(super) struct Widths<'a, V> {
 }
 
 impl<V: Fn(Operand) -> Option<usize>> Widths<'_, V> {
-    /// Estimated width of a statement's right-hand side, characters.
+    /// Estimated width of the right-hand side of statement `k`, characters.
     pub fn statement(&self, k: usize) -> usize {
         let op = &self.program.statements[k].op;
         let operands: usize = op

@@ -33,7 +33,7 @@ impl<P: Copy + Ord + Hash> Candidates<P> {
         }
     }
 
-    /// Records that definition `id` contains `pair`.
+    /// Records that the SSA definition `id` contains the pair of operands `pair`.
     pub fn hold(&mut self, pair: P, id: DefId) {
         let users = self.holders.entry(pair).or_default();
         if !users.contains(&id) {
@@ -42,8 +42,8 @@ impl<P: Copy + Ord + Hash> Candidates<P> {
         }
     }
 
-    /// Computes the scores of the pairs recorded since the last call. `score` receives a pair and the definitions that
-    /// contain it, and returns `None` if the pair is to be dropped.
+    /// Computes the scores (number of operations saved) of the pairs recorded since the last call. `score` receives a
+    /// pair and the definitions that contain it, and returns `None` if the pair is to be dropped.
     pub fn rate(&mut self, score: impl Fn(P, &[DefId]) -> Option<Score>) {
         self.touched.sort_unstable();
         self.touched.dedup();
