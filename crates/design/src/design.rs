@@ -418,8 +418,8 @@ impl Task<'_> {
         Some(values)
     }
 
-    /// Root mean square distance of landings from their mean, m, to first order in the scatter; `None` if the throw
-    /// cannot be flown.
+    /// Root mean square distance of landings from their mean, m, to first order in the scatter of release, wind and
+    /// parameters. `near` is the release state of a similar throw. `None` if the throw cannot be flown.
     fn rms_spread(
         &self,
         throw: &Throw,

@@ -61,7 +61,7 @@ impl<'f> Path<'f> {
         self.trajectory.end
     }
 
-    /// Motion at time `t` (s), which is clamped to the duration of the flight.
+    /// Motion of the mass centre at time `t` (s since release), which is clamped to the duration of the flight.
     pub fn point(&self, t: f64) -> Point {
         let t = t.clamp(self.trajectory.start, self.trajectory.end);
         let x = self.trajectory.sample(t);
@@ -70,7 +70,7 @@ impl<'f> Path<'f> {
         self.flights.point(t, &x, s)
     }
 
-    /// Position of the mass centre at a time within the flight, m.
+    /// Position of the mass centre at a time within the flight, m; `t` in s since release.
     pub fn position(&self, t: f64) -> Vector3<f64> {
         let x = self.trajectory.sample(t);
         let x = x.as_ref().unwrap_or(&self.trajectory.end_state);

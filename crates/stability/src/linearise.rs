@@ -13,7 +13,7 @@ use ode::{DifferentiableRhs, OdeRhs};
 
 /// Time step, s, of the sixth-order central differences by which the motion along a flight is differentiated.
 const STEP: f64 = 1e-4;
-/// Weights of the sixth-order central differences for the values 1, 2 and 3 steps to either side.
+/// Weights of the sixth-order central differences, for the values 1, 2 and 3 time steps before and after the instant.
 const WEIGHTS: [f64; 3] = [45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0];
 
 /// Reason why the motion of a body cannot be linearised.

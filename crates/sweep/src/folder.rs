@@ -88,7 +88,7 @@ pub fn share_of(count: u64, (share, of): (u64, u64)) -> Result<std::ops::Range<u
     Ok(bound(share - 1)..bound(share))
 }
 
-/// Folder that holds the parts and the results of one computation that is done in parts.
+/// Folder of a computation that is divided into parts, each stored in its own file; holds the parts and the results.
 pub struct PartsFolder {
     path: PathBuf,
     fingerprint: String,
@@ -185,8 +185,8 @@ impl PartsFolder {
         self.write(&self.path.join(name), &format!("{json:#}\n"))
     }
 
-    /// Removes the files of the parts of the computation, which the results replace, and temporary files left by a
-    /// killed process. Errors are ignored.
+    /// Removes the files of the parts of the computation, which are no longer needed once the results are written, and
+    /// temporary files left by a killed process. Errors are ignored.
     pub fn discard_parts(&self) {
         // Files that could not be removed are removed by the next run.
         let _ = fs::remove_dir_all(self.path.join("parts"));

@@ -24,9 +24,9 @@ pub struct TakeError {
     pub file: PathBuf,
     /// Location of the error in the file.
     pub location: Location,
-    /// What was found at this location.
+    /// Description of what was found at the location of the error.
     pub found: String,
-    /// What was expected instead.
+    /// Description of what was expected at the location of the error.
     pub expected: String,
 }
 

@@ -49,7 +49,8 @@ pub fn landing_covariance(
     Ok(linear(flights, throw, near, &scattered, options)?.covariance)
 }
 
-/// Mean and covariance of the landing position to first order in the scattered quantities.
+/// Mean and covariance of the landing position of a throw, to first order in the quantities that vary at random. `near`
+/// is the release state of a similar throw.
 pub(super) fn linear(
     flights: &ThrowFlights<'_>,
     throw: &Throw,

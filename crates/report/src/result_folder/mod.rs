@@ -17,7 +17,7 @@ use keep::{discard, keep_foreign};
 pub use manifest::MANIFEST;
 use manifest::Manifest;
 
-/// Maximum number of files named in the error about a folder with files that the program did not write.
+/// Maximum number of files named in the error about a folder with files that hyzer did not write.
 const MAX_NAMED: usize = 3;
 
 /// A result file to be written to a folder.
@@ -58,7 +58,7 @@ pub enum ResultFolderError {
     Foreign {
         /// Path of the folder that contains files of unknown origin.
         path: PathBuf,
-        /// Names of at most three of the files that the program did not write, sorted; followed by `…` if there are
+        /// Names of at most three of the files that hyzer did not write, sorted; followed by `…` if there are
         /// more.
         names: Vec<String>,
     },
@@ -248,7 +248,7 @@ fn is_folder(path: &Path) -> Result<(), ResultFolderError> {
     }
 }
 
-/// Returns an error if a folder contains files but no manifest (list of the files that the program wrote), so that
+/// Returns an error if a folder contains files but no manifest (list of the files that hyzer wrote), so that
 /// files of the user are not overwritten. `shown` is the path named in the error.
 fn refuse_foreign(target: &Path, shown: &Path) -> Result<(), ResultFolderError> {
     if target.join(MANIFEST).is_file() {

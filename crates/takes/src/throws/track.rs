@@ -149,7 +149,7 @@ impl Track {
     }
 }
 
-/// Positions of points relative to the mean of these points.
+/// Positions of points relative to the mean of these points, in the unit of `points`.
 pub(crate) fn centred(points: Vec<Vector3<f64>>) -> Vec<Vector3<f64>> {
     let mean = points.iter().sum::<Vector3<f64>>() / points.len() as f64;
     points.into_iter().map(|point| point - mean).collect()
