@@ -201,9 +201,10 @@ impl Goal {
     }
 }
 
-/// Minimum lateral distance, m, of the path from the surface of the obstacle on the given side, negative if the path
-/// enters the obstacle or passes it on the other side; with derivatives. The derivatives are taken at the fixed time of
-/// the nearest approach, because the derivative of the distance with respect to time is 0 there.
+/// Minimum lateral distance, m, of the path from the surface of the obstacle on the given side. It is negative if the
+/// path enters the obstacle or passes it on the opposite side. Also returns the derivatives of the distance with
+/// respect to the quantities by which the path is differentiated. They are taken at the fixed time of the nearest
+/// approach, because the derivative of the distance with respect to time is 0 there.
 fn clearance(path: &Path<'_>, obstacle: &Obstacle, side: Side) -> (f64, Vec<f64>) {
     let place = Vector3::new(obstacle.place.x, obstacle.place.y, 0.0);
     let passes = path.nearest_times(place, true).into_iter().map(|t| {

@@ -168,9 +168,9 @@ fn room(at: &DVector<f64>, trust: f64) -> (DVector<f64>, DVector<f64>) {
     )
 }
 
-/// Minimizes the objective from a point on the constraints. Each iteration steps along the constraints by a quadratic
-/// model of the Lagrangian and then returns to them; the point reached is accepted only if the objective there is
-/// smaller. `None` if the problem has no finite values at the start.
+/// Minimizes the objective from a point that satisfies the constraints. Each iteration steps along the constraints by a
+/// quadratic model of the Lagrangian and then moves back until they are satisfied. The point reached is accepted only
+/// if the objective there is smaller. `None` if the problem has no finite values at the start.
 pub fn descend(problem: Problem<'_>, from: &DVector<f64>) -> Option<Arrival> {
     let values = problem(from, true).filter(Values::is_finite)?;
     let mut now = Arrival {
