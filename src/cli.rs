@@ -27,7 +27,7 @@ pub struct Cli {
     pub command: Command,
 }
 
-/// Commands of the program.
+/// Commands of `hyzer`.
 #[derive(Subcommand)]
 pub enum Command {
     /// Check models: grammar, units, frames, singular points; print what they declare, and every error with its
@@ -119,7 +119,7 @@ pub struct Check {
     /// Models: names or paths
     #[arg(required = true, value_name = "MODEL")]
     pub models: Vec<String>,
-    /// Add an effect, by name or path; may be repeated
+    /// Add an effect (optional model extension), by name or path; may be repeated
     #[arg(long, value_name = "EFFECT")]
     pub with: Vec<String>,
 }
@@ -133,7 +133,7 @@ pub struct Generate {
     /// Folder for the code, one module per model
     #[arg(long, value_name = "DIR", requires = "models")]
     pub out: Option<PathBuf>,
-    /// Add an effect to all the models, by name or path; may be repeated
+    /// Add an effect (optional model extension) to all the models, by name or path; may be repeated
     #[arg(long, value_name = "EFFECT", requires = "out")]
     pub with: Vec<String>,
     /// Generate code generic over lanes::Real instead of f64: short for --backend rust-lanes
@@ -170,7 +170,7 @@ pub struct Verify {
     /// Models: names or paths; by default all built-in ones
     #[arg(value_name = "MODEL")]
     pub models: Vec<String>,
-    /// Add an effect, by name or path; may be repeated
+    /// Add an effect (optional model extension), by name or path; may be repeated
     #[arg(long, value_name = "EFFECT")]
     pub with: Vec<String>,
     /// Print the result as JSON
@@ -215,7 +215,7 @@ pub struct Diff {
     pub old: String,
     /// Model after the change: a name, a path, or REVISION:PATH of a file in git
     pub new: String,
-    /// Add an effect to both models, by name or path; may be repeated
+    /// Add an effect (optional model extension) to both models, by name or path; may be repeated
     #[arg(long, value_name = "EFFECT")]
     pub with: Vec<String>,
     /// Print the result as JSON
@@ -242,7 +242,7 @@ pub struct Explain {
     /// State, parameter, coefficient or component of an input to differentiate with respect to
     #[arg(long, value_name = "X")]
     pub wrt: Option<String>,
-    /// Add an effect, by name or path; may be repeated
+    /// Add an effect (optional model extension), by name or path; may be repeated
     #[arg(long, value_name = "EFFECT")]
     pub with: Vec<String>,
 }
@@ -274,7 +274,7 @@ pub struct Simulate {
     /// Relative tolerance of the integration
     #[arg(long, default_value_t = 1e-9)]
     pub tolerance: f64,
-    /// Add an effect, by name or path; may be repeated
+    /// Add an effect (optional model extension), by name or path; may be repeated
     #[arg(long, value_name = "EFFECT")]
     pub with: Vec<String>,
     /// Also write every figure as pdf or png; may be repeated
@@ -337,7 +337,7 @@ pub struct Synthesize {
     /// Fraction of missing marker points: half isolated, half in runs of 3 to 12 samples
     #[arg(long, value_name = "FRACTION", default_value_t = 0.0)]
     pub dropouts: f64,
-    /// Add an effect, by name or path; may be repeated
+    /// Add an effect (optional model extension), by name or path; may be repeated
     #[arg(long, value_name = "EFFECT")]
     pub with: Vec<String>,
     /// Set a parameter, coefficient or initial state, SI; may be repeated
@@ -410,7 +410,7 @@ pub struct Fit {
     /// Compute the profile-likelihood interval of a coefficient; may be repeated
     #[arg(long, value_name = "NAME")]
     pub profile: Vec<String>,
-    /// Stop after this many seconds with the best answer so far; the result then says so
+    /// Stop after this many seconds with the best estimates so far; the result then says so
     #[arg(long, value_name = "S")]
     pub max_seconds: Option<f64>,
     /// Certificate of the model, written by `hyzer verify --certificate`, that the report cites; by default
@@ -431,10 +431,10 @@ pub struct Fit {
 pub struct Diagnose {
     #[command(flatten)]
     pub inputs: FitInputs,
-    /// Exclude an effect from the tests; may be repeated
+    /// Exclude an effect (optional model extension) from the tests; may be repeated
     #[arg(long, value_name = "EFFECT")]
     pub without: Vec<String>,
-    /// Stop after this many seconds with the best answer so far; the result then says so
+    /// Stop after this many seconds with the best diagnosis so far; the result then says so
     #[arg(long, value_name = "S")]
     pub max_seconds: Option<f64>,
     /// Certificate of the model, written by `hyzer verify --certificate`, that the report cites; by default

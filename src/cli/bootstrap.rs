@@ -17,7 +17,7 @@ pub struct Bootstrap {
     /// Number of refits, 2 to 1,000,000
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u64).range(2..=1_000_000))]
     pub refits: u64,
-    /// Seed of drawing the flights
+    /// Seed of the random draws of flights
     #[arg(long, value_name = "SEED", default_value_t = 1)]
     pub seed: u64,
     /// Folder for the results: a new or an empty one, or that of an interrupted run of the same refits, to continue

@@ -19,7 +19,7 @@ pub struct Design {
     /// Model: a name or a path
     #[arg(long, value_name = "MODEL", default_value = "disc")]
     pub model: String,
-    /// Add an effect, by name or path; may be repeated
+    /// Add an effect (optional model extension), by name or path; may be repeated
     #[arg(long, value_name = "EFFECT")]
     pub with: Vec<String>,
     /// Set a parameter or coefficient, SI; may be repeated

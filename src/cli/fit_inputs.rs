@@ -12,7 +12,7 @@ pub struct FitInputs {
     /// Model: a name or a path; by default that of the dataset
     #[arg(long, value_name = "MODEL")]
     pub model: Option<String>,
-    /// Add an effect, by name or path; may be repeated
+    /// Add an effect (optional model extension), by name or path; may be repeated
     #[arg(long, value_name = "EFFECT")]
     pub with: Vec<String>,
     /// Fix a coefficient at a value (SI), by default the model's; may be repeated

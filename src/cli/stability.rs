@@ -21,7 +21,7 @@ pub struct Stability {
     /// Set a parameter or coefficient, SI; may be repeated
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
-    /// Add an effect, by name or path; may be repeated
+    /// Add an effect (optional model extension), by name or path; may be repeated
     #[arg(long, value_name = "EFFECT")]
     pub with: Vec<String>,
     /// Constant wind: its velocity in the inertial frame, m/s

@@ -28,7 +28,7 @@ pub enum ThrowFlightError {
          `position (x, y, z)`"
     )]
     NoPosition {
-        /// Name of the model.
+        /// Name of the model whose states do not give the position of the mass centre.
         model: String,
     },
 }

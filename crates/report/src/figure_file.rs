@@ -17,9 +17,9 @@ const FAMILY: &str = "DejaVu Sans";
 /// Format of a figure file, in addition to SVG.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum FigureKind {
-    /// Vector graphics, on a page of the size of the figure.
+    /// PDF: vector graphics, on a page of the size of the figure.
     Pdf,
-    /// Raster image on white, two pixels for each SVG unit.
+    /// PNG: raster image on a white background, two pixels for each SVG unit.
     Png,
 }
 

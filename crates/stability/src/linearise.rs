@@ -25,10 +25,10 @@ pub enum StabilityError {
     /// The model is a point mass, which has no attitude.
     #[error("the model {model} is a point mass, which has no attitude; expected a rigid body")]
     PointMass {
-        /// Name of the model.
+        /// Name of the model of a point mass.
         model: String,
     },
-    /// The linearised motion is not finite at the given state.
+    /// The linearised motion has infinite or undefined elements at the state about which the motion is linearised.
     #[error(
         "the linearised motion is not finite there; expected a state within the model's limits"
     )]

@@ -30,21 +30,21 @@ pub enum FolderError {
         path.display()
     )]
     OtherWork {
-        /// Path of the folder.
+        /// Path of the folder that holds another computation.
         path: PathBuf,
     },
     /// The folder is not empty, and its files are not those of a computation in parts.
     #[error("{} holds files that this command did not write; expected a new or empty folder", path.display())]
     Foreign {
-        /// Path of the folder.
+        /// Path of the folder that holds unrelated files.
         path: PathBuf,
     },
     /// A file or folder cannot be read or written.
     #[error("{}: {source}", path.display())]
     Io {
-        /// Path of the file or folder.
+        /// Path of the file or folder that cannot be read or written.
         path: PathBuf,
-        /// Error of the operating system.
+        /// Error that the operating system reported for this file or folder.
         source: io::Error,
     },
     /// The parts are divided into `of` shares for separate processes, and the requested share number `part` is not in
@@ -53,7 +53,7 @@ pub enum FolderError {
     NoPart {
         /// Share number that was requested.
         part: u64,
-        /// Number of shares.
+        /// Number of shares into which the parts are divided.
         of: u64,
     },
 }

@@ -18,8 +18,8 @@ pub struct Landings {
 }
 
 impl Landings {
-    /// Ellipse that contains the given fraction of a normal distribution: semi-axes, m, the longer first, and the
-    /// direction of the longer one, rad, from +x towards +y.
+    /// Ellipse that contains the given fraction of a normal distribution with this mean and covariance: semi-axes, m,
+    /// the longer first, and the direction of the longer one, rad, from +x towards +y.
     pub fn ellipse(&self, fraction: f64) -> (f64, f64, f64) {
         let eigen = self.covariance.symmetric_eigen();
         let (long, short) = match eigen.eigenvalues[0] >= eigen.eigenvalues[1] {

@@ -26,7 +26,7 @@ pub struct FitPage<'a> {
     pub evidence: &'a [FlightEvidence],
     /// The fitted model.
     pub model: &'a Model,
-    /// Name of the dataset.
+    /// Name of the dataset to which the model was fitted.
     pub dataset: &'a str,
     /// Verification status of the model according to its certificate (record of the verification checks).
     pub certificate: &'a CertificateNote,

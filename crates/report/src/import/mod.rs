@@ -17,7 +17,7 @@ pub struct ImportPage {
 /// Choices of the import (such as units and axes), notes and flights of one imported recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportedTake {
-    /// File name of the recording.
+    /// File name of the imported recording.
     pub file: String,
     /// Choices that the import made, such as units and axes: pairs of subject and choice, as text.
     pub decisions: Vec<(String, String)>,
@@ -30,7 +30,7 @@ pub struct ImportedTake {
     pub flights: Vec<ImportedFlight>,
 }
 
-/// One flight extracted from a recording.
+/// One free flight that an import extracted from a recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportedFlight {
     /// File name of the flight's table of measurements in the imported dataset.

@@ -46,7 +46,7 @@ pub enum ResultFolderError {
     /// The path is that of a file, or leads through a file, instead of a folder.
     #[error("{} is a file, expected a folder", path.display())]
     IsFile {
-        /// Path of the file.
+        /// Path of the file that was found where a folder is expected.
         path: PathBuf,
     },
     /// The folder contains files, but no manifest (list of written files) of an earlier run, so the files may belong to
@@ -65,13 +65,13 @@ pub enum ResultFolderError {
     /// The last component of the path is not a folder name, as in `x/..`.
     #[error("{} is no name of a folder", path.display())]
     NoName {
-        /// Path as given by the caller.
+        /// Path of the results folder as given by the caller, such as `x/..`.
         path: PathBuf,
     },
     /// A file or folder cannot be read or written.
     #[error("{} cannot be written: {source}", path.display())]
     Io {
-        /// Path of the folder of results.
+        /// Path of the folder of results in which the error occurred.
         path: PathBuf,
         /// Error reported by the operating system.
         source: io::Error,
