@@ -253,7 +253,7 @@ pub struct Simulate {
     /// Model: a name or a path; by default that of the release
     #[arg(value_name = "MODEL")]
     pub model: Option<String>,
-    /// A release: a name, or a TOML file
+    /// Release (launch conditions): a name, or a TOML file
     #[arg(long, value_name = "RELEASE")]
     pub release: Option<String>,
     /// Throw given by its quantities, or by a launch monitor
@@ -294,7 +294,8 @@ pub struct Synthesize {
     /// Model: a name or a path; by default that of the release
     #[arg(value_name = "MODEL")]
     pub model: Option<String>,
-    /// A release: a name, or a TOML file; may be repeated, and the flights then use the releases in turn
+    /// Release (launch conditions): a name, or a TOML file; may be repeated, and the flights then use the releases in
+    /// turn
     #[arg(long, value_name = "RELEASE", required = true)]
     pub release: Vec<String>,
     /// Number of flights

@@ -11,8 +11,8 @@ use super::ThrowOptions;
 pub struct Stability {
     /// Model: a name or a path
     pub model: String,
-    /// A release: a name, or a TOML file; without it a throw of 16 m/s and 700 rpm, which the options of a throw
-    /// modify
+    /// Release (launch conditions): a name, or a TOML file; without it a throw of 16 m/s and 700 rpm, which the
+    /// options of a throw modify
     #[arg(long, value_name = "RELEASE")]
     pub release: Option<String>,
     /// Throw given by its quantities

@@ -16,7 +16,8 @@ use crate::atomic::{Durability, UNFINISHED, write_atomic};
 /// of all inputs).
 const BEGUN: &str = "parts.json";
 
-/// Name of the JSON file of the summary; it is written last, so its presence means that the computation is complete.
+/// Name of the JSON file with the summary of the results; it is written last, so its presence means that the
+/// computation is complete.
 const SUMMARY: &str = "summary.json";
 
 /// Reason why a folder cannot be used for a computation that is done in parts.

@@ -146,7 +146,8 @@ impl<'t> FlightEnd<'t> {
         best
     }
 
-    /// Fit of a cubic in time to the samples, without a change of motion; `None` if no fit is possible.
+    /// Fit of a cubic in time to the samples around this end of the flight, without a change of motion; `None` if no
+    /// fit is possible.
     pub fn smooth(&self) -> Option<Fit> {
         self.fit(self.track.times[self.last], &[])
     }

@@ -189,8 +189,8 @@ fn refined(
     )
 }
 
-/// Least-squares position and rotation of a rigid set of points (`template`) for the points that are seen (Kabsch
-/// 1976); `None` if fewer than 3 points are seen.
+/// Least-squares position and rotation (Kabsch 1976) that map the rigid set of points `template` to the measured points
+/// `seen`, from the points that are not `None`; `None` if fewer than 3 points are seen.
 pub(crate) fn fitted(
     template: &[Vector3<f64>],
     seen: &[Option<Vector3<f64>>],
