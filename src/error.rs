@@ -20,7 +20,7 @@ pub enum Error {
     /// A trajectory cannot be computed.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
-    /// A dataset has faults.
+    /// A dataset cannot be read or built, because its files or values have faults.
     #[error(transparent)]
     Dataset(#[from] InputError),
     /// A model cannot be fitted to a dataset.
@@ -44,9 +44,9 @@ pub enum Error {
     /// A release (launch conditions of a flight) sets a parameter or coefficient that the model does not have.
     #[error("the model {model} has no state, parameter or coefficient {name:?}")]
     UnknownName {
-        /// Name of the model.
+        /// Name of the model to which the release was applied.
         model: String,
-        /// Name that is not in the model.
+        /// Name that the release sets, but that is neither a parameter nor a coefficient of the model.
         name: String,
     },
 }

@@ -11,14 +11,15 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// Value of [`PHASE`] while the program computes; a signal then ends the program at once.
+/// State of the `hyzer` process in which it computes; a signal then ends the process at once.
 const WORKING: u8 = 0;
-/// Value of [`PHASE`] while the program writes result files; a signal then ends the program when they are written.
-const WRITING: u8 = 1;
-/// Value of [`PHASE`] after a signal that arrived during the computation: the program is about to exit.
-const STOPPED: u8 = 2;
-/// Value of [`PHASE`] after a signal that arrived while result files were written: the program exits when they are
+/// State of the `hyzer` process in which it writes result files; a signal then ends the process when the files are
 /// written.
+const WRITING: u8 = 1;
+/// State of the `hyzer` process after a signal that arrived during the computation: the process is about to exit.
+const STOPPED: u8 = 2;
+/// State of the `hyzer` process after a signal that arrived while result files were written: the process exits when the
+/// files are complete.
 const STOPPED_WRITING: u8 = 3;
 
 static PHASE: AtomicU8 = AtomicU8::new(WORKING);
@@ -29,13 +30,13 @@ static RESUMES: AtomicBool = AtomicBool::new(false);
 /// The progress bar on display, kept here so that the signal handler can remove it.
 static BAR: Mutex<Option<ProgressBar>> = Mutex::new(None);
 
-/// Exit status of an interrupted program (128 + SIGINT).
+/// Exit status of a `hyzer` process that a signal interrupted (128 + SIGINT).
 const INTERRUPTED: u8 = 130;
 
-/// Maximum time that the signal handler waits for results to be written before it ends the program.
+/// Maximum time that the signal handler waits for results to be written before it ends the `hyzer` process.
 const WRITING_LIMIT: Duration = Duration::from_millis(400);
 
-/// Maximum time that the program waits, after a signal, for the message to be printed before it exits.
+/// Maximum time that `hyzer` waits, after a signal, for the message to be printed before it exits.
 const MESSAGE_LIMIT: Duration = Duration::from_millis(200);
 
 /// Installs the handler of interrupt and termination signals, for all commands.
@@ -68,7 +69,7 @@ pub fn resumes() {
     RESUMES.store(true, Ordering::SeqCst);
 }
 
-/// Runs a function that writes results. A signal that arrives while the function runs ends the program only when the
+/// Runs a function that writes results. A signal that arrives while the function runs ends `hyzer` only when the
 /// function returns.
 pub fn writing<T>(write: impl FnOnce() -> T) -> T {
     remove_bar();
@@ -80,8 +81,8 @@ pub fn writing<T>(write: impl FnOnce() -> T) -> T {
     written
 }
 
-/// Changes [`PHASE`] from `from` to `to`. If a signal has already begun to end the program, the function does not
-/// return, so that nothing is written after the message of the signal handler.
+/// Changes the state of the process, `PHASE`, from `from` to `to`. If a signal has already begun to end the process,
+/// the function does not return, so that nothing is written after the message of the signal handler.
 fn enter(from: u8, to: u8) {
     let entered = PHASE.compare_exchange(from, to, Ordering::SeqCst, Ordering::SeqCst);
     while entered == Err(STOPPED) {

@@ -48,7 +48,8 @@ impl Sweep {
         self.summary["flights"].as_u64().unwrap_or(0)
     }
 
-    /// Number of flights that ended with the given status: `landed`, `time`, `limit`, … .
+    /// Number of flights of the sweep that ended with the status `status`, such as `landed` (reached the ground) or
+    /// `time` (reached the final time).
     pub fn count(&self, status: &str) -> u64 {
         self.summary["statuses"][status].as_u64().unwrap_or(0)
     }

@@ -19,8 +19,8 @@ use crate::{Answer, output};
 /// different samples.
 const MIN_FLIGHTS: usize = 5;
 
-/// Runs `hyzer bootstrap`: fits the model, computes the refits that the output folder does not hold yet, and prints the
-/// distribution of the estimates over all refits.
+/// Runs `hyzer bootstrap`: fits the model, and refits it to flights drawn with replacement. Only the refits that the
+/// output folder does not hold yet are computed. Prints the distribution of the estimates over all refits.
 pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
     let inputs = &options.inputs;
     let (fixed, priors) = (held(&inputs.hold)?, priors(&inputs.prior)?);
@@ -101,7 +101,7 @@ pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
     Ok(Answer::No)
 }
 
-/// Number of flights to which the model was fitted, without the excluded ones.
+/// Number of flights to which `fit` fitted the model, without the excluded flights.
 fn flights(fit: &Fit) -> usize {
     let flights = fit.report.flights.iter();
     flights

@@ -101,8 +101,8 @@ fn list(changed: &[String], folder: &str, models: usize) -> anyhow::Result<Answe
     Ok(Answer::Yes)
 }
 
-/// Root folder of the repository that contains the current folder; an error if the current folder is outside of the
-/// repository.
+/// Root folder of the `hyzer` repository that contains the current folder; an error if the current folder is outside of
+/// the repository.
 fn repository() -> anyhow::Result<PathBuf> {
     let here = std::env::current_dir()?;
     match here
@@ -117,7 +117,7 @@ fn repository() -> anyhow::Result<PathBuf> {
     }
 }
 
-/// Loads the model files of the repository, which may differ from the models built into the program.
+/// Loads the model files of the repository, which may differ from the models built into `hyzer`.
 fn models(folder: &Path) -> anyhow::Result<Vec<Model>> {
     let entries =
         std::fs::read_dir(folder).with_context(|| format!("cannot read {}", folder.display()))?;

@@ -21,7 +21,7 @@ mod wind;
 use crate::Answer;
 use crate::cli::Command;
 
-/// Runs a command of the program and returns its outcome.
+/// Runs a command of `hyzer` and returns its outcome, which determines the exit status.
 pub fn run(command: Command) -> anyhow::Result<Answer> {
     match command {
         Command::Check(options) => check::run(&options),

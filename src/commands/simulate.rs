@@ -211,7 +211,8 @@ fn released_in_wind(
     Ok((Model::clone(&model), release))
 }
 
-/// Applies an assignment `NAME=VALUE` of the command line to a parameter, coefficient or initial state of the release.
+/// Applies an assignment `NAME=VALUE` of the option `--set` to a parameter, coefficient or initial state of the release
+/// (launch conditions).
 pub(super) fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> {
     let (name, value) = set
         .split_once('=')

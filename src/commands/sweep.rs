@@ -65,8 +65,8 @@ pub fn run(options: &Sweep) -> anyhow::Result<Answer> {
     Ok(Answer::Yes)
 }
 
-/// Prints on standard error where the results of the sweep are, and the number of flights per second, which is not part
-/// of the results.
+/// Prints on standard error in which folder the results of the sweep are, and how many flights were simulated per
+/// second; this rate is not part of the results.
 fn tell(plan: &Plan, out: &Path, csv: bool, seconds: f64) {
     let csv = if csv { ", flights.csv" } else { "" };
     eprintln!(

@@ -13,8 +13,8 @@ use super::simulate::{apply, released};
 use crate::cli::Synthesize;
 use crate::{Answer, output, progress};
 
-/// Runs `hyzer synthesize`: simulates flights from releases (launch conditions), writes the dataset and a file of the
-/// true values, and prints a summary.
+/// Runs `hyzer synthesize`: simulates flights from releases (launch conditions), writes the dataset and the file
+/// `truth.toml` with the true values, and prints a summary.
 pub fn run(options: &Synthesize) -> anyhow::Result<Answer> {
     output::new_folder(&options.out)?;
     let (model, releases) = prepare(options)?;

@@ -147,7 +147,7 @@ fn earlier_results_are_gone_and_other_files_stay() {
     );
 }
 
-/// Test in which runs of the program are killed at random times; afterwards the output folder must contain the complete
+/// Test in which runs of `hyzer` are killed at random times; afterwards the output folder must contain the complete
 /// results of a single run.
 struct Kills {
     around: tempfile::TempDir,
@@ -195,7 +195,7 @@ impl Kills {
         each.collect()
     }
 
-    /// Kills `kills` runs of the program, which simulate the two releases in turn, and asserts that the output folder
+    /// Kills `kills` runs of `hyzer`, which simulate the two releases in turn, and asserts that the output folder
     /// contains the complete results of one of them. Returns how many kills left the earlier results in the folder, and
     /// how many the new ones.
     fn run(mut self, kills: usize) -> [usize; 2] {

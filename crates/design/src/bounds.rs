@@ -11,8 +11,9 @@ use crate::throw_flight::ThrownBody;
 /// quantities, such as the speed, of the wind and of the parameters).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bounds {
-    /// Minimum and maximum of each quantity that a throw of the body can have: (index in [`FIELDS`], minimum, maximum),
-    /// in the unit that [`FIELDS`] states. A quantity whose minimum and maximum are equal is fixed.
+    /// Minimum and maximum of each quantity that a throw of the body can have, in the unit that [`FIELDS`] (list of the
+    /// quantities of a throw) states. Each entry is (index in [`FIELDS`], minimum, maximum). A quantity whose minimum
+    /// and maximum are equal is fixed.
     pub ranges: Vec<(usize, f64, f64)>,
     /// Obstacle that the path of the thrown body must avoid; `None` without an obstacle.
     pub obstacle: Option<Obstacle>,
@@ -26,8 +27,8 @@ pub struct Bounds {
 /// Standard deviations of the quantities that differ from throw to throw; the quantities vary independently.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scatter {
-    /// Standard deviations of quantities of the throw, such as its speed: (index in [`FIELDS`], value in the unit that
-    /// [`FIELDS`] states).
+    /// Standard deviations of quantities of the throw, such as its speed: (index in [`FIELDS`], the list of these
+    /// quantities; value in the unit that [`FIELDS`] states).
     pub release: Vec<(usize, f64)>,
     /// Standard deviations of the components x, y, z of a constant wind, m/s.
     pub wind: [f64; 3],

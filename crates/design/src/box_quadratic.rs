@@ -55,8 +55,8 @@ fn outward(slope: f64, step: f64, low: f64, high: f64) -> bool {
     step <= low && slope >= 0.0 || step >= high && slope <= 0.0
 }
 
-/// Newton step in the variables whose indices are `free`, in this order. A ridge is added to a Hessian that is not
-/// positive definite.
+/// Newton step −H⁻¹g, with the Hessian H and the gradient g restricted to the variables whose indices are `free`, in
+/// this order. A ridge is added to a Hessian that is not positive definite.
 fn newton(hessian: &DMatrix<f64>, gradient: &DVector<f64>, free: &[usize]) -> DVector<f64> {
     let m = free.len();
     let part = DMatrix::from_fn(m, m, |i, j| hessian[(free[i], free[j])]);

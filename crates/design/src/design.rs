@@ -65,7 +65,7 @@ pub struct Design {
     pub landing: Vector3<f64>,
     /// Duration of the flight, s.
     pub time: f64,
-    /// Value by which the goal is judged, such as the range; [`Goal::figure`] gives its name and unit.
+    /// Value by which the goal is judged, such as the range, m; [`Goal::figure`] gives its name and unit.
     pub figure: f64,
     /// Influence of each quantity of the throw, such as the speed, on the landing.
     pub sensitivity: Vec<Sensitivity>,
@@ -418,8 +418,8 @@ impl Task<'_> {
         Some(values)
     }
 
-    /// Root mean square distance of landings from their mean, m, to first order in the scatter; `None` if the throw
-    /// cannot be flown.
+    /// Root mean square distance of landings from their mean, m, to first order in the scatter of release, wind and
+    /// parameters. `near` is the release state of a similar throw. `None` if the throw cannot be flown.
     fn rms_spread(
         &self,
         throw: &Throw,
@@ -480,7 +480,8 @@ fn radical_inverse(mut index: u64, base: u64) -> f64 {
     value
 }
 
-/// Names and values of the quantities of a throw that have a value, in the order of [`FIELDS`].
+/// Names and values of the quantities of a throw that have a value, in the order of [`FIELDS`], the list of all
+/// quantities of a throw.
 pub fn numbers(throw: &Throw) -> impl Iterator<Item = (&'static str, f64)> {
     FIELDS
         .iter()

@@ -8,21 +8,21 @@ use crate::path::Path;
 /// Purpose of a throw, for which the best throw is searched.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Goal {
-    /// The path passes through the point, or lands there if its height is 0. Of all such throws, the one nearest the
-    /// middle of the bounds is preferred.
+    /// The path passes through the given point (x, y, z in m), or lands there if its height is 0. Of all such throws,
+    /// the one nearest the middle of the bounds is preferred.
     Hit(Vector3<f64>),
-    /// Maximum horizontal distance from release to landing.
+    /// The horizontal distance from release to landing is as large as possible.
     Range,
-    /// Maximum duration of the flight.
+    /// The duration of the flight is as long as possible.
     HangTime,
-    /// The path passes through the point, or lands there if its height is 0, and avoids the obstacle specified in
-    /// [`Bounds`](crate::bounds::Bounds).
+    /// The path passes through the given point (x, y, z in m), or lands there if its height is 0, and avoids the
+    /// obstacle specified in [`Bounds`](crate::bounds::Bounds).
     Curve(Vector3<f64>),
-    /// The path is level at the point, neither falling nor climbing, and passes it as slowly as possible, like an
-    /// aircraft that flares.
+    /// The path is level at the given point (x, y, z in m), neither falling nor climbing, and passes it as slowly as
+    /// possible, like an aircraft that flares.
     Flare(Vector3<f64>),
-    /// The throw lands at the point. Of all such throws, the one whose landings spread least if the release, wind and
-    /// parameters scatter.
+    /// The throw lands at the given point (x, y, z in m). Of all such throws, the one whose landings spread least if
+    /// the release, wind and parameters scatter.
     Spread(Vector3<f64>),
 }
 
@@ -47,7 +47,7 @@ impl Side {
         }
     }
 
-    /// Name of the side in files.
+    /// Name of the side in files: `left` or `right`.
     pub fn name(self) -> &'static str {
         match self {
             Side::Left => "left",
@@ -69,7 +69,7 @@ pub struct Obstacle {
 }
 
 impl Goal {
-    /// Name of the goal in files and options.
+    /// Name of the goal in files and options, such as `hit`.
     pub fn name(&self) -> &'static str {
         match self {
             Goal::Hit(_) => "hit",
@@ -91,7 +91,7 @@ impl Goal {
         }
     }
 
-    /// Name and unit of the value by which the goal is judged.
+    /// Name and unit of the value by which the goal is judged, such as `range` and `m`.
     pub fn figure(&self) -> (&'static str, &'static str) {
         match self {
             Goal::Hit(_) | Goal::Curve(_) => ("distance from the target", "m"),
@@ -201,9 +201,10 @@ impl Goal {
     }
 }
 
-/// Minimum lateral distance, m, of the path from the surface of the obstacle on the given side, negative if the path
-/// enters the obstacle or passes it on the other side; with derivatives. The derivatives are taken at the fixed time of
-/// the nearest approach, because the derivative of the distance with respect to time is 0 there.
+/// Minimum lateral distance, m, of the path from the surface of the obstacle on the given side. It is negative if the
+/// path enters the obstacle or passes it on the opposite side. Also returns the derivatives of the distance with
+/// respect to the quantities by which the path is differentiated. They are taken at the fixed time of the nearest
+/// approach, because the derivative of the distance with respect to time is 0 there.
 fn clearance(path: &Path<'_>, obstacle: &Obstacle, side: Side) -> (f64, Vec<f64>) {
     let place = Vector3::new(obstacle.place.x, obstacle.place.y, 0.0);
     let passes = path.nearest_times(place, true).into_iter().map(|t| {

@@ -67,8 +67,9 @@ impl Values {
     }
 }
 
-/// An optimization problem: a function that returns objective and constraints at a point of the unit box, or `None` if
-/// they cannot be computed there. If the second argument is `false`, the objective is not needed.
+/// An optimization problem: a function that returns objective and constraints at a point of the unit box (every
+/// variable between 0 and 1), or `None` if they cannot be computed there. If the second argument is `false`, the
+/// objective is not needed.
 pub type Problem<'p> = &'p dyn Fn(&DVector<f64>, bool) -> Option<Values>;
 
 /// Result of an optimization: the point reached, with the objective and constraints there.
@@ -98,8 +99,8 @@ const ON: f64 = 1e-4;
 /// Weight of the linearized constraints relative to the curvature of the Lagrangian in the quadratic model.
 const STIFF: f64 = 1e6;
 
-/// Minimizes the violation of the constraints in the unit box, by Gauss–Newton steps in a trust region. `None` if the
-/// problem has no finite values at the start.
+/// Minimizes the violation of the constraints in the unit box (every variable between 0 and 1), by Gauss–Newton steps
+/// in a trust region. `None` if the problem has no finite values at the start.
 pub fn meet(problem: Problem<'_>, from: &DVector<f64>) -> Option<Arrival> {
     let at = from.map(|v| v.clamp(0.0, 1.0));
     let values = problem(&at, false).filter(Values::is_finite)?;
@@ -168,9 +169,9 @@ fn room(at: &DVector<f64>, trust: f64) -> (DVector<f64>, DVector<f64>) {
     )
 }
 
-/// Minimizes the objective from a point on the constraints. Each iteration steps along the constraints by a quadratic
-/// model of the Lagrangian and then returns to them; the point reached is accepted only if the objective there is
-/// smaller. `None` if the problem has no finite values at the start.
+/// Minimizes the objective from a point that satisfies the constraints. Each iteration steps along the constraints by a
+/// quadratic model of the Lagrangian and then moves back until they are satisfied. The point reached is accepted only
+/// if the objective there is smaller. `None` if the problem has no finite values at the start.
 pub fn descend(problem: Problem<'_>, from: &DVector<f64>) -> Option<Arrival> {
     let values = problem(from, true).filter(Values::is_finite)?;
     let mut now = Arrival {

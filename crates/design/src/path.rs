@@ -15,7 +15,8 @@ const FINEST: f64 = 128.0;
 /// Maximum number of steps of the secant method that determines the time of a nearest approach to a point.
 const MAX_STEPS: usize = 40;
 
-/// Flight of a throw, with the derivatives of its path if they were requested.
+/// Flight of a throw, with the derivatives of its path with respect to quantities such as the speed if they were
+/// requested.
 pub struct Path<'f> {
     flights: &'f ThrowFlights<'f>,
     layout: Option<SensitivityLayout>,
@@ -27,7 +28,8 @@ pub struct Path<'f> {
     columns: Vec<usize>,
 }
 
-/// Landing of a thrown body (end of its flight on the ground), with derivatives.
+/// Landing of a thrown body (end of its flight on the ground), with derivatives with respect to the quantities by which
+/// the path is differentiated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Landing {
     /// Duration of the flight, s.
@@ -61,7 +63,7 @@ impl<'f> Path<'f> {
         self.trajectory.end
     }
 
-    /// Motion at time `t` (s), which is clamped to the duration of the flight.
+    /// Motion of the mass centre at time `t` (s since release), which is clamped to the duration of the flight.
     pub fn point(&self, t: f64) -> Point {
         let t = t.clamp(self.trajectory.start, self.trajectory.end);
         let x = self.trajectory.sample(t);
@@ -70,7 +72,7 @@ impl<'f> Path<'f> {
         self.flights.point(t, &x, s)
     }
 
-    /// Position of the mass centre at a time within the flight, m.
+    /// Position of the mass centre at a time within the flight, m; `t` in s since release.
     pub fn position(&self, t: f64) -> Vector3<f64> {
         let x = self.trajectory.sample(t);
         let x = x.as_ref().unwrap_or(&self.trajectory.end_state);
@@ -128,9 +130,9 @@ impl<'f> Path<'f> {
         found
     }
 
-    /// Time between `from` and `until`, s, at which the path is nearest to the point `to`. It is the time at which the
-    /// derivative of the squared distance changes sign from negative to positive; without such a change of sign it is
-    /// one of the two ends of the interval.
+    /// Time between `from` and `until`, s, at which the path is nearest to the point `to` (m). It is the time at which
+    /// the derivative of the squared distance changes sign from negative to positive; without such a change of sign it
+    /// is one of the two ends of the interval.
     fn refined(
         &self,
         mut from: f64,

@@ -66,8 +66,8 @@ impl<'t> BoundsReader<'t> {
         Some(bounds)
     }
 
-    /// Index in [`FIELDS`] of the quantity of a throw called `name`; `None` after reporting a fault if there is no such
-    /// quantity or a throw of the body cannot have it.
+    /// Index in [`FIELDS`] (list of the quantities of a throw) of the quantity called `name`. `None` after reporting a
+    /// fault if there is no such quantity or a throw of the body cannot have it.
     fn field(&mut self, name: &str, span: Range<usize>, body: &ThrownBody) -> Option<usize> {
         let Some(field) = FIELDS.iter().position(|(known, ..)| *known == name) else {
             let names = FIELDS.map(|(name, ..)| name).join(", ");

@@ -10,7 +10,7 @@ use crate::throw_flight::{By, ThrowFlightError, ThrowFlights};
 /// Influence of one quantity of a throw, such as the speed, on the position and time of the landing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensitivity {
-    /// Index in [`FIELDS`] of the quantity of the throw.
+    /// Index of the quantity of the throw in [`FIELDS`], the list of these quantities.
     pub field: usize,
     /// Derivative of the landing position, m per unit of the quantity.
     pub landing: Vector3<f64>,
@@ -20,7 +20,7 @@ pub struct Sensitivity {
     /// a goal judged by a distance from its target or by a spread.
     pub figure: Option<f64>,
     /// Changes of the flight if the quantity decreases and if it increases by one unit, each from a separate flight;
-    /// `None` if that throw cannot be flown.
+    /// `None` if the throw with the changed quantity cannot be flown.
     pub one_unit: [Option<OneUnit>; 2],
 }
 

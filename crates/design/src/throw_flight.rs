@@ -28,7 +28,7 @@ pub enum ThrowFlightError {
          `position (x, y, z)`"
     )]
     NoPosition {
-        /// Name of the model.
+        /// Name of the model whose states do not give the position of the mass centre.
         model: String,
     },
 }
@@ -36,7 +36,7 @@ pub enum ThrowFlightError {
 /// Quantity with respect to which the path of a thrown body is differentiated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum By {
-    /// A quantity of the throw, by its index in [`FIELDS`].
+    /// A quantity of the throw, such as its speed, by its index in [`FIELDS`], the list of these quantities.
     Throw(usize),
     /// A parameter, coefficient or component of an input, by its index among the parameters of the compiled model.
     Parameter(usize),
@@ -103,8 +103,8 @@ impl ThrownBody {
         }
     }
 
-    /// Indices in [`FIELDS`] of the quantities that a throw of this body can have; a point mass has no attitude and
-    /// no spin.
+    /// Indices in [`FIELDS`], the list of the quantities of a throw, of those that a throw of this body can have; a
+    /// point mass has no attitude and no spin.
     pub fn fields(&self) -> Vec<usize> {
         let has_attitude = self.thrown.has_attitude();
         let of_point = ["speed", "heading", "launch", "height"];

@@ -9,7 +9,7 @@ const MAX_ROWS: usize = 60;
 /// Table of the faults found in measured data, as input of the HTML templates.
 #[derive(Serialize)]
 pub(crate) struct Table {
-    /// Total number of faults, including those that the table does not list.
+    /// Total number of faults in the measured data, including those that the table does not list.
     all: usize,
     rows: Vec<Row>,
 }

@@ -47,7 +47,7 @@ pub struct Part {
     /// Smallest effect size of interest, formatted: a smaller difference of the coefficient from its null value is
     /// negligible. `None` if the effect declares none.
     pub negligible: Option<String>,
-    /// Whether each flight has its own value; otherwise one value applies to all flights.
+    /// Whether each flight has its own value of the coefficient or state; otherwise one value applies to all flights.
     pub of_each_flight: bool,
 }
 

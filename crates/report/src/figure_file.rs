@@ -17,9 +17,9 @@ const FAMILY: &str = "DejaVu Sans";
 /// Format of a figure file, in addition to SVG.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum FigureKind {
-    /// Vector graphics, on a page of the size of the figure.
+    /// PDF: vector graphics, on a page of the size of the figure.
     Pdf,
-    /// Raster image on white, two pixels for each SVG unit.
+    /// PNG: raster image on a white background, two pixels for each SVG unit.
     Png,
 }
 
@@ -128,8 +128,8 @@ mod tests {
         assert!(FigureKind::Pdf.draw("<svg").is_err());
     }
 
-    /// Text in a figure is rendered with the font of this crate: a different title gives a different image. Tooltips
-    /// are not rendered.
+    /// The title of a figure is rendered in the PNG image: a different title gives a different image. Tooltips with
+    /// values are not rendered.
     #[test]
     fn text_is_drawn_and_values_are_not() {
         let pixels = |svg: &str| FigureKind::Png.draw(svg).unwrap();

@@ -8,7 +8,8 @@
 pub struct Source {
     /// Short name of the publication, used as the heading of a table column.
     pub short: &'static str,
-    /// Full citation, and how the published values were converted to the frames and signs of the models.
+    /// Full citation, and how the published values were converted to the coordinate frames and sign conventions of the
+    /// models.
     pub long: &'static str,
     /// Published values: pairs of coefficient name and value.
     pub values: &'static [(&'static str, Value)],
@@ -17,7 +18,8 @@ pub struct Source {
 /// Published value of a coefficient.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
-    /// Single number as text, as printed in the publication; only the sign may be changed to that of the models.
+    /// Single number as text, as printed in the publication; only its sign may be changed, to follow the sign
+    /// convention of the models.
     One(&'static str),
     /// Range of numbers as text: lower and upper end.
     Range(&'static str, &'static str),

@@ -42,23 +42,25 @@ pub struct AxisDerivatives {
 /// Criteria for the stability of the axis of a body in the air stream.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Criteria {
-    /// Gyroscopic stability factor S = (ν² + δ² + 2 a δ)/κ with the symbols of [`AxisDerivatives`]. Spin and damping
-    /// stabilise the axis if S > 1; S is infinite or negative if κ ≤ 0, where the pitching moment does not destabilise
-    /// the axis.
+    /// Gyroscopic stability factor S = (ν² + δ² + 2 a δ)/κ. The symbols are the fields of [`AxisDerivatives`]: a
+    /// `lift`, δ `damping`, κ `pitching`, ν `gyroscopic`. Spin and damping stabilise the axis if S > 1; S is infinite
+    /// or negative if κ ≤ 0, where the pitching moment does not destabilise the axis.
     pub gyroscopic_factor: f64,
-    /// Gyroscopic condition: whether ν² + δ² + 2 a δ > κ, with the symbols of [`AxisDerivatives`].
+    /// Gyroscopic condition: whether ν² + δ² + 2 a δ > κ. The symbols are the fields of [`AxisDerivatives`]: a `lift`,
+    /// δ `damping`, κ `pitching`, ν `gyroscopic`.
     pub gyroscopic: bool,
-    /// Condition for the decay of the slow motion of the body axis: whether a (ν² + δ²) > κ δ, with the symbols of
-    /// [`AxisDerivatives`]. Lift then turns the flight path towards the plane normal to the axis faster than damping
-    /// lets the axis drift.
+    /// Condition for the decay of the slow motion of the body axis: whether a (ν² + δ²) > κ δ. Lift then turns the
+    /// flight path towards the plane normal to the axis faster than damping lets the axis drift. The symbols are the
+    /// fields of [`AxisDerivatives`]: a `lift`, δ `damping`, κ `pitching`, ν `gyroscopic`.
     pub slow: bool,
-    /// Condition for the decay of the wobble: whether (2 δ + a)(ν² + δ² + 2 a δ − κ) > a (ν² + δ²) − κ δ, with the
-    /// symbols of [`AxisDerivatives`].
+    /// Condition for the decay of the wobble: whether (2 δ + a)(ν² + δ² + 2 a δ − κ) > a (ν² + δ²) − κ δ. The symbols
+    /// are the fields of [`AxisDerivatives`]: a `lift`, δ `damping`, κ `pitching`, ν `gyroscopic`.
     pub wobble: bool,
-    /// Frequency of the nutation, |ν| − κ/(2 |ν|), rad/s, with the symbols of [`AxisDerivatives`]; accurate to first
-    /// order in κ/ν².
+    /// Frequency of the nutation, |ν| − κ/(2 |ν|), rad/s, accurate to first order in κ/ν². The symbols are the fields
+    /// of [`AxisDerivatives`]: κ `pitching`, ν `gyroscopic`.
     pub nutation: f64,
-    /// Decay rate of the nutation, δ − κ (a − δ)/(2 ν²), 1/s, with the symbols of [`AxisDerivatives`].
+    /// Decay rate of the nutation, δ − κ (a − δ)/(2 ν²), 1/s. The symbols are the fields of [`AxisDerivatives`]: a
+    /// `lift`, δ `damping`, κ `pitching`, ν `gyroscopic`.
     pub nutation_decay: f64,
     /// Rate at which the body axis tilts sideways (roll), −M/(I_a r), rad/s, with the moment M about the left axis d2,
     /// the axial moment of inertia I_a and the spin r: closed form of Crowther and Potts for straight flight.

@@ -13,7 +13,7 @@ use ode::{DifferentiableRhs, OdeRhs};
 
 /// Time step, s, of the sixth-order central differences by which the motion along a flight is differentiated.
 const STEP: f64 = 1e-4;
-/// Weights of the sixth-order central differences for the values 1, 2 and 3 steps to either side.
+/// Weights of the sixth-order central differences, for the values 1, 2 and 3 time steps before and after the instant.
 const WEIGHTS: [f64; 3] = [45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0];
 
 /// Reason why the motion of a body cannot be linearised.
@@ -25,10 +25,10 @@ pub enum StabilityError {
     /// The model is a point mass, which has no attitude.
     #[error("the model {model} is a point mass, which has no attitude; expected a rigid body")]
     PointMass {
-        /// Name of the model.
+        /// Name of the model of a point mass.
         model: String,
     },
-    /// The linearised motion is not finite at the given state.
+    /// The linearised motion has infinite or undefined elements at the state about which the motion is linearised.
     #[error(
         "the linearised motion is not finite there; expected a state within the model's limits"
     )]

@@ -62,8 +62,8 @@ fn one_body_in_two_charts_has_the_same_modes() {
 /// small wobble minus a flight without.
 fn measured(bound: &BoundBody<'_>, throw: &Throw, (from, until): (f64, f64)) -> (f64, f64) {
     const SAMPLES: usize = 2000;
-    /// Distance, in samples, between the values of which second differences are taken; they remove slow motions from
-    /// the signal.
+    /// Number of samples between the values of which second differences are taken; the differences remove slow motions
+    /// from the signal.
     const APART: usize = 20;
     let thrown = &bound.body.thrown;
     let options = IntegrationOptions::with_tolerance(1e-12);

@@ -23,7 +23,7 @@ pub enum SweepError {
         "the model {model} has no state z, whose fall to 0 is the landing; expected a plan with duration = … (s)"
     )]
     NoHeight {
-        /// Name of the model.
+        /// Name of the model that has no state `z`.
         model: String,
     },
     /// The output folder cannot be used, for example because it holds the results of another computation.
@@ -32,7 +32,7 @@ pub enum SweepError {
     /// A Parquet or CSV table of flights cannot be read or written.
     #[error("{}: {source}", path.display())]
     Table {
-        /// Path of the table.
+        /// Path of the table that cannot be read or written.
         path: PathBuf,
         /// Error that occurred while the table was read or written.
         source: ParquetError,

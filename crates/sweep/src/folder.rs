@@ -16,7 +16,8 @@ use crate::atomic::{Durability, UNFINISHED, write_atomic};
 /// of all inputs).
 const BEGUN: &str = "parts.json";
 
-/// Name of the JSON file of the summary; it is written last, so its presence means that the computation is complete.
+/// Name of the JSON file with the summary of the results; it is written last, so its presence means that the
+/// computation is complete.
 const SUMMARY: &str = "summary.json";
 
 /// Reason why a folder cannot be used for a computation that is done in parts.
@@ -30,21 +31,21 @@ pub enum FolderError {
         path.display()
     )]
     OtherWork {
-        /// Path of the folder.
+        /// Path of the folder that holds another computation.
         path: PathBuf,
     },
     /// The folder is not empty, and its files are not those of a computation in parts.
     #[error("{} holds files that this command did not write; expected a new or empty folder", path.display())]
     Foreign {
-        /// Path of the folder.
+        /// Path of the folder that holds unrelated files.
         path: PathBuf,
     },
     /// A file or folder cannot be read or written.
     #[error("{}: {source}", path.display())]
     Io {
-        /// Path of the file or folder.
+        /// Path of the file or folder that cannot be read or written.
         path: PathBuf,
-        /// Error of the operating system.
+        /// Error that the operating system reported for this file or folder.
         source: io::Error,
     },
     /// The parts are divided into `of` shares for separate processes, and the requested share number `part` is not in
@@ -53,7 +54,7 @@ pub enum FolderError {
     NoPart {
         /// Share number that was requested.
         part: u64,
-        /// Number of shares.
+        /// Number of shares into which the parts are divided.
         of: u64,
     },
 }
@@ -88,7 +89,7 @@ pub fn share_of(count: u64, (share, of): (u64, u64)) -> Result<std::ops::Range<u
     Ok(bound(share - 1)..bound(share))
 }
 
-/// Folder that holds the parts and the results of one computation that is done in parts.
+/// Folder of a computation that is divided into parts, each stored in its own file; holds the parts and the results.
 pub struct PartsFolder {
     path: PathBuf,
     fingerprint: String,
@@ -185,8 +186,8 @@ impl PartsFolder {
         self.write(&self.path.join(name), &format!("{json:#}\n"))
     }
 
-    /// Removes the files of the parts of the computation, which the results replace, and temporary files left by a
-    /// killed process. Errors are ignored.
+    /// Removes the files of the parts of the computation, which are no longer needed once the results are written, and
+    /// temporary files left by a killed process. Errors are ignored.
     pub fn discard_parts(&self) {
         // Files that could not be removed are removed by the next run.
         let _ = fs::remove_dir_all(self.path.join("parts"));

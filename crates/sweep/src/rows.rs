@@ -52,7 +52,7 @@ pub struct Rows {
     pub first: u64,
     /// Numeric columns: the inputs that vary, then the results.
     pub columns: Vec<Column>,
-    /// How each flight ended, as an index into [`STATUSES`].
+    /// How each flight ended, such as `landed`, as an index into [`STATUSES`].
     pub status: Vec<u8>,
 }
 

@@ -24,7 +24,7 @@ use crate::table;
 /// Options of running a sweep; none of them affects the results.
 #[derive(Clone, Copy)]
 pub struct SweepOptions<'a> {
-    /// Number of threads; at least 1.
+    /// Number of threads that simulate flights; at least 1.
     pub threads: usize,
     /// If several processes compute one sweep in the same folder: the share of the parts (blocks of consecutive
     /// flights) to compute, as (share number from 1, number of shares). `None` computes all parts and joins them.

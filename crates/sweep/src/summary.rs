@@ -25,7 +25,8 @@ pub(crate) struct Summary {
     flights: u64,
     statuses: [u64; STATUSES.len()],
     columns: Vec<(String, ColumnSummary)>,
-    /// Means of the x and y coordinates of the landing points, m, and sum of the products of their deviations, m².
+    /// Means of the x and y coordinates of the landing points, m, and sum over the flights of the products of the
+    /// deviations of x and y from these means, m².
     landing: Joint,
 }
 
@@ -41,7 +42,8 @@ struct ColumnSummary {
     sketch: Sketch,
 }
 
-/// Means of two columns of the table of flights, and the sum of the products of their deviations from the means.
+/// Means of two columns of the table of flights, and the sum over the flights of the products of their deviations from
+/// the means.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Joint {
     count: u64,

@@ -16,7 +16,7 @@ fn wind(speed: f64, roughness: f64, flight: u64) -> String {
     )
 }
 
-/// Creates a temporary folder with the text of a model that a user could write.
+/// Creates a temporary folder that contains a model file as a user could write it.
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     // A plate whose states have the names that a landing is looked for by.

@@ -20,13 +20,13 @@ pub enum Location {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{}{location}: found {found}, expected {expected}", file.display())]
 pub struct TakeError {
-    /// File that contains the error.
+    /// Path of the malformed recording file.
     pub file: PathBuf,
-    /// Location of the error in the file.
+    /// Location of the error in the file: a line, a table cell, a byte offset, or the whole file.
     pub location: Location,
-    /// What was found at this location.
+    /// Description of what was found at the location of the error.
     pub found: String,
-    /// What was expected instead.
+    /// Description of what was expected at the location of the error.
     pub expected: String,
 }
 

@@ -43,7 +43,8 @@ pub(crate) enum Attitude {
 #[derive(Default)]
 pub(crate) struct TrackColumns {
     pub position: [Option<usize>; 3],
-    /// Indices of the columns with the components w, x, y, z, in this order.
+    /// Indices of the columns with the components w, x, y, z of the attitude quaternion, in this order; `None` for a
+    /// component without a column.
     pub quaternion: [Option<usize>; 4],
 }
 

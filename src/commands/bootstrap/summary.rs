@@ -84,8 +84,8 @@ impl Column {
         }
     }
 
-    /// Quantile of the estimates over the refits at the probability `p`, by linear interpolation between the order
-    /// statistics; NaN without refits.
+    /// Quantile at the probability `p` (0 to 1) of the parameter's estimates over the converged refits, by linear
+    /// interpolation between the order statistics; NaN if no refit converged.
     fn quantile(&self, p: f64) -> f64 {
         let at = p * (self.sorted.len() as f64 - 1.0);
         let value = |k: f64| {
@@ -107,7 +107,7 @@ fn correlation(refits: &[&[f64]], columns: &[Column], i: usize, j: usize) -> f64
     products.sum::<f64>() / (refits.len() as f64 - 1.0) / (a.sd * b.sd)
 }
 
-/// The summary of a bootstrap as a text table.
+/// The summary of a bootstrap (its `summary.json`) as a text table for the terminal.
 pub(super) fn text(summary: &Value) -> String {
     let mut text = format!(
         "{}: {} refits to {} flights drawn with replacement, {} converged\n  {:18} {:>12} {:>12} {:>12} {:>26}  unit\n",

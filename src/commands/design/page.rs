@@ -249,7 +249,7 @@ fn figure_of_landings(found: &Design, bounds: &Bounds, spread: &Spread) -> Sheet
     }
 }
 
-/// Sentences on the spread of the landings.
+/// Sentences on the spread of the landings of a throw whose release, wind and parameters vary at random.
 pub fn spread_words(spread: &Spread, bounds: &Bounds) -> Vec<String> {
     let of = |landings: &Landings| {
         let (long, short, _) = landings.ellipse(0.5);

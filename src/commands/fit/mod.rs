@@ -97,8 +97,8 @@ pub(super) fn drawn(fitted: &identify::Fit) -> Vec<usize> {
     drawn
 }
 
-/// Measurements and predictions of the flights with the given indices; flights without predictions, such as excluded
-/// ones, are omitted.
+/// Measurements and predictions of the flights whose indices in the dataset are `flights`; flights without predictions,
+/// such as excluded ones, are omitted.
 pub(super) fn evidence(fitted: &identify::Fit, flights: &[usize]) -> Vec<FlightEvidence> {
     let each = flights.iter();
     each.filter_map(|&flight| fitted.evidence(FlightId::new(flight)))

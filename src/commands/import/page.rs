@@ -22,8 +22,8 @@ pub struct Shown<'a> {
 }
 
 impl Shown<'_> {
-    /// Data for the report page on one flight: curves and marker distances during the flight and shortly before and
-    /// after it, with gaps and missing markers.
+    /// Data for the report page on one flight: curves of the body's motion and measured distances between markers,
+    /// during the flight and shortly before and after it. Also lists gaps and missing markers.
     pub fn flight(&self, throw: &Throw, flight: &Flight) -> ImportedFlight {
         let times = &self.take.times;
         let span = (times[throw.release.sample], times[throw.end.sample]);

@@ -18,8 +18,8 @@ pub struct Landings {
 }
 
 impl Landings {
-    /// Ellipse that contains the given fraction of a normal distribution: semi-axes, m, the longer first, and the
-    /// direction of the longer one, rad, from +x towards +y.
+    /// Ellipse that contains the given fraction of a normal distribution with this mean and covariance: semi-axes, m,
+    /// the longer first, and the direction of the longer one, rad, from +x towards +y.
     pub fn ellipse(&self, fraction: f64) -> (f64, f64, f64) {
         let eigen = self.covariance.symmetric_eigen();
         let (long, short) = match eigen.eigenvalues[0] >= eigen.eigenvalues[1] {
@@ -49,7 +49,8 @@ pub fn landing_covariance(
     Ok(linear(flights, throw, near, &scattered, options)?.covariance)
 }
 
-/// Mean and covariance of the landing position to first order in the scattered quantities.
+/// Mean and covariance of the landing position of a throw, to first order in the quantities that vary at random. `near`
+/// is the release state of a similar throw.
 pub(super) fn linear(
     flights: &ThrowFlights<'_>,
     throw: &Throw,

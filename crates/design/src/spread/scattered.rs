@@ -9,9 +9,9 @@ use crate::throw_flight::{By, ThrowFlights};
 /// Normal distribution of the quantities that differ from throw to throw, such as the speed or the wind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scattered {
-    /// The quantities that vary, in the order of the rows of `covariance`.
+    /// The quantities that differ from throw to throw, in the order of the rows of `covariance`.
     pub by: Vec<By>,
-    /// Covariance matrix, in the units of the quantities.
+    /// Covariance matrix of the quantities in `by`, in their units.
     pub covariance: DMatrix<f64>,
 }
 

@@ -18,8 +18,8 @@ pub(super) const MAX_HYPOTHESES: usize = 12;
 #[derive(Serialize)]
 pub(super) struct Explanation {
     name: String,
-    /// Decrease of the weighted sum of squared residuals, χ², by adding the effects of the hypothesis to the model;
-    /// formatted.
+    /// Decrease of the weighted sum of squared residuals, χ², when the effects of the hypothesis are added to the
+    /// model; formatted.
     gain: String,
     /// Fraction of the misfit beyond noise that the hypothesis explains, and RMS of the remaining residuals in excess
     /// of the noise, both formatted; `None` if not computed.

@@ -21,7 +21,7 @@ pub use words::{
 /// Input of the HTML report of a diagnosis.
 #[derive(Clone, Copy, Debug)]
 pub struct DiagnosisPage<'a> {
-    /// Report of the diagnosis.
+    /// Report of the diagnosis, as written to `report.json`: verdict, tests and estimates.
     pub report: &'a Report,
     /// Measured flights with predictions of the model under test; at most the first twelve are drawn.
     pub before: &'a [FlightEvidence],

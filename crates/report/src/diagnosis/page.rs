@@ -19,7 +19,8 @@ use crate::fit::words::names;
 
 /// Maximum number of characters of the extended model's text shown in the HTML report.
 const MAX_TEXT: usize = 60_000;
-/// Maximum number of notes shown in the HTML report; the same maximum applies to checks.
+/// Maximum number of notes shown in the HTML report of a diagnosis. The same maximum applies to the list of
+/// verification checks of the extended model.
 const MAX_NOTES: usize = 40;
 /// Maximum number of figures of the loads that the model lacks (one for each force or moment component) that are
 /// expanded when the page is opened. The same maximum applies to figures of coefficient curves.

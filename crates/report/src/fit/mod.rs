@@ -18,7 +18,7 @@ use model_spec::model::Model;
 /// Input of the HTML report of a fit.
 #[derive(Clone, Copy)]
 pub struct FitPage<'a> {
-    /// Report of the fit.
+    /// Report of the fit, as written to `report.json`: estimates, noise and flights.
     pub report: &'a FitReport,
     /// The fit, from which confidence bands of predictions are computed; `None` omits the figures of predictions.
     pub fit: Option<&'a Fit>,
@@ -26,7 +26,7 @@ pub struct FitPage<'a> {
     pub evidence: &'a [FlightEvidence],
     /// The fitted model.
     pub model: &'a Model,
-    /// Name of the dataset.
+    /// Name of the dataset to which the model was fitted.
     pub dataset: &'a str,
     /// Verification status of the model according to its certificate (record of the verification checks).
     pub certificate: &'a CertificateNote,

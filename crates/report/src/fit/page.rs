@@ -197,7 +197,7 @@ fn encoded(text: &str) -> String {
     encoded
 }
 
-/// Truncates a text to the maximum length of a note on the page and ends it with a full stop.
+/// Truncates a text to the maximum length of a note in a report, and ends it with a full stop.
 pub(crate) fn sentence(text: &str) -> String {
     let text = flights::short(text.trim_end().trim_end_matches(':'));
     if text.ends_with(['.', '…', '!', '?']) {

@@ -5,13 +5,13 @@ use crate::figures::{Dots, Layout, Line, Look, Mark, Panel};
 use crate::fit::Drawn;
 use crate::fit::thin;
 
-/// Maximum number of marker pairs whose distances are drawn: the number of distinct line colours.
+/// Maximum number of marker pairs whose distances are drawn for a flight: the number of distinct line colours.
 const MAX_PAIRS: usize = 4;
 /// Maximum number of dots with which the part of a curve before and after the flight is drawn.
 const MAX_DOTS: usize = 150;
 
-/// Draws the curves and marker distances of an imported flight: lines during the flight, grey dots for the recording
-/// before and after it. `number` becomes part of the figure's file name.
+/// Draws the motion and the marker distances of an imported flight over time: lines during the flight, grey dots for
+/// the recording before and after it. `number` becomes part of the figure's file name.
 pub(super) fn flight(number: usize, flight: &ImportedFlight) -> Drawn {
     let mut panels: Vec<Panel> = flight.curves.iter().map(|it| curve(flight, it)).collect();
     if let Some(panel) = distances(flight) {
@@ -58,8 +58,8 @@ fn marks<'a>(of: impl IntoIterator<Item = (f64, &'a str)>) -> Vec<Mark> {
     of.into_iter().map(mark).collect()
 }
 
-/// Panel of the pairs (time, value) in `points`. Points for whose time `inside` returns true form a line; all other
-/// points are grey dots.
+/// Panel of the pairs (time in s, value) in `points`. Points for whose time `inside` returns true form a line; all
+/// other points are grey dots.
 fn split(points: &[(f64, f64)], inside: impl Fn(f64) -> bool) -> Panel {
     let line = points.iter().map(|&(time, value)| match inside(time) {
         true => (time, value),
@@ -91,8 +91,8 @@ fn curve(flight: &ImportedFlight, curve: &Curve) -> Panel {
     }
 }
 
-/// Panel of the measured distances between pairs of markers, minus their distances in the rigid-body definition, mm.
-/// The line of a pair whose markers were swapped or came loose has a jump. `None` if there are no pairs.
+/// Panel of the measured distances between pairs of markers, minus the distances according to the declared marker
+/// positions, mm. The line of a pair whose markers were swapped or came loose has a jump. `None` if there are no pairs.
 fn distances(flight: &ImportedFlight) -> Option<Panel> {
     let mut pairs: Vec<&Distance> = flight.distances.iter().collect();
     pairs.sort_by(|a, b| spread(flight, b).total_cmp(&spread(flight, a)));

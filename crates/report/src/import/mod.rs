@@ -17,7 +17,7 @@ pub struct ImportPage {
 /// Choices of the import (such as units and axes), notes and flights of one imported recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportedTake {
-    /// File name of the recording.
+    /// File name of the imported recording.
     pub file: String,
     /// Choices that the import made, such as units and axes: pairs of subject and choice, as text.
     pub decisions: Vec<(String, String)>,
@@ -30,7 +30,7 @@ pub struct ImportedTake {
     pub flights: Vec<ImportedFlight>,
 }
 
-/// One flight extracted from a recording.
+/// One free flight that an import extracted from a recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportedFlight {
     /// File name of the flight's table of measurements in the imported dataset.
@@ -41,15 +41,16 @@ pub struct ImportedFlight {
     pub release: Edge,
     /// End of the flight, with the reason why it was placed there.
     pub end: Edge,
-    /// Times of the first and the last sample, s since the start of the recording.
+    /// Times of the first and the last sample of the flight, s since the start of the recording.
     pub span: (f64, f64),
     /// Gaps in which no marker of the body was measured: pairs of begin and end, s on the time axis of the recording.
     pub gaps: Vec<(f64, f64)>,
     /// Markers with missing samples: pairs of marker name and number of missing samples.
     pub missing: Vec<(String, usize)>,
-    /// Quantities over the time of the recording, during the flight and shortly before and after it.
+    /// Quantities of the body's motion over the time of the recording, during the flight and shortly before and after
+    /// it.
     pub curves: Vec<Curve>,
-    /// Distances between pairs of markers over time.
+    /// Measured distances between pairs of markers over time.
     pub distances: Vec<Distance>,
 }
 

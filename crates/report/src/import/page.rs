@@ -115,8 +115,8 @@ fn row(flight: &ImportedFlight) -> Row {
     }
 }
 
-/// Marker pairs of a recording with their distances, largest deviation from the median first. Each pair is listed with
-/// the flight in which the distance of its markers deviates most from the median of that flight.
+/// Marker pairs of a recording with their distances, largest deviation from the median distance first. Each pair is
+/// listed with the flight in which the distance of its markers deviates most from its median over that flight.
 fn pairs(take: &ImportedTake) -> Vec<Pair> {
     let mut worst: Vec<(&str, f64, f64, f64, &str)> = Vec::new();
     for flight in &take.flights {

@@ -29,7 +29,7 @@ pub(super) fn entries_below(folder: &Path) -> io::Result<(Vec<PathBuf>, Vec<Path
     Ok((files, folders))
 }
 
-/// Whether the program wrote the file `path` of a results folder, and the file was not edited since then; always true
+/// Whether hyzer wrote the file `path` of a results folder, and the file was not edited since then; always true
 /// for the manifest (list of written files).
 fn is_own(folder: &Path, manifest: &Manifest, path: &Path) -> bool {
     let name = path.to_string_lossy().replace('\\', "/");
@@ -37,7 +37,7 @@ fn is_own(folder: &Path, manifest: &Manifest, path: &Path) -> bool {
 }
 
 /// Preserves the files of the results folder `target` in the new results folder `part`, by hard links if possible,
-/// otherwise by copies. Result files that were not edited since the program wrote them (according to the manifest
+/// otherwise by copies. Result files that were not edited since hyzer wrote them (according to the manifest
 /// `earlier`) are omitted. A preserved file with the name of a new result is named `NAME.kept`.
 pub(super) fn keep_foreign(target: &Path, earlier: &Manifest, part: &Path) -> io::Result<()> {
     let (files, folders) = entries_below(target)?;
@@ -63,7 +63,7 @@ pub(super) fn keep_foreign(target: &Path, earlier: &Manifest, part: &Path) -> io
 }
 
 /// Renames the files in `target` that `files` would overwrite to `NAME.kept`, except results that were not edited since
-/// the program wrote them (according to the manifest `earlier`).
+/// hyzer wrote them (according to the manifest `earlier`).
 pub(super) fn set_edited_aside(
     target: &Path,
     earlier: &Manifest,
@@ -79,7 +79,7 @@ pub(super) fn set_edited_aside(
 }
 
 /// Removes the folder `old` of earlier results after it was replaced by `current`. Its result files that were not
-/// edited since the program wrote them, and files that `current` also contains, are deleted; all other files are moved
+/// edited since hyzer wrote them, and files that `current` also contains, are deleted; all other files are moved
 /// to `current`.
 pub(super) fn discard(old: &Path, current: &Path) -> io::Result<()> {
     let manifest = Manifest::read(old);

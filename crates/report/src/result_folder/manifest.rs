@@ -6,14 +6,15 @@ use std::path::Path;
 
 use super::ResultFile;
 
-/// Name of the manifest file in a folder of results, which lists the files that the program wrote.
+/// Name of the manifest file in a folder of results, which lists the files that hyzer wrote.
 pub const MANIFEST: &str = ".hyzer-results";
 
-/// First line of a manifest (list of the files that the program wrote to a folder): a comment for the user.
+/// First line of a manifest (list of the files that hyzer wrote to a folder): a comment for the user.
 const HEAD: &str =
     "# Files that hyzer wrote here, and replaces. Other files in this folder are kept.";
 
-/// Files written by a run: relative path and hash of the contents.
+/// List of the files that a run of hyzer wrote to a results folder: path relative to the folder, and hash of the
+/// contents.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Manifest {
     files: BTreeMap<String, u64>,
@@ -29,7 +30,7 @@ impl Manifest {
         }
     }
 
-    /// Reads the manifest (list of the files that the program wrote) of a folder; empty if it cannot be read. Malformed
+    /// Reads the manifest (list of the files that hyzer wrote) of a folder; empty if it cannot be read. Malformed
     /// lines are ignored, as are paths that lead out of the folder.
     pub fn read(folder: &Path) -> Manifest {
         let text = std::fs::read_to_string(folder.join(MANIFEST)).unwrap_or_default();
@@ -59,7 +60,7 @@ impl Manifest {
         self.files.keys().map(String::as_str)
     }
 
-    /// Whether the file at the relative `path` in `folder` still has the contents that the program wrote, according to
+    /// Whether the file at the relative `path` in `folder` still has the contents that hyzer wrote, according to
     /// the hash in this manifest.
     pub fn wrote(&self, folder: &Path, path: &str) -> bool {
         let contents = || std::fs::read(folder.join(path)).ok();

@@ -17,7 +17,7 @@ use keep::{discard, keep_foreign};
 pub use manifest::MANIFEST;
 use manifest::Manifest;
 
-/// Maximum number of files named in the error about a folder with files that the program did not write.
+/// Maximum number of files named in the error about a folder with files that hyzer did not write.
 const MAX_NAMED: usize = 3;
 
 /// A result file to be written to a folder.
@@ -46,7 +46,7 @@ pub enum ResultFolderError {
     /// The path is that of a file, or leads through a file, instead of a folder.
     #[error("{} is a file, expected a folder", path.display())]
     IsFile {
-        /// Path of the file.
+        /// Path of the file that was found where a folder is expected.
         path: PathBuf,
     },
     /// The folder contains files, but no manifest (list of written files) of an earlier run, so the files may belong to
@@ -58,20 +58,20 @@ pub enum ResultFolderError {
     Foreign {
         /// Path of the folder that contains files of unknown origin.
         path: PathBuf,
-        /// Names of at most three of the files that the program did not write, sorted; followed by `…` if there are
+        /// Names of at most three of the files that hyzer did not write, sorted; followed by `…` if there are
         /// more.
         names: Vec<String>,
     },
     /// The last component of the path is not a folder name, as in `x/..`.
     #[error("{} is no name of a folder", path.display())]
     NoName {
-        /// Path as given by the caller.
+        /// Path of the results folder as given by the caller, such as `x/..`.
         path: PathBuf,
     },
     /// A file or folder cannot be read or written.
     #[error("{} cannot be written: {source}", path.display())]
     Io {
-        /// Path of the folder of results.
+        /// Path of the folder of results in which the error occurred.
         path: PathBuf,
         /// Error reported by the operating system.
         source: io::Error,
@@ -248,7 +248,7 @@ fn is_folder(path: &Path) -> Result<(), ResultFolderError> {
     }
 }
 
-/// Returns an error if a folder contains files but no manifest (list of the files that the program wrote), so that
+/// Returns an error if a folder contains files but no manifest (list of the files that hyzer wrote), so that
 /// files of the user are not overwritten. `shown` is the path named in the error.
 fn refuse_foreign(target: &Path, shown: &Path) -> Result<(), ResultFolderError> {
     if target.join(MANIFEST).is_file() {

@@ -75,8 +75,8 @@ impl<'m> FlightModel<'m> {
         }
     }
 
-    /// Data for the 3D viewer of a flight with the given pairs of time and state, without measurements. Samples without
-    /// a finite position are omitted; the second value states for each sample whether it was retained.
+    /// Data for the 3D viewer of a flight without measurements, from `samples`, pairs of time (s) and state. Samples
+    /// without a finite position are omitted. The second result states for each sample whether it was retained.
     fn flight(&self, name: &str, samples: &[(f64, &[f64])]) -> (Flight, Vec<bool>) {
         let bound = self.body.bind(self.parameters.clone());
         let has_attitude = self.model.marker.as_ref().is_some_and(|m| m.frame != 0);

@@ -26,7 +26,7 @@ pub struct Axis {
 /// Input of a flight that a varied quantity sets: a quantity of the throw, an initial state, or a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
-    /// Quantity of the throw, such as its speed, by its index in [`FIELDS`].
+    /// Quantity of the throw, such as its speed, by its index in [`FIELDS`], the list of these quantities.
     Throw(usize),
     /// Initial state, by its index in the state vector.
     State(usize),

@@ -33,7 +33,8 @@ pub struct Plan {
     /// Whether every flight has different random gusts, whose phases follow from the seed of the gusts and the flight
     /// number.
     pub gusts: bool,
-    /// Number of points of the grid, which are all combinations of the given values; 1 without a grid.
+    /// Number of points of the grid, which are all combinations of the grid values of the varied quantities; 1 without
+    /// a grid.
     pub grid: u64,
     /// Total number of flights of the sweep.
     pub flights: u64,

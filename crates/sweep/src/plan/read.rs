@@ -177,8 +177,8 @@ fn plan<'t>(
     })
 }
 
-/// Reads the table `[throw]`, whose values were already checked when the release in the plan was read; `None` if the
-/// plan has no such table.
+/// Reads the table `[throw]` of a sweep plan (motion of the body at release), whose values were already checked when
+/// the release in the plan was read. `None` if the plan has no such table.
 fn throw<'t>(reader: &mut Reader<'t>, document: &DeTable<'t>) -> Option<Throw> {
     document.get("throw")?;
     let mut throw = Throw::at_speed(0.0);

@@ -25,9 +25,9 @@ use crate::words::shown;
 pub struct C3dError {
     /// Byte offset of the error in the file.
     pub byte: usize,
-    /// What was found at this offset.
+    /// Description of what was found at the byte offset of the error.
     pub found: String,
-    /// What was expected instead.
+    /// Description of what was expected at the byte offset of the error.
     pub expected: String,
 }
 
@@ -168,7 +168,8 @@ impl<'a> Recording<'a> {
         &self.labels
     }
 
-    /// Contradictions in the file that have only one sensible interpretation, which is used.
+    /// Contradictions in the file that have only one sensible interpretation; the data are read with this
+    /// interpretation.
     pub fn deviations(&self) -> &[Deviation] {
         &self.deviations
     }

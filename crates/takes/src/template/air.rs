@@ -13,12 +13,13 @@ use crate::throws::GRAVITY;
 /// aerodynamic forces is computed from the rotation of the spin axis about the velocity. At smaller angles the whole
 /// displacement counts as unknown.
 const MIN_SINE: f64 = 0.2;
-/// Assumed standard deviation of the unknown change of the aerodynamic acceleration, as a fraction of the product of
-/// lift acceleration and wobble angle (rad).
+/// Assumed standard deviation of the uncomputed part of the change of aerodynamic acceleration by the wobble of the
+/// spin axis. It is a fraction of the product of lift acceleration and wobble angle (rad).
 const UNKNOWN: f64 = 0.5;
 
 /// Displacements of the centre of mass by aerodynamic forces that change with the wobble of the spin axis, m, one row
-/// per sample. `known` is the computed displacement, `unknown` the assumed magnitude of the rest.
+/// per sample. `known` is the computed displacement, `unknown` the assumed magnitude of the part that cannot be
+/// computed.
 pub(super) struct AirMotion {
     pub known: DMatrix<f64>,
     pub unknown: DMatrix<f64>,

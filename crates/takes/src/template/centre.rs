@@ -174,9 +174,10 @@ fn axis_of(sums: &Sums) -> Option<Vector3<f64>> {
     turns.then(|| eigen.eigenvectors.column(order[0]).into_owned())
 }
 
-/// Selects, among the body points at height 0 along the axis, the one with the smoothest trajectory. Returns this
-/// point, m; the derivative of its components across the axis with respect to the height at which it is selected; and
-/// the inverse of the matrix of the normal equations in the plane normal to the axis.
+/// Selects, among the body points at height 0 along the axis (the mean height of the markers), the one with the
+/// smoothest trajectory. Returns this point, m; the derivative of its components across the axis with respect to the
+/// height at which it is selected; and the inverse of the matrix of the normal equations in the plane normal to the
+/// axis.
 fn at_height_zero(sums: &Sums, axis: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>, Matrix3<f64>) {
     let across = Matrix3::identity() - axis * axis.transpose();
     let matrix = sums.raw - sums.noise;

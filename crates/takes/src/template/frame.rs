@@ -6,7 +6,7 @@ use super::centre::Centre;
 use super::shape::Shape;
 use super::{CentreHeight, EstimatedMarker, EstimatedTemplate};
 
-/// Maximum standard error of the estimated height of the centre of mass, m, at which the estimate is used.
+/// Maximum standard error of the estimated height of the centre of mass, m, for the estimate to be used.
 const WORST_HEIGHT: f64 = 0.01;
 /// Minimum distance from the spin axis (third body axis), m, of the marker that the first body axis points to.
 const OFF_AXIS: f64 = 0.005;
@@ -14,9 +14,9 @@ const OFF_AXIS: f64 = 0.005;
 /// at height 0 (3), direction of the axis (3), height of the centre of mass (1).
 const MORE: usize = 7;
 
-/// Assembles the template (marker positions in the body frame) from the shape and the centre of mass. `stated` is the
-/// height of the centre of mass specified by the user, m. If it is `None`, the estimated height is used if it is
-/// accurate enough, otherwise 0.
+/// Assembles the template (marker positions in the body frame) from the shape (marker positions relative to their mean)
+/// and the centre of mass. `stated` is the height of the centre of mass specified by the user, m. If it is `None`, the
+/// estimated height is used if it is accurate enough, otherwise 0.
 pub(super) fn template(
     labels: &[String],
     shape: &Shape,

@@ -27,7 +27,7 @@ pub struct FreeFlight<'a> {
 /// Body template estimated from free flights: marker positions and centre of mass, with their uncertainty.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EstimatedTemplate {
-    /// Markers with their estimated positions, in the order of the given labels.
+    /// Markers with their estimated positions, in the order of the labels from which the template was estimated.
     pub markers: Vec<EstimatedMarker>,
     /// Estimated standard deviation of one coordinate of a measured marker position, m.
     pub sigma: f64,
@@ -41,7 +41,7 @@ pub struct EstimatedTemplate {
     pub up: Option<UpVote>,
     /// Index of the marker that the first body axis points to.
     pub first: usize,
-    /// Number of flights with at least one usable pose.
+    /// Number of flights with at least one sample in which the attitude of the body was determined.
     pub flights: usize,
     /// Number of samples, over all flights, in which the attitude of the body was determined.
     pub samples: usize,

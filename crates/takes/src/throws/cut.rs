@@ -12,7 +12,7 @@ use super::windows::half;
 /// Samples outside the flight that are included in the fit of a change of motion at its beginning or end: time span
 /// that they cover, s, and their minimum number.
 const BEYOND: (f64, usize) = (0.03, 4);
-/// Number of times per sampling interval that are tried as the time of a change of motion (release, impact).
+/// Number of instants per sampling interval that are tried as the time of a change of motion (release, impact).
 const CANDIDATES: usize = 4;
 /// Number of samples next to a change of motion (release, impact) that are excluded from the flight, since the time of
 /// the change is accurate to only about one sampling interval.
@@ -146,7 +146,8 @@ impl<'t> FlightEnd<'t> {
         best
     }
 
-    /// Fit of a cubic in time to the samples, without a change of motion; `None` if no fit is possible.
+    /// Fit of a cubic in time to the samples around this end of the flight, without a change of motion; `None` if no
+    /// fit is possible.
     pub fn smooth(&self) -> Option<Fit> {
         self.fit(self.track.times[self.last], &[])
     }

@@ -149,7 +149,7 @@ impl Track {
     }
 }
 
-/// Positions of points relative to the mean of these points.
+/// Positions of points relative to the mean of these points, in the unit of `points`.
 pub(crate) fn centred(points: Vec<Vector3<f64>>) -> Vec<Vector3<f64>> {
     let mean = points.iter().sum::<Vector3<f64>>() / points.len() as f64;
     points.into_iter().map(|point| point - mean).collect()
@@ -189,8 +189,8 @@ fn refined(
     )
 }
 
-/// Least-squares position and rotation of a rigid set of points (`template`) for the points that are seen (Kabsch
-/// 1976); `None` if fewer than 3 points are seen.
+/// Least-squares position and rotation (Kabsch 1976) that map the rigid set of points `template` to the measured points
+/// `seen`, from the points that are not `None`; `None` if fewer than 3 points are seen.
 pub(crate) fn fitted(
     template: &[Vector3<f64>],
     seen: &[Option<Vector3<f64>>],

@@ -22,10 +22,11 @@ const PUSH: f64 = 2.5;
 /// Maximum ratio of the standard deviation of the residuals of a local quadratic fit to that of a measured position,
 /// for the motion to count as smooth.
 const SMOOTH: f64 = 2.5;
-/// Prior standard deviation of each coordinate of [`Window::offset`] (position of the smoothly moving body point
-/// relative to the centroid of the points), m.
+/// Prior standard deviation of each coordinate of [`Window::offset`] (position of the body point that moves smoothly,
+/// relative to the centroid of the tracked points), m.
 const OFFSET: f64 = 0.1;
-/// Standard deviation of a measured position, m, that is assumed for the weight of the prior on [`Window::offset`].
+/// Standard deviation of a measured position, m, that is assumed for the weight of the prior on [`Window::offset`]
+/// (position of the body point that moves smoothly).
 const TYPICAL: f64 = 1e-3;
 
 /// Quadratic in time fitted to the motion of a body in the samples around one sample.
@@ -34,7 +35,7 @@ pub(super) struct Window {
     pub velocity: [f64; 3],
     pub acceleration: [f64; 3],
     /// Position of the body point that moves smoothly (in free flight the centre of mass) relative to the centroid of
-    /// the followed points, in the body-fixed axes of these points, m.
+    /// the tracked points of the body, in the body-fixed axes of these points, m.
     pub offset: [f64; 3],
     /// Standard deviation of the residuals of the quadratic fit on one axis, m.
     pub residual: f64,
@@ -129,8 +130,8 @@ fn window(track: &Track, i: usize, half: usize) -> Option<Window> {
     })
 }
 
-/// Estimates the standard deviation of a measured position, m, as the lower tercile of the residuals of the local fits:
-/// fits in free flight or at rest have the smallest residuals.
+/// Estimates the standard deviation of a measured position, m, as the lower tercile of the residuals of local quadratic
+/// fits: fits in free flight or at rest have the smallest residuals.
 pub(super) fn noise(windows: &[Option<Window>]) -> f64 {
     let mut residuals: Vec<f64> = windows.iter().flatten().map(|w| w.residual).collect();
     residuals.sort_by(f64::total_cmp);
@@ -138,8 +139,9 @@ pub(super) fn noise(windows: &[Option<Window>]) -> f64 {
     quiet.max(FINEST)
 }
 
-/// Position of the smoothly moving body point relative to the centroid of the followed points, in the body-fixed axes
-/// of these points, m: median of [`Window::offset`] over the local fits around the samples in `run`.
+/// Position of the body point that moves smoothly (in free flight the centre of mass), relative to the centroid of the
+/// tracked points of the body, in the body-fixed axes of these points, m. It is the median of [`Window::offset`] over
+/// the local quadratic fits around the samples in `run`.
 pub(super) fn offset(windows: &[Option<Window>], run: &Range<usize>) -> [f64; 3] {
     [0, 1, 2].map(|axis| {
         let each = windows[run.clone()].iter().flatten();

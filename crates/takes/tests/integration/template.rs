@@ -15,8 +15,8 @@ fn estimated(made: &Flights, height: Option<f64>) -> Result<EstimatedTemplate, T
     estimate_template(&labels(made.markers.len()), &flights, height)
 }
 
-/// True marker positions, rotated about the third body axis so that the marker with the index `first` lies above the
-/// first axis.
+/// True marker positions on the body, rotated about the third body axis so that the second coordinate of the marker
+/// with the index `first` is 0 and its first coordinate is positive.
 fn turned(markers: &[[f64; 3]], first: usize) -> Vec<[f64; 3]> {
     let [x, y, _] = markers[first];
     let (s, c) = (y / x.hypot(y), x / x.hypot(y));

@@ -268,8 +268,8 @@ struct Models<'f> {
     /// Index of the drawn quantity in the model under test (`None` if that model lacks the quantity), and in the
     /// extended model.
     positions: (Option<usize>, usize),
-    /// Finite-difference step for the derivative with respect to each global parameter: its standard error, SI; 0 if it
-    /// has none.
+    /// Finite-difference step for the derivative with respect to each parameter common to all flights: the standard
+    /// error of the parameter, SI; 0 if it has none.
     steps: Vec<f64>,
     /// Correlation matrix of the parameters common to all flights; 0 for parameters without a standard error.
     correlations: DMatrix<f64>,

@@ -12,7 +12,8 @@ use crate::fit::numbers::{Digits, unit, with_unit};
 
 /// File name, without suffix, of the figure in the opening section of the diagnosis report.
 const NAME: &str = "finding";
-/// Maximum number of rows of a chart, each for a coefficient or a candidate effect.
+/// Maximum number of rows of a chart in the opening section of the diagnosis report; each row is for a coefficient or a
+/// candidate effect.
 const MAX_ROWS: usize = 10;
 /// Half width of a 95 % confidence interval, in standard errors.
 const WIDTH_95: f64 = 1.96;

@@ -34,7 +34,7 @@ pub(crate) fn not_drawn(number: usize, what: &str) -> String {
     }
 }
 
-/// Range of the indices of the samples for which times, measurements and predictions all exist.
+/// Range of the indices of the samples of a flight for which times, measurements and predictions all exist.
 fn samples(flight: &FlightEvidence) -> std::ops::Range<usize> {
     let lengths = [flight.measured.len(), flight.predicted.len()];
     0..lengths.into_iter().fold(flight.times.len(), usize::min)
@@ -54,7 +54,7 @@ struct MeasuredPoint {
     is_outlier: bool,
 }
 
-/// Measured positions of the first `markers` markers of a flight, in the order of the samples.
+/// Measured positions of the first `markers` markers of a flight, sample by sample.
 fn points(flight: &FlightEvidence, markers: usize) -> impl Iterator<Item = MeasuredPoint> {
     let at = move |sample: usize, marker: usize| {
         let measured = flight.measured[sample].get(marker).copied().flatten()?;

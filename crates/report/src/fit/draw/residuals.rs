@@ -21,7 +21,7 @@ pub(crate) struct FlightsOfRole<'e> {
     pub(crate) name: &'static str,
     /// Title of the figure of residuals.
     pub(crate) title: &'static str,
-    /// Flights of this role among the first [`MAX_FLIGHTS`] flights of the evidence, which are the only ones drawn.
+    /// Flights of this role among the first [`MAX_FLIGHTS`] flights of a fit or diagnosis; only those are drawn.
     pub(crate) flights: Vec<&'e FlightEvidence>,
     /// Sentences at the end of the caption: the meaning of the residuals, and the files of the flights.
     pub(crate) notes: String,
@@ -67,7 +67,7 @@ impl<'e> FlightsOfRole<'e> {
     }
 }
 
-/// Flights with the given role (fitted or held out) among the first [`MAX_FLIGHTS`] flights.
+/// Flights with the given role (fitted or held out) among the first [`MAX_FLIGHTS`] elements of `evidence`.
 pub(crate) fn flights_of(evidence: &[FlightEvidence], role: Role) -> Vec<&FlightEvidence> {
     let drawn = evidence.iter().take(MAX_FLIGHTS);
     drawn.filter(|f| f.role == role).collect()

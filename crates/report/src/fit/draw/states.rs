@@ -85,7 +85,7 @@ fn state_panels(flight: &FlightEvidence, model: &Model) -> Vec<Panel> {
     })
 }
 
-/// Points (time in s, value) of column `at` of a table with one row for each sample of the flight.
+/// Points (time in s, value) of the column `at` of `table`, which has one row for each sample of the flight.
 fn column(flight: &FlightEvidence, table: &[Vec<f64>], at: usize) -> Vec<(f64, f64)> {
     let value = |s: usize| table.get(s).and_then(|row| row.get(at)).copied();
     let points = samples(flight).map(|s| (flight.times[s], value(s).unwrap_or(f64::NAN)));

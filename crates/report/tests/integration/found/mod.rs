@@ -323,7 +323,8 @@ fn outside(flights: &[FlightEvidence]) -> Unattributed {
     }
 }
 
-/// Returns the flights with predictions of a model that lacks an effect, so that the prediction error grows with time.
+/// Returns copies of the flights with predictions of a model that lacks an effect, so that the prediction error grows
+/// with time.
 pub fn without(flights: &[FlightEvidence]) -> Vec<FlightEvidence> {
     let mut flights = flights.to_vec();
     for (i, flight) in flights.iter_mut().enumerate() {

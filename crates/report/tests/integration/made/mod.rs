@@ -94,7 +94,7 @@ pub fn flight(number: usize, samples: usize) -> FlightEvidence {
     flight
 }
 
-/// Measurements and predictions of `flights` example flights, as input of the figures.
+/// Simulated measurements and predictions of `flights` disc flights, as input of the figures of a report.
 pub fn evidence(flights: usize) -> Vec<FlightEvidence> {
     (1..=flights)
         .map(|n| flight(n, 110 + 10 * (n % 4)))

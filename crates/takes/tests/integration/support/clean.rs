@@ -28,8 +28,8 @@ fn scaled(a: V, s: f64) -> V {
     a.map(|x| s * x)
 }
 
-/// A disc, given by its coefficients: those of force times ½ρA / mass, 1/m, and those of moment times ½ρAd / moment of
-/// inertia about a diameter, 1/m².
+/// Simulated disc. Its force coefficients are multiplied by ½ρA/mass (1/m), its moment coefficients by ½ρAd divided by
+/// the moment of inertia about a diameter (1/m²).
 struct Disc {
     lift: (f64, f64),
     drag: (f64, f64),

@@ -20,7 +20,7 @@ pub enum End {
 pub struct Truth {
     /// True time of the release, s.
     pub release: f64,
-    /// Time of the end of the flight, s.
+    /// True time of the end of the flight, s.
     pub end: f64,
     pub kind: End,
 }
@@ -81,7 +81,8 @@ impl Body {
         add(drag, up, self.lift * speed * speed)
     }
 
-    /// Positions of the markers for a given position of the centre and a given angle of rotation about the spin axis.
+    /// Positions of the markers, m, for a given position of the body's centre (m) and angle of rotation about the spin
+    /// axis (rad).
     fn markers(&self, centre: V, angle: f64) -> Vec<V> {
         let (s, c) = angle.sin_cos();
         let (ts, tc) = self.tilt.sin_cos();
