@@ -48,7 +48,7 @@ impl<'a> Meaning<'a> {
 
     /// Axis of revolution (1, 2 or 3) of the body that the model's `claim` statement describes: the axis of the
     /// rotation from the frame in which the inertia is declared to the body-fixed frame. `None` if there is no such
-    /// rotation, or the meaning is not taken from a claim.
+    /// rotation, or the states are converted without a `claim` statement.
     pub fn axis_of_revolution(&self) -> Option<u8> {
         let Self::Claim(model) = self else {
             return None;
@@ -65,7 +65,8 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// Physical state at a point; `None` if a value is not finite.
+    /// Physical state (position, velocity, attitude, angular velocity) of the body at a point; `None` if a value is not
+    /// finite.
     pub fn physical(&self, point: &Point<f64>) -> Option<Physical<f64>> {
         match self {
             Self::Chart(chart) => Some(chart.physical(&point.states)),
@@ -76,8 +77,9 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// Rate of the physical state for given rates of the states with respect to true time; `pace` is the flight time,
-    /// s, per second of recorded time. `None` if the body that the model claims to describe cannot be evaluated.
+    /// Rate of change of the physical state of the body for given rates of the model's states with respect to true
+    /// time; `pace` is the flight time, s, per second of recorded time. `None` if the body that the model claims to
+    /// describe cannot be evaluated.
     pub fn rate(&self, point: &Point<f64>, rates: &[f64], pace: f64) -> Option<PhysicalRate> {
         match self {
             Self::Chart(chart) => Some(chart.physical_rate(&point.states, rates)),
@@ -85,8 +87,9 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// States that represent a physical state; `None` if no such states were found. Parameters, inputs and time have
-    /// the values of the point `at`. If the states are found iteratively, the iteration starts from the states of `at`.
+    /// Values of the model's states that represent a physical state of the body; `None` if no such states were found.
+    /// Parameters, inputs and time have the values of the point `at`. If the states are found iteratively, the
+    /// iteration starts from the states of `at`.
     pub fn states(&self, physical: &Physical<f64>, at: &Point<f64>) -> Option<Vec<f64>> {
         match self {
             Self::Chart(chart) => chart.states(physical),

@@ -46,7 +46,7 @@ pub struct Row {
     pub check: &'static str,
     /// Number of points or cases that were tested.
     pub cases: usize,
-    /// Maximum error over the cases, in the unit given by `measure`.
+    /// Maximum error over all tested points or cases, in the unit given by `measure`.
     pub worst: f64,
     /// Unit of `worst` and `tolerance`.
     pub measure: Measure,
@@ -56,7 +56,7 @@ pub struct Row {
     pub verdict: Verdict,
     /// Point or item with the maximum error, or the reason why the check was skipped; may have several lines.
     pub detail: String,
-    /// Limitation of the check for this model, printed below the table; `None` if there is none.
+    /// What the check does not cover for this model, printed below the table; `None` if there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub remark: Option<String>,
 }

@@ -24,20 +24,20 @@ use model_spec::load::Loaded;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
-/// Name and version of the certificate format.
+/// Name and version of the file format of certificates (records of verifications).
 pub const SCHEMA: &str = "hyzer.certificate/1";
 
 /// Record of a verification of one or more models.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Certificate {
-    /// Name and version of the format; always [`SCHEMA`].
+    /// Name and version of the file format; always [`SCHEMA`].
     pub schema: String,
     /// Version of the program that carried out the checks.
     pub program: Program,
     /// Options with which the checks were carried out.
     pub options: CertifiedOptions,
-    /// Worst outcome of all models and of the comparisons between models.
+    /// Worst outcome of all models and of the comparisons between models, in the order verified, not verified, refuted.
     pub outcome: Outcome,
     /// Records of the verified models.
     pub models: Vec<CertifiedModel>,
@@ -56,7 +56,7 @@ pub struct Program {
     pub effects: Hash,
 }
 
-/// Options of the checks, as recorded in a certificate.
+/// Options of the checks, as recorded in a certificate (record of a verification).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CertifiedOptions {
@@ -64,7 +64,7 @@ pub struct CertifiedOptions {
     pub seed: u64,
     /// Number of random points per check.
     pub cases: usize,
-    /// Whether mutation testing was run.
+    /// Whether mutation testing was run: the checks are repeated on models with one deliberate change each.
     pub mutants: bool,
 }
 
@@ -87,7 +87,7 @@ pub struct CertifiedModel {
     pub checks: Vec<CertifiedCheck>,
 }
 
-/// Result of one check, as recorded in a certificate.
+/// Result of one check, as recorded in a certificate (record of a verification).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CertifiedCheck {
@@ -97,13 +97,13 @@ pub struct CertifiedCheck {
     pub verdict: Verdict,
     /// Number of points or cases that were tested.
     pub cases: usize,
-    /// Maximum error, in the unit given by `measure`; `None` if it is not finite.
+    /// Maximum error found by the check, in the unit given by `measure`; `None` if it is not finite.
     pub worst: Option<f64>,
     /// Maximum error that is allowed, in the unit given by `measure`.
     pub allowed: f64,
     /// Unit of `worst` and `allowed`.
     pub measure: Measure,
-    /// Point or item with the maximum error, or the reason why the check was not carried out.
+    /// Description of the point or item with the maximum error, or the reason why the check was not carried out.
     pub detail: String,
     /// Limitation of the check (what it does not cover for this model); `None` if there is none.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -41,7 +41,7 @@ impl Origin {
     }
 }
 
-/// Reason why a model of a certificate cannot be loaded.
+/// Reason why a model covered by a certificate (record of a verification) cannot be loaded.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum OriginError {
     /// The file at this path, relative to the folder of the certificate, does not exist.

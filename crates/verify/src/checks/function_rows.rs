@@ -102,10 +102,10 @@ pub(super) fn differences<T: Field>(
     faults
 }
 
-/// Describes the results of a compiled function: the range of its rows, the name of the section with its values, and
-/// the names of the sections with its Jacobians with respect to states and to parameters. The rows are the scalar
-/// results of a model: `all` rows, of which the first `states` are state derivatives and the others components of the
-/// observation.
+/// Describes the outputs of a compiled function. A model has `all` scalar results: first `states` state derivatives,
+/// then the components of the observation. Returns the index range of those that the function computes, the name of its
+/// group of outputs with their values, and the names of its groups of outputs with their Jacobians with respect to
+/// states and to parameters.
 fn sections(
     function: &Function,
     states: usize,

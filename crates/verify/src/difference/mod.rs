@@ -86,7 +86,7 @@ pub struct RowChange {
 /// Comparison of an old and a new version of a model.
 #[derive(Clone, Debug, Serialize)]
 pub struct Difference {
-    /// Name and version of the JSON format.
+    /// Name and version of the JSON format of the comparison.
     pub schema: &'static str,
     /// Names of the old and the new model.
     pub models: Pair<String>,
@@ -216,8 +216,8 @@ pub fn compare(old: &Model, new: &Model, options: &DifferenceOptions) -> Differe
     }
 }
 
-/// Pairs of indices (old, new) of corresponding rows: derivatives of paired states, components of the observation, and
-/// validity limits in the order of the files.
+/// Pairs of indices (in the old model, in the new model) of corresponding rows, that is, scalar functions: derivatives
+/// of paired states, components of the observation, and validity limits in the order of the files.
 fn row_pairs(a: &Everything<'_>, b: &Everything<'_>, pairing: &Pairing) -> Vec<(usize, usize)> {
     let states = pairing.states.iter().enumerate();
     let mut pairs: Vec<(usize, usize)> = states
@@ -238,14 +238,15 @@ struct ComparedRow {
     old: usize,
     /// Index, in the new model, of the compared scalar function, such as a state derivative.
     new: usize,
-    /// Result of the comparison; parameters that only one model has are random.
+    /// Result of comparing the scalar function of the two models; parameters that only one model has are random.
     compared: Compared,
     /// Whether the scalar functions are the same if parameters that only one model has are set to their default values.
     is_same_at_stated_values: bool,
 }
 
-/// Changes of the rows of the new model, followed by the rows that only the old model has. `names` are the names of the
-/// rows of the old and of the new model; `compared` are the rows that both have.
+/// Changes of the rows (state derivatives, components of the observation, validity limits) of the new model, followed
+/// by the rows that only the old model has. `names` are the names of the rows of the old and of the new model;
+/// `compared` are the rows that both have.
 fn row_changes(
     names: [&[String]; 2],
     compared: &[ComparedRow],

@@ -68,7 +68,7 @@ pub fn renamed_text(text: &str, names: &Names) -> String {
     out
 }
 
-/// Whether a character cannot be part of a name.
+/// Whether a character cannot be part of a name declared in a model.
 fn is_separator(c: char) -> bool {
     !c.is_alphanumeric() && c != '_'
 }

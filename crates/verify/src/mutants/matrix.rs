@@ -6,7 +6,8 @@ use crate::row::Row;
 use crate::table::plain_table;
 use serde::Serialize;
 
-/// Numbers of mutants that the checks kill, by mutation operator and check, and the mutants that no check kills.
+/// Numbers of mutants (models with one deliberate change each) that the checks kill (refute), by mutation operator and
+/// check, and descriptions of the mutants that no check kills.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct MutationMatrix {
     /// Names of the checks, in ascending order of computing effort.
@@ -41,7 +42,7 @@ pub struct MutationRow {
 }
 
 impl MutationMatrix {
-    /// Builds the matrix from mutants and their statuses.
+    /// Counts the mutants by mutation operator and check, from the status of each mutant.
     pub fn of(mutants: &[Mutant], statuses: &[MutantStatus]) -> Self {
         let kills = |check: usize| {
             let mut statuses = statuses.iter();

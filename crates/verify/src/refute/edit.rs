@@ -12,7 +12,7 @@ pub struct Edit {
     /// Rank of likelihood, most likely first: 0 extra factor, 1 wrong sign, 2 divisor applied to too many terms of a
     /// sum, 3 sine for cosine or vice versa, 4 missing factor.
     pub rank: u8,
-    /// The complete corrected expression.
+    /// The complete corrected expression, which replaces the original one.
     pub to: Expr,
 }
 

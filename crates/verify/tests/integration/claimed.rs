@@ -8,8 +8,8 @@ use verify::checks::{exact, identities, metamorphic, reference};
 use verify::flights::{INVARIANTS, MOMENTA};
 use verify::report::{Outcome, Report, Row, Verdict};
 
-/// Text of a `claim` block: the physical meaning of the equations of the built-in disc model from the appendix of the
-/// paper.
+/// Text of a `claim` block: the physical meaning of the explicitly written equations of the built-in disc model
+/// `disc_appendix`.
 const DISC: &str = "claim body disc {
   mass m;
   inertia diag(I_d, I_d, I_a) in B;
