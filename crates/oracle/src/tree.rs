@@ -95,7 +95,7 @@ impl<'a, T: Real> Tree<'a, T> {
         )
     }
 
-    /// Evaluates a scalar expression.
+    /// Evaluates a scalar expression of the model at the point.
     ///
     /// # Panics
     /// If the expression is a vector, which the language checker excludes.
@@ -106,7 +106,7 @@ impl<'a, T: Real> Tree<'a, T> {
         }
     }
 
-    /// Evaluates a vector expression, in inertial components.
+    /// Evaluates a vector expression of the model at the point, in inertial components.
     ///
     /// # Panics
     /// If the expression is a scalar, which the language checker excludes.
@@ -117,7 +117,7 @@ impl<'a, T: Real> Tree<'a, T> {
         }
     }
 
-    /// Sum of the given forces or moments, in inertial components.
+    /// Sum of the forces or moments in `loads`, in inertial components, N or N·m.
     pub fn total(&self, loads: &[Load]) -> Vector3<T> {
         loads
             .iter()
@@ -131,7 +131,7 @@ impl<'a, T: Real> Tree<'a, T> {
         stated.map_or_else(|| T::lit(1.0), |clock| self.scalar(&clock.value))
     }
 
-    /// Evaluates an expression, scalar or vector.
+    /// Evaluates a scalar or vector expression of the model at the point; vectors are in inertial components.
     pub fn value(&self, e: &Expr) -> Value<T> {
         use ExprKind as K;
         use Value::{Scalar, Vector};

@@ -83,7 +83,7 @@ pub fn inputs<'a>(point: &'a Point<f64>, p: &'a [f64], prepared: &'a [f64]) -> I
 }
 
 impl Engine {
-    /// Creates tapes for all functions of a compiled model.
+    /// Creates a tape (program of the bytecode interpreter) for each function of a compiled model.
     pub fn new(compiled: &Compiled) -> Self {
         let (states, parameters) = (
             compiled.layout.states.len(),

@@ -10,7 +10,7 @@ use oracle::{Chart, ClaimedBody, Physical, PhysicalRate, Point, Tree, moving};
 
 /// Maximum number of Gauss-Newton steps when searching for states that represent a given physical state.
 const STEPS: usize = 60;
-/// Maximum number of halvings of a Gauss-Newton step.
+/// Maximum number of halvings of a Gauss-Newton step in the search for states that represent a given physical state.
 const HALVINGS: usize = 30;
 /// Maximum residual at which the iteration for the states counts as converged. The residuals of position, velocity and
 /// angular velocity are divided by 1 + norm of the quantity.
@@ -19,7 +19,7 @@ const CONVERGED: f64 = 1e-12;
 /// How the states of a model determine the physical quantities of its rigid body or point mass (position, velocity,
 /// attitude, angular velocity).
 pub enum Meaning<'a> {
-    /// Each state is a component of a physical quantity.
+    /// Each state of the model is a component of a physical quantity, such as the velocity.
     Chart(&'a Chart),
     /// The equations are written explicitly in the model file, which also declares (claims) which expressions are the
     /// position, velocity, attitude and angular velocity of a body. The states for given physical quantities are found
@@ -38,7 +38,7 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// Whether the body has an attitude; false for a point mass.
+    /// Whether the states of the model determine the attitude of a body; false for a point mass.
     pub fn has_attitude(&self) -> bool {
         match self {
             Self::Chart(chart) => chart.has_attitude(),

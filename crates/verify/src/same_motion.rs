@@ -15,9 +15,9 @@ use serde::Serialize;
 pub struct Pair {
     /// Names of the two models.
     pub models: [String; 2],
-    /// Comparison of velocities and accelerations at equal physical states.
+    /// Result of comparing the two models' velocities and accelerations at equal physical states.
     pub accelerations: Row,
-    /// Comparison of the final states of flights that start from equal physical states.
+    /// Result of comparing the final states of the two models' flights from equal physical states.
     pub flights: Row,
 }
 

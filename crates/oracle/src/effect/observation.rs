@@ -60,8 +60,8 @@ pub(super) const EFFECTS: &[Effect] = &[
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Observation {
-    /// The axes of the measurement are rotated relative to the inertial frame, first about the x axis, then about the y
-    /// axis.
+    /// The axes of the measurement are rotated relative to the inertial frame, first about the x axis, then about the
+    /// rotated y axis.
     Tilted,
     /// All measured lengths have a common relative error.
     Scale,

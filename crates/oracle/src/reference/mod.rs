@@ -21,7 +21,7 @@ use nalgebra::Vector3;
 pub enum Law {
     /// Flying disc (Frisbee) of Hubbard and Hummel (2000) with eight aerodynamic coefficients.
     Disc,
-    /// Point mass with weight and drag.
+    /// Ball as a point mass with weight and drag.
     Ball,
     /// Symmetric discus of Frohlich (1981).
     Discus,

@@ -16,7 +16,7 @@ pub struct Interpolant {
 }
 
 impl Interpolant {
-    /// Creates the interpolant of a table of a model.
+    /// Creates the interpolating curve of a table that a model declares.
     pub fn new(table: &Table) -> Self {
         let is_flat = table.continuation == Continuation::Constant;
         let slopes = match table.interpolation {

@@ -37,7 +37,8 @@ pub struct Certificate {
     pub program: Program,
     /// Options with which the checks were carried out.
     pub options: CertifiedOptions,
-    /// Worst outcome of all models and of the comparisons between models, in the order verified, not verified, refuted.
+    /// Worst outcome of all models and of the comparisons between models; from best to worst: verified, not verified,
+    /// refuted.
     pub outcome: Outcome,
     /// Records of the verified models.
     pub models: Vec<CertifiedModel>,
@@ -62,13 +63,13 @@ pub struct Program {
 pub struct CertifiedOptions {
     /// Seed of all random numbers of the verification.
     pub seed: u64,
-    /// Number of random points per check.
+    /// Number of random points at which each check evaluates the model.
     pub cases: usize,
     /// Whether mutation testing was run: the checks are repeated on models with one deliberate change each.
     pub mutants: bool,
 }
 
-/// Record of one verified model.
+/// Record of the verification of one model.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CertifiedModel {
@@ -81,7 +82,7 @@ pub struct CertifiedModel {
     pub with: Vec<Origin>,
     /// Hashes of the model's texts and of the code generated from them.
     pub covers: Fingerprint,
-    /// Combined outcome of the model's checks.
+    /// Combined outcome of the model's checks: verified, not verified or refuted.
     pub outcome: Outcome,
     /// Results of the checks, in the order in which they were carried out.
     pub checks: Vec<CertifiedCheck>,
@@ -93,7 +94,7 @@ pub struct CertifiedModel {
 pub struct CertifiedCheck {
     /// Name of the check, as in the verification report.
     pub check: String,
-    /// Verdict of the check.
+    /// Verdict of the check, such as holds or refuted.
     pub verdict: Verdict,
     /// Number of points or cases that were tested.
     pub cases: usize,
@@ -136,7 +137,7 @@ impl Program {
 }
 
 impl CertifiedOptions {
-    /// Converts the recorded options to options of a verification.
+    /// Converts the options recorded in a certificate (record of a verification) to options of a new verification.
     pub fn options(&self) -> Options {
         Options {
             seed: self.seed,
@@ -198,7 +199,7 @@ impl Certificate {
         }
     }
 
-    /// Text of the certificate in JSON, with a final line feed.
+    /// Text of the certificate (record of a verification) in JSON, with a final line feed.
     pub fn text(&self) -> String {
         // The certificate consists of numbers, texts and lists, so the serialisation cannot fail.
         serde_json::to_string_pretty(self).unwrap_or_default() + "\n"

@@ -80,7 +80,7 @@ pub(super) fn relative(path: &Path, folder: &Path) -> String {
     up.chain(down).collect::<Vec<_>>().join("/")
 }
 
-/// Folder that contains the certificate; `.` if the path has no folder.
+/// Folder that contains the file of the certificate (record of a verification); `.` if the path has no folder.
 pub fn folder_of(certificate: &Path) -> PathBuf {
     match certificate.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder.to_owned(),

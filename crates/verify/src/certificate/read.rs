@@ -38,7 +38,7 @@ pub enum CertificateError {
         place: String,
         /// The invalid value in the file, or a description of it, such as `0 models`.
         found: String,
-        /// Description of the values that would be valid.
+        /// Description of the values that would be valid instead of the value found.
         expected: String,
     },
 }

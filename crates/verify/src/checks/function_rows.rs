@@ -18,7 +18,7 @@ pub(super) fn functions(compiled: &Compiled) -> [&Function; 5] {
     ]
 }
 
-/// A variable with respect to which results are differentiated.
+/// A state or parameter with respect to which the results of compiled functions are differentiated.
 pub(super) struct Variable<'a, T> {
     /// Name of the state or parameter.
     pub name: &'a str,
@@ -117,9 +117,9 @@ fn sections(
     }
 }
 
-/// Derivative of one scalar result of a compiled function (row `row` of its Jacobians) with respect to a variable. It is
-/// computed from the Jacobian entries in `values`, which contains all outputs of the function. The array contains the
-/// names of the Jacobians by state and by parameter. `None` if the function does not compute the required Jacobian.
+/// Derivative of one scalar result of a compiled function with respect to a variable. It is computed from the Jacobian
+/// entries in `values`, which contains all outputs of the function. `row` is the row of the result in the Jacobians;
+/// `by_state` and `by_parameter` are their names. `None` if the function does not compute the required Jacobian.
 fn along<T: Field>(
     function: &Function,
     values: &[T],

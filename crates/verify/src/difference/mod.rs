@@ -40,7 +40,7 @@ use serde::Serialize;
 use statements::{Key, Reach};
 use values::Everything;
 
-/// Options of a comparison of two models.
+/// Options of a comparison of an old and a new version of a model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DifferenceOptions {
     /// Duration, s, of the flights that are simulated with both models and compared.
@@ -70,7 +70,7 @@ pub struct RowChange {
     pub row: String,
     /// Result of the comparison; `None` for a scalar function that only one of the models has.
     pub sameness: Option<Sameness>,
-    /// Whether only the new model has the scalar function.
+    /// Whether only the new model has the compared scalar function.
     pub added: bool,
     /// Maximum difference between the scalar function in the old and in the new model at random points, relative to the
     /// sum of the magnitudes of its terms; 0 for a function that only one of the models has.
@@ -88,7 +88,7 @@ pub struct RowChange {
 pub struct Difference {
     /// Name and version of the JSON format of the comparison.
     pub schema: &'static str,
-    /// Names of the old and the new model.
+    /// Names of the old and the new version of the model.
     pub models: Pair<String>,
     /// Whether any state derivative, component of the observation or validity limit differs between the models.
     pub changed: bool,
@@ -105,7 +105,7 @@ pub struct Difference {
     pub restated: Vec<Restated>,
     /// Operation counts and nonzero Jacobian entries of the models; `None` if not requested.
     pub cost: Option<Cost>,
-    /// Computing time of the state derivatives; `None` if not requested.
+    /// Computing time of the state derivatives of both models; `None` if not requested.
     pub time: Option<Time>,
     /// Differences between simulated flights of the two models; empty if not requested.
     pub flights: Vec<FlightShift>,
@@ -146,7 +146,7 @@ impl RowChange {
     }
 }
 
-/// Compares an old and a new version of a model.
+/// Compares the functions, statements and simulated flights of an old and a new version of a model.
 pub fn compare(old: &Model, new: &Model, options: &DifferenceOptions) -> Difference {
     let (a, b) = (Everything::of(old), Everything::of(new));
     let pairing = Pairing::of(&a, &b);

@@ -136,7 +136,7 @@ fn without(list: &[String], other: &[String]) -> Vec<usize> {
     missing
 }
 
-/// A term of a sum, with its sign.
+/// A term of a sum in an expression, with its sign.
 struct Term<'a> {
     negative: bool,
     value: &'a Expr,

@@ -18,7 +18,7 @@ pub enum Change {
     Changed,
     /// The text of the statement differs, but the function that it computes is the same.
     Rewritten,
-    /// Only the name of what the statement declares differs.
+    /// The statement in the two models differs only in the name of what it declares.
     Renamed,
     /// The declaration of a constant, an input or a state differs, in its default value, unit or bounds.
     Restated,

@@ -10,7 +10,7 @@ use serde::Serialize;
 /// check, and descriptions of the mutants that no check kills.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct MutationMatrix {
-    /// Names of the checks, in ascending order of computing effort.
+    /// Names of the checks that are run on every mutant, in ascending order of computing effort.
     pub checks: Vec<&'static str>,
     /// Counts of mutants (models with one deliberate change each), one row of the matrix per mutation operator.
     pub rows: Vec<MutationRow>,

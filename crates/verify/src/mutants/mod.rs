@@ -32,15 +32,15 @@ pub enum Operator {
     /// Interchanges sine and cosine, replaces a call of `sqrt`, `unit` or `abs` by its argument, or changes the
     /// interpolation of a table.
     Function,
-    /// Deletes a term, factor or load.
+    /// Deletes a term or factor of an expression, or a force or moment.
     Dropped,
-    /// Changes an exponent by one.
+    /// Changes an exponent in an expression by one.
     Exponent,
     /// Replaces a name in an expression by another name of the model, or turns a force into a moment or vice versa.
     Exchanged,
     /// Changes the unit in a declaration.
     Unit,
-    /// Interchanges the arguments of a function.
+    /// Interchanges the arguments of a function call.
     Order,
 }
 
@@ -91,7 +91,7 @@ struct Mutation<T> {
 /// A model with one mutation (small deliberate change), with which the checks of the verification are tested.
 #[derive(Clone, Debug)]
 pub struct Mutant {
-    /// Mutation operator that made the mutant.
+    /// Mutation operator, such as the change of a sign, that made the mutant.
     pub operator: Operator,
     /// Description of the mutated statement for messages, such as `der(u)` or `frame B`.
     pub place: String,

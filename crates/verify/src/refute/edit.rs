@@ -3,7 +3,7 @@
 use crate::expressions::{children, children_mut};
 use model_spec::model::{Expr, ExprKind, Function, Model};
 
-/// A small change of an expression that may correct a misprint.
+/// A small change, such as another sign, of an expression in a model file that may correct a misprint.
 #[derive(Clone)]
 pub struct Edit {
     /// Description of the mistake in the original expression that the change corrects; part of a sentence, without a

@@ -32,7 +32,7 @@ pub const ROUNDING: &str = "rounding";
 /// magnitudes of a value's terms. It corresponds to 128 rounding errors of half a unit with the same sign.
 pub const ALLOWED: f64 = 64.0;
 
-/// Numbers of points at which rounding errors are measured.
+/// Numbers of points at which the rounding errors of a model's code are measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effort {
     /// Number of random points (values of time, states, parameters, coefficients, inputs and marker position).
@@ -64,14 +64,14 @@ impl Effort {
 pub struct Error {
     /// Name of the backend (generated code or bytecode interpreter) that computed the values.
     pub backend: String,
-    /// Whether the backend computes with fused multiply-add operations.
+    /// Whether the backend (generated code or bytecode interpreter) computes with fused multiply-add operations.
     pub fuses: bool,
     /// Name of the compiled function whose results are compared.
     pub function: &'static str,
     /// Group of outputs of the function: `f` (state derivatives), `J`, `Jp` (their Jacobians with respect to states and
     /// parameters), `y` (observation), `dy/dx` or `dy/dp` (its Jacobians).
     pub values: &'static str,
-    /// Number of compared values.
+    /// Number of values of the group that were compared.
     pub compared: usize,
     /// Maximum error over the compared values, in units of the spacing of f64 numbers (ulp) at the sum of the
     /// magnitudes of a value's terms.
@@ -79,7 +79,7 @@ pub struct Error {
     /// Median error over the compared values, in units of the spacing of f64 numbers (ulp) at the sum of the magnitudes
     /// of a value's terms.
     pub median: f64,
-    /// Name of the value with the maximum error.
+    /// Name of the computed value with the maximum error.
     pub place: String,
 }
 
@@ -87,7 +87,7 @@ pub struct Error {
 /// bits that each statement of the model loses.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Rounding {
-    /// Description of the unit of the rounding errors.
+    /// Text that names the unit of the rounding errors in reports.
     pub measure: &'static str,
     /// Number of random points and number of states along flights at which rounding errors were measured.
     pub points: [usize; 2],
@@ -100,7 +100,7 @@ pub struct Rounding {
     pub losses: Vec<Loss>,
 }
 
-/// Description of the unit of the rounding errors.
+/// Text that names the unit of the rounding errors in reports.
 const MEASURE: &str =
     "ulp of the magnitude: spacing of f64 at the sum of the magnitudes of the terms of a value";
 
@@ -261,8 +261,8 @@ fn exact(compiled: &Compiled, point: &Point<f64>) -> Option<Vec<Exact>> {
 }
 
 /// Error of the computed result `got`, in units of the spacing of f64 numbers at the sum of the magnitudes of the
-/// result's terms. The first argument describes the exact result: (exact value rounded to f64, exact − rounded, sum of
-/// the magnitudes of the terms).
+/// result's terms. The first argument describes the exact result as a tuple: (exact value rounded to f64, exact −
+/// rounded, sum of the magnitudes of the terms).
 fn error((rounded, rest, magnitude): (f64, f64, f64), got: f64) -> f64 {
     // The subtraction is exact for close values (Sterbenz); for others its rounding does not matter.
     let error = (got - rounded - rest).abs();

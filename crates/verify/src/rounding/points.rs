@@ -36,7 +36,7 @@ pub fn flown(
     points
 }
 
-/// At most `count` points along a flight from the point `at`.
+/// At most `count` points, at equal time intervals, along a simulated flight that starts at the point `at`.
 fn flight(subject: &Subject<'_>, mut at: Point<f64>, count: usize) -> Vec<Point<f64>> {
     let points = (0..count).map_while(|_| {
         at = flown_on(subject, &at, DURATION / count as f64)?;

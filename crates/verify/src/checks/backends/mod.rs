@@ -32,7 +32,7 @@ const FMA_TOLERANCE: f64 = 1e-12;
 pub struct Run {
     /// Name of the backend (generated code or bytecode interpreter) that computed the results.
     pub backend: String,
-    /// Whether the backend computes with fused multiply-add operations.
+    /// Whether the backend (generated code or bytecode interpreter) computes with fused multiply-add operations.
     pub fuses: bool,
     /// For each point, the concatenated results of all compiled functions of the model.
     pub results: Vec<Vec<f64>>,
