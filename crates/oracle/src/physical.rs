@@ -83,7 +83,8 @@ pub struct Motion<T> {
 }
 
 impl<T: Real> Motion<T> {
-    /// Accelerations of a body in the physical state `at` under the load `load`; the inertia is given in the body frame.
+    /// Forces, moments and accelerations of a body in the physical state `at` under `load`; the inertia is given in the
+    /// body frame.
     pub(crate) fn under(load: Load<T>, properties: &MassProperties<T>, at: &Physical<T>) -> Self {
         let Load { force, moment } = load;
         let omega = at.angular_velocity;

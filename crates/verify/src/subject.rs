@@ -164,7 +164,7 @@ impl<'a> Subject<'a> {
     }
 
     /// Returns the point with the coefficients set to the given values (index, value), and with all states that are not
-    /// states of the body set to their default values.
+    /// states of the body, such as those of effects (optional model extensions), set to their default values.
     fn of_body_alone(
         &self,
         mut point: Point<f64>,

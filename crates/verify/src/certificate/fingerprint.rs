@@ -83,7 +83,7 @@ pub struct HashedSource {
     /// Path relative to the folder of the certificate, or name of a built-in model or effect (optional model
     /// extension).
     pub name: String,
-    /// SHA-256 hash of the text.
+    /// SHA-256 hash of the source text.
     pub sha256: Hash,
 }
 

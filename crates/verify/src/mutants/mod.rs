@@ -60,7 +60,7 @@ impl Operator {
         Self::Unit,
     ];
 
-    /// Name of the mutation operator in tables.
+    /// Name of the mutation operator in tables, such as `sign flipped`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Sign => "sign flipped",
