@@ -3,12 +3,13 @@
 use crate::scalar::{Field, Real};
 use nalgebra::{Matrix3, Vector3};
 
-/// Quaternion, scalar part first; maps components in the rotated frame to the original frame N: v_N = q v q*.
+/// Rotation as a quaternion q, scalar part first. It maps the components v of a vector in the rotated frame to those in
+/// the original frame N: v_N = q v q*.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quaternion<T> {
-    /// Scalar part w.
+    /// Scalar part w of the quaternion.
     pub w: T,
-    /// Vector part (x, y, z).
+    /// Vector part (x, y, z) of the quaternion.
     pub v: Vector3<T>,
 }
 

@@ -44,7 +44,8 @@ pub struct Chart {
     pub angular_velocity: Option<([usize; 3], usize)>,
 }
 
-/// Rate of change of a physical state, in inertial components.
+/// Rate of change of the physical state (position, velocity, attitude, angular velocity) of a body, in inertial
+/// components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PhysicalRate {
     /// Rate of the position: velocity, m/s.
@@ -58,8 +59,8 @@ pub struct PhysicalRate {
 }
 
 impl Chart {
-    /// Chart that the body of a model declares; `None` if the model has no body or its sequence of rotations is not
-    /// supported.
+    /// Coordinate chart (physical meaning of each state) given by the body declaration of a model; `None` if the model
+    /// has no body or its sequence of rotations is not supported.
     pub fn declared(model: &Model) -> Option<Self> {
         let body = model.body.as_ref()?;
         let mut chart = Self {
@@ -95,8 +96,8 @@ impl Chart {
         chart.is_supported().then_some(chart)
     }
 
-    /// Whether the kind of attitude is supported: three angles with rates as states, one quaternion with the angular
-    /// velocity as states, or none.
+    /// Whether conversions support the chart's kind of attitude: three angles with rates as states, one quaternion with
+    /// the angular velocity as states, or none.
     fn is_supported(&self) -> bool {
         match self.steps.as_slice() {
             [] => true,
@@ -108,12 +109,13 @@ impl Chart {
         }
     }
 
-    /// Whether the chart has an attitude; false for a point mass.
+    /// Whether the states describe the attitude of a body; false for a point mass.
     pub fn has_attitude(&self) -> bool {
         !self.steps.is_empty()
     }
 
-    /// Converts states to the physical state that they describe.
+    /// Converts the states of a model to the physical state (position, velocity, attitude, angular velocity) that they
+    /// describe.
     pub fn physical<T: Real>(&self, states: &[T]) -> Physical<T> {
         let placed = self.attitudes_along(states);
         let pick = |i: [usize; 3]| Vector3::from(i.map(|i| states[i]));
@@ -204,7 +206,8 @@ impl Chart {
         out
     }
 
-    /// Converts time derivatives of the states to the rate of change of the physical state.
+    /// Converts time derivatives of the states to the rate of change of the physical state (position, velocity,
+    /// attitude, angular velocity) of the body.
     pub fn physical_rate(&self, states: &[f64], rates: &[f64]) -> PhysicalRate {
         let along: Vec<Dual<f64>> = states
             .iter()
@@ -224,7 +227,8 @@ impl Chart {
         }
     }
 
-    /// Converts a physical state to states; `None` if two consecutive rotations are about the same axis.
+    /// Converts the physical state (position, velocity, attitude, angular velocity) of a body to the states of a model.
+    /// `None` if two consecutive rotations from the inertial frame to the body frame are about the same axis.
     pub fn states(&self, physical: &Physical<f64>) -> Option<Vec<f64>> {
         let mut out = self.defaults.clone();
         match self.steps.as_slice() {

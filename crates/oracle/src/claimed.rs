@@ -11,9 +11,9 @@ use crate::tree::Tree;
 use model_spec::model::{ClaimedAttitude, ClaimedRotation};
 use nalgebra::{Matrix3, Vector3};
 
-/// Mass, motion, force and moment, at one point, of the body that a model claims to describe. Such a model writes its
-/// equations of motion explicitly; they should satisfy the laws of motion of this body. Vectors are in inertial
-/// components.
+/// Mass, motion, force and moment of the body that a model claims to describe, for one set of values of states and
+/// parameters. Such a model writes its equations of motion explicitly; they should satisfy the laws of motion of this
+/// body. Vectors are in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClaimedBody<T> {
     /// Mass, kg.
@@ -22,13 +22,14 @@ pub struct ClaimedBody<T> {
     pub position: Vector3<T>,
     /// Velocity of the mass centre, m/s.
     pub velocity: Vector3<T>,
-    /// Sum of the forces, N.
+    /// Sum of the forces on the body, N.
     pub force: Vector3<T>,
     /// Rotational motion; `None` for a point mass.
     pub turning: Option<Turning<T>>,
 }
 
-/// Rotational motion at a point, in inertial components, of the body that a model claims to describe.
+/// Rotational motion of the body that a model claims to describe, for one set of values of states and parameters, in
+/// inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turning<T> {
     /// Axes, as columns, of the body-fixed frame or, for a body of revolution, of a frame that contains the axis of
@@ -40,7 +41,7 @@ pub struct Turning<T> {
     pub inertia: Matrix3<T>,
     /// Angular velocity, rad/s.
     pub angular_velocity: Vector3<T>,
-    /// Sum of the moments about the mass centre, N·m.
+    /// Sum of the moments on the body about its mass centre, N·m.
     pub moment: Vector3<T>,
 }
 
@@ -69,7 +70,7 @@ impl BalanceLaw {
     }
 }
 
-/// Left- and right-hand side of a law of motion at a point.
+/// Left- and right-hand side of a law of motion, for one set of values of states and parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Balance<T> {
     /// Law of motion whose sides are given.

@@ -30,8 +30,8 @@ pub struct ClaimedRates {
     /// Laws of motion that no rates of the states satisfy. Each comes with its residual, divided by the sum of the
     /// absolute values of the law's terms.
     pub unsatisfied: Vec<(BalanceLaw, f64)>,
-    /// Whether the equations that no rates satisfy contain no rate of a state. The rates then satisfy all other
-    /// equations.
+    /// Whether every component of a law that no rates satisfy contains no rate of a state. `rates` then satisfy all
+    /// other components of the laws.
     pub solves_the_others: bool,
 }
 

@@ -29,15 +29,15 @@ pub enum BindError {
     /// names.
     #[error("the effect `{name}` has no reference implementation for this law")]
     UnknownEffect {
-        /// Name of the effect.
+        /// Name of the effect (optional addition to a model).
         name: String,
     },
     /// A coefficient or state of an effect (optional addition to a model) is missing from the model.
     #[error("`{name}` of the effect `{effect}` is not declared")]
     MissingEffectValue {
-        /// Name of the effect.
+        /// Name of the effect (optional addition to a model).
         effect: &'static str,
-        /// Name of the coefficient or state.
+        /// Name of the effect's coefficient or state that the model does not declare.
         name: &'static str,
     },
 }

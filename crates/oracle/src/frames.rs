@@ -5,7 +5,7 @@ use crate::scalar::{Field, Real};
 use model_spec::model::{FrameKind, Model};
 use nalgebra::{Matrix3, Vector3};
 
-/// Axes and angular velocity of a frame at one instant.
+/// Axes and angular velocity of a coordinate frame at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlacedFrame<T> {
     /// Rotation matrix to inertial components: the axes as columns.

@@ -53,7 +53,8 @@ fn mass_properties<T: Field>(
     })
 }
 
-/// Value of a rational expression of constants; `None` for any other expression.
+/// Value at a point of an expression that is a rational function of the model's constants; `None` for any other
+/// expression.
 fn rational<T: Field>(model: &Model, e: &Expr, point: &Point<T>) -> Option<T> {
     let part = |e: &Expr| rational(model, e, point);
     Some(match &e.kind {

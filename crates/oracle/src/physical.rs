@@ -14,7 +14,7 @@ pub struct MassProperties<T> {
     pub inertia: Option<Matrix3<T>>,
 }
 
-/// Physical state of a body; all vectors are in inertial components.
+/// Physical state of a body: position, velocity, attitude and angular velocity. All vectors are in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Physical<T> {
     /// Position of the mass centre, m.
@@ -72,9 +72,9 @@ impl<T: Field> Load<T> {
 /// Forces and moments on a body, and the accelerations of the body; all vectors are in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion<T> {
-    /// Sum of the forces, N.
+    /// Sum of the forces on the body, N.
     pub force: Vector3<T>,
-    /// Sum of the moments about the mass centre, N·m.
+    /// Sum of the moments on the body about its mass centre, N·m.
     pub moment: Vector3<T>,
     /// Acceleration of the mass centre, m/s².
     pub acceleration: Vector3<T>,
@@ -83,7 +83,8 @@ pub struct Motion<T> {
 }
 
 impl<T: Real> Motion<T> {
-    /// Accelerations of a body in the physical state `at` under the load `load`; the inertia is given in the body frame.
+    /// Forces, moments and accelerations of a body in the physical state `at` under `load`; the inertia is given in the
+    /// body frame.
     pub(crate) fn under(load: Load<T>, properties: &MassProperties<T>, at: &Physical<T>) -> Self {
         let Load { force, moment } = load;
         let omega = at.angular_velocity;

@@ -12,7 +12,8 @@ pub fn solve<T: Field>(a: &Matrix3<T>, b: &Vector3<T>) -> Vector3<T> {
     Vector3::new(b.dot(&q.cross(&r)), p.dot(&b.cross(&r)), p.dot(&q.cross(b))) / determinant
 }
 
-/// Inertia tensor rotated to inertial components; `axes` are the axes of its original frame, as columns.
+/// Converts an inertia tensor to inertial components. The columns of `axes` are the axes of the frame in which
+/// `inertia` is given.
 pub fn inertia_in_n<T: Field>(axes: &Matrix3<T>, inertia: &Matrix3<T>) -> Matrix3<T> {
     axes * inertia * axes.transpose()
 }

@@ -27,9 +27,9 @@ pub struct Tree<'a, T> {
     pub model: &'a Model,
     /// Point (values of time, states, constants and inputs) at which the model is evaluated.
     pub point: &'a Point<T>,
-    /// Frames of the model at the point, by frame index.
+    /// Axes and angular velocity of each frame of the model at the point, in the order of the model's frames.
     pub frames: Vec<PlacedFrame<T>>,
-    /// Values of the auxiliary variables, by index.
+    /// Values of the model's auxiliary variables at the point, in the order of the model.
     pub aux_variables: Vec<Value<T>>,
     tables: Vec<Interpolant>,
 }
@@ -73,14 +73,14 @@ impl<'a, T: Real> Tree<'a, T> {
         tree
     }
 
-    /// Sum of the forces except the weight, divided by the mass, m/s², in inertial components.
+    /// Sum of the forces on the model's body except the weight, divided by its mass, m/s², in inertial components.
     fn specific_force(&self) -> Vector3<T> {
         let felt = self.model.forces.iter().filter(|load| !load.is_weight());
         let force = felt.fold(Vector3::zeros(), |sum, load| sum + self.vector(&load.value));
         force / self.scalar(&self.body().mass)
     }
 
-    /// Angular acceleration of the body, rad/s², in inertial components.
+    /// Angular acceleration of the model's body, rad/s², in inertial components.
     fn angular_acceleration(&self) -> Vector3<T> {
         let rotation = self.rotation();
         let frame = &self.frames[rotation.inertia_frame];
@@ -95,7 +95,7 @@ impl<'a, T: Real> Tree<'a, T> {
         )
     }
 
-    /// Evaluates a scalar expression.
+    /// Evaluates a scalar expression of the model at the point.
     ///
     /// # Panics
     /// If the expression is a vector, which the language checker excludes.
@@ -106,7 +106,7 @@ impl<'a, T: Real> Tree<'a, T> {
         }
     }
 
-    /// Evaluates a vector expression, in inertial components.
+    /// Evaluates a vector expression of the model at the point, in inertial components.
     ///
     /// # Panics
     /// If the expression is a scalar, which the language checker excludes.
@@ -117,7 +117,7 @@ impl<'a, T: Real> Tree<'a, T> {
         }
     }
 
-    /// Sum of the given forces or moments, in inertial components.
+    /// Sum of the forces or moments in `loads`, in inertial components, N or N·m.
     pub fn total(&self, loads: &[Load]) -> Vector3<T> {
         loads
             .iter()
@@ -131,7 +131,7 @@ impl<'a, T: Real> Tree<'a, T> {
         stated.map_or_else(|| T::lit(1.0), |clock| self.scalar(&clock.value))
     }
 
-    /// Evaluates an expression, scalar or vector.
+    /// Evaluates a scalar or vector expression of the model at the point; vectors are in inertial components.
     pub fn value(&self, e: &Expr) -> Value<T> {
         use ExprKind as K;
         use Value::{Scalar, Vector};

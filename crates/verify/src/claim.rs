@@ -49,7 +49,8 @@ pub fn compare_sides(
     }
 }
 
-/// Whether an error, relative to the sum of the magnitudes of the terms, is too large to be due to rounding, or is NaN.
+/// Whether an error, relative to the sum of the magnitudes of the terms of a value, is too large to be due to rounding,
+/// or is NaN.
 pub fn is_fault(error: f64) -> bool {
     error.is_nan() || error > TOLERANCE
 }

@@ -34,8 +34,9 @@ pub struct Entries {
 }
 
 impl Entries {
-    /// Positions of the Jacobian entries of a function. The outputs of the function are the section `value`, followed
-    /// by the sparse Jacobians `sections` (name, number of columns of the dense matrix).
+    /// Determines the row and column, in the dense Jacobian, of each Jacobian entry that a compiled function computes.
+    /// The outputs of the function are its values, in the group of outputs named `value`, then its sparse Jacobians, in
+    /// the groups `sections` (name, number of columns of the dense matrix).
     pub fn of(function: &Function, value: &str, sections: &[(&str, usize)]) -> Self {
         let rows = function.range(value).len();
         let mut places = Vec::new();
@@ -82,7 +83,7 @@ pub fn inputs<'a>(point: &'a Point<f64>, p: &'a [f64], prepared: &'a [f64]) -> I
 }
 
 impl Engine {
-    /// Creates tapes for all functions of a compiled model.
+    /// Creates a tape (program of the bytecode interpreter) for each function of a compiled model.
     pub fn new(compiled: &Compiled) -> Self {
         let (states, parameters) = (
             compiled.layout.states.len(),

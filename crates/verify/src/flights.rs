@@ -23,7 +23,7 @@ const FLIGHTS: &str = "flights";
 
 /// Maximum allowed relative difference in the flight checks, such as that of two final states.
 pub(crate) const TOLERANCE: f64 = 1e-8;
-/// Relative tolerance with which flights are integrated.
+/// Relative tolerance with which the flights of the flight checks are integrated.
 const RTOL: f64 = 1e-11;
 /// Reason given in the report for skipping a check, for a model in which recorded time (the time stamps of the
 /// measurements) does not advance by 1 s per second of flight.

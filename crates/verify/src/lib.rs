@@ -51,9 +51,9 @@ use values::Values;
 pub struct Options {
     /// Seed of all random numbers of the verification.
     pub seed: u64,
-    /// Number of random points per check.
+    /// Number of random points at which each check evaluates the model.
     pub cases: usize,
-    /// Whether to run mutation testing.
+    /// Whether to run mutation testing: the checks are repeated on models with one deliberate change each.
     pub mutants: bool,
     /// Whether to check effects (optional model extensions): that they change nothing at their null values, and that
     /// they agree with their reference implementations.

@@ -10,7 +10,7 @@ use oracle::{Chart, ClaimedBody, Physical, PhysicalRate, Point, Tree, moving};
 
 /// Maximum number of Gauss-Newton steps when searching for states that represent a given physical state.
 const STEPS: usize = 60;
-/// Maximum number of halvings of a Gauss-Newton step.
+/// Maximum number of halvings of a Gauss-Newton step in the search for states that represent a given physical state.
 const HALVINGS: usize = 30;
 /// Maximum residual at which the iteration for the states counts as converged. The residuals of position, velocity and
 /// angular velocity are divided by 1 + norm of the quantity.
@@ -19,7 +19,7 @@ const CONVERGED: f64 = 1e-12;
 /// How the states of a model determine the physical quantities of its rigid body or point mass (position, velocity,
 /// attitude, angular velocity).
 pub enum Meaning<'a> {
-    /// Each state is a component of a physical quantity.
+    /// Each state of the model is a component of a physical quantity, such as the velocity.
     Chart(&'a Chart),
     /// The equations are written explicitly in the model file, which also declares (claims) which expressions are the
     /// position, velocity, attitude and angular velocity of a body. The states for given physical quantities are found
@@ -38,7 +38,7 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// Whether the body has an attitude; false for a point mass.
+    /// Whether the states of the model determine the attitude of a body; false for a point mass.
     pub fn has_attitude(&self) -> bool {
         match self {
             Self::Chart(chart) => chart.has_attitude(),
@@ -48,7 +48,7 @@ impl<'a> Meaning<'a> {
 
     /// Axis of revolution (1, 2 or 3) of the body that the model's `claim` statement describes: the axis of the
     /// rotation from the frame in which the inertia is declared to the body-fixed frame. `None` if there is no such
-    /// rotation, or the meaning is not taken from a claim.
+    /// rotation, or the states are converted without a `claim` statement.
     pub fn axis_of_revolution(&self) -> Option<u8> {
         let Self::Claim(model) = self else {
             return None;
@@ -65,7 +65,8 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// Physical state at a point; `None` if a value is not finite.
+    /// Physical state (position, velocity, attitude, angular velocity) of the body at a point; `None` if a value is not
+    /// finite.
     pub fn physical(&self, point: &Point<f64>) -> Option<Physical<f64>> {
         match self {
             Self::Chart(chart) => Some(chart.physical(&point.states)),
@@ -76,8 +77,9 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// Rate of the physical state for given rates of the states with respect to true time; `pace` is the flight time,
-    /// s, per second of recorded time. `None` if the body that the model claims to describe cannot be evaluated.
+    /// Rate of change of the physical state of the body for given rates of the model's states with respect to true
+    /// time; `pace` is the flight time, s, per second of recorded time. `None` if the body that the model claims to
+    /// describe cannot be evaluated.
     pub fn rate(&self, point: &Point<f64>, rates: &[f64], pace: f64) -> Option<PhysicalRate> {
         match self {
             Self::Chart(chart) => Some(chart.physical_rate(&point.states, rates)),
@@ -85,8 +87,9 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// States that represent a physical state; `None` if no such states were found. Parameters, inputs and time have
-    /// the values of the point `at`. If the states are found iteratively, the iteration starts from the states of `at`.
+    /// Values of the model's states that represent a physical state of the body; `None` if no such states were found.
+    /// Parameters, inputs and time have the values of the point `at`. If the states are found iteratively, the
+    /// iteration starts from the states of `at`.
     pub fn states(&self, physical: &Physical<f64>, at: &Point<f64>) -> Option<Vec<f64>> {
         match self {
             Self::Chart(chart) => chart.states(physical),

@@ -10,11 +10,11 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Outcome {
-    /// Every applicable check was carried out and holds.
+    /// Every check that applies to the model was carried out and holds.
     Verified,
     /// No check was refuted, but at least one applicable check could not be carried out.
     NotVerified,
-    /// At least one check was refuted.
+    /// At least one check found that the model or its code is wrong.
     Refuted,
 }
 
@@ -57,7 +57,7 @@ pub struct Report {
 }
 
 impl Report {
-    /// Whether no check was refuted.
+    /// Whether no check of the model was refuted; checks that could not be carried out are allowed.
     pub fn holds(&self) -> bool {
         self.rows.iter().all(|row| row.verdict != Verdict::Refuted)
     }

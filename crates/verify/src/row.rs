@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Result category of a check.
+/// Verdict of a check: whether it holds, is refuted, does not apply or could not be carried out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
@@ -30,7 +30,7 @@ impl Verdict {
 pub enum Measure {
     /// Absolute error divided by the sum of the magnitudes of the terms that are added to give the value.
     Relative,
-    /// Spacing of f64 numbers (unit in the last place) at the value.
+    /// Spacing of f64 numbers (unit in the last place) at the compared value.
     Ulp,
     /// Spacing of f64 numbers (unit in the last place) at the sum of the magnitudes of the terms that are added to give
     /// the value.
@@ -46,7 +46,7 @@ pub struct Row {
     pub check: &'static str,
     /// Number of points or cases that were tested.
     pub cases: usize,
-    /// Maximum error over the cases, in the unit given by `measure`.
+    /// Maximum error over all tested points or cases, in the unit given by `measure`.
     pub worst: f64,
     /// Unit of `worst` and `tolerance`.
     pub measure: Measure,
@@ -56,7 +56,7 @@ pub struct Row {
     pub verdict: Verdict,
     /// Point or item with the maximum error, or the reason why the check was skipped; may have several lines.
     pub detail: String,
-    /// Limitation of the check for this model, printed below the table; `None` if there is none.
+    /// What the check does not cover for this model, printed below the table; `None` if there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub remark: Option<String>,
 }
@@ -117,7 +117,7 @@ impl Row {
         self
     }
 
-    /// Returns the result with its detail text replaced.
+    /// Returns the result of the check with its detail text replaced by `detail`.
     pub fn with_detail(mut self, detail: impl Into<String>) -> Self {
         self.detail = detail.into();
         self
@@ -127,7 +127,7 @@ impl Row {
 /// Running maximum of an error, with a description of where it occurred.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Worst {
-    /// Maximum error so far; infinite if any error was NaN.
+    /// Maximum of all errors so far; infinite if any error was NaN.
     pub error: f64,
     /// Description of where the maximum error occurred.
     pub place: String,

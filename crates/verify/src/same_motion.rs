@@ -15,9 +15,9 @@ use serde::Serialize;
 pub struct Pair {
     /// Names of the two models.
     pub models: [String; 2],
-    /// Comparison of velocities and accelerations at equal physical states.
+    /// Result of comparing the two models' velocities and accelerations at equal physical states.
     pub accelerations: Row,
-    /// Comparison of the final states of flights that start from equal physical states.
+    /// Result of comparing the final states of the two models' flights from equal physical states.
     pub flights: Row,
 }
 
@@ -41,7 +41,7 @@ impl SameMotion {
         self.pairs.iter().all(Pair::holds)
     }
 
-    /// Formats the results as a text table.
+    /// Formats the results of all pairs of models as a text table.
     pub fn table(&self) -> String {
         let mut table = plain_table(&["models", "accelerations", "flights", "verdict", "where"]);
         for pair in &self.pairs {
@@ -66,8 +66,8 @@ impl SameMotion {
     }
 }
 
-/// Compares each pair of models. All models must describe the same kind of body, with equal names for corresponding
-/// parameters and coefficients.
+/// Compares the accelerations and flights of each pair of models. All models must describe the same kind of body, with
+/// equal names for corresponding parameters and coefficients.
 pub fn compare(subjects: &[Subject<'_>], options: &Options) -> SameMotion {
     let mut pairs = Vec::new();
     for (k, a) in subjects.iter().enumerate() {
@@ -103,7 +103,8 @@ fn accelerations(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row {
     Row::judged(NAME, options.cases, &worst, 1e3 * TOLERANCE)
 }
 
-/// Relative differences of the velocities and accelerations of two bodies, each with the name of the quantity.
+/// Relative differences of velocity, acceleration, angular velocity and angular acceleration between two bodies, each
+/// with the name of the quantity.
 pub(crate) fn rate_differences(a: &PhysicalRate, b: &PhysicalRate) -> [(&'static str, f64); 4] {
     let turning = (a.angular_acceleration, b.angular_acceleration);
     [

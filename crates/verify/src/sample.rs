@@ -13,9 +13,10 @@ const MAX_DRAWS: usize = 1000;
 /// limits. At most `HALVINGS` − 1 halvings are tried; then the default point is used.
 const HALVINGS: i32 = 20;
 
-/// Draws a point within the validity limits. States have magnitudes typical of flights, one in four up to 1000 times
-/// smaller. Parameters are drawn around their defaults; coefficients within their bounds, with random signs where the
-/// bounds allow it, never 0. Inputs and marker are random.
+/// Draws a point (values of a model's states, parameters and other variables) within the validity limits. States have
+/// magnitudes typical of flights, one in four up to 1000 times smaller. Parameters are drawn around their defaults;
+/// coefficients within their bounds, with random signs where the bounds allow it, never 0. Inputs and marker are
+/// random.
 pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
     let mut point = anywhere(model, random);
     for _ in 0..MAX_DRAWS {
@@ -31,7 +32,7 @@ pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
         .unwrap_or(defaults)
 }
 
-/// Draws `count` points within the validity limits, as [`point`] does.
+/// Draws `count` random points within the validity limits of the model, as [`point`] does.
 pub fn points(model: &Model, count: usize, random: &mut Random) -> Vec<Point<f64>> {
     (0..count).map(|_| point(model, random)).collect()
 }

@@ -164,7 +164,7 @@ impl<'a> Subject<'a> {
     }
 
     /// Returns the point with the coefficients set to the given values (index, value), and with all states that are not
-    /// states of the body set to their default values.
+    /// states of the body, such as those of effects (optional model extensions), set to their default values.
     fn of_body_alone(
         &self,
         mut point: Point<f64>,
@@ -181,7 +181,8 @@ impl<'a> Subject<'a> {
 }
 
 /// Sets the parameters, coefficients and inputs of `there`, a point of the model `other`, to the values of equal names
-/// in `here`, a point of `model`. Values whose names `model` lacks are not changed. Returns whether it has all names.
+/// in `here`, a point of `model`. Values whose names `model` lacks are not changed. Returns whether `model` has all
+/// names.
 pub(crate) fn carry_by_name(
     model: &Model,
     here: &Point<f64>,
@@ -205,7 +206,7 @@ pub(crate) fn carry_by_name(
 pub struct Interpreted<'a>(&'a Model);
 
 impl<'a> Interpreted<'a> {
-    /// Interprets a model.
+    /// Creates an interpreter of a model's equations of motion.
     ///
     /// # Errors
     /// [`Unsupported`] if the reference simulator (crate `oracle`) cannot derive the model's equations of motion.
@@ -234,8 +235,8 @@ pub trait Differentiable: Equations {
     fn by_state(&self, point: &Point<f64>) -> Derivatives;
 }
 
-/// Values and their dense Jacobian. Rows: state derivatives, then observation components. Columns: states, parameters,
-/// coefficients, components of inputs.
+/// Values and dense Jacobian of a model's scalar results. Rows: state derivatives, then observation components.
+/// Columns: states, parameters, coefficients, components of inputs.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Derivatives {
     /// Values of the state derivatives, then of the observation components.

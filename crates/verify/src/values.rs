@@ -20,7 +20,7 @@ pub struct Values {
 }
 
 impl Values {
-    /// Compiles the state derivatives and the observation of a model.
+    /// Compiles the state derivatives and the observation of a model to one program.
     pub fn of(model: &Model) -> Self {
         let (layout, program) = codegen::compile_values(model);
         let tape = Tape::new(&program);

@@ -24,13 +24,15 @@ pub(super) const EFFECTS: &[Effect] = &[
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Air {
-    /// Uniform horizontal wind.
+    /// Adds a uniform horizontal wind.
     Wind,
-    /// Horizontal wind proportional to the height.
+    /// Adds a horizontal wind proportional to the height.
     WindByHeight,
-    /// Relative error of the air density: the true density is (1 + value) times that of the model.
+    /// Relative error of the air density: the true density is (1 + value) times that of the model, where value is the
+    /// coefficient of the effect.
     Density,
-    /// Relative error of the gravitational acceleration: the true one is (1 + value) times that of the model.
+    /// Relative error of the gravitational acceleration: the true one is (1 + value) times that of the model, where
+    /// value is the coefficient of the effect.
     Gravity,
 }
 

@@ -32,9 +32,9 @@ pub(super) const EFFECTS: &[Effect] = &[
 pub(super) enum Ball {
     /// Magnus force, proportional to the cross product of the angular velocity and the velocity relative to the air.
     Magnus,
-    /// Linear decrease of the Magnus force with time.
+    /// Linear decrease of the Magnus force with the time since release.
     SpinDecay,
-    /// Lower drag above the critical Reynolds number.
+    /// Lower drag of the ball above the critical Reynolds number.
     DragCrisis,
     /// Buoyancy of the displaced air.
     Buoyancy,

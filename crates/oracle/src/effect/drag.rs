@@ -3,7 +3,7 @@
 use super::{DISC, DISCS, Effect, Flow, Kind, Load, effect};
 use crate::scalar::Real;
 
-/// Speed at which the Reynolds-number term of the drag is 0, m/s.
+/// Airspeed at which the Reynolds-number term of the drag is 0, m/s.
 const REFERENCE_SPEED: f64 = 14.0;
 
 /// Built-in effects (optional additions to a model) that change the drag of a disc.
@@ -25,11 +25,13 @@ pub(super) const EFFECTS: &[Effect] = &[
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Drag {
-    /// The drag has its minimum at a nonzero angle of attack.
+    /// Shift of the minimum of the drag to a nonzero angle of attack.
     ZeroLiftAngle,
-    /// Change of drag proportional to the absolute advance ratio.
+    /// Change of the drag coefficient proportional to the absolute value of the advance ratio (spin × radius /
+    /// airspeed).
     BySpin,
-    /// Change of drag proportional to the logarithm of the Reynolds number.
+    /// Change of the drag coefficient proportional to the logarithm of the ratio of the Reynolds number to its value at
+    /// the reference speed of 14 m/s.
     ByReynolds,
 }
 

@@ -6,11 +6,11 @@ use crate::reference::spinning::Stream;
 use crate::scalar::Real;
 use nalgebra::Vector3;
 
-/// State of a body relative to the air, with the constants of its law.
+/// State of a body relative to the air, with the constants of its law of motion.
 pub struct Flow<'a, T> {
     law: Law,
     constants: &'a [T],
-    /// Physical state of the body.
+    /// Physical state (position, velocity, attitude, angular velocity) of the body.
     pub at: &'a Physical<T>,
     /// Time since release, s.
     pub time: T,
@@ -40,7 +40,7 @@ impl<'a, T: Real> Flow<'a, T> {
         }
     }
 
-    /// Value of the law's constant with the given name.
+    /// Value of the constant `name` of the law of motion.
     ///
     /// # Panics
     /// If the law has no such constant. A built-in effect cannot cause this, since its list
@@ -50,7 +50,7 @@ impl<'a, T: Real> Flow<'a, T> {
         self.constants[place.expect("a constant of the law")]
     }
 
-    /// Angle of attack, rad, positive if the air comes from below.
+    /// Angle of attack, rad, positive if the air meets the body from below.
     pub fn alpha(&self) -> T {
         (-self.stream.axial_velocity).atan2(self.stream.in_plane)
     }
@@ -90,14 +90,14 @@ impl<'a, T: Real> Flow<'a, T> {
         rim / self.speed()
     }
 
-    /// Force q A C along `direction`, N, where q is the dynamic pressure, A the area and C the coefficient.
+    /// Force q A C along `direction`, N, where q is the dynamic pressure, A the area of the body and C the coefficient.
     pub fn pressure_force(&self, coefficient: T, direction: Vector3<T>) -> Vector3<T> {
         let half = self.constant("rho") * self.constant("A") / T::lit(2.0);
         direction * (half * coefficient * self.speed() * self.speed())
     }
 
-    /// Moment q A d C about `axis`, N·m, where q is the dynamic pressure, A the area, d the diameter and C the
-    /// coefficient.
+    /// Moment q A d C about `axis`, N·m, where q is the dynamic pressure, A the area and d the diameter of the body,
+    /// and C the given coefficient.
     pub fn pressure_moment(&self, coefficient: T, axis: Vector3<T>) -> Vector3<T> {
         self.pressure_force(coefficient, axis) * self.constant("d")
     }
@@ -114,7 +114,7 @@ impl<'a, T: Real> Flow<'a, T> {
         -self.through_air() * (half * coefficient * self.speed())
     }
 
-    /// Unit vector of the velocity relative to the air, crossed with `axis`: v × `axis` / V; 0 without airspeed.
+    /// Cross product (v / V) × `axis`, where v is the velocity relative to the air and V its magnitude; 0 if V is 0.
     fn across_flow(&self, axis: Vector3<T>) -> Vector3<T> {
         if self.speed().re() == 0.0 {
             return Vector3::zeros();

@@ -28,9 +28,10 @@ pub(super) const EFFECTS: &[Effect] = &[
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Inertia {
-    /// Products of inertia I₁₃ and I₂₃ of a disc with an imbalance.
+    /// Products of inertia I₁₃ and I₂₃ caused by an imbalance of the disc, kg·m².
     Imbalance,
-    /// Unequal moments of inertia about two diameters of the disc.
+    /// Unequal moments of inertia about two perpendicular diameters of the disc: one larger and one smaller by the same
+    /// amount.
     UnequalDiameters,
     /// Added mass of the air for motion along the disc's axis.
     AddedMass,

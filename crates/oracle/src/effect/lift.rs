@@ -22,11 +22,13 @@ pub(super) const EFFECTS: &[Effect] = &[
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Lift {
-    /// Quadratic loss of lift above the stall angle.
+    /// Decrease of the lift coefficient above the stall angle, proportional to the square of the excess angle of
+    /// attack.
     Stall,
-    /// Change of lift proportional to the absolute advance ratio.
+    /// Change of the lift coefficient proportional to the absolute value of the advance ratio (spin × radius /
+    /// airspeed).
     BySpin,
-    /// Additional lift near the ground.
+    /// Increase of the lift coefficient near the ground, decreasing with height.
     NearGround,
 }
 

@@ -57,12 +57,14 @@ pub struct Effect {
     /// Names of the states that the effect (optional addition to a model) adds. They are constant during a flight and
     /// estimated for each flight. The effect is absent if all its coefficients and states are 0.
     pub states: &'static [&'static str],
-    /// Reference laws (independent implementations of laws of motion) to which the effect can be added.
+    /// Reference laws (independent implementations of laws of motion) to which the effect (optional addition to a
+    /// model) can be applied.
     pub laws: &'static [Law],
     kind: Kind,
 }
 
-/// Force, moment or other quantity that an effect changes; the variant of the inner type selects the formula.
+/// Kind of quantity, such as drag or lift, that an effect (optional addition to a model) changes. The inner value
+/// selects the formula of the change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
     Lift(lift::Lift),

@@ -60,16 +60,17 @@ pub(super) const EFFECTS: &[Effect] = &[
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Observation {
-    /// The axes of the measurement are rotated relative to the inertial frame, about x and then about y.
+    /// The axes of the measurement are rotated relative to the inertial frame, first about the x axis, then about the
+    /// rotated y axis.
     Tilted,
     /// All measured lengths have a common relative error.
     Scale,
     /// Each marker is sampled later than the preceding one by the same delay: the second marker by one delay after the
     /// first, the third by two. The value of the effect is the delay, s.
     TimeOffset,
-    /// The marker with this index, from 0, is elsewhere on the body than measured.
+    /// The true position on the body of the marker with this index, from 0, differs from the measured one.
     Misplaced(usize),
-    /// The measured positions of all markers on the body have a common error along the body axis.
+    /// The measured positions of all markers on the body have a common error along the body axis, m.
     Height,
     /// The measured distances of all markers from the body axis have a common relative error.
     Radius,

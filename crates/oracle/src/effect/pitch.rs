@@ -27,11 +27,11 @@ pub(super) const EFFECTS: &[Effect] = &[
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Pitch {
-    /// Pitching moment independent of the angle of attack.
+    /// Pitching moment coefficient independent of the angle of attack.
     Constant,
-    /// Pitching moment proportional to the cube of the angle of attack.
+    /// Pitching moment coefficient proportional to the cube of the angle of attack.
     Cubic,
-    /// Pitching moment proportional to the absolute advance ratio.
+    /// Pitching moment coefficient proportional to the absolute value of the advance ratio (spin × radius / airspeed).
     BySpin,
 }
 

@@ -3,8 +3,8 @@
 use super::{DISCS, Effect, Flow, Kind, Load, effect};
 use crate::scalar::Real;
 
-/// Transition of the moment `Roll::AtLowAngle` to 0 with increasing angle of attack: angle at the centre of the
-/// transition, and half-width of the transition, degrees.
+/// Angle of attack around which the rolling moment that acts only at low angles of attack drops to 0, and half-width of
+/// this transition, degrees.
 const LOW_ANGLE_END: (f64, f64) = (10.0, 2.0);
 
 /// Built-in effects (optional additions to a model) that change the rolling moment of a disc.
@@ -32,13 +32,15 @@ pub(super) const EFFECTS: &[Effect] = &[
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Roll {
-    /// Damping moment proportional to the angular rate about d1, the forward direction normal to the axis of symmetry.
+    /// Damping moment coefficient proportional to the angular rate about d1, the forward direction normal to the axis
+    /// of symmetry.
     Damping,
-    /// Rolling moment proportional to the angle of attack.
+    /// Rolling moment coefficient proportional to the angle of attack.
     ByAngle,
-    /// Rolling moment proportional to the advance ratio.
+    /// Rolling moment coefficient proportional to the advance ratio (spin × radius / airspeed).
     BySpinRatio,
-    /// Rolling moment proportional to the advance ratio, at low angles of attack only.
+    /// Rolling moment coefficient proportional to the advance ratio (spin × radius / airspeed), at low angles of attack
+    /// only.
     AtLowAngle,
 }
 

@@ -21,9 +21,10 @@ pub(super) const EFFECTS: &[Effect] = &[
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Side {
-    /// Side force proportional to the advance ratio.
+    /// Side force coefficient proportional to the advance ratio (spin × radius / airspeed).
     BySpin,
-    /// Side force proportional to advance ratio and angle of attack.
+    /// Side force coefficient proportional to the product of advance ratio (spin × radius / airspeed) and angle of
+    /// attack.
     BySpinAndAngle,
 }
 

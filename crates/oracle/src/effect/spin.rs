@@ -27,11 +27,12 @@ pub(super) const EFFECTS: &[Effect] = &[
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Spin {
-    /// Moment about the body axis, proportional to the signed square of the spin.
+    /// Moment about the body axis, proportional to the square of the spin, with the sign of the spin.
     Quadratic,
-    /// Moment about the body axis, proportional to dynamic pressure and advance ratio.
+    /// Moment about the body axis, proportional to the product of dynamic pressure and advance ratio (spin × radius /
+    /// airspeed).
     ByPressure,
-    /// Moment about the body axis, proportional to the spin and the angle of attack.
+    /// Moment about the body axis, proportional to the product of spin and angle of attack.
     ByAngle,
 }
 

@@ -19,9 +19,9 @@ use nalgebra::Vector3;
 /// A law of motion that has a reference implementation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Law {
-    /// Disc of Hubbard and Hummel (2000) with eight aerodynamic coefficients.
+    /// Flying disc (Frisbee) of Hubbard and Hummel (2000) with eight aerodynamic coefficients.
     Disc,
-    /// Point mass with weight and drag.
+    /// Ball as a point mass with weight and drag.
     Ball,
     /// Symmetric discus of Frohlich (1981).
     Discus,
@@ -178,7 +178,7 @@ impl Reference {
             .motion(&self.values(point), physical, self.wind(point))
     }
 
-    /// Whether the model has an input `wind`; without it the reference assumes still air.
+    /// Whether the model has an input `wind`; without it the reference law assumes still air.
     pub fn has_wind(&self) -> bool {
         self.wind.is_some()
     }

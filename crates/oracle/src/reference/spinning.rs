@@ -24,15 +24,16 @@ pub(crate) struct Stream<T> {
     /// Unit vector d1: direction of the velocity relative to the air, projected onto the plane normal to the axis of
     /// symmetry; 0 if the projection is 0.
     pub d1: Vector3<T>,
-    /// Unit vector d2 to the left, normal × d1; 0 if `d1` is 0.
+    /// Unit vector d2 = n × d1, to the left of d1, with the axis of symmetry n; 0 if `d1` is 0.
     pub d2: Vector3<T>,
-    /// Spin about the axis, rad/s.
+    /// Spin: component of the angular velocity along the axis of symmetry, rad/s.
     pub spin: T,
-    /// Angular velocity without its component along the axis (the spin), rad/s; 0 if `d1` is 0.
+    /// Angular velocity without its component along the axis of symmetry (the spin), rad/s; 0 if `d1` is 0.
     pub transverse_rate: Vector3<T>,
 }
 
-/// Coefficients of forces and moments; dimensionless, except `damping` and `spin_down`.
+/// Coefficients of the aerodynamic forces and moments on a body of revolution; dimensionless, except `damping` and
+/// `spin_down`.
 pub(super) struct Coefficients<T> {
     pub lift: T,
     pub drag: T,

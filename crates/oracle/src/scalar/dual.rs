@@ -8,7 +8,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// Dual number: a value and its derivative in one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dual<T> {
-    /// Value, without the derivative.
+    /// Value of the dual number, without the derivative.
     pub value: T,
     /// Derivative of the value in the direction given by the derivatives of the arguments.
     pub derivative: T,

@@ -46,7 +46,7 @@ impl Elementary {
         Self::Tanh,
     ];
 
-    /// Name of the function in the model language.
+    /// Name of this elementary function in the model language.
     pub fn name(self) -> &'static str {
         match self {
             Self::Sqrt => "sqrt",
@@ -67,7 +67,7 @@ impl Elementary {
             .find(|function| function.name() == name)
     }
 
-    /// Value of the function at `x`.
+    /// Value of this elementary function at `x`.
     pub fn value(self, x: f64) -> f64 {
         match self {
             Self::Sqrt | Self::Log if x > 0.0 => self.inside_domain(x),
@@ -92,7 +92,7 @@ impl Elementary {
         }
     }
 
-    /// Derivative of the function at `x`; `y` is its value at `x`, where the function must not be
+    /// Derivative of this elementary function at `x`; `y` is its value at `x`, where the function must not be
     /// [constant](Self::is_constant_at).
     pub fn derivative<T: Real>(self, x: T, y: T) -> T {
         let one = T::one();

@@ -43,11 +43,11 @@ pub trait Field:
     + MulAssign
     + DivAssign
 {
-    /// The integer as an element of the field.
+    /// The integer `value` as a scalar of this type.
     fn integer(value: i64) -> Self;
 
-    /// Field element of a literal; `exact` is its value as (numerator, denominator) if known. `None` if the field
-    /// cannot represent the literal.
+    /// Numeric literal as a scalar of this type; `exact` is the value of the literal as (numerator, denominator) if
+    /// known. `None` if the type cannot represent the literal.
     fn literal(value: f64, exact: Option<(i64, i64)>) -> Option<Self>;
 }
 
@@ -56,7 +56,7 @@ pub trait Field:
 pub trait Real: Field {
     /// The constant `value`, with derivative 0.
     fn lit(value: f64) -> Self;
-    /// The real value, without derivatives or error bounds.
+    /// The real value of the scalar, without derivatives or error bounds.
     fn re(self) -> f64;
     /// Value of an elementary function at `self`; see [`Elementary`] for its values at singular points.
     fn elementary(self, function: Elementary) -> Self;

@@ -7,7 +7,7 @@ use super::Field;
 use num_traits::{One, Zero};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Modulus of the field: 2^61 − 1, a Mersenne prime.
+/// Modulus of the prime field in which [`Prime`] numbers compute: 2^61 − 1, a Mersenne prime.
 pub const PRIME: u64 = (1 << 61) - 1;
 
 /// An integer modulo [`PRIME`], stored as its representative below [`PRIME`].
@@ -15,12 +15,12 @@ pub const PRIME: u64 = (1 << 61) - 1;
 pub struct Prime(u64);
 
 impl Prime {
-    /// Residue class of an unsigned integer.
+    /// Residue class of `value` modulo [`PRIME`].
     pub fn new(value: u64) -> Self {
         Self(value % PRIME)
     }
 
-    /// Representative in 0..[`PRIME`].
+    /// Integer representative of the residue class, in 0..[`PRIME`].
     pub fn value(self) -> u64 {
         self.0
     }
@@ -47,7 +47,7 @@ impl Prime {
         (0..times).fold(self, |power, _| power * power)
     }
 
-    /// Residue class of an integer below twice [`PRIME`].
+    /// Residue class, modulo [`PRIME`], of an integer below twice [`PRIME`].
     #[inline]
     fn reduced(value: u64) -> Self {
         Self(if value < PRIME { value } else { value - PRIME })

@@ -16,7 +16,7 @@ pub struct Interpolant {
 }
 
 impl Interpolant {
-    /// Creates the interpolant of a table of a model.
+    /// Creates the interpolating curve of a table that a model declares.
     pub fn new(table: &Table) -> Self {
         let is_flat = table.continuation == Continuation::Constant;
         let slopes = match table.interpolation {
@@ -87,7 +87,7 @@ impl Interpolant {
     }
 }
 
-/// Width and mean slope of each interval between two neighbouring knots.
+/// (Width, mean slope) of each interval between two neighbouring knots; a knot is a pair (argument, value).
 fn intervals(knots: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let of = |pair: &[(f64, f64)]| {
         let width = pair[1].0 - pair[0].0;

@@ -145,7 +145,8 @@ impl Fingerprint {
     }
 }
 
-/// Changes between two lists of checks: differing verdicts, and checks that only one list contains.
+/// Changes from the recorded checks `before` to the repeated checks `after`: differing verdicts, and checks that only
+/// one of the two lists contains.
 fn verdicts(
     model: Option<&str>,
     before: &[CertifiedCheck],

@@ -44,7 +44,8 @@ impl fmt::Display for Hash {
 }
 
 impl Hash {
-    /// Hash of several texts. The length of each text is hashed too, so that the boundaries matter.
+    /// SHA-256 hash of several texts. The length of each text is hashed too, so that the boundaries between texts
+    /// matter.
     fn of<'a>(texts: impl IntoIterator<Item = &'a [u8]>) -> Self {
         let mut digest = Sha256::new();
         for text in texts {
@@ -54,7 +55,7 @@ impl Hash {
         Self::finished(digest)
     }
 
-    /// Hash of one text, identical to the output of `sha256sum`.
+    /// SHA-256 hash of one text, identical to the output of the command `sha256sum`.
     pub fn of_text(text: &str) -> Self {
         Self::finished(Sha256::new_with_prefix(text))
     }
@@ -79,9 +80,10 @@ impl Hash {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct HashedSource {
-    /// Path relative to the folder of the certificate, or name of a built-in text.
+    /// Path relative to the folder of the certificate, or name of a built-in model or effect (optional model
+    /// extension).
     pub name: String,
-    /// SHA-256 hash of the text.
+    /// SHA-256 hash of the source text.
     pub sha256: Hash,
 }
 
@@ -91,13 +93,13 @@ pub struct HashedSource {
 pub struct Fingerprint {
     /// Name and hash of the source text of the model, followed by those of its effects (optional model extensions).
     pub sources: Vec<HashedSource>,
-    /// Hash of the lists of elementary operations of all compiled functions, in evaluation order. All backends print or
-    /// interpret these lists.
+    /// Hash of the lists of elementary operations of all compiled functions, in evaluation order. The backends
+    /// (generated code, bytecode interpreter) print or interpret these lists.
     pub schedule: Hash,
     /// Hash of the Rust code generated from the model by the backend for `f64`, without SIMD types.
     pub rust: Hash,
-    /// Hash of the bits of all results of the bytecode interpreter at pseudo-random points, computed without fused
-    /// multiply-add.
+    /// Hash of the bits of all results that the bytecode interpreter computes for the model at pseudo-random points,
+    /// without fused multiply-add.
     pub results: Hash,
 }
 

@@ -24,20 +24,21 @@ use model_spec::load::Loaded;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
-/// Name and version of the certificate format.
+/// Name and version of the file format of certificates (records of verifications).
 pub const SCHEMA: &str = "hyzer.certificate/1";
 
 /// Record of a verification of one or more models.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Certificate {
-    /// Name and version of the format; always [`SCHEMA`].
+    /// Name and version of the file format; always [`SCHEMA`].
     pub schema: String,
     /// Version of the program that carried out the checks.
     pub program: Program,
     /// Options with which the checks were carried out.
     pub options: CertifiedOptions,
-    /// Worst outcome of all models and of the comparisons between models.
+    /// Worst outcome of all models and of the comparisons between models; from best to worst: verified, not verified,
+    /// refuted.
     pub outcome: Outcome,
     /// Records of the verified models.
     pub models: Vec<CertifiedModel>,
@@ -56,19 +57,19 @@ pub struct Program {
     pub effects: Hash,
 }
 
-/// Options of the checks, as recorded in a certificate.
+/// Options of the checks, as recorded in a certificate (record of a verification).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CertifiedOptions {
     /// Seed of all random numbers of the verification.
     pub seed: u64,
-    /// Number of random points per check.
+    /// Number of random points at which each check evaluates the model.
     pub cases: usize,
-    /// Whether mutation testing was run.
+    /// Whether mutation testing was run: the checks are repeated on models with one deliberate change each.
     pub mutants: bool,
 }
 
-/// Record of one verified model.
+/// Record of the verification of one model.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CertifiedModel {
@@ -81,29 +82,29 @@ pub struct CertifiedModel {
     pub with: Vec<Origin>,
     /// Hashes of the model's texts and of the code generated from them.
     pub covers: Fingerprint,
-    /// Combined outcome of the model's checks.
+    /// Combined outcome of the model's checks: verified, not verified or refuted.
     pub outcome: Outcome,
     /// Results of the checks, in the order in which they were carried out.
     pub checks: Vec<CertifiedCheck>,
 }
 
-/// Result of one check, as recorded in a certificate.
+/// Result of one check, as recorded in a certificate (record of a verification).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CertifiedCheck {
     /// Name of the check, as in the verification report.
     pub check: String,
-    /// Verdict of the check.
+    /// Verdict of the check, such as holds or refuted.
     pub verdict: Verdict,
     /// Number of points or cases that were tested.
     pub cases: usize,
-    /// Maximum error, in the unit given by `measure`; `None` if it is not finite.
+    /// Maximum error found by the check, in the unit given by `measure`; `None` if it is not finite.
     pub worst: Option<f64>,
     /// Maximum error that is allowed, in the unit given by `measure`.
     pub allowed: f64,
     /// Unit of `worst` and `allowed`.
     pub measure: Measure,
-    /// Point or item with the maximum error, or the reason why the check was not carried out.
+    /// Description of the point or item with the maximum error, or the reason why the check was not carried out.
     pub detail: String,
     /// Limitation of the check (what it does not cover for this model); `None` if there is none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -136,7 +137,7 @@ impl Program {
 }
 
 impl CertifiedOptions {
-    /// Converts the recorded options to options of a verification.
+    /// Converts the options recorded in a certificate (record of a verification) to options of a new verification.
     pub fn options(&self) -> Options {
         Options {
             seed: self.seed,
@@ -198,7 +199,7 @@ impl Certificate {
         }
     }
 
-    /// Text of the certificate in JSON, with a final line feed.
+    /// Text of the certificate (record of a verification) in JSON, with a final line feed.
     pub fn text(&self) -> String {
         // The certificate consists of numbers, texts and lists, so the serialisation cannot fail.
         serde_json::to_string_pretty(self).unwrap_or_default() + "\n"

@@ -41,7 +41,7 @@ impl Origin {
     }
 }
 
-/// Reason why a model of a certificate cannot be loaded.
+/// Reason why a model covered by a certificate (record of a verification) cannot be loaded.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum OriginError {
     /// The file at this path, relative to the folder of the certificate, does not exist.
@@ -80,7 +80,7 @@ pub(super) fn relative(path: &Path, folder: &Path) -> String {
     up.chain(down).collect::<Vec<_>>().join("/")
 }
 
-/// Folder that contains the certificate; `.` if the path has no folder.
+/// Folder that contains the file of the certificate (record of a verification); `.` if the path has no folder.
 pub fn folder_of(certificate: &Path) -> PathBuf {
     match certificate.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder.to_owned(),

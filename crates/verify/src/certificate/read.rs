@@ -6,15 +6,15 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-/// Maximum size of a certificate, bytes.
+/// Maximum size of the file of a certificate (record of a verification), bytes.
 pub const MAX_BYTES: u64 = 4_000_000;
-/// Maximum number of models in a certificate.
+/// Maximum number of models in a valid certificate (record of a verification).
 const MAX_MODELS: usize = 1000;
-/// Maximum number of random points per check in a valid certificate; equal to the maximum that the command line
-/// accepts.
+/// Maximum number of random points per check in a valid certificate (record of a verification); equal to the maximum
+/// that the command line accepts.
 const MAX_CASES: usize = 100_000;
 
-/// Reason why a file is not a valid certificate.
+/// Reason why a file is not a valid certificate (record of a verification).
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum CertificateError {
@@ -38,13 +38,13 @@ pub enum CertificateError {
         place: String,
         /// The invalid value in the file, or a description of it, such as `0 models`.
         found: String,
-        /// Description of the values that would be valid.
+        /// Description of the values that would be valid instead of the value found.
         expected: String,
     },
 }
 
 impl Certificate {
-    /// Reads and validates a certificate from a file.
+    /// Reads and validates a certificate (record of a verification) from a file.
     ///
     /// # Errors
     /// [`CertificateError`] if the file cannot be read or is not a valid certificate.
@@ -61,7 +61,7 @@ impl Certificate {
         Self::parse(&text)
     }
 
-    /// Parses and validates the text of a certificate.
+    /// Parses and validates the JSON text of a certificate (record of a verification).
     ///
     /// # Errors
     /// [`CertificateError`] if the text is not a valid certificate.

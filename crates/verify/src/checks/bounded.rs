@@ -4,11 +4,12 @@ use model_spec::model::Model;
 use nalgebra::Vector3;
 use oracle::scalar::ErrorBound;
 
-/// Receives errors, each relative to the sum of the magnitudes of the terms of a value, with the name of the value.
+/// Callback that receives the error of a value and the name of the value. The error is relative to the sum of the
+/// magnitudes of the terms that sum to the value.
 pub(super) type ErrorSink<'a> = &'a mut dyn FnMut(f64, String);
 
-/// Passes the error of each state derivative in `rates`, relative to its expected value with error bound, to `errors`.
-/// The states with indices `except` are left out.
+/// Passes the error of each state derivative in `rates` to `errors`: its difference from the expected value, relative
+/// to the sum of the magnitudes of the terms of the expected value. States with the indices in `except` are left out.
 pub(super) fn compare_rates(
     model: &Model,
     expected: &[ErrorBound],
@@ -25,7 +26,8 @@ pub(super) fn compare_rates(
     }
 }
 
-/// Passes the error of each component of the observation, relative to its expected value with error bound, to `errors`.
+/// Passes the error of each component of the observation to `errors`: its difference from the expected value, relative
+/// to the sum of the magnitudes of the terms of the expected value.
 pub(super) fn compare_observation(
     expected: &Vector3<ErrorBound>,
     observed: &Vector3<f64>,

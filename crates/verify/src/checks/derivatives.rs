@@ -16,7 +16,7 @@ use model_spec::model::Model;
 use oracle::scalar::{ComplexStep, Dual, ErrorBound, Lockstep, NumDual, Real};
 use oracle::{Point, Reference, Tree};
 
-/// Names of the checks of the Jacobians against three methods of differentiation and against the reference
+/// Names of the checks of a model's Jacobians against three methods of differentiation and against the reference
 /// implementation.
 pub const CHECKS: [&str; 4] = [
     "derivatives: num-dual",

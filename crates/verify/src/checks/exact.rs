@@ -19,11 +19,13 @@ use oracle::{Point, free_load_derivatives};
 /// Name of this check in reports: derivatives of a rigid body under an arbitrary force and moment, in exact arithmetic.
 pub const EXACT: &str = "rigid body, exact";
 
-/// Number of random points of the prime field (integers modulo 2^61 − 1) at which the functions are compared. Two
-/// different functions of total degree at most d agree at one point with probability at most d / 2^61.
+/// Number of random points of the prime field (integers modulo 2^61 − 1) at which the compiled state derivatives are
+/// compared with those of the reference simulator (crate `oracle`). Two different functions of total degree at most d
+/// agree at one point with probability at most d / 2^61.
 pub const POINTS: usize = 8;
-/// Upper bound of the total degree of the compared rational functions. The probability that different functions agree
-/// at a random point of the prime field follows from it (Schwartz-Zippel lemma).
+/// Upper bound of the total degree of the state derivatives, which are compared as rational functions. The probability
+/// that different functions agree at a random point of the prime field (integers modulo 2^61 − 1) follows from it
+/// (Schwartz-Zippel lemma).
 const DEGREE: f64 = 1e3;
 
 /// Compares the compiled derivatives of the model's rigid body with those of the reference simulator (crate `oracle`)
@@ -40,9 +42,9 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     compare(&model, &codegen::compile(&model), options)
 }
 
-/// Compares the derivatives of a compiled model with those of the reference simulator (crate `oracle`) at random points
-/// of the prime field. The last two inputs of the model must be the arbitrary force and moment that [`free_loads`]
-/// adds.
+/// Compares the state derivatives of a compiled model with those of the reference simulator (crate `oracle`) at random
+/// points of the prime field (integers modulo 2^61 − 1). The last two inputs of the model must be the arbitrary force
+/// and moment that [`free_loads`] adds.
 pub fn compare(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     let mut random = Random::new(options.seed, EXACT);
     let mut faults = Vec::new();
@@ -110,16 +112,17 @@ pub fn free_loads(model: &Model) -> Model {
     model
 }
 
-/// A random point of the prime field (integers modulo 2^61 − 1), with the sine and cosine of every state.
+/// Random values of a model's variables, as elements of the prime field (integers modulo 2^61 − 1), with the sine and
+/// cosine of every state.
 pub struct FieldPoint {
-    /// Field elements for time, parameters, coefficients, inputs, states and marker.
+    /// Values in the prime field of time, parameters, coefficients, inputs, states and marker.
     pub point: Point<Prime>,
-    /// (sine, cosine) of every state.
+    /// (sine, cosine) of every state, as elements of the prime field.
     pub circles: Vec<(Prime, Prime)>,
 }
 
 impl FieldPoint {
-    /// Draws a random point; quaternions have norm 1.
+    /// Draws random values in the prime field for all variables of a model; attitude quaternions have norm 1.
     pub fn random(model: &Model, random: &mut Random) -> Self {
         let mut point = Point::defaults(model).map(|_| random.prime());
         for states in model.quaternions() {

@@ -18,7 +18,7 @@ pub(super) fn functions(compiled: &Compiled) -> [&Function; 5] {
     ]
 }
 
-/// A variable with respect to which results are differentiated.
+/// A state or parameter with respect to which the results of compiled functions are differentiated.
 pub(super) struct Variable<'a, T> {
     /// Name of the state or parameter.
     pub name: &'a str,
@@ -102,10 +102,10 @@ pub(super) fn differences<T: Field>(
     faults
 }
 
-/// Describes the results of a compiled function: the range of its rows, the name of the section with its values, and
-/// the names of the sections with its Jacobians with respect to states and to parameters. The rows are the scalar
-/// results of a model: `all` rows, of which the first `states` are state derivatives and the others components of the
-/// observation.
+/// Describes the outputs of a compiled function. A model has `all` scalar results: first `states` state derivatives,
+/// then the components of the observation. Returns the index range of those that the function computes, the name of its
+/// group of outputs with their values, and the names of its groups of outputs with their Jacobians with respect to
+/// states and to parameters.
 fn sections(
     function: &Function,
     states: usize,
@@ -117,9 +117,9 @@ fn sections(
     }
 }
 
-/// Derivative of one scalar result of a compiled function (row `row` of its Jacobians) with respect to a variable. It is
-/// computed from the Jacobian entries in `values`, which contains all outputs of the function. The array contains the
-/// names of the Jacobians by state and by parameter. `None` if the function does not compute the required Jacobian.
+/// Derivative of one scalar result of a compiled function with respect to a variable. It is computed from the Jacobian
+/// entries in `values`, which contains all outputs of the function. `row` is the row of the result in the Jacobians;
+/// `by_state` and `by_parameter` are their names. `None` if the function does not compute the required Jacobian.
 fn along<T: Field>(
     function: &Function,
     values: &[T],

@@ -12,14 +12,15 @@ use model_spec::model::Model;
 use oracle::Point;
 use oracle::scalar::{Big, Dual, ErrorBound, Lockstep, Real, with_numbers};
 
-/// Number of points at which the compiled functions are compared with the model. It is more than one so that functions
-/// with branches are likely to be compared on every branch.
+/// Number of points at which the compiled functions are compared with the model's vector expressions. It is more than
+/// one so that functions with branches are likely to be compared on every branch.
 const POINTS: usize = 8;
 /// Maximum number of random draws to find a point at which rounding cannot change the result of a branch, such as that
 /// of abs.
 const MAX_DRAWS: usize = 30;
-/// Maximum difference between compiled code and model, relative to the magnitude of the terms of a value. It is about a
-/// thousand times the error of a constant that the code rounds to f64.
+/// Maximum difference between a value of the compiled code and that of the model's vector expressions, relative to the
+/// magnitude of the terms of the value. It is about a thousand times the error of a constant that the code rounds to
+/// f64.
 const TOLERANCE: f64 = 1e-13;
 
 /// A number of 256 bits, with the sum of the magnitudes of the terms that are added to give it.

@@ -147,7 +147,8 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     row.with_detail(lines.join("\n").trim().to_owned())
 }
 
-/// Randomly drawn parameters of the transformations: shift (m), boost (m/s), angle (rad), delay (s).
+/// Randomly drawn parameters of the transformations under which the motion should be invariant: shift (m), boost (m/s),
+/// angle (rad), delay (s).
 struct RandomTransformation {
     shift: Vector3<f64>,
     boost: Vector3<f64>,
@@ -169,9 +170,9 @@ impl RandomTransformation {
     }
 }
 
-/// Maximum relative error of the motion under one symmetry at a point. The physical state is transformed, and the rates
-/// of motion (velocities and accelerations) at the transformed state are compared with the transformed rates at the
-/// original state. `None` if the states or rates cannot be determined.
+/// Maximum relative error of the motion at a point under the transformation `symmetry`. The physical state is
+/// transformed, and the rates of motion (velocities and accelerations) at the transformed state are compared with the
+/// transformed rates at the original state. `None` if the states or rates cannot be determined.
 fn error(
     subject: &Subject<'_>,
     meaning: &Meaning<'_>,
@@ -270,8 +271,8 @@ fn map_change(c: &PhysicalRate, polar: &Matrix3<f64>, axial: &Matrix3<f64>) -> P
     }
 }
 
-/// Whether the mirrored body is the same body: its inertia tensor is invariant under reflection of the second axis of
-/// the frame in which it is declared (products of inertia 12 and 23 are 0).
+/// Whether the model's body is its own mirror image: its inertia tensor is invariant under reflection of the second
+/// axis of the frame in which it is declared (products of inertia 12 and 23 are 0).
 fn is_symmetric(model: &Model, point: &Point<f64>) -> bool {
     let rotation = model.body.as_ref().and_then(|b| b.rotation.as_ref());
     let claimed = model.claim.as_ref().and_then(|c| c.rotation.as_ref());

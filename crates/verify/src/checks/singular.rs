@@ -29,9 +29,9 @@ pub fn check(points: &[(String, Point<f64>)], compiled: &Compiled, runs: &[Run])
     Row::counted(SINGULAR, points.len() * runs.len(), &faults, "")
 }
 
-/// Points, with descriptions, at which a divisor may vanish. Points outside the model's validity limits are left out.
-/// For singular attitudes, such as a pitch of 90° with Euler angles, only limits written in the model file count, not
-/// those that the language adds.
+/// Points, with descriptions, at which a divisor in the model's equations may vanish. Points outside the model's
+/// validity limits are left out. For singular attitudes, such as a pitch of 90° with Euler angles, only limits written
+/// in the model file count, not those that the language adds.
 pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
     let base = moving(model);
     let states = 0..model.states.len();

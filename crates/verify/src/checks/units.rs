@@ -6,7 +6,7 @@ use model_spec::load::Loaded;
 use model_spec::location::line_of;
 use model_spec::model::Source;
 
-/// Name of this check in reports: diagnostics on units and frames.
+/// Name of this check in reports: errors, such as wrong units or frames, that the language checker reports.
 pub const UNITS: &str = "units and frames";
 
 /// Checks that the language checker reports no errors. The detail of the result has one line per error, with its source

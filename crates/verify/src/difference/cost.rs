@@ -12,12 +12,12 @@ use serde::Serialize;
 use std::collections::BTreeSet;
 use std::time::Instant;
 
-/// Values of one quantity for the old and for the new model.
+/// Values of one quantity, such as an operation count, for the old and for the new version of a model.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Pair<T> {
-    /// Value for the old model.
+    /// Value of the quantity for the old model.
     pub old: T,
-    /// Value for the new model.
+    /// Value of the quantity for the new model.
     pub new: T,
 }
 
@@ -131,7 +131,7 @@ pub struct Time {
     pub ratio: f64,
 }
 
-/// Number of pairs of time measurements (old model, new model).
+/// Number of pairs of measurements (old model, new model) of the computing time.
 const ROUNDS: usize = 201;
 /// Number of points at which the state derivatives are evaluated in one time measurement.
 const POINTS: usize = 64;

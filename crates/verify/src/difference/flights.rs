@@ -16,7 +16,7 @@ const RELEASES: usize = 3;
 /// Fraction of the way from the model's default point to a random point at which the initial values of a random release
 /// (launch conditions of a flight) lie.
 const SPREAD: f64 = 0.2;
-/// Relative tolerance with which the flights are integrated.
+/// Relative tolerance with which the compared flights are integrated.
 const TOLERANCE: f64 = 1e-10;
 
 /// Difference between the flights of two models that start from the same release (initial state).

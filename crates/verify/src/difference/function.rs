@@ -16,13 +16,14 @@ use serde::Serialize;
 /// Number of random points of the prime field (integers modulo 2^61 − 1) at which the values of two functions must be
 /// equal for the functions to count as equal.
 const POINTS: usize = 4;
-/// Maximum number of random trial points of the prime field. A trial point is usable only if the argument of every
-/// square root is a square in the field.
+/// Maximum number of random trial points of the prime field (integers modulo 2^61 − 1). A trial point is usable only if
+/// the argument of every square root is a square in the field.
 const MAX_TRIALS: usize = 4096;
 /// Lower bound, in SI units, of the magnitude by which the difference of two auxiliary variables or loads is divided.
 /// Because of this bound, values that are 0 except for rounding count as equal.
 const MIN_MAGNITUDE: f64 = 1e-6;
-/// Number of random points at which two functions are compared in floating-point arithmetic.
+/// Number of random points at which an output of the old model and one of the new model are compared in floating-point
+/// arithmetic.
 const NUMBERS: usize = 24;
 
 /// Result of comparing one output of the old model with the corresponding output of the new model: a state derivative,
@@ -30,20 +31,24 @@ const NUMBERS: usize = 24;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Sameness {
-    /// Both outputs are the same function, as decided by exact evaluation at random points of the prime field.
+    /// The outputs of the old and the new model are the same function, as decided by exact evaluation at random points
+    /// of the prime field (integers modulo 2^61 − 1).
     Same,
-    /// The values in the prime field differ or do not exist, but the floating-point values agree within the tolerance.
+    /// The values of the two models' outputs in the prime field (integers modulo 2^61 − 1) differ or do not exist, but
+    /// their floating-point values agree within the tolerance.
     Agrees,
-    /// The outputs are different functions, also in floating-point arithmetic.
+    /// The outputs of the old and the new model are different functions, also in floating-point arithmetic.
     Changed,
 }
 
-/// Result of comparing one output of the old model with one of the new model.
+/// Result of comparing one output, such as a state derivative, of the old model with the corresponding one of the new
+/// model.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Compared {
     /// Whether the outputs of the two models are the same function.
     pub sameness: Sameness,
-    /// Maximum difference between the two outputs at random points, relative to the sum of the magnitudes of the terms.
+    /// Maximum difference between the two outputs at random points, relative to the sum of the magnitudes of their
+    /// terms.
     pub error: f64,
 }
 
@@ -80,8 +85,8 @@ pub fn compare(
 }
 
 /// For each pair of outputs (index in the old model, index in the new model), whether both have the same value at
-/// random points of the prime field; `None` if the values exist in the field at too few points. If `stated` is true,
-/// unpaired parameters have the default values of their model, otherwise random values.
+/// random points of the prime field (integers modulo 2^61 − 1); `None` if the values exist in the field at too few
+/// points. If `stated` is true, unpaired parameters have the default values of their model, otherwise random values.
 fn exactly(
     old: &Everything<'_>,
     new: &Everything<'_>,
@@ -116,8 +121,8 @@ fn exactly(
         .collect()
 }
 
-/// Draws a random point of the prime field for each of the two models. Paired states and parameters have equal values
-/// in both; if `stated`, unpaired parameters have the default values of their model.
+/// Draws a random point of the prime field (integers modulo 2^61 − 1) for each of the two models. Paired states and
+/// parameters have equal values in both; if `stated`, unpaired parameters have the default values of their model.
 fn field_points(
     old: &Model,
     new: &Model,
@@ -194,10 +199,10 @@ fn in_numbers(
     worst
 }
 
-/// Lower bound of the divisor that makes a difference of output `k` relative. For a state derivative or component of
-/// the observation: `sizes[k]`, the sum of the magnitudes of its terms. For an auxiliary variable or load: the maximum
-/// absolute value of its components, or [`MIN_MAGNITUDE`] if that is larger. For a validity limit: 0, so that its value
-/// alone determines the divisor.
+/// Lower bound of the divisor that makes the difference of an output between two models relative; `k` is the index of
+/// the output. For a state derivative or component of the observation: `sizes[k]`, the sum of the magnitudes of its
+/// terms. For an auxiliary variable or load: the maximum absolute value of its components, or [`MIN_MAGNITUDE`] if that
+/// is larger. For a validity limit: 0, so that its value alone determines the divisor.
 fn size(model: &Everything<'_>, sizes: &[f64], values: &[f64], k: usize) -> f64 {
     if let Some(size) = sizes.get(k) {
         return *size;

@@ -40,7 +40,7 @@ use serde::Serialize;
 use statements::{Key, Reach};
 use values::Everything;
 
-/// Options of a comparison of two models.
+/// Options of a comparison of an old and a new version of a model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DifferenceOptions {
     /// Duration, s, of the flights that are simulated with both models and compared.
@@ -70,7 +70,7 @@ pub struct RowChange {
     pub row: String,
     /// Result of the comparison; `None` for a scalar function that only one of the models has.
     pub sameness: Option<Sameness>,
-    /// Whether only the new model has the scalar function.
+    /// Whether only the new model has the compared scalar function.
     pub added: bool,
     /// Maximum difference between the scalar function in the old and in the new model at random points, relative to the
     /// sum of the magnitudes of its terms; 0 for a function that only one of the models has.
@@ -86,9 +86,9 @@ pub struct RowChange {
 /// Comparison of an old and a new version of a model.
 #[derive(Clone, Debug, Serialize)]
 pub struct Difference {
-    /// Name and version of the JSON format.
+    /// Name and version of the JSON format of the comparison.
     pub schema: &'static str,
-    /// Names of the old and the new model.
+    /// Names of the old and the new version of the model.
     pub models: Pair<String>,
     /// Whether any state derivative, component of the observation or validity limit differs between the models.
     pub changed: bool,
@@ -105,7 +105,7 @@ pub struct Difference {
     pub restated: Vec<Restated>,
     /// Operation counts and nonzero Jacobian entries of the models; `None` if not requested.
     pub cost: Option<Cost>,
-    /// Computing time of the state derivatives; `None` if not requested.
+    /// Computing time of the state derivatives of both models; `None` if not requested.
     pub time: Option<Time>,
     /// Differences between simulated flights of the two models; empty if not requested.
     pub flights: Vec<FlightShift>,
@@ -146,7 +146,7 @@ impl RowChange {
     }
 }
 
-/// Compares an old and a new version of a model.
+/// Compares the functions, statements and simulated flights of an old and a new version of a model.
 pub fn compare(old: &Model, new: &Model, options: &DifferenceOptions) -> Difference {
     let (a, b) = (Everything::of(old), Everything::of(new));
     let pairing = Pairing::of(&a, &b);
@@ -216,8 +216,8 @@ pub fn compare(old: &Model, new: &Model, options: &DifferenceOptions) -> Differe
     }
 }
 
-/// Pairs of indices (old, new) of corresponding rows: derivatives of paired states, components of the observation, and
-/// validity limits in the order of the files.
+/// Pairs of indices (in the old model, in the new model) of corresponding rows, that is, scalar functions: derivatives
+/// of paired states, components of the observation, and validity limits in the order of the files.
 fn row_pairs(a: &Everything<'_>, b: &Everything<'_>, pairing: &Pairing) -> Vec<(usize, usize)> {
     let states = pairing.states.iter().enumerate();
     let mut pairs: Vec<(usize, usize)> = states
@@ -238,14 +238,15 @@ struct ComparedRow {
     old: usize,
     /// Index, in the new model, of the compared scalar function, such as a state derivative.
     new: usize,
-    /// Result of the comparison; parameters that only one model has are random.
+    /// Result of comparing the scalar function of the two models; parameters that only one model has are random.
     compared: Compared,
     /// Whether the scalar functions are the same if parameters that only one model has are set to their default values.
     is_same_at_stated_values: bool,
 }
 
-/// Changes of the rows of the new model, followed by the rows that only the old model has. `names` are the names of the
-/// rows of the old and of the new model; `compared` are the rows that both have.
+/// Changes of the rows (state derivatives, components of the observation, validity limits) of the new model, followed
+/// by the rows that only the old model has. `names` are the names of the rows of the old and of the new model;
+/// `compared` are the rows that both have.
 fn row_changes(
     names: [&[String]; 2],
     compared: &[ComparedRow],

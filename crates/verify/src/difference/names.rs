@@ -11,16 +11,16 @@ pub struct Names {
 }
 
 impl Names {
-    /// Records that an item of the given class of statements has the name `new` in the new model and `old` in the old
-    /// model.
+    /// Records that an item declared by a statement of the class `class`, such as `constant`, has the name `new` in the
+    /// new model and `old` in the old model.
     pub fn add(&mut self, class: &'static str, new: &str, old: &str) {
         if new != old {
             self.renamed.insert((class, new.to_owned()), old.to_owned());
         }
     }
 
-    /// Name in the old model of the item of the given class of statements that is named `new` in the new model; returns
-    /// `new` if the item was not renamed.
+    /// Name in the old model of the item that is named `new` in the new model and declared by a statement of the class
+    /// `class`, such as `constant`. Returns `new` if the item was not renamed.
     pub fn old(&self, class: &'static str, new: &str) -> String {
         let old = self.renamed.get(&(class, new.to_owned()));
         old.map_or(new, String::as_str).to_owned()
@@ -68,7 +68,7 @@ pub fn renamed_text(text: &str, names: &Names) -> String {
     out
 }
 
-/// Whether a character cannot be part of a name.
+/// Whether a character cannot be part of a name declared in a model.
 fn is_separator(c: char) -> bool {
     !c.is_alphanumeric() && c != '_'
 }
@@ -136,7 +136,7 @@ fn without(list: &[String], other: &[String]) -> Vec<usize> {
     missing
 }
 
-/// A term of a sum, with its sign.
+/// A term of a sum in an expression, with its sign.
 struct Term<'a> {
     negative: bool,
     value: &'a Expr,

@@ -13,24 +13,26 @@ use std::collections::BTreeMap;
 
 /// Number of random points at which the influence of an unpaired state or parameter on the equations is measured.
 const POINTS: usize = 3;
-/// Maximum relative difference of two values that count as equal in the pairing.
+/// Maximum relative difference at which two values count as equal when states and parameters of two models are paired.
 const PAIRING_TOLERANCE: f64 = 1e-7;
 
 /// For every state and parameter of the new model, the corresponding one of the old model.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Pairing {
-    /// Index of the old state, by index of the new state; `None` for an added state.
+    /// For each state of the new model, the index of the corresponding state of the old model; `None` for an added
+    /// state.
     pub states: Vec<Option<usize>>,
-    /// Index of the old parameter, by index of the new parameter; `None` for an added parameter.
+    /// For each parameter of the new model, the index of the corresponding parameter of the old model; `None` for an
+    /// added parameter.
     pub parameters: Vec<Option<usize>>,
 }
 
-/// A renamed state or parameter.
+/// A state or parameter that has different names in the old and the new model.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 pub struct Renamed {
-    /// Name in the old model.
+    /// Name of the state or parameter in the old model.
     pub from: String,
-    /// Name in the new model.
+    /// Name of the state or parameter in the new model.
     pub to: String,
 }
 
@@ -38,7 +40,7 @@ pub struct Renamed {
 type Symbol = (bool, usize);
 
 impl Pairing {
-    /// Pairs the states and parameters of two models.
+    /// Pairs each state and parameter of the new model with the corresponding one of the old model.
     pub fn of(old: &Everything<'_>, new: &Everything<'_>) -> Self {
         let mut pairing = Self {
             states: by_name(&old.code.layout.states, &new.code.layout.states),
@@ -49,12 +51,14 @@ impl Pairing {
         pairing
     }
 
-    /// Index of the new state that corresponds to an old state; `None` if that state was removed.
+    /// Index of the new model's state that corresponds to the old model's state with index `old`; `None` if it was
+    /// removed.
     pub fn new_state(&self, old: usize) -> Option<usize> {
         self.states.iter().position(|&state| state == Some(old))
     }
 
-    /// Index of the new parameter that corresponds to an old parameter; `None` if that parameter was removed.
+    /// Index of the new model's parameter that corresponds to the old model's parameter with index `old`; `None` if it
+    /// was removed.
     pub fn new_parameter(&self, old: usize) -> Option<usize> {
         self.parameters.iter().position(|&state| state == Some(old))
     }
@@ -72,7 +76,7 @@ impl Pairing {
             && all(&self.parameters, parameters(new))
     }
 
-    /// States and parameters whose names changed.
+    /// States and parameters whose names differ between the old and the new model.
     pub fn renamed(&self, old: &Everything<'_>, new: &Everything<'_>) -> Vec<Renamed> {
         let (a, b) = (&old.code.layout, &new.code.layout);
         let mut out = Vec::new();

@@ -6,7 +6,7 @@ use model_spec::model::{Model, Parameter};
 use serde::Serialize;
 use std::fmt::Display;
 
-/// A changed unit, value or bound of a constant, an input or a state.
+/// A unit, default value or bound of a constant, an input or a state that differs between two models.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Restated {
     /// Name of the constant, input or state in the new model.

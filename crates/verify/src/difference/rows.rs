@@ -8,11 +8,12 @@ use model_spec::model::Model;
 pub enum RowKind {
     /// Derivative of the state with this name, defined by an equation written explicitly in the model file.
     Stated(String),
-    /// Derivative of a position of the body, defined by the velocity.
+    /// Derivative of a position component of the body, defined by its velocity.
     Position,
-    /// Derivative of a velocity of the body, determined by the forces.
+    /// Derivative of a velocity component of the body, determined by the forces on it.
     Velocity,
-    /// Derivative of an attitude or angular velocity of the body, determined by the moments.
+    /// Derivative of an attitude angle, quaternion component or angular velocity component of the body, determined by
+    /// the moments on it.
     Rotation,
     /// Component of the observation, defined by the measurement equation.
     Observation,

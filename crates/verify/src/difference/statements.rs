@@ -18,7 +18,7 @@ pub enum Change {
     Changed,
     /// The text of the statement differs, but the function that it computes is the same.
     Rewritten,
-    /// Only the name of what the statement declares differs.
+    /// The statement in the two models differs only in the name of what it declares.
     Renamed,
     /// The declaration of a constant, an input or a state differs, in its default value, unit or bounds.
     Restated,
@@ -32,28 +32,29 @@ pub struct Statement {
     /// Class and name of the statement, such as `let alpha` or `der(u)`, in the new model; in the old model if the
     /// statement was removed.
     pub what: String,
-    /// Class and name of the statement in the old model; `None` if they are the same as in the new model.
+    /// Class and name of the statement in the old model, such as `let alpha`; `None` if they are the same as in the new
+    /// model.
     pub was: Option<String>,
-    /// Text in the old model; `None` if the statement was added.
+    /// Text of the statement in the old model; `None` if it was added.
     pub old: Option<String>,
-    /// Text in the new model; `None` if the statement was removed.
+    /// Text of the statement in the new model; `None` if it was removed.
     pub new: Option<String>,
-    /// Terms of the sum on the right-hand side that only the old model has.
+    /// Terms of the sum on the statement's right-hand side that only the old model has.
     pub terms_removed: Vec<String>,
-    /// Terms of the sum on the right-hand side that only the new model has.
+    /// Terms of the sum on the statement's right-hand side that only the new model has.
     pub terms_added: Vec<String>,
-    /// Class and name of the statement in the new model; `None` if it was removed. Used to decide whether a row (state
-    /// derivative, component of the observation, validity limit) depends on the statement.
+    /// Class (such as `let`) and name of the statement in the new model; `None` if it was removed. Used to decide
+    /// whether a row (state derivative, component of the observation, validity limit) depends on the statement.
     #[serde(skip)]
     key_new: Option<Key>,
-    /// Class and name of the statement in the old model; `None` if it was added. Used to decide whether a row (state
-    /// derivative, component of the observation, validity limit) depends on the statement.
+    /// Class (such as `let`) and name of the statement in the old model; `None` if it was added. Used to decide whether
+    /// a row (state derivative, component of the observation, validity limit) depends on the statement.
     #[serde(skip)]
     key_old: Option<Key>,
 }
 
-/// Class and name of a statement. Parameters and coefficients have the same class, so that a parameter that becomes a
-/// coefficient is still recognized.
+/// Class (such as `let`) and name of a statement. Parameters and coefficients have the same class, so that a parameter
+/// that becomes a coefficient is still recognized.
 pub type Key = (&'static str, String);
 
 /// Function that decides whether a statement of the old file and one of the new file compute the same function; `None`
@@ -183,8 +184,8 @@ fn title((class, name): &Key) -> String {
     }
 }
 
-/// Statements of a model file with their class and name. Statements that do not influence the motion are left out: the
-/// model's name, reference law, check cases and effects (optional extensions).
+/// Statements of a model file, each with its class and name, such as `let alpha`. Statements that do not influence the
+/// motion are left out: the model's name, reference law, check cases and effects (optional extensions).
 pub fn keyed(file: &File) -> Vec<(Key, &Item)> {
     let mut limits = 0;
     let mut key = |item: &Item| {

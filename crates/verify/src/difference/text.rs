@@ -146,7 +146,8 @@ impl RowChange {
 }
 
 impl Statement {
-    /// Class and name of the statement; if they changed, in the form `old class and name → new class and name`.
+    /// Class and name of the statement, such as `let alpha`; if they changed, in the form `old class and name → new
+    /// class and name`.
     pub(super) fn title(&self) -> String {
         match &self.was {
             Some(was) => format!("{was} → {}", self.what),

@@ -11,8 +11,9 @@ use oracle::Point;
 use oracle::scalar::Prime;
 use std::ops::Range;
 
-/// A model compiled to one program that computes all its values. Vectors given by their components in other frames are
-/// also computed in inertial components, so that vectors given in different frames can be compared.
+/// A model compiled to one program that computes all its values, such as state derivatives and auxiliary variables.
+/// Vectors given by their components in other frames are also computed in inertial components, so that vectors given in
+/// different frames can be compared.
 pub struct Everything<'a> {
     /// Model whose values are evaluated.
     pub model: &'a Model,
@@ -98,8 +99,8 @@ impl<'a> Everything<'a> {
         evaluated(&self.tape, point)
     }
 
-    /// All values that the program `code` computes at a point of the prime field; `None` for a value that does not
-    /// exist in the field, such as the square root of a non-square.
+    /// All values that the program `code` computes at a point of the prime field (integers modulo 2^61 − 1); `None` for
+    /// a value that does not exist in the field, such as the square root of a non-square.
     pub fn exact(&self, spot: &FieldPoint) -> Vec<Option<Prime>> {
         Machine::new(&spot.point, &spot.circles, true).run(&self.code.program)
     }

@@ -13,16 +13,17 @@ use std::collections::HashMap;
 /// expression graph.
 const SAME: &str = "compiles to the same derivatives and observation, node for node";
 /// Reason why a mutant (model with one deliberate change) is equivalent to the original model: both have equal values
-/// at random points of the prime field. Their floating-point values are compared too, because the field does not show a
-/// square root with the wrong sign.
+/// at random points of the prime field (integers modulo 2^61 − 1). Their floating-point values are compared too,
+/// because the field does not show a square root with the wrong sign.
 const EQUAL: &str = "derivatives and observation equal at 4 random points of the field of 2^61 - 1 elements, \
                      functions being symbols";
 
 /// Number of random points at which the programs compiled from a model and from a mutant are compared: as many in the
 /// prime field (integers modulo 2^61 − 1) as in floating-point arithmetic.
 const POINTS: usize = 4;
-/// Maximum number of random trial points of the prime field in the comparison with a mutant. A trial point is usable if
-/// the argument of every square root is a square in the field, which has probability 1/2 per root.
+/// Maximum number of random trial points of the prime field (integers modulo 2^61 − 1) in the comparison with a mutant.
+/// A trial point is usable if the argument of every square root is a square in the field, which has probability 1/2 per
+/// root.
 const MAX_TRIALS: usize = 4096;
 
 /// The original model, prepared for comparison with its mutants (copies with one deliberate change each).

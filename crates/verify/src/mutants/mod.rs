@@ -18,28 +18,29 @@ pub use run::run;
 /// Kinds of mutations: small deliberate changes of a model, with which the checks of the verification are tested.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Operator {
-    /// A sign is changed.
+    /// Changes a sign in an expression of the model.
     Sign,
-    /// An expression is multiplied by 2, 0.5 or 1.1.
+    /// Multiplies an expression of the model by 2, 0.5 or 1.1.
     Factor,
-    /// A coordinate frame is replaced by another one of the model.
+    /// Replaces the name of a coordinate frame by that of another frame of the model.
     Frame,
-    /// An axis is replaced, or two components are interchanged.
+    /// Replaces the number of an axis or vector component by another one, or interchanges two components of a vector or
+    /// inertia.
     Axis,
-    /// The axis, the parent frame or the angle in the declaration of a rotated frame is replaced.
+    /// Replaces the axis, the parent frame or the angle in the declaration of a rotated frame.
     Turn,
-    /// Sine and cosine are interchanged, a call of `sqrt`, `unit` or `abs` is replaced by its argument, or the
-    /// interpolation of a table is changed.
+    /// Interchanges sine and cosine, replaces a call of `sqrt`, `unit` or `abs` by its argument, or changes the
+    /// interpolation of a table.
     Function,
-    /// A term, factor or load is deleted.
+    /// Deletes a term or factor of an expression, or a force or moment.
     Dropped,
-    /// An exponent is changed by one.
+    /// Changes an exponent in an expression by one.
     Exponent,
-    /// A name is replaced by another, or a force becomes a moment and vice versa.
+    /// Replaces a name in an expression by another name of the model, or turns a force into a moment or vice versa.
     Exchanged,
-    /// A unit is changed.
+    /// Changes the unit in a declaration.
     Unit,
-    /// The arguments of a function are interchanged.
+    /// Interchanges the arguments of a function call.
     Order,
 }
 
@@ -59,7 +60,7 @@ impl Operator {
         Self::Unit,
     ];
 
-    /// Name of the mutation operator in tables.
+    /// Name of the mutation operator in tables, such as `sign flipped`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Sign => "sign flipped",
@@ -90,7 +91,7 @@ struct Mutation<T> {
 /// A model with one mutation (small deliberate change), with which the checks of the verification are tested.
 #[derive(Clone, Debug)]
 pub struct Mutant {
-    /// Mutation operator that made the mutant.
+    /// Mutation operator, such as the change of a sign, that made the mutant.
     pub operator: Operator,
     /// Description of the mutated statement for messages, such as `der(u)` or `frame B`.
     pub place: String,

@@ -50,12 +50,12 @@ pub fn children(e: &mut Expr) -> Vec<&mut Expr> {
     }
 }
 
-/// Number of expressions in the tree of `e`, including `e`.
+/// Number of expressions in the syntax tree of `e`, including `e`.
 pub fn count(e: &mut Expr) -> usize {
     1 + children(e).into_iter().map(count).sum::<usize>()
 }
 
-/// Expression with index `n` in the tree of `e`, in preorder with `e` at index 0; `None` if out of range.
+/// Expression with index `n` in the syntax tree of `e`, in preorder with `e` at index 0; `None` if out of range.
 pub fn nth(e: &mut Expr, n: usize) -> Option<&mut Expr> {
     if n == 0 {
         return Some(e);

@@ -8,8 +8,9 @@ use model_spec::syntax::ast::{
     UnitFactor,
 };
 
-/// Generates the mutations of a statement other than those of its expressions, such as another unit or axis; a mutation
-/// to `None` deletes the statement. `angles` are the names that may replace a frame's angle.
+/// Generates the mutations (small deliberate changes) of a statement other than those of its expressions, such as
+/// another unit or axis; a mutation to `None` deletes the statement. `angles` are the names that may replace a frame's
+/// angle.
 pub fn changes(item: &Item, names: &Names, angles: &[Name]) -> Vec<Mutation<Option<Item>>> {
     let mut out = Changes {
         item,
@@ -80,7 +81,8 @@ impl Changes<'_> {
     }
 }
 
-/// Adds mutations of the frame in which an input or a marker is given by its components: each other frame of the model.
+/// Adds to `out` mutations (small deliberate changes) that replace the frame in which an input or a marker is given by
+/// its components. Each other frame of the model is used once.
 fn frame_of_components(out: &mut Changes<'_>, frame: &Name, names: &Names) {
     for other in names.other_frames(&frame.text) {
         out.push(
@@ -95,8 +97,8 @@ fn frame_of_components(out: &mut Changes<'_>, frame: &Name, names: &Names) {
     }
 }
 
-/// Adds the mutations of an interpolated table to `out`: one changed value per knot, and another interpolation of the
-/// same knots.
+/// Adds the mutations (small deliberate changes) of an interpolated table to `out`: one changed value per knot, and
+/// another interpolation of the same knots.
 fn table(out: &mut Changes<'_>, table: &Table) {
     let mut change = |operator, how: String, change: &dyn Fn(&mut Table)| {
         out.push(operator, how, &|item| {
@@ -157,8 +159,8 @@ fn frame(out: &mut Changes<'_>, kind: &FrameKind, names: &Names, angles: &[Name]
     }
 }
 
-/// Adds the mutations of one part of a body declaration, such as inertia or velocity: another frame, and interchanged
-/// components. `index` is the position of the part in the declaration.
+/// Adds to `out` the mutations (small deliberate changes) of one part of a body declaration, such as inertia or
+/// velocity: another frame, and interchanged components. `index` is the position of the part in the declaration.
 fn body_part(out: &mut Changes<'_>, index: usize, part: &BodyPartKind, names: &Names) {
     let mut push = |operator, how: String, change: &dyn Fn(&mut BodyPartKind)| {
         out.push(operator, how, &|item| {

@@ -3,7 +3,7 @@
 use crate::expressions::{children, children_mut};
 use model_spec::model::{Expr, ExprKind, Function, Model};
 
-/// A small change of an expression that may correct a misprint.
+/// A small change, such as another sign, of an expression in a model file that may correct a misprint.
 #[derive(Clone)]
 pub struct Edit {
     /// Description of the mistake in the original expression that the change corrects; part of a sentence, without a
@@ -12,7 +12,7 @@ pub struct Edit {
     /// Rank of likelihood, most likely first: 0 extra factor, 1 wrong sign, 2 divisor applied to too many terms of a
     /// sum, 3 sine for cosine or vice versa, 4 missing factor.
     pub rank: u8,
-    /// The complete corrected expression.
+    /// The complete corrected expression, which replaces the original one.
     pub to: Expr,
 }
 

@@ -28,18 +28,18 @@ use statements::{Loss, REPORTED_BITS};
 /// Name in reports of the check of rounding errors.
 pub const ROUNDING: &str = "rounding";
 
-/// Maximum allowed error, in units of the spacing of f64 numbers at the sum of the magnitudes of a value's terms. It
-/// corresponds to 128 rounding errors of half a unit with the same sign.
+/// Maximum allowed rounding error of a computed value, in units of the spacing of f64 numbers at the sum of the
+/// magnitudes of a value's terms. It corresponds to 128 rounding errors of half a unit with the same sign.
 pub const ALLOWED: f64 = 64.0;
 
-/// Numbers of points at which rounding errors are measured.
+/// Numbers of points at which the rounding errors of a model's code are measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effort {
-    /// Number of random points.
+    /// Number of random points (values of time, states, parameters, coefficients, inputs and marker position).
     pub random: usize,
-    /// Number of flights from random points.
+    /// Number of simulated flights, each starting from a random point.
     pub flights: usize,
-    /// Number of states sampled along each flight.
+    /// Maximum number of points sampled along each simulated flight.
     pub states: usize,
 }
 
@@ -58,20 +58,20 @@ impl Effort {
     };
 }
 
-/// Rounding errors of one section of a compiled function's values, such as its Jacobian, on one backend. The unit is
+/// Rounding errors of one group of outputs of a compiled function, such as its Jacobian, on one backend. The unit is
 /// the spacing of f64 numbers (ulp) at the sum of the magnitudes of a value's terms.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Error {
     /// Name of the backend (generated code or bytecode interpreter) that computed the values.
     pub backend: String,
-    /// Whether the backend computes with fused multiply-add operations.
+    /// Whether the backend (generated code or bytecode interpreter) computes with fused multiply-add operations.
     pub fuses: bool,
     /// Name of the compiled function whose results are compared.
     pub function: &'static str,
-    /// Section of the function's results: `f` (state derivatives), `J`, `Jp` (their Jacobians with respect to states
-    /// and parameters), `y` (observation), `dy/dx` or `dy/dp` (its Jacobians).
+    /// Group of outputs of the function: `f` (state derivatives), `J`, `Jp` (their Jacobians with respect to states and
+    /// parameters), `y` (observation), `dy/dx` or `dy/dp` (its Jacobians).
     pub values: &'static str,
-    /// Number of compared values.
+    /// Number of values of the group that were compared.
     pub compared: usize,
     /// Maximum error over the compared values, in units of the spacing of f64 numbers (ulp) at the sum of the
     /// magnitudes of a value's terms.
@@ -79,27 +79,28 @@ pub struct Error {
     /// Median error over the compared values, in units of the spacing of f64 numbers (ulp) at the sum of the magnitudes
     /// of a value's terms.
     pub median: f64,
-    /// Name of the value with the maximum error.
+    /// Name of the computed value with the maximum error.
     pub place: String,
 }
 
-/// Rounding errors of a model's functions on all backends, and the bits that each statement of the model loses.
+/// Rounding errors of a model's compiled functions on all backends (generated code and bytecode interpreter), and the
+/// bits that each statement of the model loses.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Rounding {
-    /// Description of the unit of the errors.
+    /// Text that names the unit of the rounding errors in reports.
     pub measure: &'static str,
     /// Number of random points and number of states along flights at which rounding errors were measured.
     pub points: [usize; 2],
     /// Number of points left out because a value is not finite there, or because rounding may change the result of a
     /// branch, such as that of abs, whose argument is close to the branch point.
     pub left_out: usize,
-    /// Rounding errors by backend, compiled function and section of the function's values, such as its Jacobian.
+    /// Rounding errors by backend, compiled function and group of outputs of the function, such as its Jacobian.
     pub errors: Vec<Error>,
     /// Statements of the model that lose bits, in descending order of the loss.
     pub losses: Vec<Loss>,
 }
 
-/// Description of the unit of the errors.
+/// Text that names the unit of the rounding errors in reports.
 const MEASURE: &str =
     "ulp of the magnitude: spacing of f64 at the sum of the magnitudes of the terms of a value";
 
@@ -144,8 +145,9 @@ pub fn measure(
     }
 }
 
-/// Rounding errors of each backend, by function and section of values. Also returns the number of points left out
-/// because a value is not finite there or because rounding may change the result of a branch, such as that of abs.
+/// Rounding errors of each backend, by compiled function and group of its outputs, such as its Jacobian. Also returns
+/// the number of points left out because a value is not finite there or because rounding may change the result of a
+/// branch, such as that of abs.
 pub fn errors(compiled: &Compiled, points: &[Point<f64>], runs: &[Run]) -> (Vec<Error>, usize) {
     let exact: Vec<Option<Vec<Exact>>> = points.iter().map(|p| exact(compiled, p)).collect();
     let left_out = exact.iter().filter(|e| e.is_none()).count();
@@ -259,8 +261,8 @@ fn exact(compiled: &Compiled, point: &Point<f64>) -> Option<Vec<Exact>> {
 }
 
 /// Error of the computed result `got`, in units of the spacing of f64 numbers at the sum of the magnitudes of the
-/// result's terms. The first argument describes the exact result: (exact value rounded to f64, exact − rounded, sum of
-/// the magnitudes of the terms).
+/// result's terms. The first argument describes the exact result as a tuple: (exact value rounded to f64, exact −
+/// rounded, sum of the magnitudes of the terms).
 fn error((rounded, rest, magnitude): (f64, f64, f64), got: f64) -> f64 {
     // The subtraction is exact for close values (Sterbenz); for others its rounding does not matter.
     let error = (got - rounded - rest).abs();
@@ -272,8 +274,8 @@ fn error((rounded, rest, magnitude): (f64, f64, f64), got: f64) -> f64 {
     if error.is_nan() { f64::INFINITY } else { error }
 }
 
-/// Sections of a function's results (such as state derivatives and Jacobian) whose rounding errors are measured: name
-/// in tables, and index range in the results.
+/// Groups of outputs of a compiled function (such as state derivatives and Jacobian) whose rounding errors are
+/// measured: name in tables, and index range in the outputs.
 fn sections(function: &Function) -> Vec<(&'static str, std::ops::Range<usize>)> {
     let names: &[(&'static str, &str)] = match function.name {
         "f" => &[("f", "dx")],

@@ -9,8 +9,8 @@ use oracle::Point;
 
 /// Duration of each flight along which states are sampled, s.
 const DURATION: f64 = 0.5;
-/// Maximum number of integration steps between two sampled states. From most random points fewer than 300 are needed;
-/// from a few the motion is so fast that 100,000 do not suffice.
+/// Maximum number of integration steps between two points sampled along a flight. Flights from most random points need
+/// fewer than 300; from a few random points, the motion is so fast that 100,000 do not suffice.
 const MAX_STEPS: usize = 2_000;
 /// Maximum number of random points from which a flight is attempted, until a flight yields at least one point.
 const MAX_STARTS: usize = 4;
@@ -36,7 +36,7 @@ pub fn flown(
     points
 }
 
-/// At most `count` points along a flight from the point `at`.
+/// At most `count` points, at equal time intervals, along a simulated flight that starts at the point `at`.
 fn flight(subject: &Subject<'_>, mut at: Point<f64>, count: usize) -> Vec<Point<f64>> {
     let points = (0..count).map_while(|_| {
         at = flown_on(subject, &at, DURATION / count as f64)?;

@@ -19,7 +19,7 @@ pub struct Inputs<T> {
 }
 
 impl<T: Real> Inputs<T> {
-    /// Lifts the values of a point exactly to the scalar type.
+    /// Converts the values of a point exactly to the scalar type `T`.
     pub fn of(point: &Point<f64>) -> Self {
         let all = |values: &[f64]| values.iter().map(|&v| T::lit(v)).collect();
         Self {
@@ -37,7 +37,7 @@ impl<T: Real> Inputs<T> {
     }
 }
 
-/// Evaluates a program and returns its outputs.
+/// Evaluates a compiled program with scalars of type `T` and returns its outputs.
 pub fn outputs<T: Real>(program: &Program, inputs: &Inputs<T>) -> Vec<T> {
     let temps = evaluated(program, inputs);
     let outputs = program.outputs.iter();
@@ -46,7 +46,7 @@ pub fn outputs<T: Real>(program: &Program, inputs: &Inputs<T>) -> Vec<T> {
         .collect()
 }
 
-/// Evaluates a program and returns the result of every statement.
+/// Evaluates a compiled program with scalars of type `T` and returns the result of every statement of the program.
 fn evaluated<T: Real>(program: &Program, inputs: &Inputs<T>) -> Vec<T> {
     let mut temps = Vec::with_capacity(program.statements.len());
     for statement in &program.statements {

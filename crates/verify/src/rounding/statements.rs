@@ -33,13 +33,13 @@ pub struct Loss {
     pub name: String,
     /// File name of the model or effect, without folders.
     pub source: String,
-    /// Line in the source, from 1.
+    /// Line number of the statement in this file, from 1.
     pub line: usize,
     /// Source text of the line with the statement.
     pub text: String,
-    /// Number of bits lost at the worst point, out of the 53 bits of an f64.
+    /// Maximum, over the points, of the number of bits that the statement loses, out of the 53 bits of an f64.
     pub bits: f64,
-    /// Median of the lost bits over the points.
+    /// Median, over the points, of the number of bits that the statement loses.
     pub median_bits: f64,
     /// Description of the point at which the statement loses the most bits.
     pub place: String,

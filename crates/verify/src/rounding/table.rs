@@ -71,7 +71,7 @@ impl Rounding {
     }
 }
 
-/// Whether two results of measuring rounding errors are equal except for the name of the backend.
+/// Whether two records of rounding errors are equal except for the name of the backend.
 fn is_same(a: &Error, b: &Error) -> bool {
     let without = |e: &Error| Error {
         backend: String::new(),

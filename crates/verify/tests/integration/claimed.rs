@@ -8,8 +8,8 @@ use verify::checks::{exact, identities, metamorphic, reference};
 use verify::flights::{INVARIANTS, MOMENTA};
 use verify::report::{Outcome, Report, Row, Verdict};
 
-/// Text of a `claim` block: the physical meaning of the equations of the built-in disc model from the appendix of the
-/// paper.
+/// Text of a `claim` block: the physical meaning of the explicitly written equations of the built-in disc model
+/// `disc_appendix`.
 const DISC: &str = "claim body disc {
   mass m;
   inertia diag(I_d, I_d, I_a) in B;
@@ -133,8 +133,8 @@ fn changed(text: &str, from: &str, to: &str) -> Report {
     report(&text.replacen(from, to, 1))
 }
 
-/// Checks that the model with `from` replaced by `to` violates the law of motion `law`, and that the report describes
-/// the wrong equation by the text `said`.
+/// Checks that the model in whose `text` `from` is replaced by `to` violates the law of motion `law`, and that the
+/// report describes the wrong equation by the text `said`.
 fn refused(text: &str, (from, to): (&str, &str), law: &str, said: &str) {
     let report = changed(text, from, to);
     let row = row(&report, CLAIM);

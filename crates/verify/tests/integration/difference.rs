@@ -282,7 +282,7 @@ fn rewritings_are_the_same_function() {
     assert_eq!(exact, made);
 }
 
-/// Returns false for a change of the function that a statement computes, true for every other kind of change.
+/// Whether a change of a statement is of another kind than `Changed`, which means that it computes another function.
 fn quiet(change: Change) -> bool {
     !matches!(change, Change::Changed)
 }

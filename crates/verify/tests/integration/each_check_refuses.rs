@@ -14,8 +14,8 @@ use verify::report::Verdict;
 use verify::sample;
 use verify::subject::Subject;
 
-/// Asserts that the check refutes the disc model with `from` replaced by `to`, and that it holds for the unchanged disc
-/// model.
+/// Asserts that the check refutes the disc model in whose text `from` is replaced by `to`, and that it holds for the
+/// unchanged disc model.
 fn refuses(check: &str, from: &str, to: &str) {
     let model = edited("disc", from, to);
     assert_eq!(
@@ -31,7 +31,7 @@ fn disc() -> Model {
     built_in("disc").model.unwrap()
 }
 
-/// Compiled code of the disc model with `from` replaced by `to`, to be compared with the unchanged model.
+/// Compiled code of the disc model in whose text `from` is replaced by `to`, to be compared with the unchanged model.
 fn stale(from: &str, to: &str) -> codegen::Compiled {
     codegen::compile(&edited("disc", from, to).model.unwrap())
 }

@@ -23,8 +23,8 @@ fn report(name: &str, text: &str, effects: &[&str]) -> Report {
     verify::run(&with(name, text, effects), &QUICK)
 }
 
-/// Report on a built-in model whose file text was printed after the effect `effect` had been merged into its
-/// statements.
+/// Report on a built-in model whose file text was printed after the effect (named change to a model) `effect` had been
+/// merged into its statements.
 fn written_in(name: &str, effect: &str) -> Report {
     let text = with(name, "", &[effect]).file.to_string();
     verify::run(&inspect_text("own.hyz", &text, &[]).unwrap(), &QUICK)

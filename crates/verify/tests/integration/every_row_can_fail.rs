@@ -118,8 +118,8 @@ impl Breakage {
     }
 }
 
-/// Results of all backends at one random point. In one backend, with (`fuses`) or without fused multiply-add, `change`
-/// is applied to the last nonzero result.
+/// Results of all backends at one random point. In one backend, with fused multiply-add (`fuses` true) or without it,
+/// `change` is applied to the last nonzero result.
 fn changed_run(base: &Base, fuses: bool, change: fn(f64) -> f64) -> (Compiled, Vec<Run>) {
     let model = base.model();
     let compiled = codegen::compile(&model);
@@ -263,7 +263,7 @@ fn breakages() -> Vec<(&'static str, Breakage, Breakage)> {
 }
 
 /// Result of the check of effects at their null values, for an effect that replaces a quantity by `law` although its
-/// coefficient is null.
+/// coefficient has its null value, 0.
 fn effect_row(base: &Base, law: &str) -> Row {
     let effect = format!(
         "effect shift {{ site drag; coefficient C_x = 0 in -1 .. 1; negligible C_x 0.001; replace {law}; }}"

@@ -12,11 +12,11 @@ use verify::random::Random;
 use verify::report::Verdict;
 use verify::sample;
 
-/// Minimum number of mutants of a model that change a value.
+/// Minimum number of tested mutants (programs with one deliberate change) per model that change a computed value.
 const MUTANTS: usize = 400;
 
-/// Mutation operators for compiled programs; each returns a description of the mutation, or `None` if it is not
-/// applicable.
+/// Mutation operators (functions that make one deliberate change) for compiled programs; each returns a description of
+/// the mutation, or `None` if it is not applicable.
 const OPERATORS: [fn(&mut Program, &mut Random) -> Option<String>; 5] =
     [operand, sign, constant, dropped_term, output];
 
@@ -61,14 +61,14 @@ der(z) = v;
 der(v) = (k*max(h - z, 0.1*h) + min(c*abs(v), F_max)*sign(-v))/m - g;
 ";
 
-/// Index of a random statement; `None` if the program has no statements.
+/// Index of a random statement of a compiled program; `None` if the program has no statements.
 fn any(program: &Program, random: &mut Random) -> Option<usize> {
     let count = program.statements.len() as u64;
     (count > 0).then(|| (random.next() % count) as usize)
 }
 
-/// Mutation: replaces an operand of a random statement by another input, constant or earlier result that the program
-/// uses.
+/// Mutation: replaces an operand of a random statement of the compiled program by another input, constant or earlier
+/// result that the program uses.
 fn operand(program: &mut Program, random: &mut Random) -> Option<String> {
     let k = any(program, random)?;
     let mut known: Vec<Operand> = Vec::new();
@@ -93,7 +93,7 @@ fn operand(program: &mut Program, random: &mut Random) -> Option<String> {
     Some(format!("{k}: {before:?} reads {other:?}"))
 }
 
-/// Mutation: changes a sign in a random statement, such as that of a term or factor.
+/// Mutation: changes a sign in a random statement of the compiled program, such as that of a term or factor.
 fn sign(program: &mut Program, random: &mut Random) -> Option<String> {
     let k = any(program, random)?;
     let before = program.statements[k].op;
@@ -113,7 +113,7 @@ fn sign(program: &mut Program, random: &mut Random) -> Option<String> {
     Some(format!("{k}: {before:?} as {:?}", program.statements[k].op))
 }
 
-/// Mutation: changes a constant in its ninth digit, by 1, or in sign.
+/// Mutation: changes a constant of the compiled program in its ninth digit, by 1, or in sign.
 fn constant(program: &mut Program, random: &mut Random) -> Option<String> {
     let has = |statement: &codegen::program::Statement| {
         let operands = statement.op.operands();
@@ -139,7 +139,7 @@ fn constant(program: &mut Program, random: &mut Random) -> Option<String> {
     Some(format!("{k}: {before:?} as {:?}", program.statements[k].op))
 }
 
-/// Mutation: removes a term or a factor from a random statement.
+/// Mutation: removes a term or a factor from a random statement of the compiled program.
 fn dropped_term(program: &mut Program, random: &mut Random) -> Option<String> {
     let k = any(program, random)?;
     let before = program.statements[k].op;

@@ -77,8 +77,8 @@ fn evaluate<E: Equations, T: Real>(t: T, x: &[T], p: &[T], marker: &[T]) -> Vec<
     all
 }
 
-/// Computes, for every instruction set that this machine supports, the name of the backend and its results at the
-/// points.
+/// Computes a model's results at the points with every SIMD instruction set that this machine supports. Returns them
+/// with the name of the backend (generated code for one instruction set).
 struct EveryIsa<'a>(&'a [Point<f64>]);
 
 impl Visitor for EveryIsa<'_> {

@@ -29,7 +29,7 @@ fn own(text: &str) -> Model {
     from_text("own.hyz", text, &[]).unwrap()
 }
 
-/// Rounding errors of the results `runs`, relative to those of the program `compiled` in 256-bit arithmetic.
+/// Rounding errors of the results `runs`: differences from the results of the program `compiled` in 256-bit arithmetic.
 fn of_runs(compiled: &Compiled, runs: &[Run], points: &[oracle::Point<f64>]) -> Rounding {
     let (errors, left_out) = errors(compiled, points, runs);
     Rounding {

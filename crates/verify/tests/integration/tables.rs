@@ -38,8 +38,8 @@ fn knots() -> impl Strategy<Value = Vec<(f64, f64)>> {
     })
 }
 
-/// Value at `x` of the first table of a model (`order` 0), or of its derivative of the given order, from the compiler's
-/// piecewise cubic.
+/// Value at `x` of the first table of a model (`order` 0), or of its derivative of the given order, from the piecewise
+/// cubic that the compiler uses.
 fn compiled(model: &Model, x: f64, order: u8) -> f64 {
     let mut cubic = PiecewiseCubic::of(&model.tables[0]);
     for _ in 0..order {

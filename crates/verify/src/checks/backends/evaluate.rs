@@ -35,7 +35,7 @@ impl Tapes {
         Self(programs.into_iter().map(Tape::new).collect())
     }
 
-    /// Concatenated results of all functions at a point.
+    /// Concatenated results of all compiled functions of the model at a point.
     #[inline(always)]
     pub fn results<T: Real>(&self, at: &Numbers<T>) -> Vec<T> {
         let (mut all, mut prepared, mut scratch) = (Vec::new(), Vec::new(), Vec::new());
@@ -57,8 +57,8 @@ impl Tapes {
         all
     }
 
-    /// Concatenated results of all compiled functions at each point, computed with one SIMD instruction set; `None` if
-    /// this machine lacks it.
+    /// Concatenated results of all compiled functions of the model at each point, computed with one SIMD instruction
+    /// set; `None` if this machine lacks it.
     pub fn on_lanes(&self, isa: Isa, points: &[Point<f64>]) -> Option<Vec<Vec<f64>>> {
         dispatch_with(
             isa,
@@ -100,7 +100,8 @@ impl Kernel for Batch<'_> {
     }
 }
 
-/// Concatenated results of all functions of a generated model for `f64`, in the order of [`Tapes::results`].
+/// Concatenated `f64` results, at a point, of all functions of the Rust code generated from a model, in the order of
+/// [`Tapes::results`].
 pub(super) fn generated_results(m: &generated::Model, at: &Numbers<f64>) -> Vec<f64> {
     let zeros = |n: usize| vec![0.0; n];
     let (n, Numbers { t, x, p, marker }) = (m.states.len(), at);

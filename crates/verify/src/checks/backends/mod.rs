@@ -23,8 +23,8 @@ pub const FMA: &str = "FMA and non-FMA";
 /// Name of the check that the running executable contains code generated from the model's current text.
 pub const GENERATED: &str = "generated code";
 
-/// Maximum allowed difference caused by fused multiply-add, relative to the largest absolute result of the function.
-/// The value allows for an amplification of rounding errors by 1e4 through cancellation.
+/// Maximum allowed difference caused by fused multiply-add, relative to the largest absolute result of the compiled
+/// function. The value allows for an amplification of rounding errors by 1e4 through cancellation.
 const FMA_TOLERANCE: f64 = 1e-12;
 
 /// Results of one backend (generated code or bytecode interpreter) at a list of points.
@@ -32,7 +32,7 @@ const FMA_TOLERANCE: f64 = 1e-12;
 pub struct Run {
     /// Name of the backend (generated code or bytecode interpreter) that computed the results.
     pub backend: String,
-    /// Whether the backend computes with fused multiply-add operations.
+    /// Whether the backend (generated code or bytecode interpreter) computes with fused multiply-add operations.
     pub fuses: bool,
     /// For each point, the concatenated results of all compiled functions of the model.
     pub results: Vec<Vec<f64>>,
@@ -108,14 +108,14 @@ fn on_lanes(name: &str, tapes: &Tapes, points: &[Point<f64>]) -> Vec<Run> {
     Isa::ALL.into_iter().filter_map(run).collect()
 }
 
-/// Results of the first backend that fuses multiply and add (`fuses` true) or does not (`fuses` false); `None` if there
-/// is no such backend.
+/// Results of the first backend (generated code or bytecode interpreter) that fuses multiply and add (`fuses` true) or
+/// does not (`fuses` false); `None` if `runs` contains no such backend.
 fn first(runs: &[Run], fuses: bool) -> Option<&Run> {
     runs.iter().find(|run| run.fuses == fuses)
 }
 
-/// Checks for bitwise agreement: the results of all backends that fuse multiply and add must be equal, and those of all
-/// backends that do not fuse must be equal.
+/// Checks for bitwise agreement of the backends (generated code, bytecode interpreter): the results of all backends
+/// that fuse multiply and add must be equal, and those of all backends that do not fuse must be equal.
 pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
     let mut worst = Worst::default();
     for run in runs {
@@ -149,7 +149,7 @@ pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
 }
 
 /// Compares the results of the first backend that fuses multiply and add with those of the first backend that does not.
-/// Errors are relative to the largest absolute result of the function at the point.
+/// Errors are relative to the largest absolute result of the same compiled function at the same point.
 pub fn check_fma(compiled: &Compiled, runs: &[Run]) -> Row {
     let (Some(plain), Some(fused)) = (first(runs, false), first(runs, true)) else {
         return Row::skipped(FMA, "no backend fuses on this machine");

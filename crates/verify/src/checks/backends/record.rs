@@ -20,7 +20,7 @@ thread_local! {
 /// Recorded program: the operations on [`Recorded`] numbers that this thread has executed, in order.
 struct Recording {
     statements: Vec<Statement>,
-    /// Inputs, constants and results of statements, in order of appearance.
+    /// Inputs, constants and results of the recorded operations, in order of appearance.
     operands: Vec<Operand>,
     /// Interpolated tables, as piecewise cubics, that the recorded operations evaluate, in order of appearance.
     tables: Vec<PiecewiseCubic>,

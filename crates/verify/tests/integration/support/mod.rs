@@ -43,7 +43,7 @@ pub fn refuted(report: &Report) -> Vec<&'static str> {
         .collect()
 }
 
-/// Loads a built-in model without effects.
+/// Loads a built-in model without effects (optional model extensions).
 #[allow(dead_code)]
 pub fn built_in(name: &str) -> Loaded {
     inspect(name, &[]).unwrap()
