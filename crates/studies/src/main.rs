@@ -106,7 +106,7 @@ fn report_progress(done: usize, of: usize) {
     }
 }
 
-/// Seed stated by `--only '#SEED'`; `None` if the option is absent or states words.
+/// Seed given as `--only '#SEED'`; `None` if the option is absent or its value does not start with `#`.
 fn single_seed(options: &cli::Runs) -> anyhow::Result<Option<u64>> {
     let seed = options
         .only

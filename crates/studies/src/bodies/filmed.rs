@@ -83,8 +83,8 @@ pub fn filmed(folder: &Path) -> Result<Vec<Filmed>, StudyError> {
     all.collect()
 }
 
-/// Horizontal positions (x, y), m, at `times` (s) of the flight from a launch. Times after the landing give the landing
-/// position.
+/// Simulated horizontal positions (x, y), m, of a disc at `times` (s after the release). Times after the landing give
+/// the landing position.
 fn track(
     body: &ThrownBody,
     launch: &Launch,

@@ -16,7 +16,7 @@ struct Results<'r> {
     filmed: &'r [Filmed],
 }
 
-/// Description, constants and tables of a body, as specified in its model file.
+/// Description, constants, and tables of coefficients of a body, as specified in its model file.
 #[derive(Serialize)]
 struct Body {
     name: String,

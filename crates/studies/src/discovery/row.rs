@@ -64,7 +64,7 @@ impl Group {
     }
 }
 
-/// Size of an effect added to simulated flights, relative to what is met in practice.
+/// Size of an effect added to simulated flights, relative to the sizes of this effect that are met in practice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Size {
     /// Near the smallest size of the effect that is met in practice.
@@ -89,8 +89,8 @@ impl Size {
         }
     }
 
-    /// Value at this size of a coefficient of an effect, given its values `weak` and `strong` at the sizes of these
-    /// names.
+    /// Value of an effect's coefficient at this size, given the coefficient's values for a weak effect (`weak`) and for
+    /// a strong effect (`strong`).
     pub(super) fn of(self, weak: f64, strong: f64) -> f64 {
         match self {
             Size::Weak => weak,

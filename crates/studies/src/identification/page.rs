@@ -25,7 +25,8 @@ struct CoverageSection<'r> {
     coefficients: &'r [CoefficientCoverage],
 }
 
-/// Table row: coverage of the confidence intervals under one noise condition, as fractions of the datasets.
+/// Table row: coverage of the 95 % confidence intervals under one noise condition (fraction of the intervals that
+/// contain the true value).
 #[derive(Serialize)]
 struct ConditionRow<'r> {
     name: &'r str,

@@ -11,8 +11,8 @@ use crate::bounded_fit::on_threads;
 use crate::oracle_flights::{Plan, SAMPLE_RATE, Throws, add_noise, disc, flights, paper_flight};
 use crate::statistics::mean_and_deviation;
 
-/// Standard deviation of the marker positions about the best fit in Hubbard & Hummel (2000), m; used for the simulated
-/// noise.
+/// Standard deviation of the residuals of the marker positions in the fits of Hubbard & Hummel (2000), m; used for the
+/// simulated noise.
 const SIGMA: f64 = 0.0014;
 
 /// Estimates from one set of flights under one noise condition, over many seeds of the noise.
@@ -55,10 +55,12 @@ pub struct PaperFits {
     pub scenarios: Vec<Scenario>,
 }
 
-/// Name in [`PaperFits::scenarios`] of the fit of flight fssh3 (0.5 s long) alone, under autocorrelated noise.
+/// Name of the scenario in which only flight fssh3 of Hubbard & Hummel (2000), 0.5 s long, is fitted, under noise with
+/// a lag-1 correlation of 0.6.
 pub(super) const FSSH3_HALF: &str = "fssh3 alone, 0.5 s, AR(0.6)";
 
-/// Name in [`PaperFits::scenarios`] of the fit of the first half second of bffl8 alone under autocorrelated noise.
+/// Name of the scenario in which only the first 0.5 s of flight bffl8 of Hubbard & Hummel (2000) is fitted, under noise
+/// with a lag-1 correlation of 0.6.
 pub(super) const BFFL8_HALF: &str = "bffl8 alone, its first 0.5 s, AR(0.6)";
 
 /// Whether an estimate is physically plausible: drag coefficients are not negative, lift does not fall with the angle

@@ -5,8 +5,8 @@ use identify::synthesize::Corruption;
 use super::dataset::Plan;
 use super::throws::Throws;
 
-/// True coefficients of the disc in the studies, SI. They are plausible and differ from the model file's values, which
-/// are the initial values of a fit.
+/// Coefficients of the disc with which the studies simulate flights, SI. They are plausible and differ from the model
+/// file's values, which are the initial values of a fit.
 pub const TRUTH: [(&str, f64); 8] = [
     ("C_L0", 0.15),
     ("C_La", 2.8),

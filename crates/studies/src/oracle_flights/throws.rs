@@ -19,7 +19,7 @@ pub struct Throws {
     pub spin: (f64, f64),
     /// Fraction of the throws with positive spin about the disc's upward axis (counter-clockwise seen from above).
     pub counter_clockwise: f64,
-    /// Maximum magnitude of the angular rate about each of two diameters, rad/s.
+    /// Maximum magnitude at release of the angular rate about each of two diameters of the disc, rad/s.
     pub wobble: f64,
 }
 

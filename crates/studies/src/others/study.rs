@@ -78,9 +78,9 @@ pub struct Stage {
     pub broken: Vec<String>,
     /// Whether none of the checks of `hyzer verify` refutes these equations.
     pub holds: bool,
-    /// States whose rates differ from those of the previous stage at the points of the previous stage's simulated
-    /// flight. For each: name, maximum magnitude of the previous rate, maximum magnitude of the difference (in the
-    /// state's unit per second).
+    /// States whose rates of change in these equations differ from those before the last correction, along the flight
+    /// simulated before that correction. For each: name, maximum magnitude of the earlier rate, maximum magnitude of
+    /// the difference (in the state's unit per second). Empty for the published equations.
     pub moved: Vec<(String, f64, f64)>,
     /// Position of the body at the end of the simulated flight, m.
     pub end: Vector3<f64>,

@@ -8,7 +8,8 @@ use crate::error::StudyError;
 use crate::page::Page;
 use crate::statistics::median;
 
-/// Multiple of the minimum detectable size from which the study requires the diagnosis to detect a hidden effect.
+/// The diagnosis is required to detect an added effect whose size is at least this multiple of its minimum detectable
+/// size.
 const CLEAR: f64 = 5.0;
 
 /// Maximum length, in characters, of the text of a diagnosis's result that the page quotes.

@@ -91,8 +91,8 @@ pub(super) fn dataset(
 }
 
 impl World<'_> {
-    /// Measured marker positions, indexed by sample and marker, at `times` (s). These are time stamps of the
-    /// measurements, which may run at another rate than true time.
+    /// Simulated measurements of the marker positions, indexed by sample and marker, at `times` (s). These are time
+    /// stamps of the measurements, which may run at another rate than true time.
     fn observed(
         &self,
         start: Vec<f64>,

@@ -58,7 +58,8 @@ impl Conventions {
         spin_down: SpinDown::NewtonMetreSecond,
     };
 
-    /// Returns all 192 combinations of signs and units.
+    /// Returns all 192 combinations of signs and units that an interpretation of Table 1 of Hubbard & Hummel (2000) can
+    /// assume.
     pub(super) fn all() -> Vec<Self> {
         let mut all = Vec::new();
         for signs in 0..16_u8 {

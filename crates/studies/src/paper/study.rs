@@ -41,8 +41,8 @@ impl Scored {
     }
 }
 
-/// Simulated outcomes of the two flights of Hubbard & Hummel (2000) under all readings (interpretations of their Table
-/// 1), and the ranking of the readings.
+/// Simulated outcomes of the two flights of Hubbard & Hummel (2000) under all interpretations of their Table 1, and the
+/// ranking of these interpretations.
 pub struct Study {
     /// Numerical values that Hubbard & Hummel (2000) state about their two flights.
     pub claims: Vec<Claim>,
@@ -158,8 +158,8 @@ impl Study {
         outcomes[convention][self.orders.iter().position(|&known| known == order)?]
     }
 
-    /// Misfit and score of an interpretation of Table 1 of Hubbard & Hummel (2000); `None` if the interpretation is not
-    /// part of the study.
+    /// Looks up an interpretation of Table 1 of Hubbard & Hummel (2000) in the ranking, with its misfit and score;
+    /// `None` if the interpretation is not part of the study.
     pub(super) fn score_of(&self, reading: &Reading) -> Option<&Scored> {
         self.ranking
             .iter()

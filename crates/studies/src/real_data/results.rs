@@ -21,7 +21,7 @@ pub struct RealData {
     pub(super) disc_golf: DiscGolf,
     /// Rows of the wind tunnel's table: aerodynamic coefficients by angle of attack.
     pub(super) table: Vec<Measured>,
-    /// The model `disc`, with the coefficients of its file.
+    /// The built-in model `disc`, with the coefficients of its model file.
     pub(super) disc: Model,
 }
 
@@ -55,8 +55,8 @@ impl RealData {
     }
 
     /// Fits of the agreeing stretches (the parts of the ball recording in which every lift agrees with the stated
-    /// spin): with gravity and drag, then also with lift proportional to the spin, then also with lift proportional to
-    /// its square.
+    /// spin): with gravity and drag, then also with lift proportional to the advance ratio, then also with lift
+    /// proportional to its square.
     pub fn lift_by_spin(&self) -> &[FitReport; 3] {
         &self.balls.lift_by_spin
     }

@@ -72,8 +72,7 @@ fn model() -> Model {
     model_spec::load::load("ball", &[]).expect("the built-in ball")
 }
 
-/// Simulates flights of a ball with the effects and noise in `seeded`. The dataset contains the true spin of each
-/// flight as a given value.
+/// Simulates flights of a ball with the effects and noise in `seeded`. The dataset states the true spin of each flight.
 ///
 /// # Panics
 /// If an effect does not act on a ball, or if its number of values is wrong.

@@ -18,7 +18,8 @@ pub struct SeededEffects {
 }
 
 impl SeededEffects {
-    /// Specifies one effect of the built-in effects catalogue, with its values (SI) as in `listed`, and no noise.
+    /// Specifies one effect of the built-in effects catalogue, and no noise. The values (SI) are the effect's
+    /// coefficients, then the standard deviations of its states over the flights.
     pub fn listed(name: &str, values: &[f64]) -> Self {
         Self {
             listed: vec![(name.to_owned(), values.to_vec())],

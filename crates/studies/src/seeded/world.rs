@@ -129,7 +129,7 @@ impl SeededWorld {
     }
 }
 
-/// Returns an effect of the built-in effects catalogue for one flight. The first `values` are its coefficients; the
+/// Returns an effect of the built-in effects catalogue for one flight. The first of `values` are its coefficients. The
 /// following ones are the standard deviations of the normal distributions from which its states are drawn.
 fn drawn(name: &str, values: &[f64], random: &mut impl Rng) -> ActiveEffect<f64> {
     let effect = by_name(name).unwrap_or_else(|| panic!("the oracle has no effect `{name}`"));

@@ -18,7 +18,7 @@ use crate::oracle_flights::{
 /// Specification of the measurements that are simulated for each flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Observed {
-    /// Whether the positions of the three markers are measured.
+    /// Whether the positions of three markers on the disc are measured.
     pub markers: bool,
     /// Sensors, with their positions on the body as specified in the dataset.
     pub sensors: Vec<Sensor>,

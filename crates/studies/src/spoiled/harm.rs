@@ -163,7 +163,8 @@ fn add(flight: &mut Flight, rows: Vec<Row>, at_start: bool, random: &mut ChaCha1
     renumber(flight);
 }
 
-/// Replaces the times of a flight by times at the interval of its first two samples.
+/// Replaces the times of a flight by equally spaced times from the same start, with the interval between the first two
+/// samples.
 fn renumber(flight: &mut Flight) {
     let (first, interval) = (flight.times[0], flight.times[1] - flight.times[0]);
     let samples = 0..flight.positions.len();

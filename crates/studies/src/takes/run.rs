@@ -22,8 +22,8 @@ use crate::progress::{Progress, each_run};
 /// Limit of the computing time for fitting one dataset.
 const LIMIT: Duration = Duration::from_secs(120);
 
-/// Combinations of inputs with which a session is fitted: flight ends "found" by the import or "true", and marker
-/// template "estimated" or "true".
+/// Combinations of inputs with which a session is fitted: releases and ends of the flights "found" by the import or
+/// "true", and marker template "estimated" or "true".
 pub(super) const GIVEN: [(&str, &str); 4] = [
     ("found", "estimated"),
     ("found", "true"),
@@ -60,8 +60,8 @@ pub struct SessionResult {
     pub template: TemplateErrors,
     /// Errors of the marker template that is estimated from the flights between the true releases and ends.
     pub template_of_true_cuts: TemplateErrors,
-    /// Errors of four fits, or the error of a fit that failed. The fits use detected or true flight ends, combined with
-    /// the estimated or true marker template, in the order of `GIVEN`.
+    /// Errors of four fits, or the error of a fit that failed: with detected flight ends and estimated marker template,
+    /// detected ends and true template, true ends and estimated template, true ends and true template.
     pub fits: Vec<Result<FitErrors, StudyError>>,
 }
 

@@ -166,8 +166,8 @@ fn add_throw(
         .extend((0..fetched).map(|_| vec![None; markers.len()]));
 }
 
-/// Draws a time interval (start, end), s, in which the whole disc is occluded from the cameras. A third of the flights
-/// on average have such an interval; `None` for the rest.
+/// Draws a time interval (start, end), s after the release, in which the whole disc is occluded from the cameras. A
+/// third of the flights on average have such an interval; `None` for the rest.
 fn hidden(end: f64, r: &mut ChaCha12Rng) -> Option<(f64, f64)> {
     let (from, to) = (IN_SIGHT, end - 2.0 * IN_SIGHT);
     let length = r.random_range(0.02..0.06);

@@ -45,8 +45,8 @@ struct Section {
     /// Mean lift coefficient / mean advance ratio over the flights in the file ranges [`AGREEING`] (in which every lift
     /// agrees with the stated spin) with an advance ratio below 0.3.
     slope_low: f64,
-    /// Mean lift coefficient / mean advance ratio over the flights in the file ranges [`AGREEING`] with an advance
-    /// ratio of at least 0.7.
+    /// Mean lift coefficient / mean advance ratio over the flights in the file ranges [`AGREEING`] (in which every lift
+    /// agrees with the stated spin) with an advance ratio of at least 0.7.
     slope_high: f64,
     added: Vec<AddedRow>,
     diagnoses: Vec<DiagnosisRow>,
@@ -125,7 +125,7 @@ struct MagnusScore {
     discordant: usize,
 }
 
-/// Renders the section on the table-tennis balls as Markdown.
+/// Renders the section of docs/real-data.md on the flights of table-tennis balls, as Markdown.
 pub(in super::super) fn balls_section(balls: &Balls) -> Result<String, StudyError> {
     let report = &balls.plain;
     let count = |role: Role| report.flights.iter().filter(|f| f.role == role).count();

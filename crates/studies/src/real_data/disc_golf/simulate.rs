@@ -23,7 +23,7 @@ const ROUGHNESS: f64 = 0.1;
 /// Height above the ground at which the wind was measured, m.
 const WIND_HEIGHT: f64 = 1.5;
 
-/// Maximum time between computed points of a path; positions between these points are interpolated linearly, s.
+/// Maximum time between computed points of a path, s. Positions between these points are interpolated linearly.
 const MAX_INTERVAL: f64 = 0.02;
 
 /// Maximum step size of the integration, s. With steps five times smaller, fitted factors change by less than a tenth
@@ -169,7 +169,7 @@ fn release(throw: &Throw, launch: &Launch) -> Physical<f64> {
 pub(super) mod tests {
     use super::*;
 
-    /// A disc with smooth aerodynamic curves.
+    /// Disc with an aerodynamic table that is computed from polynomials of the angle of attack.
     pub(in super::super) fn smooth_disc() -> Disc {
         let row = |k: i32| {
             let alpha = f64::from(k).to_radians();

@@ -21,8 +21,8 @@ pub(crate) const LAUNCH_NAMES: [&str; 7] = [
 /// Values of the launch quantities in the order of [`LAUNCH_NAMES`], m/s and rad.
 pub(crate) type Launch = [f64; 7];
 
-/// Stated uncertainties (standard deviations) of the launch quantities, m/s and rad. The uncertainty of the crosswind
-/// is not stated; it is assumed equal to that of the tailwind.
+/// Published uncertainties (standard deviations) of the launch quantities, m/s and rad. The uncertainty of the
+/// crosswind is not published; it is assumed equal to that of the tailwind.
 pub(crate) const UNCERTAINTY: Launch = [0.6, RAD * 2.0, RAD * 5.0, RAD * 2.0, RAD * 2.0, 1.0, 1.0];
 
 /// Assumed uncertainty of a measured horizontal position, m. The camera films from a height of about 100 m, so a disc

@@ -48,7 +48,8 @@ struct CurveRow {
     magnitude: f64,
 }
 
-/// Renders the section on the table and the model's curves as Markdown.
+/// Renders the section of docs/real-data.md that compares the wind tunnel's table of coefficients with the model's
+/// curves, as Markdown.
 pub(in super::super) fn tunnel_section(
     disc: &Model,
     table: &[Measured],
