@@ -20,7 +20,7 @@ struct Results<'r> {
 #[derive(Serialize)]
 struct Body {
     name: String,
-    /// First paragraph of the model file's documentation.
+    /// Heading of the body: the first paragraph of the documentation in its model file.
     title: String,
     sources: Vec<String>,
     constants: Vec<[String; 3]>,

@@ -14,7 +14,7 @@ use crate::oracle_flights::{
 };
 use crate::progress::{Progress, each_run};
 
-/// Number of flights per dataset.
+/// Number of simulated flights per dataset.
 const FLIGHTS: usize = 20;
 
 /// Limit of the computing time for fitting one dataset.
@@ -45,7 +45,7 @@ const LOW: Throws = Throws {
 pub struct Bounce {
     /// Seed of the simulated dataset.
     pub seed: u64,
-    /// File name of the flight.
+    /// File name of the flight in its simulated dataset.
     pub file: String,
     /// Time from the release to the first ground contact, s.
     pub time: f64,

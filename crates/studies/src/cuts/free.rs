@@ -10,7 +10,7 @@ use crate::oracle_flights::{Plan, TRUTH, Throws, add_noise, disc, flights, noise
 use crate::progress::{Progress, each_run};
 use crate::seeded::{SeededEffects, ball};
 
-/// Number of flights per dataset.
+/// Number of simulated flights per dataset.
 const FLIGHTS: usize = 20;
 
 /// Limit of the computing time for fitting one dataset.
@@ -47,7 +47,7 @@ pub struct FreeFlight {
     pub group: &'static str,
     /// Seed of the simulated dataset.
     pub seed: u64,
-    /// File name of the flight.
+    /// File name of the flight in its simulated dataset.
     pub file: String,
     /// Reason why the fit truncated the flight; `None` if the fit did not truncate it.
     pub cut: Option<String>,

@@ -7,7 +7,7 @@ use super::case::Case;
 /// Result of the diagnosis of one simulated dataset, scored against the effects added to its flights.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// Settings with which the run was simulated.
+    /// Settings with which the flights were simulated.
     pub case: Case,
     /// Verdict of the diagnosis; `None` if the diagnosis failed.
     pub verdict: Option<Verdict>,

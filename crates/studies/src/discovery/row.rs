@@ -14,11 +14,11 @@ pub enum Group {
     /// Two effects of the built-in effects catalogue are added to the simulated flights, drawn without regard to their
     /// identifiability.
     Pair,
-    /// Two or three effects of the built-in effects catalogue are added to the simulated flights. None of them has the
-    /// same influence on flights as another cause.
+    /// Two or three effects of the built-in effects catalogue are added to the simulated flights. None of them can be
+    /// replaced by another cause with the same influence on flights.
     Several,
-    /// The added effect changes the simulated flights in the same way as another cause, so that the diagnosis cannot
-    /// distinguish the two.
+    /// The effect added to the simulated flights changes them in the same way as another cause, so that the diagnosis
+    /// cannot distinguish the two.
     Confounded,
     /// An effect outside the built-in effects catalogue is added to the simulated flights.
     Unlisted,
@@ -32,7 +32,7 @@ pub enum Group {
 }
 
 impl Group {
-    /// Name of the group on documentation pages.
+    /// Name of this group of simulation settings on documentation pages.
     pub(super) fn label(self) -> &'static str {
         match self {
             Group::Null => "no effect",

@@ -36,7 +36,8 @@ pub struct Scenario {
 }
 
 impl Scenario {
-    /// Mean and standard deviation, over the noise seeds, of the estimates of the coefficient with the given index, SI.
+    /// Mean and standard deviation, over the noise seeds, of the estimates of one coefficient, SI. `coefficient` is its
+    /// index in the order of the model's coefficients.
     pub(crate) fn mean_and_deviation(&self, coefficient: usize) -> (f64, f64) {
         mean_and_deviation(&self.estimates[coefficient])
     }

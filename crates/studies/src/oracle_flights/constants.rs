@@ -31,8 +31,9 @@ impl CurveCoefficients {
         }
     }
 
-    /// Sets the coefficients so that the model's curves take the given values at the angle of attack `alpha` (rad). The
-    /// model's moment is proportional to the angle, so it is set to 0 at small angles.
+    /// Sets the coefficients so that the model's lift, drag and pitching-moment curves take the values `lift`, `drag`
+    /// and `moment` at the angle of attack `alpha` (rad). The model's moment is proportional to the angle, so it is set
+    /// to 0 at small angles.
     pub(crate) fn set(
         &self,
         constants: &mut Point<f64>,

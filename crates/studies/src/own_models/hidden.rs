@@ -39,8 +39,8 @@ pub(super) enum Action {
     Observation(fn(&Scene, Vector3<f64>, usize) -> Vector3<f64>),
 }
 
-/// A physical effect that the study adds to simulated flights, but not to the model, and that the diagnosis should
-/// detect.
+/// A physical effect that the study adds to simulated flights, but not to the diagnosed model. The diagnosis should
+/// detect it.
 #[derive(Clone, Copy, Debug)]
 pub struct Hidden {
     /// Name of this physical effect, such as `"gusts"`.
@@ -48,7 +48,8 @@ pub struct Hidden {
     /// Quantities of the model on which the diagnosis may locate this effect: naming any of them counts as correct.
     /// Names as in the diagnosis report, such as "drag".
     pub sites: &'static [&'static str],
-    /// A weak and a strong size of the effect. The change of the motion or the measurement is proportional to the size.
+    /// A weak and a strong size of this physical effect. The change of the motion or the measurement is proportional to
+    /// the size.
     pub sizes: [f64; 2],
     pub(super) action: Action,
 }

@@ -12,7 +12,7 @@ use crate::statistics::median;
 /// size.
 const CLEAR: f64 = 5.0;
 
-/// Maximum length, in characters, of the text of a diagnosis's result that the page quotes.
+/// Maximum length, in characters, of the quoted text of a diagnosis's result on the page docs/own-models.md.
 const MAX_QUOTE: usize = 140;
 
 #[derive(Serialize)]

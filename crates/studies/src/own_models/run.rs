@@ -109,8 +109,8 @@ impl Outcome {
 }
 
 /// Lists the runs (simulated and diagnosed datasets) whose model name, effect name and size label together contain all
-/// of `words`. Without this selection, each model has `10 * seeds` runs without a hidden effect, and `seeds` runs for
-/// each hidden effect and size.
+/// of `words`. Before this selection, each model has `10 * seeds` runs whose flights contain no added effect, and
+/// `seeds` runs for each added effect and size.
 pub fn tasks(seeds: u64, words: &str) -> Vec<Task> {
     let mut tasks = Vec::new();
     for subject in &SUBJECTS {

@@ -7,7 +7,7 @@ use serde::Deserialize;
 pub struct Claim {
     /// Name of the flight: `fssh3` or `bffl8`.
     pub flight: String,
-    /// Time in the flight at which the quantity is stated, s; `None` if the quantity is itself a time.
+    /// Time in the flight to which the value that the paper states refers, s; `None` if the quantity is itself a time.
     pub at: Option<f64>,
     /// Name of the quantity that the paper states, equal to a field of [`Outcome`], such as `"delta_x"`.
     pub quantity: String,

@@ -12,7 +12,7 @@ pub(super) struct Coefficients {
     /// Lift and drag coefficients `[C_L0, C_La, C_D0, C_Da]`: lift C_L0 + C_La α and drag C_D0 + C_Da α² at the angle
     /// of attack α, rad.
     pub(super) lift_and_drag: [f64; 4],
-    /// Pitching-moment slope C_Ma.
+    /// Slope C_Ma of the pitching-moment coefficient over the angle of attack, 1/rad.
     pub(super) pitching_moment: f64,
     /// Pitch damping C_Mq.
     pub(super) pitch_damping: f64,

@@ -10,7 +10,7 @@ use super::reading::Reading;
 use super::table::Table1;
 use crate::error::StudyError;
 
-/// Maximum deviation of a simulated from a stated outcome, in units of the outcome's tolerance, that enters the misfit.
+/// Maximum deviation of a simulated from a stated outcome that enters the misfit, in units of the outcome's tolerance.
 /// Larger deviations are clipped to this value.
 const MAX_DEPARTURE: f64 = 10.0;
 
@@ -166,9 +166,9 @@ impl Study {
             .find(|scored| scored.reading == *reading)
     }
 
-    /// Returns the interpretations of Table 1 of Hubbard & Hummel (2000) that the stated outcomes cannot distinguish
-    /// from the best one, which is first. These interpretations have the same number of outcomes within tolerance and a
-    /// misfit less than 1 above the minimum.
+    /// Returns the interpretations of Table 1 of Hubbard & Hummel (2000) that the outcomes stated there cannot
+    /// distinguish from the best one, which is first. These interpretations have the same number of outcomes within
+    /// tolerance and a misfit less than 1 above the minimum.
     pub(super) fn indistinguishable(&self) -> Vec<&Scored> {
         let best = &self.ranking[0];
         let near = |scored: &&Scored| scored.held == best.held && scored.misfit < best.misfit + 1.0;

@@ -19,7 +19,7 @@ pub struct RealData {
     pub(super) spin_decay: SpinDecay,
     pub(super) disc_pose: DiscPose,
     pub(super) disc_golf: DiscGolf,
-    /// Rows of the wind tunnel's table: aerodynamic coefficients by angle of attack.
+    /// Rows of Potts and Crowther's wind-tunnel table: aerodynamic coefficients by angle of attack.
     pub(super) table: Vec<Measured>,
     /// The built-in model `disc`, with the coefficients of its model file.
     pub(super) disc: Model,
@@ -48,8 +48,9 @@ impl RealData {
         &self.balls.plain
     }
 
-    /// Agreement of the balls' lifts with their stated spins: for all flights, for the agreeing stretches (the parts of
-    /// the recording in which every lift agrees with the stated spin), and for the remaining flights.
+    /// Agreement of the lifts of table-tennis balls with the spins that the data state: for all flights, for the
+    /// agreeing stretches (the parts of the recording in which every lift agrees with the stated spin), and for the
+    /// remaining flights.
     pub fn agreement(&self) -> [Agreement; 3] {
         self.balls.agreement
     }

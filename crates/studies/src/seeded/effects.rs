@@ -35,7 +35,7 @@ impl SeededEffects {
         }
     }
 
-    /// Returns the same effects with the given noise of the marker positions.
+    /// Returns the same effects with the noise `noise` of the marker positions.
     pub fn with_noise(self, noise: Corruption) -> Self {
         Self {
             noise: Some(noise),

@@ -10,7 +10,7 @@ use super::effects::SeededEffects;
 use super::unlisted::{LAG, UnlistedEffect, unlisted};
 use crate::oracle_flights::{Derivatives, integrate_law};
 
-/// Law of motion and conditions under which one flight is simulated.
+/// Law of motion with added effects, under which one flight is simulated.
 pub(super) struct SeededWorld {
     world: ExtendedLaw<f64>,
     unlisted: Vec<(&'static UnlistedEffect, f64)>,
@@ -67,7 +67,8 @@ impl SeededWorld {
         states.iter().map(observed).collect()
     }
 
-    /// Maximum magnitude of the angle of attack at the given times of a flight, rad.
+    /// Maximum magnitude of the angle of attack, rad, over the states at `times` of a flight that starts in the state
+    /// `start`.
     pub(super) fn greatest_angle_of_attack(&self, start: Physical<f64>, times: &[f64]) -> f64 {
         let angles = self.fly(start, times).into_iter().zip(times);
         let angles = angles.map(|(body, time)| self.scene(&body, *time).alpha().abs());

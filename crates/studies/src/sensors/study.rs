@@ -38,7 +38,7 @@ pub struct SensorSet {
     pub within_three: usize,
     /// RMS, over datasets and coefficients, of z = (estimate − true value) / standard error.
     pub rms_z: f64,
-    /// Median elapsed time of a fit, s.
+    /// Median elapsed time of a fit of one dataset, s.
     pub seconds: f64,
     /// Median over the coefficients of the ratio of the standard error with these sensors to that with markers alone.
     pub relative_error: f64,

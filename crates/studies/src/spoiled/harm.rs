@@ -13,7 +13,7 @@ use crate::cuts::bouncing_flight;
 /// third a random generator.
 pub(super) type FlightHarm = fn(&mut Flight, &Flight, &mut ChaCha12Rng);
 
-/// How a kind of recording mistake changes the data of a dataset.
+/// How a mistake in a recording, introduced on purpose, changes the data of a dataset.
 #[derive(Clone, Copy)]
 pub(super) enum Harm {
     /// Multiplies all marker coordinates of a flight by a factor.
@@ -69,7 +69,7 @@ impl Harm {
     }
 }
 
-/// Index of the sample in the middle of a flight.
+/// Index of the middle sample of a flight, in its list of samples.
 fn middle(flight: &Flight) -> usize {
     flight.positions.len() / 2
 }

@@ -37,7 +37,7 @@ impl Which {
     }
 }
 
-/// Result of fitting a dataset into which a mistake was introduced.
+/// Result of fitting a dataset into which a recording mistake was introduced.
 #[derive(Clone)]
 pub struct Run {
     /// Kind of recording mistake that was introduced into the dataset.

@@ -16,7 +16,7 @@ const MILLIMETRE: f64 = 0.001;
 const MAX_Z: f64 = 3.0;
 /// Half width of a 95 % interval of a normal variable, in standard deviations.
 const NORMAL_95: f64 = 1.96;
-/// Maximum number of failed sessions that the page lists.
+/// Maximum number of failed recording sessions that docs/takes.md lists as examples.
 const MAX_EXAMPLES: usize = 8;
 
 #[derive(Serialize)]

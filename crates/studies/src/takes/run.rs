@@ -65,10 +65,11 @@ pub struct SessionResult {
     pub fits: Vec<Result<FitErrors, StudyError>>,
 }
 
-/// Errors of the estimates of one fit.
+/// Errors (estimated − true) of the coefficients and of the centre-of-mass height in one fit.
 #[derive(Clone, Debug)]
 pub struct FitErrors {
-    /// Errors of the estimated coefficients.
+    /// Errors of the estimated coefficients, in standard errors, and whether their confidence intervals contain the
+    /// true values.
     pub coefficients: Vec<CoefficientError>,
     /// Error (estimated − true) of the height of the centre of mass, and the standard error of the estimate, m; `None`
     /// if the fit does not estimate the height.
@@ -268,7 +269,7 @@ fn imported(file: &[u8]) -> Result<(Take, Throws), StudyError> {
     Ok((take, found))
 }
 
-/// Appends one flight to `flights` for each of the given ranges of samples of a take (recording). The markers of the
+/// Appends one flight to `flights` for each range of samples of a take (recording) in `ranges`. The markers of the
 /// flights are in the order of `labels`.
 fn add_flights(
     take: &Take,

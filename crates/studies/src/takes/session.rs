@@ -49,7 +49,7 @@ pub(super) struct Filmed {
     pub takes: Vec<FilmedTake>,
 }
 
-/// Simulated recording of several throws.
+/// Simulated recording of several throws, one after the other.
 pub(super) struct FilmedTake {
     pub rows: Rows,
     /// Indices of the first and last sample of each true free flight in the recording.

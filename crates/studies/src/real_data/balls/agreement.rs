@@ -45,8 +45,8 @@ pub struct Agreement {
     pub rotated_permuted: f64,
 }
 
-/// Tests whether the flights' lifts point along ω × v for the stated spins ω. The permutations of the spins and the
-/// rotations are drawn from `seed`.
+/// Tests whether the flights' lifts point along ω × v for the spins ω that the data state. The permutations of the
+/// spins and the rotations are drawn from `seed`.
 pub(super) fn agreement(lifts: &[&Lift], seed: u64) -> Agreement {
     let identity: Vec<usize> = (0..lifts.len()).collect();
     let no_rotation = UnitQuaternion::identity();
@@ -91,9 +91,9 @@ fn mean_cosine(lifts: &[&Lift], order: &[usize], rotation: &UnitQuaternion<f64>)
     sum / lifts.len().max(1) as f64
 }
 
-/// Maximum, over the given rotations of all spins, of the flights' mean cosine between lift and ω × v if flight `k` has
-/// the spin of flight `order[k]`. Each rotation is tried with and without a reflection through the origin, which
-/// changes the sign of every cosine.
+/// Maximum, over `rotations` of all spins, of the flights' mean cosine between lift and ω × v if flight `k` has the
+/// spin of flight `order[k]`. Each rotation is tried with and without a reflection through the origin, which changes
+/// the sign of every cosine.
 fn greatest_rotated(lifts: &[&Lift], order: &[usize], rotations: &[UnitQuaternion<f64>]) -> f64 {
     let means = rotations
         .iter()

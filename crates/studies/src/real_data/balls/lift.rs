@@ -11,9 +11,9 @@ use crate::error::StudyError;
 /// Lift of one ball flight, estimated from its path, and the spin specified in the data.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Lift {
-    /// File name of the flight.
+    /// File name of the ball's flight in the dataset.
     pub(super) file: String,
-    /// Mean speed of the flight, m/s.
+    /// Mean speed of the ball over the flight, m/s.
     pub(super) speed: f64,
     /// Unit vector from the first to the last measured position.
     pub(super) direction: Vector3<f64>,

@@ -97,7 +97,7 @@ struct LiftRow {
     estimates: [Option<Estimate>; 3],
     held_out_m: Option<f64>,
     /// Decrease of the RMS prediction error on held-out flights from the model of the previous table row to the model
-    /// of this row, and standard error of the decrease, m. `None` for the first row or without held-out flights.
+    /// of the present row, and standard error of the decrease, m. `None` for the first row or without held-out flights.
     reduction: Option<(f64, f64)>,
 }
 

@@ -60,12 +60,13 @@ pub(in super::super) struct Balls {
     /// Agreement of lift and spin for all flights, for the agreeing stretches (parts of the recording in which every
     /// lift agrees with the stated spin), and for the remaining flights.
     pub(in super::super) agreement: [Agreement; 3],
-    /// Fits of the flights in which the lift agrees with the stated spin: with gravity and drag, then also with
-    /// `magnus` (lift proportional to the advance ratio), then also with a lift proportional to the squared advance
-    /// ratio.
+    /// Fits of the flights in the parts of the recording in which every lift agrees with the stated spin: with gravity
+    /// and drag, then also with `magnus` (lift proportional to the advance ratio), then also with a lift proportional
+    /// to the squared advance ratio.
     pub(in super::super) lift_by_spin: [FitReport; 3],
-    /// Fits of the flights in which the lift agrees with the stated spin. Each of the effects [`ADDED_EFFECTS`] is
-    /// added to two models: with lift proportional to the advance ratio, and also to its square.
+    /// Fits of the flights in the parts of the recording in which every lift agrees with the stated spin. Each of the
+    /// effects [`ADDED_EFFECTS`] is added to two models: with lift proportional to the advance ratio, and with an
+    /// additional lift proportional to its square.
     pub(super) added: Vec<Added>,
     /// Diagnoses of three cases: all flights; the flights of the recording's parts in which every lift agrees with the
     /// stated spin; and these latter flights with the effect `magnus` in the model. `Err` contains the error of a

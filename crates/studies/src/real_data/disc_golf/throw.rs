@@ -47,14 +47,14 @@ pub(super) struct Disc {
 /// Time (s) and horizontal position (x, y; m) of a point of a measured track.
 pub(crate) type TrackPoint = (f64, [f64; 2]);
 
-/// A filmed throw.
+/// A filmed throw: published launch conditions and measured track.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Throw {
-    /// Number of the throw in the published data.
+    /// Number of the throw in the published data set.
     pub(crate) number: u32,
     /// Launch quantities as published with the throw.
     pub(crate) launch: Launch,
-    /// Magnitude of the spin, rad/s.
+    /// Magnitude of the disc's spin at release, rad/s.
     pub(crate) spin: f64,
     /// Height of the release above the ground, m.
     pub(crate) height: f64,

@@ -23,7 +23,7 @@ pub struct DecayFit {
     pub rms: f64,
     /// Lag-1 correlation of the noise, estimated together with the torque law's unknowns.
     pub ar1: f64,
-    /// Akaike information criterion of the fit.
+    /// Akaike information criterion of the fit; lower is better.
     pub aic: f64,
 }
 

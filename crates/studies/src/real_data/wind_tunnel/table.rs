@@ -8,9 +8,9 @@ use crate::real_data::files::{bad_line, numbers, rows, text_of};
 /// Row of a table of aerodynamic coefficients: their values at one angle of attack.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in super::super) struct Measured {
-    /// Angle of attack, rad.
+    /// Angle of attack of this row, rad.
     pub(in super::super) alpha: f64,
-    /// Coefficients of lift, of drag, and of the pitching moment about the axis d2 (negative nose up).
+    /// Coefficients of lift, of drag, and of the pitching moment (negative nose up).
     pub(in super::super) coefficients: [f64; 3],
 }
 
