@@ -33,7 +33,8 @@ pub struct Filmed {
     /// For each launch quantity: its name, its published uncertainty as text, and the distance by which the simulated
     /// end of the flight moves if the quantity changes by that uncertainty, m.
     pub moves: Vec<(&'static str, String, f64)>,
-    /// Root of the sum of the squared distances in `moves`, m: uncertainty of the simulated end of the flight.
+    /// Root of the sum of the squared distances in `moves`, m: uncertainty of the simulated end of the flight that is
+    /// due to the uncertain launch quantities.
     pub all_moves: f64,
 }
 

@@ -55,7 +55,7 @@ pub struct FreeFlight {
     pub excluded: Option<String>,
 }
 
-/// Names of the groups of simulated throws whose flights have no ground contact.
+/// Names of the groups of simulated throws with which fits of flights without ground contact are tested.
 const GROUPS: [&str; 4] = [
     "usual throws of a disc",
     "wild throws of a disc",

@@ -47,7 +47,7 @@ const SIZE_STREAM: u64 = u64::MAX - 3;
 pub struct FitCase {
     /// Seed from which the effects and their values, the throws and the measurement noise are drawn.
     pub seed: u64,
-    /// Names of the effects added to the simulated flights, with their values, SI.
+    /// Effects (optional model extensions) added to the simulated flights: name, and values (SI) of the coefficients.
     pub effects: Vec<(String, Vec<f64>)>,
     /// RMS difference, m, between the marker coordinates of flights with all effects and of flights without effects
     /// that start from the same releases.
@@ -98,12 +98,12 @@ impl FitCase {
         }
     }
 
-    /// Names of the effects added to the simulated flights.
+    /// Names of the effects (optional model extensions) added to the simulated flights.
     pub fn names(&self) -> Vec<&str> {
         self.effects.iter().map(|(name, _)| name.as_str()).collect()
     }
 
-    /// Simulates the flights twice: without noise, and with white noise.
+    /// Simulates the flights with the added effects twice: without noise, and with white noise.
     pub fn datasets(&self) -> [Dataset; 2] {
         let seeded = listed(&self.effects);
         [

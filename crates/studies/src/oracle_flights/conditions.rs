@@ -31,10 +31,10 @@ pub const TWELVE: Plan<'static> = Plan {
 /// positions), with a name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NoiseCondition {
-    /// Name of the condition on pages. The seeds of the discovery study are derived from it, so another name would give
-    /// other datasets.
+    /// Name of the noise condition on documentation pages. The seeds of the discovery study are derived from it, so
+    /// another name would give other datasets.
     pub name: &'static str,
-    /// Noise of the marker positions.
+    /// Noise that is added to the simulated marker positions under this condition.
     pub noise: Corruption,
 }
 

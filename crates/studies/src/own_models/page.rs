@@ -52,7 +52,7 @@ struct Row {
     seconds: f64,
 }
 
-/// Renders docs/own-models.md from the outcomes of all diagnoses.
+/// Renders docs/own-models.md from the outcomes of the diagnoses of simulated flights of user models.
 ///
 /// # Errors
 /// [`StudyError::Page`] if the template cannot be rendered with the results.

@@ -40,11 +40,11 @@ pub struct Outcome {
     pub delta_x: f64,
     /// Height gained, m; negative if the flight ends below its start.
     pub delta_z: f64,
-    /// Euler angle phi (first rotation, about axis 1) at the end, rad.
+    /// Euler angle phi (first rotation, about axis 1) at the end of the simulated flight, rad.
     pub phi: f64,
-    /// Euler angle theta (second rotation, about axis 2) at the end, rad.
+    /// Euler angle theta (second rotation, about axis 2) at the end of the simulated flight, rad.
     pub theta: f64,
-    /// Spin gammadot at the end, rad/s.
+    /// Spin gammadot at the end of the simulated flight, rad/s.
     pub gammadot: f64,
     /// Change of the spin magnitude |gammadot| between release and end / spin magnitude at release.
     pub gammadot_change_fraction: f64,

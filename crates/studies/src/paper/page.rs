@@ -77,7 +77,7 @@ struct Alternative {
     hypotheses: usize,
 }
 
-/// Renders docs/paper.md from the results of the study.
+/// Renders docs/paper.md from the ranking of all interpretations of Table 1 of Hubbard & Hummel (2000).
 ///
 /// # Errors
 /// [`StudyError::Page`] if the template cannot be rendered with the results.

@@ -166,9 +166,9 @@ impl Study {
             .find(|scored| scored.reading == *reading)
     }
 
-    /// Returns the interpretations of Table 1 of Hubbard & Hummel (2000) that the outcomes stated there cannot
-    /// distinguish from the best one, which is first. These interpretations have the same number of outcomes within
-    /// tolerance and a misfit less than 1 above the minimum.
+    /// Returns the interpretations of Table 1 of Hubbard & Hummel (2000) that the outcomes stated in that publication
+    /// cannot distinguish from the best one, which is first. These interpretations have the same number of outcomes
+    /// within tolerance and a misfit less than 1 above the minimum.
     pub(super) fn indistinguishable(&self) -> Vec<&Scored> {
         let best = &self.ranking[0];
         let near = |scored: &&Scored| scored.held == best.held && scored.misfit < best.misfit + 1.0;

@@ -42,7 +42,7 @@ pub struct Session {
     pub rate: f64,
     /// Number of markers on the body.
     pub markers: usize,
-    /// Standard deviation of the noise of a marker coordinate, m.
+    /// Standard deviation of the noise of each simulated marker coordinate, m.
     pub sigma: f64,
     /// Errors of the import and the fits against the true values, or the error that ended the session.
     pub result: Result<SessionResult, StudyError>,
@@ -98,7 +98,7 @@ pub struct TemplateErrors {
 /// Error of one estimated coefficient in the fit of a simulated session.
 #[derive(Clone, Debug)]
 pub struct CoefficientError {
-    /// Name of the coefficient.
+    /// Name of the aerodynamic coefficient that was estimated.
     pub name: &'static str,
     /// Error (estimate − true value) in standard errors.
     pub z: f64,

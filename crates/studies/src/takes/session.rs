@@ -14,10 +14,10 @@ use crate::oracle_flights::{
 
 /// Number of takes (recordings) per session, and number of throws per take.
 const TAKES: (usize, usize) = (3, 4);
-/// Possible frame rates of the cameras, Hz.
+/// Frame rates of the simulated cameras from which the rate of a session is chosen, Hz.
 const RATES: [f64; 5] = [120.0, 150.0, 200.0, 250.0, 300.0];
-/// After the catch by the net or the first ground contact: time for which the body remains visible, s, and then the
-/// time without the body, until the next throw, s.
+/// Two times after a catch by the net or the first ground contact, s: the time for which the body remains visible, and
+/// the following time without the body, until the next throw.
 const AFTER: (f64, f64) = (0.3, 0.7);
 /// Minimum time from the release to the first ground contact of a simulated low throw, s. Throws with a shorter time
 /// are redrawn.
@@ -44,7 +44,7 @@ pub(super) struct Filmed {
     pub markers: Vec<[f64; 3]>,
     /// Frame rate of the simulated cameras, Hz.
     pub rate: f64,
-    /// Standard deviation of the noise of a marker coordinate, m.
+    /// Standard deviation of the noise of each simulated marker coordinate, m.
     pub sigma: f64,
     pub takes: Vec<FilmedTake>,
 }

@@ -30,7 +30,7 @@ pub struct Launches {
     pub curvature: Vec<(f64, f64)>,
 }
 
-/// Horizontal launches with an angle of attack of 10°, as a function of the tilt (hyzer).
+/// Results of horizontal disc launches with an angle of attack of 10°, as a function of the tilt (hyzer angle).
 #[derive(Clone, Debug, Serialize)]
 pub struct Tilts {
     /// Tilt (hyzer angle), deg, of the flight whose maximum lateral displacement is the smallest, and that
@@ -68,8 +68,9 @@ const TUNNEL: [(&str, f64); 9] = [
     ("C_Rr", 0.0),
 ];
 
-/// Simulates launches over a range of tilts (hyzer angles) with coefficients that Potts and Crowther measured in a wind
-/// tunnel, for several values of the roll coefficient C_Rr. Returns pairs (C_Rr in s, results of the launches).
+/// Simulates launches over a range of tilts (hyzer angles) with coefficients close to those that Potts and Crowther
+/// measured in a wind tunnel, for several values of the roll coefficient C_Rr. Returns pairs (C_Rr in s, results of the
+/// launches).
 ///
 /// # Errors
 /// [`StudyError`] if the model cannot be loaded.
@@ -84,7 +85,8 @@ pub fn rolls() -> Result<Vec<(f64, Tilts)>, StudyError> {
     each.into_iter().collect()
 }
 
-/// Simulates the disc launches with each set of aerodynamic coefficients.
+/// Simulates disc launches with each of four sets of aerodynamic coefficients, such as those of the model file and
+/// those measured in a wind tunnel.
 ///
 /// # Errors
 /// [`StudyError`] if the model cannot be loaded.

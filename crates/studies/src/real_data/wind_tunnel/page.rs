@@ -110,7 +110,8 @@ pub(super) fn fitted_curve(rows: &[Measured], coefficient: usize) -> Option<Curv
     Curve::fitted(rows, coefficient, MODEL_SHAPES[coefficient])
 }
 
-/// Curves of lift, drag and pitching moment with the coefficients of the model file.
+/// Curves of lift, drag and pitching moment over the angle of attack, with the coefficients of the model file of
+/// `disc`.
 pub(super) fn model_curves(disc: &Model) -> [Curve; 3] {
     let value = |name: &str| {
         let mut coefficients = disc.coefficients.iter();
