@@ -76,7 +76,8 @@ struct CoefficientRow<'r> {
     expected: f64,
 }
 
-/// Renders docs/identification.md from the coverages and the fits of the flights of Hubbard & Hummel (2000).
+/// Renders docs/identification.md from the coverages of confidence intervals and the fits of the flights of Hubbard &
+/// Hummel (2000).
 ///
 /// # Errors
 /// [`StudyError::Page`] if the template cannot be rendered with the results.

@@ -22,11 +22,12 @@ pub struct Scenario {
     pub name: &'static str,
     /// Estimates (SI), indexed by coefficient (in the order of the model's coefficients) and by noise seed.
     pub estimates: Vec<Vec<f64>>,
-    /// Number of seeds with a physically implausible estimate, such as negative drag.
+    /// Number of noise seeds for which the fit gives a physically implausible estimate, such as negative drag.
     pub implausible: usize,
-    /// For each coefficient, the number of seeds whose report names it as practically non-identifiable.
+    /// For each coefficient, the number of noise seeds for which the fit report names it as practically
+    /// non-identifiable.
     pub non_identifiable: Vec<usize>,
-    /// Number of seeds whose report names any coefficient as practically non-identifiable.
+    /// Number of noise seeds for which the fit report names any coefficient as practically non-identifiable.
     pub any_non_identifiable: usize,
     /// Number of noise seeds for which the fit failed.
     pub failed: usize,

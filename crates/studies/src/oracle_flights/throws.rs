@@ -24,7 +24,7 @@ pub struct Throws {
 }
 
 impl Throws {
-    /// Moderate variety of throws, as a careful experimenter would choose.
+    /// Launch conditions of moderate variety, as a careful experimenter would choose.
     pub const SPREAD: Throws = Throws {
         speed: (9.0, 18.0),
         launch: (-0.05, 0.25),

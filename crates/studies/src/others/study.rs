@@ -60,7 +60,8 @@ pub struct RateInFlight {
     /// Maximum magnitude, along the flight, of the state's rate of change as given by the simulator's equations, in
     /// `unit` per second.
     pub stated: f64,
-    /// Maximum magnitude, along the flight, of the state's rate as implied by the laws of motion, in `unit` per second.
+    /// Maximum magnitude, along the flight, of the state's rate of change as implied by the laws of motion, in `unit`
+    /// per second.
     pub implied: f64,
     /// Maximum magnitude, along the flight, of the difference between the rate according to the simulator's equations
     /// and the rate implied by the laws of motion, in `unit` per second.

@@ -8,8 +8,8 @@ pub struct SeededEffects {
     /// Effects of the built-in effects catalogue: name, and values (SI) of the coefficients in order. If the effect has
     /// states, the standard deviations of the states over the flights follow.
     pub listed: Vec<(String, Vec<f64>)>,
-    /// Effects outside the built-in effects catalogue: name and size, in the unit that [`super::UNLISTED`] states for
-    /// the effect.
+    /// Effects outside the built-in effects catalogue: name, and size in the effect's own unit, such as m/s for a wind.
+    /// The units are listed at [`super::UNLISTED`].
     pub unlisted: Vec<(String, f64)>,
     /// Noise of the marker positions; `None` leaves them exact.
     pub noise: Option<Corruption>,

@@ -26,7 +26,8 @@ pub struct UnlistedEffect {
     pub name: &'static str,
     /// Quantity of the model on which the effect acts (its site, such as "drag"), by its name in the diagnosis report.
     pub site: &'static str,
-    /// A weak and a strong size of the effect, in the units listed at [`UNLISTED`].
+    /// A weak and a strong size of the effect, in the effect's own unit, such as m/s for a wind; the units are listed
+    /// at [`UNLISTED`].
     pub strength: [f64; 2],
     /// Laws of motion (kinds of bodies) on which the effect can act.
     pub laws: &'static [Law],

@@ -115,8 +115,8 @@ impl SeededWorld {
         }
     }
 
-    /// Flow of the air relative to the body, from which the angle of attack follows. It contains the wind of the
-    /// unmodified law of motion, but not the wind that an [`UnlistedEffect`] adds.
+    /// Flow of the air relative to the body. It contains the wind of the unmodified law of motion, but not the wind of
+    /// an effect outside the built-in effects catalogue. The angle of attack follows from it.
     fn scene<'s>(&'s self, body: &'s Physical<f64>, time: f64) -> Flow<'s, f64> {
         let world = &self.world;
         Flow::new(

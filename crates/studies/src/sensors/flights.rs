@@ -28,7 +28,7 @@ pub struct Observed {
     pub noise: SensorNoise,
 }
 
-/// Standard deviations of the white noise of each measured component.
+/// Standard deviations of the white noise that is added to each simulated measurement.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct SensorNoise {
     /// Standard deviation of the noise of each position component, m.
@@ -39,7 +39,7 @@ pub struct SensorNoise {
     pub rate: f64,
     /// Standard deviation of the noise of each component of an accelerometer reading, m/s².
     pub force: f64,
-    /// Standard deviation of the noise of a speed, m/s.
+    /// Standard deviation of the noise of a measured speed, m/s.
     pub speed: f64,
 }
 
