@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-/// Why a study cannot be run.
+/// Error that prevents a study from being run or its page from being rendered.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum StudyError {
@@ -42,7 +42,7 @@ pub enum StudyError {
         /// Name that was not found in `of`.
         name: String,
     },
-    /// A model or an effect cannot be loaded.
+    /// A model, or an effect (optional model extension), cannot be loaded.
     #[error(transparent)]
     Model(#[from] model_spec::load::LoadError),
     /// A built-in file with the launch conditions (release) of one of the flights of Hubbard & Hummel (2000) cannot be
@@ -68,7 +68,7 @@ pub enum StudyError {
     /// A dataset cannot be diagnosed.
     #[error(transparent)]
     Diagnosis(#[from] diagnose::DiagnosisError),
-    /// A throw cannot be simulated.
+    /// The flight of a specified throw cannot be simulated.
     #[error(transparent)]
     Throw(#[from] design::ThrowFlightError),
     /// The search for launch conditions that give a desired flight cannot be set up, or fails.

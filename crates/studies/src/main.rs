@@ -99,14 +99,15 @@ fn identification(seeds: u64) -> anyhow::Result<Page> {
     Ok(identification_page(&coverages, &paper_fits(seeds))?)
 }
 
-/// Prints the number of finished runs to standard error each time another twentieth of all runs has finished.
+/// Prints the numbers of finished runs and of all runs to standard error, each time another twentieth of all runs has
+/// finished.
 fn report_progress(done: usize, of: usize) {
     if done.is_multiple_of((of / 20).max(1)) {
         eprintln!("{done} of {of} runs");
     }
 }
 
-/// Seed stated by `--only '#SEED'`; `None` if the option is absent or states words.
+/// Seed given as `--only '#SEED'`; `None` if the option is absent or its value does not start with `#`.
 fn single_seed(options: &cli::Runs) -> anyhow::Result<Option<u64>> {
     let seed = options
         .only

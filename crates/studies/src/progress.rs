@@ -7,8 +7,8 @@ use flight::batch;
 /// Function that is called after each finished run with the numbers of finished runs and of all runs.
 pub type Progress<'p> = &'p (dyn Fn(usize, usize) + Sync);
 
-/// Executes `run(0)`, …, `run(count - 1)`, `threads` of them in parallel, and calls `progress` after each. The results
-/// are in the order of the index.
+/// Executes `run(0)`, …, `run(count - 1)`, `threads` of them in parallel, and calls `progress` after each. Returns the
+/// results of the runs in the order of their indices.
 pub(crate) fn each_run<R: Send>(
     threads: usize,
     count: usize,

@@ -7,7 +7,7 @@ pub(crate) fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
     (!finite.is_empty()).then(|| identify::median(&mut finite))
 }
 
-/// Mean and sample standard deviation of the values.
+/// Mean and sample standard deviation of `values`.
 pub(crate) fn mean_and_deviation(values: &[f64]) -> (f64, f64) {
     let count = values.len().max(1) as f64;
     let mean = values.iter().sum::<f64>() / count;

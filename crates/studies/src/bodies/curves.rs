@@ -11,9 +11,10 @@ const SPEED: f64 = 20.0;
 /// Lift, drag and pitching-moment coefficients of one disc over the angle of attack.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    /// Name of the disc's model.
+    /// Name of the built-in model of the disc.
     pub name: &'static str,
-    /// Angle of attack, deg, with the coefficients `[C_L, C_D, C_M]` at that angle (C_M nose-up positive).
+    /// Points of the curves: pairs of an angle of attack, deg, and the coefficients `[C_L, C_D, C_M]` at that angle
+    /// (C_M positive nose up).
     pub points: Vec<(f64, [f64; 3])>,
 }
 

@@ -33,7 +33,8 @@ pub struct Filmed {
     /// For each launch quantity: its name, its published uncertainty as text, and the distance by which the simulated
     /// end of the flight moves if the quantity changes by that uncertainty, m.
     pub moves: Vec<(&'static str, String, f64)>,
-    /// Root of the sum of the squared distances in `moves`, m: uncertainty of the simulated end of the flight.
+    /// Root of the sum of the squared distances in `moves`, m: uncertainty of the simulated end of the flight that is
+    /// due to the uncertain launch quantities.
     pub all_moves: f64,
 }
 
@@ -83,8 +84,8 @@ pub fn filmed(folder: &Path) -> Result<Vec<Filmed>, StudyError> {
     all.collect()
 }
 
-/// Horizontal positions (x, y), m, at `times` (s) of the flight from a launch. Times after the landing give the landing
-/// position.
+/// Simulated horizontal positions (x, y), m, of a disc at `times` (s after the release). Times after the landing give
+/// the landing position.
 fn track(
     body: &ThrownBody,
     launch: &Launch,

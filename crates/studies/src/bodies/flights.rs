@@ -15,9 +15,9 @@ const SAMPLES: usize = 1000;
 /// The launch angle is 10°, the hyzer and nose angles are zero.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct TurnAndFade {
-    /// Name of the disc's model.
+    /// Name of the built-in model of the disc.
     pub disc: &'static str,
-    /// Speed at release, m/s.
+    /// Speed of the disc at release, m/s.
     pub speed: f64,
     /// Distance of the landing point along the launch direction, m.
     pub length: f64,

@@ -21,7 +21,7 @@ pub const DISCS: [&str; 4] = [
     "ultimate_disc",
 ];
 
-/// Indices of the states `x` and `y` of a body; 0 for a state that the model lacks.
+/// Indices of the states `x` and `y` in the state vector of a body's model; 0 for a state that the model lacks.
 fn horizontal_position(layout: &Layout) -> (usize, usize) {
     let index = |name: &str| layout.state(name).map_or(0, StateId::index);
     (index("x"), index("y"))

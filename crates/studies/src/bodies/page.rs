@@ -16,11 +16,11 @@ struct Results<'r> {
     filmed: &'r [Filmed],
 }
 
-/// Description, constants and tables of a body, as specified in its model file.
+/// Description, constants, and tables of coefficients of a body, as specified in its model file.
 #[derive(Serialize)]
 struct Body {
     name: String,
-    /// First paragraph of the model file's documentation.
+    /// Heading of the body: the first paragraph of the documentation in its model file.
     title: String,
     sources: Vec<String>,
     constants: Vec<[String; 3]>,

@@ -12,7 +12,7 @@ const STEP: f64 = 1.0 / 1200.0;
 /// A simulated flight, with its first contact with the ground.
 #[derive(Clone, Debug)]
 pub(crate) struct Touched {
-    /// States of the body at the sample times.
+    /// States of the body (position, attitude, velocities) at the requested sample times.
     pub(crate) states: Vec<Physical<f64>>,
     /// Time of the first contact, s, and the downward speed of the rim's lowest point at that time, m/s; `None` if the
     /// disc does not touch the ground.

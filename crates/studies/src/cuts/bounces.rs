@@ -14,7 +14,7 @@ use crate::oracle_flights::{
 };
 use crate::progress::{Progress, each_run};
 
-/// Number of flights per dataset.
+/// Number of simulated flights per dataset.
 const FLIGHTS: usize = 20;
 
 /// Limit of the computing time for fitting one dataset.
@@ -25,7 +25,8 @@ const DURATION: f64 = 1.0;
 /// Sampling rate of the simulated measurements, Hz.
 const RATE: f64 = 120.0;
 
-/// Range of the time of the first ground contact, s. Throws with a contact at another time or without one are redrawn.
+/// Permitted range of the time from the release to the first ground contact, s. Throws with a contact at another time
+/// or without one are redrawn.
 const TOUCH: (f64, f64) = (0.3, 0.85);
 
 /// Ranges of the launch conditions from which the throws are drawn: slow to moderate throws, level or downward.
@@ -44,9 +45,9 @@ const LOW: Throws = Throws {
 pub struct Bounce {
     /// Seed of the simulated dataset.
     pub seed: u64,
-    /// File name of the flight.
+    /// File name of the flight in its simulated dataset.
     pub file: String,
-    /// Time of the first ground contact, s.
+    /// Time from the release to the first ground contact, s.
     pub time: f64,
     /// Downward speed of the rim's lowest point at the first ground contact, m/s.
     pub speed: f64,
@@ -54,7 +55,7 @@ pub struct Bounce {
     pub before: usize,
     /// Number of samples that the fit used; `None` if the flight was excluded or the fit failed.
     pub used: Option<usize>,
-    /// Why the flight was excluded, or why the fit failed; `None` if the flight was used.
+    /// Why the fit excluded the flight, or why the fit failed; `None` if the fit used the flight.
     pub excluded: Option<String>,
 }
 
@@ -103,8 +104,8 @@ fn of_dataset(seed: u64) -> Vec<Bounce> {
     each.collect()
 }
 
-/// Simulates a dataset of flights that bounce. Also returns the time (s) and downward speed (m/s) of each first ground
-/// contact.
+/// Simulates a dataset of flights that bounce. Also returns, for each flight, the time (s) of the first ground contact
+/// and the downward speed (m/s) at that contact.
 fn dataset(seed: u64) -> (Dataset, Vec<(f64, f64)>) {
     let mut random = ChaCha12Rng::seed_from_u64(seed);
     let noises = noise_conditions();
@@ -120,8 +121,8 @@ fn dataset(seed: u64) -> (Dataset, Vec<(f64, f64)>) {
     (dataset, touches)
 }
 
-/// Simulates a flight without noise, redrawn until its first ground contact lies in the range `TOUCH`. Also returns the
-/// time (s) and downward speed (m/s) of that contact.
+/// Simulates a flight without noise, redrawn until its first ground contact lies between 0.3 and 0.85 s after the
+/// release. Also returns the time (s) and downward speed (m/s) of that contact.
 pub(crate) fn bouncing_flight(index: usize, random: &mut impl Rng) -> (Flight, (f64, f64)) {
     let model = disc();
     let reference = reference_of(&model);

@@ -10,7 +10,7 @@ use crate::oracle_flights::{Plan, TRUTH, Throws, add_noise, disc, flights, noise
 use crate::progress::{Progress, each_run};
 use crate::seeded::{SeededEffects, ball};
 
-/// Number of flights per dataset.
+/// Number of simulated flights per dataset.
 const FLIGHTS: usize = 20;
 
 /// Limit of the computing time for fitting one dataset.
@@ -47,15 +47,15 @@ pub struct FreeFlight {
     pub group: &'static str,
     /// Seed of the simulated dataset.
     pub seed: u64,
-    /// File name of the flight.
+    /// File name of the flight in its simulated dataset.
     pub file: String,
     /// Reason why the fit truncated the flight; `None` if the fit did not truncate it.
     pub cut: Option<String>,
-    /// Why the flight was excluded, or why the fit failed; `None` if the flight was used.
+    /// Why the fit excluded the flight, or why the fit failed; `None` if the fit used the flight.
     pub excluded: Option<String>,
 }
 
-/// Names of the groups of simulated throws whose flights have no ground contact.
+/// Names of the groups of simulated throws with which fits of flights without ground contact are tested.
 const GROUPS: [&str; 4] = [
     "usual throws of a disc",
     "wild throws of a disc",
@@ -63,8 +63,9 @@ const GROUPS: [&str; 4] = [
     "balls",
 ];
 
-/// Simulates and fits `datasets` datasets of twenty flights without ground contact, cycling through the groups of
-/// throws. `progress` is called with the numbers of finished datasets and of all datasets.
+/// Simulates and fits `datasets` datasets of twenty flights without ground contact. The datasets take their throws from
+/// four groups in turn: three kinds of disc throws, and balls. `progress` is called with the numbers of finished
+/// datasets and of all datasets.
 pub fn free_flights(datasets: usize, threads: usize, progress: Progress<'_>) -> Vec<FreeFlight> {
     let each = each_run(threads, datasets, progress, |seed| of_dataset(seed as u64));
     each.into_iter().flatten().collect()
@@ -98,8 +99,8 @@ fn of_dataset(seed: u64) -> Vec<FreeFlight> {
     each.collect()
 }
 
-/// Simulates a dataset of flights without ground contact. Its seed also selects the group of throws and the noise
-/// condition.
+/// Simulates a dataset of flights without ground contact. Its seed also selects the group of throws (such as fast
+/// throws of a disc, or balls) and the noise condition.
 fn dataset(seed: u64) -> Dataset {
     let (group, index) = (seed as usize % GROUPS.len(), seed as usize / GROUPS.len());
     let noises = noise_conditions();

@@ -5,11 +5,11 @@ use serde::Serialize;
 use super::bounces::Bounce;
 use super::free::FreeFlight;
 
-/// Maximum number of examples that the section lists for each kind of flight: flights without ground contact that were
-/// truncated or excluded, and bouncing flights not truncated at the ground contact.
+/// Maximum number of examples that docs/spoiled.md lists for each kind of flight: flights without ground contact that
+/// were truncated or excluded, and bouncing flights not truncated at the ground contact.
 const MAX_EXAMPLES: usize = 12;
 
-/// Boundaries of the classes of impact speed into which the bouncing flights are sorted, m/s.
+/// Boundaries, m/s, of the ranges of impact speed by which the bouncing flights are grouped in a table.
 const CLASSES: [f64; 4] = [0.0, 1.0, 2.5, f64::INFINITY];
 
 /// Data of the section on truncation in docs/spoiled.md: counts and examples of flights without ground contact and of
@@ -46,7 +46,8 @@ struct BounceRow {
 }
 
 impl CutSection {
-    /// Counts the truncated and excluded flights per group of throws, and the bounces per class of impact speed.
+    /// Counts the truncated and excluded flights without ground contact per group of throws, and the bouncing flights
+    /// per range of impact speed.
     pub fn new(free: &[FreeFlight], bounces: &[Bounce]) -> Self {
         let mut groups: Vec<&'static str> = Vec::new();
         for flight in free {

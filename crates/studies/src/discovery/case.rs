@@ -39,8 +39,8 @@ pub struct Case {
 }
 
 impl Case {
-    /// Draws the settings of the run with the index `run` among those of one combination of simulation settings, `row`.
-    /// They depend only on the row's key (text of these settings) and `run`.
+    /// Specifies one run: derives its seed from `row` (simulation settings that several runs share) and from the index
+    /// `run`, and draws the sizes and signs of the added effects with this seed.
     pub fn of(row: &Row, run: usize) -> Self {
         let seed = seed(&row.key(), run);
         let mut random = ChaCha12Rng::seed_from_u64(seed);
@@ -78,8 +78,8 @@ impl Case {
         }
     }
 
-    /// Simulates the flights of the run, with measurement noise. If the settings ask for it, also introduces errors
-    /// into the spins that the dataset states.
+    /// Simulates the flights of the run, with measurement noise. If `input_errors` is set, also introduces errors into
+    /// the spins that the dataset states.
     pub fn dataset(&self) -> Dataset {
         let flights = self.flights;
         let ball = |plan| {
@@ -144,8 +144,8 @@ fn default_flights(body: Body) -> (usize, usize) {
     }
 }
 
-/// Seed of a run: 40-bit FNV-1a hash of `key`, the text of the simulation settings, and the index of the run. It is not
-/// wider because other code multiplies seeds by 1000.
+/// Seed of a run: 40-bit FNV-1a hash of `key` (text of the simulation settings) and of the index of the run. It is
+/// limited to 40 bits because other code multiplies seeds by 1000.
 fn seed(key: &str, run: usize) -> u64 {
     let bytes = key.bytes().chain((run as u64).to_le_bytes());
     let hash = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {

@@ -3,9 +3,9 @@
 use super::outcome::Outcome;
 use super::run::RowResult;
 
-/// Lines of text about the runs under one combination of simulation settings: a heading and one line per run. A run
-/// with a text in `rejections` has a second line, on the diagnosis repeated with a model that contains the effects
-/// added to the simulated flights.
+/// Lines of text about the runs under one combination of simulation settings: a heading and one line per run. For a run
+/// with an entry in `rejections` a second line follows: the result of the diagnosis repeated with a model that contains
+/// the effects added to the simulated flights.
 pub fn details(result: &RowResult, rejections: &[Option<String>]) -> Vec<String> {
     let mut lines = vec![result.row.key()];
     for (run, outcome) in result.outcomes.iter().enumerate() {

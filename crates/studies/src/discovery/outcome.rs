@@ -7,7 +7,7 @@ use super::case::Case;
 /// Result of the diagnosis of one simulated dataset, scored against the effects added to its flights.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// Settings with which the run was simulated.
+    /// Settings with which the flights were simulated.
     pub case: Case,
     /// Verdict of the diagnosis; `None` if the diagnosis failed.
     pub verdict: Option<Verdict>,
@@ -27,12 +27,12 @@ pub struct Outcome {
     /// Whether the report lists an effect that was added to the simulated flights as not identifiable from these
     /// flights.
     pub not_identifiable: bool,
-    /// Ratio of the size of an effect added to the simulated flights to its minimum detectable size, the minimum over
-    /// these effects. It is 0 if one of them is not identifiable. `None` if the ratio is not known, as for effects
-    /// outside the built-in effects catalogue.
+    /// Ratio of the size of an effect added to the simulated flights to its minimum detectable size. For several added
+    /// effects, the smallest ratio. It is 0 if one of them is not identifiable. `None` if the ratio is not known, as
+    /// for effects outside the built-in effects catalogue.
     pub detectability: Option<f64>,
-    /// Score test of the effects added to the simulated flights: z-equivalent (two-sided standard normal quantile of
-    /// the p-value), the minimum over these effects. `None` if none of them was tested.
+    /// z-equivalent (two-sided standard normal quantile of the p-value) of the score test of the effect added to the
+    /// simulated flights. For several added effects, the smallest one. `None` if none of them was tested.
     pub z: Option<f64>,
     /// Counts of the flights that the report lists as discordant: flights that contradict the effect found in most
     /// flights.
@@ -76,8 +76,8 @@ pub struct HeldOutErrors {
 }
 
 impl Outcome {
-    /// Initial outcome of a run before the diagnosis: no verdict and no hypotheses; prediction errors that are not
-    /// known are NaN.
+    /// Outcome of a run before its diagnosis: no verdict, no hypotheses, and NaN for the RMS prediction errors and the
+    /// computing time.
     pub(super) fn unknown(case: &Case) -> Self {
         Self {
             case: case.clone(),

@@ -13,8 +13,8 @@ use crate::error::StudyError;
 use crate::page::Page;
 use crate::seeded::InputErrors;
 
-/// Maximum number of different results of the diagnosis (verdict and hypotheses) that the page lists for a failing row
-/// of the table.
+/// Maximum number of different results of the diagnosis (verdict and hypotheses) that docs/discovery.md lists for a
+/// combination of simulation settings under which the diagnosis fails.
 const MAX_ANSWERS: usize = 3;
 
 /// A combination of simulation settings is listed as failing if the diagnosis misses a detectable effect in more than
@@ -87,8 +87,8 @@ impl Criterion {
     }
 }
 
-/// Runs of one combination of simulation settings that fail in the same way, with the verdicts and hypotheses of the
-/// diagnosis in these runs.
+/// Runs of one combination of simulation settings in which the diagnosis fails in the same way: it gives a single,
+/// wrong hypothesis, or misses a detectable effect. Includes the verdicts and hypotheses in these runs.
 #[derive(Serialize)]
 struct Failure {
     row: String,

@@ -42,7 +42,7 @@ const RUNS: RunCounts = RunCounts {
 /// Number of random pairs of effects that the study adds to simulated flights.
 const PAIRS: usize = 12;
 
-/// Seed with which the random pairs of effects are drawn.
+/// Seed with which the random pairs of effects that are added to simulated flights are drawn.
 const PAIR_SEED: u64 = 12;
 
 /// Random combinations of effects that the study adds to simulated flights: number of effects in a combination, and
@@ -56,8 +56,8 @@ const SEVERAL_SEED: u64 = 23;
 /// model without the effect is badly wrong.
 const SEVERE: [&str; 3] = ["stall", "zero_lift_drag_angle", "cubic_pitching_moment"];
 
-/// Pairs (added effect, cause with the same influence on flights), by name. The flights alone do not allow the
-/// diagnosis to distinguish the two.
+/// Names of pairs: an effect that is added to simulated flights, and another cause with the same influence on flights.
+/// The flights alone do not allow the diagnosis to distinguish the two.
 const CONFOUNDED: [(&str, &str); 7] = [
     ("gravity", "clock_rate"),
     ("clock_rate", "gravity"),

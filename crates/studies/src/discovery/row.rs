@@ -14,11 +14,11 @@ pub enum Group {
     /// Two effects of the built-in effects catalogue are added to the simulated flights, drawn without regard to their
     /// identifiability.
     Pair,
-    /// Two or three effects of the built-in effects catalogue are added to the simulated flights. None of them has the
-    /// same influence on flights as another cause.
+    /// Two or three effects of the built-in effects catalogue are added to the simulated flights. None of them can be
+    /// replaced by another cause with the same influence on flights.
     Several,
-    /// The added effect changes the simulated flights in the same way as another cause, so that the diagnosis cannot
-    /// distinguish the two.
+    /// The effect added to the simulated flights changes them in the same way as another cause, so that the diagnosis
+    /// cannot distinguish the two.
     Confounded,
     /// An effect outside the built-in effects catalogue is added to the simulated flights.
     Unlisted,
@@ -32,7 +32,7 @@ pub enum Group {
 }
 
 impl Group {
-    /// Name of the group on documentation pages.
+    /// Name of this group of simulation settings on documentation pages.
     pub(super) fn label(self) -> &'static str {
         match self {
             Group::Null => "no effect",
@@ -64,7 +64,7 @@ impl Group {
     }
 }
 
-/// Size of an effect added to simulated flights, relative to what is met in practice.
+/// Size of an effect added to simulated flights, relative to the sizes of this effect that are met in practice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Size {
     /// Near the smallest size of the effect that is met in practice.
@@ -89,8 +89,8 @@ impl Size {
         }
     }
 
-    /// Value at this size of a coefficient of an effect, given its values `weak` and `strong` at the sizes of these
-    /// names.
+    /// Value of an effect's coefficient at this size, given the coefficient's values for a weak effect (`weak`) and for
+    /// a strong effect (`strong`).
     pub(super) fn of(self, weak: f64, strong: f64) -> f64 {
         match self {
             Size::Weak => weak,

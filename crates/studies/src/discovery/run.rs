@@ -27,9 +27,9 @@ pub struct RowResult {
     pub outcomes: Vec<Outcome>,
 }
 
-/// Executes the runs (simulated and diagnosed datasets) of the given combinations of simulation settings. `at_a_time`
-/// diagnoses run in parallel and share the processors. Calls `progress` with the numbers of finished runs and of all
-/// runs.
+/// Executes the runs (simulated and diagnosed datasets) of each combination of simulation settings in `rows`.
+/// `at_a_time` diagnoses run in parallel and share the processors. Calls `progress` with the numbers of finished runs
+/// and of all runs.
 pub fn run_rows(rows: &[Row], at_a_time: usize, progress: Progress<'_>) -> Vec<RowResult> {
     let threads = threads_of_each_run(at_a_time);
     let models = Models::default();
@@ -146,7 +146,7 @@ fn held_out(
     }
 }
 
-/// RMS residual of a fitted model over the held-out flights, m.
+/// RMS residual, m, of a fitted model over the held-out flights, which the fit did not use.
 fn prediction_error(fitted: &Fit) -> f64 {
     let flights = fitted.report.flights.iter();
     let held_out = flights.filter(|f| f.role == Role::HeldOut && !f.initial.is_empty());

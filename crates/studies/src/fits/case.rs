@@ -11,8 +11,8 @@ use rand_chacha::ChaCha12Rng;
 use crate::oracle_flights::{Plan, TWELVE};
 use crate::seeded::{self, SeededEffects, greatest_angle_of_attack, strength};
 
-/// Range of the displacement of the markers by one effect (m, RMS over the marker coordinates): from just detectable in
-/// twelve flights to one metre.
+/// Range, m, from which the marker displacement by one effect is drawn: RMS difference of the marker coordinates from
+/// flights without the effect. The lower limit is just detectable in twelve flights.
 const DISPLACEMENT: (f64, f64) = (5e-4, 1.0);
 
 /// Maximum number of effects that are added to the simulated flights of one dataset.
@@ -21,20 +21,20 @@ const MAX_EFFECTS: usize = 3;
 /// Maximum size of an effect, as a multiple of its strong value (near the largest that is met in practice).
 const MAX_MULTIPLE: f64 = 12.0;
 
-/// Maximum angle of attack in the flights of a case, rad. Near 90° the airspeed has almost no component in the plane of
+/// Maximum angle of attack in the simulated flights, rad. Near 90° the airspeed has almost no component in the plane of
 /// the disc, so the direction of this component, in which forces are declared, is undefined. A strong negative lift can
 /// keep the disc at 90°.
 const MAX_ANGLE: f64 = 1.3;
 
 /// Number of flights simulated in each iteration of the search for the size at which an effect displaces the markers by
-/// a given amount.
+/// a wanted amount.
 const PROBE_FLIGHTS: usize = 4;
 
-/// Tolerance of the search for an effect's size: it ends when the marker displacement deviates from the wanted one by
-/// less than this fraction.
+/// Tolerance of the search for an effect's size: the search ends when the marker displacement deviates from the wanted
+/// displacement by less than this fraction of it.
 const CLOSE: f64 = 0.25;
 
-/// Maximum number of iterations of the search for an effect size.
+/// Maximum number of iterations of the search for the size at which an effect displaces the markers by a wanted amount.
 const STEPS: usize = 7;
 
 /// Number of the ChaCha random stream from which the effects and their sizes are drawn. The streams of the flights are
@@ -45,9 +45,9 @@ const SIZE_STREAM: u64 = u64::MAX - 3;
 /// the model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FitCase {
-    /// Seed of the effects, the throws and the noise.
+    /// Seed from which the effects and their values, the throws and the measurement noise are drawn.
     pub seed: u64,
-    /// Names of the effects added to the simulated flights, with their values, SI.
+    /// Effects (optional model extensions) added to the simulated flights: name, and values (SI) of the coefficients.
     pub effects: Vec<(String, Vec<f64>)>,
     /// RMS difference, m, between the marker coordinates of flights with all effects and of flights without effects
     /// that start from the same releases.
@@ -98,12 +98,12 @@ impl FitCase {
         }
     }
 
-    /// Names of the effects added to the simulated flights.
+    /// Names of the effects (optional model extensions) added to the simulated flights.
     pub fn names(&self) -> Vec<&str> {
         self.effects.iter().map(|(name, _)| name.as_str()).collect()
     }
 
-    /// Simulates the flights twice: without noise, and with white noise.
+    /// Simulates the flights with the added effects twice: without noise, and with white noise.
     pub fn datasets(&self) -> [Dataset; 2] {
         let seeded = listed(&self.effects);
         [
@@ -190,7 +190,8 @@ fn within_bounds(model: &Model, name: &str, strong: &[f64], multiple: f64) -> Ve
     each.collect()
 }
 
-/// Simulates the first `flights` throws drawn from a seed, with the given effects and without noise.
+/// Simulates the first `flights` throws drawn from a seed, with the effects `effects` (names and values) and without
+/// noise.
 fn flights(effects: &[(String, Vec<f64>)], flights: usize, seed: u64) -> Dataset {
     let plan = Plan { flights, ..TWELVE };
     seeded::dataset(&plan, &listed(effects), seed)
@@ -203,8 +204,8 @@ fn listed(effects: &[(String, Vec<f64>)]) -> SeededEffects {
     }
 }
 
-/// RMS difference, per coordinate, between the marker positions of the flights `plain` and of the same throws with the
-/// effects, m; infinite if a simulated position is not finite.
+/// RMS difference, per coordinate, between the marker positions of the flights `plain`, which contain no effects, and
+/// of the same throws with `effects`, m; infinite if a simulated position is not finite.
 fn displacement(plain: &Dataset, effects: &[(String, Vec<f64>)], seed: u64) -> f64 {
     let with = flights(effects, plain.flights.len(), seed);
     rms_distance(plain, &with).unwrap_or(f64::INFINITY)

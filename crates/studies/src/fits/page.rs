@@ -7,11 +7,11 @@ use crate::error::StudyError;
 use crate::page::Page;
 use crate::statistics::median;
 
-/// Maximum number of failed fits that the page lists.
+/// Maximum number of failed fits that docs/fits.md lists.
 const MAX_LISTED: usize = 40;
 
-/// Boundaries, m, of the classes into which the fits are sorted by the marker displacement that the added effects
-/// cause.
+/// Boundaries, m, of the ranges of marker displacement (caused by the added effects) by which the fits are grouped in a
+/// table.
 const CLASSES: [f64; 5] = [0.0, 0.005, 0.05, 0.3, f64::INFINITY];
 
 #[derive(Serialize)]
@@ -27,8 +27,7 @@ struct Results {
     slow: Vec<Row>,
 }
 
-/// Number, success rate and computing times of the fits in which the added effects displace the markers by amounts
-/// within one class.
+/// Number, success rate and computing times of a group of fits, such as the fits of datasets with two added effects.
 #[derive(Serialize)]
 struct Class {
     name: String,

@@ -11,10 +11,10 @@ use crate::progress::{Progress, each_run, threads_of_each_run};
 const MAX_RATIO: f64 = 1.02;
 
 /// Maximum fraction of the measured marker positions that a good fit may classify as outliers. The simulated flights
-/// contain none.
+/// contain no outliers.
 const MAX_OUTLIERS: f64 = 0.005;
 
-/// Outcome of fitting one dataset with randomly drawn effects.
+/// Outcome of fitting one simulated dataset whose flights contain randomly drawn effects.
 #[derive(Clone, Debug)]
 pub struct FitOutcome {
     /// Simulated flights that were fitted, with the effects that were added to them.

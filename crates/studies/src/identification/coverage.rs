@@ -11,7 +11,7 @@ use crate::oracle_flights::{NoiseCondition, Plan, add_noise, disc, flights, trut
 /// error.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct CoefficientCoverage {
-    /// Name of the coefficient.
+    /// Name of the coefficient whose confidence intervals are examined.
     pub name: String,
     /// Number of datasets whose 95 % confidence interval contains the true value.
     pub covered: usize,

@@ -25,7 +25,8 @@ struct CoverageSection<'r> {
     coefficients: &'r [CoefficientCoverage],
 }
 
-/// Table row: coverage of the confidence intervals under one noise condition, as fractions of the datasets.
+/// Table row: coverage of the 95 % confidence intervals under one noise condition (fraction of the intervals that
+/// contain the true value).
 #[derive(Serialize)]
 struct ConditionRow<'r> {
     name: &'r str,
@@ -75,7 +76,8 @@ struct CoefficientRow<'r> {
     expected: f64,
 }
 
-/// Renders docs/identification.md from the coverages and the fits of the flights of Hubbard & Hummel (2000).
+/// Renders docs/identification.md from the coverages of confidence intervals and the fits of the flights of Hubbard &
+/// Hummel (2000).
 ///
 /// # Errors
 /// [`StudyError::Page`] if the template cannot be rendered with the results.

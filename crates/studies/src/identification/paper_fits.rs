@@ -11,8 +11,8 @@ use crate::bounded_fit::on_threads;
 use crate::oracle_flights::{Plan, SAMPLE_RATE, Throws, add_noise, disc, flights, paper_flight};
 use crate::statistics::mean_and_deviation;
 
-/// Standard deviation of the marker positions about the best fit in Hubbard & Hummel (2000), m; used for the simulated
-/// noise.
+/// Standard deviation of the residuals of the marker positions in the fits of Hubbard & Hummel (2000), m; used for the
+/// simulated noise.
 const SIGMA: f64 = 0.0014;
 
 /// Estimates from one set of flights under one noise condition, over many seeds of the noise.
@@ -22,11 +22,12 @@ pub struct Scenario {
     pub name: &'static str,
     /// Estimates (SI), indexed by coefficient (in the order of the model's coefficients) and by noise seed.
     pub estimates: Vec<Vec<f64>>,
-    /// Number of seeds with a physically implausible estimate, such as negative drag.
+    /// Number of noise seeds for which the fit gives a physically implausible estimate, such as negative drag.
     pub implausible: usize,
-    /// For each coefficient, the number of seeds whose report names it as practically non-identifiable.
+    /// For each coefficient, the number of noise seeds for which the fit report names it as practically
+    /// non-identifiable.
     pub non_identifiable: Vec<usize>,
-    /// Number of seeds whose report names any coefficient as practically non-identifiable.
+    /// Number of noise seeds for which the fit report names any coefficient as practically non-identifiable.
     pub any_non_identifiable: usize,
     /// Number of noise seeds for which the fit failed.
     pub failed: usize,
@@ -36,7 +37,8 @@ pub struct Scenario {
 }
 
 impl Scenario {
-    /// Mean and standard deviation, over the noise seeds, of the estimates of the coefficient with the given index, SI.
+    /// Mean and standard deviation, over the noise seeds, of the estimates of one coefficient, SI. `coefficient` is its
+    /// index in the order of the model's coefficients.
     pub(crate) fn mean_and_deviation(&self, coefficient: usize) -> (f64, f64) {
         mean_and_deviation(&self.estimates[coefficient])
     }
@@ -55,10 +57,12 @@ pub struct PaperFits {
     pub scenarios: Vec<Scenario>,
 }
 
-/// Name in [`PaperFits::scenarios`] of the fit of flight fssh3 (0.5 s long) alone, under autocorrelated noise.
+/// Name of the scenario in which only flight fssh3 of Hubbard & Hummel (2000), 0.5 s long, is fitted, under noise with
+/// a lag-1 correlation of 0.6.
 pub(super) const FSSH3_HALF: &str = "fssh3 alone, 0.5 s, AR(0.6)";
 
-/// Name in [`PaperFits::scenarios`] of the fit of the first half second of bffl8 alone under autocorrelated noise.
+/// Name of the scenario in which only the first 0.5 s of flight bffl8 of Hubbard & Hummel (2000) is fitted, under noise
+/// with a lag-1 correlation of 0.6.
 pub(super) const BFFL8_HALF: &str = "bffl8 alone, its first 0.5 s, AR(0.6)";
 
 /// Whether an estimate is physically plausible: drag coefficients are not negative, lift does not fall with the angle

@@ -7,8 +7,8 @@ use super::paper_fits::{PaperFits, Scenario};
 /// Maximum number of dots (estimates) drawn for one coefficient and one scenario of the scatter plot.
 const MAX_DOTS: usize = 100;
 
-/// Draws the estimates of all scenarios as a scatter plot in SVG: one panel per coefficient, one column of dots per
-/// scenario.
+/// Draws the estimates of all scenarios (sets of fitted flights) as a scatter plot in SVG: one panel per coefficient,
+/// one column of dots per scenario.
 pub(super) fn scatter(fits: &PaperFits) -> String {
     let panels = fits.truth.iter().enumerate().map(|(k, (name, truth))| {
         let ends = [0.5, fits.scenarios.len() as f64 + 0.5];

@@ -5,8 +5,8 @@ use identify::synthesize::Corruption;
 use super::dataset::Plan;
 use super::throws::Throws;
 
-/// True coefficients of the disc in the studies, SI. They are plausible and differ from the model file's values, which
-/// are the initial values of a fit.
+/// Coefficients of the disc with which the studies simulate flights, SI. They are plausible and differ from the model
+/// file's values, which are the initial values of a fit.
 pub const TRUTH: [(&str, f64); 8] = [
     ("C_L0", 0.15),
     ("C_La", 2.8),
@@ -31,10 +31,10 @@ pub const TWELVE: Plan<'static> = Plan {
 /// positions), with a name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NoiseCondition {
-    /// Name of the condition on pages. The seeds of the discovery study are derived from it, so another name would give
-    /// other datasets.
+    /// Name of the noise condition on documentation pages. The seeds of the discovery study are derived from it, so
+    /// another name would give other datasets.
     pub name: &'static str,
-    /// Noise of the marker positions.
+    /// Noise that is added to the simulated marker positions under this condition.
     pub noise: Corruption,
 }
 

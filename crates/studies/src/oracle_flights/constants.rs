@@ -3,7 +3,8 @@
 use model_spec::model::Model;
 use oracle::{Physical, Point, Reference};
 
-/// Returns the law of motion of a built-in model in the oracle, the independent implementation of the laws of motion.
+/// Returns the oracle's law of motion for a built-in model. The oracle is the independent implementation of the laws of
+/// motion.
 ///
 /// # Panics
 /// If the oracle has no law for the model.
@@ -12,13 +13,13 @@ pub(crate) fn reference_of(model: &Model) -> Reference {
     bound.expect("the model has the names of its reference")
 }
 
-/// Access to the coefficients of a disc model that determine its curves of lift, drag and pitching moment over the
-/// angle of attack.
+/// Sets those coefficients of a disc model that determine its curves of lift, drag and pitching moment over the angle
+/// of attack.
 pub(crate) struct CurveCoefficients {
     /// Indices of `C_L0`, `C_La`, `C_D0`, `C_Da` and `C_Ma` among the model's coefficients; `None` for each that the
     /// model does not have.
     indices: [Option<usize>; 5],
-    /// Magnitude of the angle of attack (rad) below which the pitching moment is set to 0.
+    /// Magnitude of the angle of attack (rad) below which the pitching-moment slope `C_Ma` is set to 0.
     min_alpha: f64,
 }
 
@@ -31,8 +32,9 @@ impl CurveCoefficients {
         }
     }
 
-    /// Sets the coefficients so that the model's curves take the given values at the angle of attack `alpha` (rad). The
-    /// model's moment is proportional to the angle, so it is set to 0 at small angles.
+    /// Sets the coefficients so that the model's lift, drag and pitching-moment curves take the values `lift`, `drag`
+    /// and `moment` at the angle of attack `alpha` (rad). The model's moment is proportional to the angle, so it is set
+    /// to 0 at small angles.
     pub(crate) fn set(
         &self,
         constants: &mut Point<f64>,

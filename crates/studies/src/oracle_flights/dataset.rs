@@ -11,12 +11,12 @@ use super::constants::reference_of;
 use super::integrate::{integrate, marker_positions};
 use super::throws::Throws;
 
-/// A set of random throws of a disc, and how they are observed.
+/// A set of random throws of a disc, and the duration and sample rate of their measurement.
 #[derive(Clone, Copy, Debug)]
 pub struct Plan<'a> {
     /// True coefficients by name, SI. Coefficients that are not listed have the values of the model file.
     pub truth: &'a [(&'a str, f64)],
-    /// Distribution of the launches.
+    /// Distribution of the launch conditions from which the throws are drawn.
     pub throws: Throws,
     /// Number of flights in the dataset.
     pub flights: usize,
@@ -75,7 +75,8 @@ pub fn flights(model: &Model, plan: &Plan<'_>, seed: u64) -> Dataset {
     }
 }
 
-/// Flight with the exact positions of the default markers ([`MARKERS`]) in the given body states at `times` (s).
+/// Builds a flight from body states at `times` (s), with the exact positions of the default markers ([`MARKERS`]) in
+/// these states.
 pub(crate) fn marker_flight(file: String, times: Vec<f64>, states: &[Physical<f64>]) -> Flight {
     let positions = states.iter().map(|body| {
         let positions = marker_positions(body, &MARKERS);
@@ -105,7 +106,7 @@ pub(crate) fn empty(model: &Model) -> Dataset {
     }
 }
 
-/// File name of the flight with the given index (from 0).
+/// File name of the simulated flight with the index `index` (from 0).
 pub(crate) fn file_name(index: usize) -> String {
     format!("flight{:03}.csv", index + 1)
 }

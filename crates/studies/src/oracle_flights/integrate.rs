@@ -49,7 +49,7 @@ pub fn integrate_with_constants(
     integrate_in_steps(&law, start, 0.0, times, max_step)
 }
 
-/// Time derivatives that a law of motion gives at one time.
+/// Time derivatives of body state and internal state that a law of motion gives at one time.
 #[derive(Clone, Copy, Debug)]
 pub struct Derivatives {
     /// Linear (m/s²) and angular (rad/s²) acceleration of the body.

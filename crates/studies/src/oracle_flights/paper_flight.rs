@@ -13,7 +13,7 @@ use super::integrate::{SMALL_STEP, integrate_with_constants};
 /// Sample rate of the flights of Hubbard & Hummel (2000), Hz.
 pub(crate) const SAMPLE_RATE: f64 = 120.0;
 
-/// Angle of attack (rad) below which a tabulated pitching moment is set to 0.
+/// Angle of attack (rad) below which the pitching moment is set to 0 if it is given by a table.
 const MIN_ALPHA: f64 = 1e-3;
 
 /// Lift, drag and pitching-moment coefficients (moment nose-down positive, as in the model) as a function of the angle

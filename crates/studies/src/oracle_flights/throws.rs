@@ -7,7 +7,7 @@ use rand::{Rng, RngExt};
 /// Distribution of throws: each quantity is uniform over a range (minimum, maximum).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Throws {
-    /// Range of the speed at release, m/s.
+    /// Range of the speed of the disc at release, m/s.
     pub speed: (f64, f64),
     /// Range of the launch angle (velocity above the horizontal), rad.
     pub launch: (f64, f64),
@@ -15,16 +15,16 @@ pub struct Throws {
     pub nose: (f64, f64),
     /// Range of the hyzer angle (tilt of the disc about its velocity), rad.
     pub hyzer: (f64, f64),
-    /// Range of the magnitude of the spin, rad/s.
+    /// Range of the magnitude of the disc's spin at release, rad/s.
     pub spin: (f64, f64),
     /// Fraction of the throws with positive spin about the disc's upward axis (counter-clockwise seen from above).
     pub counter_clockwise: f64,
-    /// Maximum magnitude of the angular rate about each of two diameters, rad/s.
+    /// Maximum magnitude at release of the angular rate about each of two diameters of the disc, rad/s.
     pub wobble: f64,
 }
 
 impl Throws {
-    /// Moderate variety of throws, as a careful experimenter would choose.
+    /// Launch conditions of moderate variety, as a careful experimenter would choose.
     pub const SPREAD: Throws = Throws {
         speed: (9.0, 18.0),
         launch: (-0.05, 0.25),

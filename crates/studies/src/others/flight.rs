@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use ode::Method;
 use oracle::{ClaimedBody, Point, Tree, derivatives};
 
-/// Duration of the simulated flights, s.
+/// Duration of the flights that are simulated with the equations of published simulators, s.
 pub const DURATION: f64 = 2.0;
 /// Number of equally spaced output times of a simulated flight, including the release and the end.
 const INSTANTS: usize = 41;
@@ -41,8 +41,8 @@ pub fn fly(model: &Model, from: &Point<f64>) -> Option<Vec<Point<f64>>> {
     Some(points)
 }
 
-/// Position of the body that the model describes, m. `point` has the model's time, states and parameters. `None` if the
-/// model does not declare a body.
+/// Position of the body that the model describes, m, at the time, states and parameters in `point`. `None` if the model
+/// does not declare a body.
 pub fn position(model: &Model, point: &Point<f64>) -> Option<Vector3<f64>> {
     Some(ClaimedBody::of(&Tree::new(model, point))?.position)
 }

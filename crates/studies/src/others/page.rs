@@ -51,7 +51,7 @@ struct StageRow {
 /// rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Renders docs/others.md from the results of all simulators.
+/// Renders docs/others.md from the verification results of all published simulators.
 ///
 /// # Errors
 /// [`StudyError::Page`] if the template cannot be rendered with the results.

@@ -5,7 +5,7 @@
 pub struct Simulator {
     /// Name of the built-in model with the simulator's equations.
     pub model: &'static str,
-    /// Name and version of the simulator.
+    /// Name and version of the simulator, as printed on the documentation page.
     pub title: &'static str,
     /// Description of the simulated throw, which starts from the default values of the model's states.
     pub throw: &'static str,

@@ -42,25 +42,26 @@ pub struct Verdicts {
 pub struct LawInFlight {
     /// Balance law whose left-hand and right-hand sides are compared, such as d(momentum)/dt = force.
     pub law: BalanceLaw,
-    /// Maximum magnitude of the law's right-hand side along the flight (the cause of the change, such as the force),
-    /// SI.
+    /// Maximum magnitude of the law's right-hand side (such as the force) along the flight, SI.
     pub cause: f64,
     /// Maximum magnitude of the difference between the left-hand and the right-hand side of the law along the flight,
     /// SI.
     pub difference: f64,
 }
 
-/// Rate of one state along a flight: as stated by the simulator's equations, and as implied by the laws of motion.
+/// Rate of change of one state along a flight: as given by the simulator's equations, and as implied by the laws of
+/// motion.
 #[derive(Clone, Debug, Serialize)]
 pub struct RateInFlight {
     /// Name of the state whose rates are compared.
     pub state: String,
     /// Unit of the state; the rates are in this unit per second.
     pub unit: String,
-    /// Maximum magnitude, along the flight, of the state's rate according to the simulator's equations, in `unit` per
-    /// second.
+    /// Maximum magnitude, along the flight, of the state's rate of change as given by the simulator's equations, in
+    /// `unit` per second.
     pub stated: f64,
-    /// Maximum magnitude, along the flight, of the state's rate as implied by the laws of motion, in `unit` per second.
+    /// Maximum magnitude, along the flight, of the state's rate of change as implied by the laws of motion, in `unit`
+    /// per second.
     pub implied: f64,
     /// Maximum magnitude, along the flight, of the difference between the rate according to the simulator's equations
     /// and the rate implied by the laws of motion, in `unit` per second.
@@ -78,9 +79,9 @@ pub struct Stage {
     pub broken: Vec<String>,
     /// Whether none of the checks of `hyzer verify` refutes these equations.
     pub holds: bool,
-    /// States whose rates differ from those of the previous stage at the points of the previous stage's simulated
-    /// flight. For each: name, maximum magnitude of the previous rate, maximum magnitude of the difference (in the
-    /// state's unit per second).
+    /// States whose rates of change in these equations differ from those before the last correction, along the flight
+    /// simulated before that correction. For each: name, maximum magnitude of the earlier rate, maximum magnitude of
+    /// the difference (in the state's unit per second). Empty for the published equations.
     pub moved: Vec<(String, f64, f64)>,
     /// Position of the body at the end of the simulated flight, m.
     pub end: Vector3<f64>,

@@ -2,7 +2,8 @@
 
 use nalgebra::Vector3;
 
-/// Time, position and motion of a body at which a hidden effect is evaluated: inertial axes, SI.
+/// Time, position and motion of a simulated body (inertial axes, SI), from which the change of its motion or
+/// measurement by a hidden effect (absent from the diagnosed model) is computed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scene {
     pub(super) time: f64,
@@ -17,7 +18,8 @@ pub(super) struct Scene {
 /// and a function that returns the value of a state by its name.
 type AddedRate = fn(f64, &dyn Fn(&str) -> f64) -> f64;
 
-/// How a hidden effect of size 1 changes the motion or the measurement.
+/// How a physical effect that is absent from the diagnosed model changes the simulated motion or measurement, for an
+/// effect of size 1.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Action {
     /// Additional acceleration of the centre of mass, m/s², inertial axes.
@@ -32,21 +34,22 @@ pub(super) enum Action {
     Rate(&'static str, AddedRate),
     /// The time stamps of the measurements run faster than true time, by a fraction equal to the size of the effect.
     Clock,
-    /// Displacement (m) of a marker's measured position, as a function of the time and motion of the body, the position
-    /// and the marker's index.
+    /// Displacement (m) of a marker's measured position, as a function of the body's motion, the marker's position and
+    /// the marker's index.
     Observation(fn(&Scene, Vector3<f64>, usize) -> Vector3<f64>),
 }
 
-/// A physical effect that the study adds to simulated flights, but not to the model, and that the diagnosis should
-/// detect.
+/// A physical effect that the study adds to simulated flights, but not to the diagnosed model. The diagnosis should
+/// detect it.
 #[derive(Clone, Copy, Debug)]
 pub struct Hidden {
-    /// Name of the hidden effect.
+    /// Name of this physical effect, such as `"gusts"`.
     pub name: &'static str,
-    /// Quantities of the model on which the diagnosis may locate the hidden effect: naming any of them counts as
-    /// correct. Names as in the diagnosis report, such as "drag".
+    /// Quantities of the model on which the diagnosis may locate this effect: naming any of them counts as correct.
+    /// Names as in the diagnosis report, such as "drag".
     pub sites: &'static [&'static str],
-    /// A weak and a strong size of the effect. The change of the motion or the measurement is proportional to the size.
+    /// A weak and a strong size of this physical effect. The change of the motion or the measurement is proportional to
+    /// the size.
     pub sizes: [f64; 2],
     pub(super) action: Action,
 }

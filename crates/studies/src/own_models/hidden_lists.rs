@@ -6,10 +6,11 @@ use nalgebra::Vector3;
 use super::hidden::{Action, Hidden, Scene};
 use super::subjects::Subject;
 
-/// Gravitational acceleration, m/s². Hidden forces are scaled by the body's weight.
+/// Gravitational acceleration, m/s². The forces that the study adds to simulated flights are specified in units of the
+/// body's weight.
 const G: f64 = 9.81;
 
-/// Speed at which a speed-dependent hidden force has its nominal size, m/s.
+/// Speed at which a speed-dependent force that the study adds to simulated flights has its nominal size, m/s.
 const V_0: f64 = 12.0;
 
 const fn hide(
@@ -26,7 +27,8 @@ const fn hide(
     }
 }
 
-/// Returns the twenty effects that the study hides in simulated flights of a user model, one at a time.
+/// Returns the twenty physical effects that the study adds, one at a time, to simulated flights of a user model. The
+/// diagnosed model does not contain them.
 pub fn hidden_of(subject: &Subject) -> Vec<Hidden> {
     match subject.name {
         "glider" => [MEASURED, GLIDER].concat(),
@@ -57,8 +59,8 @@ fn up(at: &Scene) -> Vector3<f64> {
     along(at).cross(&left(at))
 }
 
-/// Model quantities (sites) that count as correct if a diagnosis names one of them for a force hidden in the simulated
-/// flights. The list contains every site at which forces act, for hidden forces that are not specific to one site.
+/// Quantities of a model that count as correct if the diagnosis names one of them for an added force that is not
+/// specific to one quantity.
 const FORCES: &[&str] = &[
     "drag", "lift", "side", "wind", "gravity", "vertical", "unknown",
 ];
@@ -106,8 +108,8 @@ const TURNING: &[Hidden] = &[
     hide("moment_by_speed", MOMENTS, [0.5, 5.0], Action::Moment(|at| at.axes.column(0).cross(&left(at)) * speed(at).powi(2))),
 ];
 
-/// Sites (quantities of a model on which effects can act) that count as correct if the hidden effect adds a rate to one
-/// of the model's differential equations: the equation itself, or a quantity that enters it.
+/// Quantities of a model that count as correct if the diagnosis names one of them for a term added to one of the
+/// model's differential equations: the equation itself, or a quantity that enters it.
 const RATES: &[&str] = &[
     "equation", "unknown", "drag", "lift", "wind", "gravity", "vertical",
 ];

@@ -8,10 +8,11 @@ use crate::error::StudyError;
 use crate::page::Page;
 use crate::statistics::median;
 
-/// Multiple of the minimum detectable size from which the study requires the diagnosis to detect a hidden effect.
+/// The diagnosis is required to detect an added effect whose size is at least this multiple of its minimum detectable
+/// size.
 const CLEAR: f64 = 5.0;
 
-/// Maximum length, in characters, of the text of a diagnosis's result that the page quotes.
+/// Maximum length, in characters, of the quoted text of a diagnosis's result on the page docs/own-models.md.
 const MAX_QUOTE: usize = 140;
 
 #[derive(Serialize)]
@@ -51,7 +52,7 @@ struct Row {
     seconds: f64,
 }
 
-/// Renders docs/own-models.md from the outcomes of all diagnoses.
+/// Renders docs/own-models.md from the outcomes of the diagnoses of simulated flights of user models.
 ///
 /// # Errors
 /// [`StudyError::Page`] if the template cannot be rendered with the results.

@@ -29,25 +29,28 @@ const DETECTABLE: f64 = 5.7;
 pub struct Task {
     /// User model whose simulated flights are diagnosed.
     pub subject: &'static Subject,
-    /// Hidden effect, its signed size, and the label of the size ("weak" or "strong"); `None` if nothing is hidden.
+    /// Physical effect that is added to the simulated flights but not to the diagnosed model, its signed size, and the
+    /// label of the size ("weak" or "strong"); `None` if no effect is added.
     pub hidden: Option<(Hidden, f64, &'static str)>,
     /// Seed of the throws and the noise.
     pub seed: u64,
 }
 
 impl Task {
-    /// Name of the hidden effect; "nothing" if nothing is hidden.
+    /// Name of the effect that is added to the simulated flights but not to the diagnosed model; "nothing" if there is
+    /// none.
     pub fn hidden_name(&self) -> &'static str {
         self.hidden.map_or("nothing", |(hidden, _, _)| hidden.name)
     }
 
-    /// Label of the size of the hidden effect; empty if nothing is hidden.
+    /// Label ("weak" or "strong") of the size of the effect that is added to the simulated flights; empty if there is
+    /// none.
     pub fn size(&self) -> &'static str {
         self.hidden.map_or("", |(_, _, label)| label)
     }
 }
 
-/// Result of the diagnosis of one simulated dataset, and how detectable the hidden effect was.
+/// Result of the diagnosis of one simulated dataset, and how detectable the effect added to its flights was.
 #[derive(Debug)]
 pub struct Outcome {
     /// Settings with which the flights were simulated and diagnosed.
@@ -58,8 +61,8 @@ pub struct Outcome {
     /// none: the terms selected from its library of force and moment terms. Without such terms: the missing force or
     /// moment that explains most of the misfit.
     pub answer: Vec<(String, String)>,
-    /// Size of the hidden effect / minimum detectable size, from the χ² that remains when the model without the effect
-    /// is fitted to exact flights. `None` if nothing is hidden or that fit fails.
+    /// Size of the effect added to the simulated flights / minimum detectable size, from the χ² that remains when the
+    /// model without the effect is fitted to noise-free flights. `None` if no effect is added or that fit fails.
     pub detectability: Option<f64>,
     /// Elapsed time of the diagnosis, s.
     pub seconds: f64,
@@ -75,13 +78,13 @@ impl Outcome {
             .is_ok_and(|verdict| *verdict != Verdict::None)
     }
 
-    /// Whether the hidden effect has at least `times` times the minimum detectable size.
+    /// Whether the effect added to the simulated flights has at least `times` times the minimum detectable size.
     pub fn is_detectable(&self, times: f64) -> bool {
         self.detectability.is_some_and(|ratio| ratio >= times)
     }
 
-    /// Whether an effect that the diagnosis found acts on one of the model's quantities (sites) that count as correct
-    /// for the hidden effect; false if no effect is hidden.
+    /// Whether an effect that the diagnosis found acts on one of the model's quantities that count as correct for the
+    /// effect added to the simulated flights; false if no effect is added.
     pub fn is_site_right(&self) -> bool {
         let Some((hidden, _, _)) = self.task.hidden else {
             return false;
@@ -105,8 +108,9 @@ impl Outcome {
     }
 }
 
-/// Lists the diagnoses whose model, effect and size contain all of `words`. Each model has `10 * seeds` runs without a
-/// hidden effect, and `seeds` runs for each hidden effect and size.
+/// Lists the runs (simulated and diagnosed datasets) whose model name, effect name and size label together contain all
+/// of `words`. Before this selection, each model has `10 * seeds` runs whose flights contain no added effect, and
+/// `seeds` runs for each added effect and size.
 pub fn tasks(seeds: u64, words: &str) -> Vec<Task> {
     let mut tasks = Vec::new();
     for subject in &SUBJECTS {
@@ -199,8 +203,9 @@ fn bounded_diagnosis(
     Ok(found?.report)
 }
 
-/// Size of a hidden effect / minimum detectable size. It is the square root of the χ² that remains when the model
-/// without the effect is fitted to exact flights, divided by [`DETECTABLE`]. `None` if the fit fails.
+/// Size of an effect that is added to simulated flights / minimum detectable size. It is the square root of the χ² that
+/// remains when the model without the effect is fitted to the noise-free flights, divided by [`DETECTABLE`]. `None` if
+/// the fit fails.
 fn detectability(model: &Model, mut exact: Dataset, sigma: f64) -> Option<f64> {
     exact.sigma = Some(sigma);
     let fitted = bounded_fit(model, &exact, LIMIT).result.ok()?;

@@ -10,7 +10,7 @@ type Uniform<'u> = &'u mut dyn FnMut(f64, f64) -> f64;
 /// A model that a user of hyzer could write, with the distribution of its simulated throws and its marker positions.
 #[derive(Clone, Copy, Debug)]
 pub struct Subject {
-    /// Name of the user model.
+    /// Name of the user model, such as "glider".
     pub name: &'static str,
     text: &'static str,
     /// Kind of model, such as "a rigid body, quaternion", as printed on the page of results.
@@ -29,7 +29,7 @@ const POINT: &[[f64; 3]] = &[[0.0, 0.0, 0.0]];
 const BALL: &[[f64; 3]] = &[[0.12, 0.0, 0.0], [-0.05, 0.08, 0.0], [-0.05, -0.04, 0.07]];
 const DART: &[[f64; 3]] = &[[0.05, 0.0, 0.0], [-0.06, 0.03, 0.0], [-0.06, -0.015, 0.026]];
 
-/// The six user models on which the study tests the diagnosis.
+/// The six user models on whose simulated flights the study tests the diagnosis.
 pub const SUBJECTS: [Subject; 6] = [
     Subject {
         name: "shuttlecock",

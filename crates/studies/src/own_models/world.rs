@@ -22,7 +22,8 @@ const RATE: f64 = 120.0;
 /// Number of flights per dataset, and how many of them are held out from the fit, to test predictions.
 const FLIGHTS: (usize, usize) = (16, 4);
 
-/// The simulated reality: a model with its true coefficients, and an optional hidden effect with its size.
+/// Reality from which measurements are simulated: a model with its true coefficients, and optionally an effect that the
+/// diagnosed model lacks, with its size.
 struct World<'w> {
     model: &'w Model,
     chart: Option<Chart>,
@@ -30,8 +31,8 @@ struct World<'w> {
     hidden: Option<(Hidden, f64)>,
 }
 
-/// Simulates the flights of a subject (user model) with an optional hidden effect (effect, size) and optional noise.
-/// The same seed gives the same throws.
+/// Simulates the flights of a user model (`subject`). `hidden` is an optional effect that the diagnosed model lacks,
+/// with its size; `noise` is optional. The same seed gives the same throws.
 ///
 /// # Panics
 /// If the oracle (the independent implementation of the laws of motion) does not support the model.
@@ -91,8 +92,8 @@ pub(super) fn dataset(
 }
 
 impl World<'_> {
-    /// Measured marker positions, indexed by sample and marker, at `times` (s). These are time stamps of the
-    /// measurements, which may run at another rate than true time.
+    /// Simulated measurements of the marker positions, indexed by sample and marker, at `times` (s). These are time
+    /// stamps of the measurements, which may run at another rate than true time.
     fn observed(
         &self,
         start: Vec<f64>,
@@ -145,8 +146,8 @@ impl World<'_> {
         })
     }
 
-    /// Measured position of the marker with the index `index`, m, without noise. Includes a hidden effect that acts on
-    /// the measured positions.
+    /// Measured position of the marker with the index `index`, m, without noise. Includes the change by an added effect
+    /// that acts on measured positions.
     fn position(
         &self,
         states: &[f64],
@@ -224,7 +225,7 @@ impl World<'_> {
         chart.derivatives(states, &motion)
     }
 
-    /// One classic Runge–Kutta step of `h` seconds from the states `x`.
+    /// One classic Runge–Kutta step of `h` seconds from the state vector `x`.
     fn step(&self, x: &[f64], time: f64, h: f64) -> Vec<f64> {
         let ahead = |rates: &[f64], h: f64| -> Vec<f64> {
             x.iter().zip(rates).map(|(x, rate)| x + h * rate).collect()

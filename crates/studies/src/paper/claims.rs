@@ -7,7 +7,7 @@ use serde::Deserialize;
 pub struct Claim {
     /// Name of the flight: `fssh3` or `bffl8`.
     pub flight: String,
-    /// Time in the flight at which the quantity is stated, s; `None` if the quantity is itself a time.
+    /// Time in the flight to which the value that the paper states refers, s; `None` if the quantity is itself a time.
     pub at: Option<f64>,
     /// Name of the quantity that the paper states, equal to a field of [`Outcome`], such as `"delta_x"`.
     pub quantity: String,
@@ -40,11 +40,11 @@ pub struct Outcome {
     pub delta_x: f64,
     /// Height gained, m; negative if the flight ends below its start.
     pub delta_z: f64,
-    /// Euler angle phi (first rotation, about axis 1) at the end, rad.
+    /// Euler angle phi (first rotation, about axis 1) at the end of the simulated flight, rad.
     pub phi: f64,
-    /// Euler angle theta (second rotation, about axis 2) at the end, rad.
+    /// Euler angle theta (second rotation, about axis 2) at the end of the simulated flight, rad.
     pub theta: f64,
-    /// Spin gammadot at the end, rad/s.
+    /// Spin gammadot at the end of the simulated flight, rad/s.
     pub gammadot: f64,
     /// Change of the spin magnitude |gammadot| between release and end / spin magnitude at release.
     pub gammadot_change_fraction: f64,

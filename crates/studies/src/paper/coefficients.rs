@@ -12,11 +12,11 @@ pub(super) struct Coefficients {
     /// Lift and drag coefficients `[C_L0, C_La, C_D0, C_Da]`: lift C_L0 + C_La α and drag C_D0 + C_Da α² at the angle
     /// of attack α, rad.
     pub(super) lift_and_drag: [f64; 4],
-    /// Pitching-moment slope C_Ma.
+    /// Slope C_Ma of the pitching-moment coefficient over the angle of attack, 1/rad.
     pub(super) pitching_moment: f64,
-    /// Pitch damping C_Mq.
+    /// Coefficient C_Mq of the damping moment about the pitch axis, s.
     pub(super) pitch_damping: f64,
-    /// Roll damping: the coefficient that takes the place of C_Mq in the moment about the roll axis.
+    /// Coefficient that takes the place of C_Mq in the damping moment about the roll axis, s.
     pub(super) roll_damping: f64,
     /// Coefficient of the roll moment due to spin: C_Rr in s; dimensionless if the moment is assumed proportional to
     /// the advance ratio.

@@ -29,15 +29,17 @@ pub enum SpinDown {
 /// flights.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Conventions {
-    /// Whether the pitching moment due to α̇ has the opposite sign to the printed one.
+    /// Whether the pitching moment due to α̇ is assumed to have the opposite sign to the one that Hubbard & Hummel
+    /// (2000) print.
     pub pitch_damping_reversed: bool,
-    /// Whether the rolling moment due to ω·d1, the angular rate about the roll axis d1, has the opposite sign to the
-    /// printed one.
+    /// Whether the rolling moment due to ω·d1, the angular rate about the roll axis d1, is assumed to have the opposite
+    /// sign to the one that Hubbard & Hummel (2000) print.
     pub roll_damping_reversed: bool,
-    /// Whether the rolling moment due to spin has the opposite sign to the printed one.
+    /// Whether the rolling moment due to spin is assumed to have the opposite sign to the one that Hubbard & Hummel
+    /// (2000) print.
     pub roll_spin_reversed: bool,
-    /// Whether the spin-damping moment has the opposite sign to the printed one, so that a positive coefficient
-    /// increases the spin.
+    /// Whether the spin-damping moment is assumed to have the opposite sign to the one that Hubbard & Hummel (2000)
+    /// print, so that a positive coefficient increases the spin.
     pub spin_down_reversed: bool,
     /// Measure of the spin, such as rad/s or the advance ratio, to which the rolling moment due to spin is
     /// proportional.
@@ -47,8 +49,8 @@ pub struct Conventions {
 }
 
 impl Conventions {
-    /// Signs and units as printed: the pitching and rolling moments contain `+C_Mα̇` times the respective angular rate,
-    /// and a positive C_Nr slows the spin.
+    /// Signs and units as Hubbard & Hummel (2000) print them: the pitching and rolling moments contain `+C_Mα̇` times
+    /// the respective angular rate, and a positive C_Nr slows the spin.
     pub const PRINTED: Self = Self {
         pitch_damping_reversed: false,
         roll_damping_reversed: false,
@@ -58,7 +60,8 @@ impl Conventions {
         spin_down: SpinDown::NewtonMetreSecond,
     };
 
-    /// Returns all 192 combinations of signs and units.
+    /// Returns all 192 combinations of signs and units that an interpretation of Table 1 of Hubbard & Hummel (2000) can
+    /// assume.
     pub(super) fn all() -> Vec<Self> {
         let mut all = Vec::new();
         for signs in 0..16_u8 {

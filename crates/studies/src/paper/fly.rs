@@ -14,8 +14,8 @@ use crate::error::StudyError;
 /// addition to the eight of the model `disc`.
 const READINGS: &str = include_str!("data/readings.hyz");
 
-/// Relative tolerance of the integration. The comparison with stated values needs a relative accuracy of 1e-4, a
-/// hundredth of the smallest tolerance of a stated value.
+/// Relative tolerance of the integration. The comparison with the values that Hubbard & Hummel (2000) state needs a
+/// relative accuracy of 1e-4, a hundredth of the smallest tolerance of such a value.
 const TOLERANCE: f64 = 1e-7;
 
 /// One of the two flights of Hubbard & Hummel (2000): release state and compiled model, for simulation with the
@@ -58,7 +58,8 @@ impl Flyer {
             .map_or(f64::NAN, |id| self.parameters[id.index()])
     }
 
-    /// Simulates the flight with the given coefficients; `None` if the integration fails.
+    /// Simulates the flight with the coefficients and conventions (signs and units) of one interpretation of Table 1 of
+    /// Hubbard & Hummel (2000); `None` if the integration fails.
     pub(super) fn fly(
         &self,
         coefficients: &Coefficients,

@@ -37,8 +37,8 @@ struct ClaimRow {
     stated: [f64; 2],
     /// Unit of the stated value, with a leading space; empty if dimensionless.
     unit: String,
-    /// Simulated value, and its deviation from the stated value in units of the tolerance; `None` if the integration
-    /// fails.
+    /// Simulated value in `unit`, and its deviation from the value that Hubbard & Hummel (2000) state, in units of the
+    /// tolerance; `None` if the integration fails.
     simulated: Option<(f64, f64)>,
 }
 
@@ -63,21 +63,21 @@ struct HypothesisRow {
     loss: f64,
 }
 
-/// A reading (interpretation of Table 1 of Hubbard & Hummel, 2000) that the stated outcomes cannot distinguish from the
-/// best-ranked one and that differs from it in a single hypothesis.
+/// An interpretation of Table 1 of Hubbard & Hummel (2000) that differs from the best-ranked one in a single
+/// hypothesis. The outcomes that the publication states cannot distinguish the two.
 #[derive(Serialize)]
 struct Alternative {
     best_has: String,
     alternative: String,
-    /// Whether this interpretation of Table 1 of Hubbard & Hummel (2000) and the best-ranked one give exactly the same
-    /// simulated outcomes.
+    /// Whether this interpretation of Table 1 of Hubbard & Hummel (2000) gives exactly the same simulated outcomes as
+    /// the best-ranked interpretation.
     is_equivalent: bool,
     misfit: f64,
     best_misfit: f64,
     hypotheses: usize,
 }
 
-/// Renders docs/paper.md from the results of the study.
+/// Renders docs/paper.md from the ranking of all interpretations of Table 1 of Hubbard & Hummel (2000).
 ///
 /// # Errors
 /// [`StudyError::Page`] if the template cannot be rendered with the results.

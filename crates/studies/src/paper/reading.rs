@@ -9,9 +9,11 @@ use super::conventions::Conventions;
 pub struct Reading {
     /// Signs and units that this interpretation of Table 1 of Hubbard & Hummel (2000) assumes.
     pub conventions: Conventions,
-    /// Order of the lift and drag columns for flight fssh3 that this interpretation of Table 1 assumes.
+    /// Order of the lift and drag columns in Table 1 of Hubbard & Hummel (2000) that this interpretation assumes for
+    /// flight fssh3.
     pub fssh3: Columns,
-    /// Order of the lift and drag columns for flight bffl8 that this interpretation of Table 1 assumes.
+    /// Order of the lift and drag columns in Table 1 of Hubbard & Hummel (2000) that this interpretation assumes for
+    /// flight bffl8.
     pub bffl8: Columns,
 }
 

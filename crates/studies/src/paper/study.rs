@@ -10,7 +10,7 @@ use super::reading::Reading;
 use super::table::Table1;
 use crate::error::StudyError;
 
-/// Maximum deviation of a simulated from a stated outcome, in units of the outcome's tolerance, that enters the misfit.
+/// Maximum deviation of a simulated from a stated outcome that enters the misfit, in units of the outcome's tolerance.
 /// Larger deviations are clipped to this value.
 const MAX_DEPARTURE: f64 = 10.0;
 
@@ -41,8 +41,8 @@ impl Scored {
     }
 }
 
-/// Simulated outcomes of the two flights of Hubbard & Hummel (2000) under all readings (interpretations of their Table
-/// 1), and the ranking of the readings.
+/// Simulated outcomes of the two flights of Hubbard & Hummel (2000) under all interpretations of their Table 1, and the
+/// ranking of these interpretations.
 pub struct Study {
     /// Numerical values that Hubbard & Hummel (2000) state about their two flights.
     pub claims: Vec<Claim>,
@@ -158,17 +158,17 @@ impl Study {
         outcomes[convention][self.orders.iter().position(|&known| known == order)?]
     }
 
-    /// Misfit and score of an interpretation of Table 1 of Hubbard & Hummel (2000); `None` if the interpretation is not
-    /// part of the study.
+    /// Looks up an interpretation of Table 1 of Hubbard & Hummel (2000) in the ranking, with its misfit and score;
+    /// `None` if the interpretation is not part of the study.
     pub(super) fn score_of(&self, reading: &Reading) -> Option<&Scored> {
         self.ranking
             .iter()
             .find(|scored| scored.reading == *reading)
     }
 
-    /// Returns the interpretations of Table 1 of Hubbard & Hummel (2000) that the stated outcomes cannot distinguish
-    /// from the best one, which is first. These interpretations have the same number of outcomes within tolerance and a
-    /// misfit less than 1 above the minimum.
+    /// Returns the interpretations of Table 1 of Hubbard & Hummel (2000) that the outcomes stated in that publication
+    /// cannot distinguish from the best one, which is first. These interpretations have the same number of outcomes
+    /// within tolerance and a misfit less than 1 above the minimum.
     pub(super) fn indistinguishable(&self) -> Vec<&Scored> {
         let best = &self.ranking[0];
         let near = |scored: &&Scored| scored.held == best.held && scored.misfit < best.misfit + 1.0;

@@ -9,7 +9,7 @@ use super::wind_tunnel::{effects_section, paper_flights_section, tunnel_figure, 
 use crate::error::StudyError;
 use crate::page::Page;
 
-/// Renders the page of all measured data, with its figures.
+/// Renders docs/real-data.md, the page on the fits and diagnoses of measured flights, with its figures.
 ///
 /// # Errors
 /// [`StudyError`] if a template cannot be rendered with the results, or a required fit is missing.

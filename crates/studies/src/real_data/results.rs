@@ -19,9 +19,9 @@ pub struct RealData {
     pub(super) spin_decay: SpinDecay,
     pub(super) disc_pose: DiscPose,
     pub(super) disc_golf: DiscGolf,
-    /// Rows of the wind tunnel's table: aerodynamic coefficients by angle of attack.
+    /// Rows of Potts and Crowther's wind-tunnel table: aerodynamic coefficients by angle of attack.
     pub(super) table: Vec<Measured>,
-    /// The model `disc`, with the coefficients of its file.
+    /// The built-in model `disc`, with the coefficients of its model file.
     pub(super) disc: Model,
 }
 
@@ -48,15 +48,16 @@ impl RealData {
         &self.balls.plain
     }
 
-    /// Agreement of the balls' lifts with their stated spins: for all flights, for the agreeing stretches (the parts of
-    /// the recording in which every lift agrees with the stated spin), and for the remaining flights.
+    /// Agreement of the lifts of table-tennis balls with the spins that the data state: for all flights, for the
+    /// agreeing stretches (the parts of the recording in which every lift agrees with the stated spin), and for the
+    /// remaining flights.
     pub fn agreement(&self) -> [Agreement; 3] {
         self.balls.agreement
     }
 
     /// Fits of the agreeing stretches (the parts of the ball recording in which every lift agrees with the stated
-    /// spin): with gravity and drag, then also with lift proportional to the spin, then also with lift proportional to
-    /// its square.
+    /// spin): with gravity and drag, then also with lift proportional to the advance ratio, then also with lift
+    /// proportional to its square.
     pub fn lift_by_spin(&self) -> &[FitReport; 3] {
         &self.balls.lift_by_spin
     }

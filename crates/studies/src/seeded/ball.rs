@@ -15,7 +15,7 @@ use crate::oracle_flights::{reference_of, sample_times};
 /// Distribution of the throws of a ball: each quantity is uniform over a range (minimum, maximum).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Throws {
-    /// Range of the speed at release, m/s.
+    /// Range of the speed of the ball at release, m/s.
     pub speed: (f64, f64),
     /// Range of the launch angle (velocity above the horizontal), rad.
     pub launch: (f64, f64),
@@ -23,14 +23,14 @@ pub struct Throws {
     pub spin: (f64, f64),
 }
 
-/// A set of random throws of a ball, and how they are observed.
+/// A set of random throws of a ball, and the duration and sample rate of their measurement.
 #[derive(Clone, Copy, Debug)]
 pub struct Plan<'a> {
     /// Parameters of the ball by name, SI. Parameters that are not listed have the values of the model file.
     pub parameters: &'a [(&'a str, f64)],
     /// True coefficients by name, SI. Coefficients that are not listed have the values of the model file.
     pub truth: &'a [(&'a str, f64)],
-    /// Distribution of the launch conditions.
+    /// Distribution of the launch conditions from which the throws are drawn.
     pub throws: Throws,
     /// Number of flights in the dataset.
     pub flights: usize,
@@ -72,8 +72,7 @@ fn model() -> Model {
     model_spec::load::load("ball", &[]).expect("the built-in ball")
 }
 
-/// Simulates flights of a ball with the effects and noise in `seeded`. The dataset contains the true spin of each
-/// flight as a given value.
+/// Simulates flights of a ball with the effects and noise in `seeded`. The dataset states the true spin of each flight.
 ///
 /// # Panics
 /// If an effect does not act on a ball, or if its number of values is wrong.

@@ -12,8 +12,8 @@ use super::effects::SeededEffects;
 use super::flight::{FlightPlace, seeded_flight};
 use crate::oracle_flights::{Plan, disc, disc_constants, empty, reference_of, sample_times};
 
-/// Simulates flights of the disc with the effects and noise in `seeded`. Without effects and noise they equal those of
-/// [`crate::oracle_flights::flights`].
+/// Simulates flights of the disc with the effects and noise in `seeded`. Without effects and noise, they are the exact
+/// flights of the unmodified law of motion from [`crate::oracle_flights::flights`].
 ///
 /// # Panics
 /// If an effect does not act on a disc, or if its number of values is wrong.
@@ -27,7 +27,8 @@ pub fn dataset(plan: &Plan<'_>, seeded: &SeededEffects, seed: u64) -> Dataset {
     }
 }
 
-/// Maximum magnitude of the angle of attack over the flights that [`dataset`] simulates, rad.
+/// Maximum magnitude of the angle of attack over the flights of a disc that are simulated with the effects in `seeded`,
+/// rad.
 ///
 /// # Panics
 /// If an effect does not act on a disc, or if its number of values is wrong.

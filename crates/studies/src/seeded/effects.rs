@@ -8,8 +8,8 @@ pub struct SeededEffects {
     /// Effects of the built-in effects catalogue: name, and values (SI) of the coefficients in order. If the effect has
     /// states, the standard deviations of the states over the flights follow.
     pub listed: Vec<(String, Vec<f64>)>,
-    /// Effects outside the built-in effects catalogue: name and size, in the unit that [`super::UNLISTED`] states for
-    /// the effect.
+    /// Effects outside the built-in effects catalogue: name, and size in the effect's own unit, such as m/s for a wind.
+    /// The units are listed at [`super::UNLISTED`].
     pub unlisted: Vec<(String, f64)>,
     /// Noise of the marker positions; `None` leaves them exact.
     pub noise: Option<Corruption>,
@@ -18,7 +18,8 @@ pub struct SeededEffects {
 }
 
 impl SeededEffects {
-    /// Specifies one effect of the built-in effects catalogue, with its values (SI) as in `listed`, and no noise.
+    /// Specifies one effect of the built-in effects catalogue, and no noise. The values (SI) are the effect's
+    /// coefficients, then the standard deviations of its states over the flights.
     pub fn listed(name: &str, values: &[f64]) -> Self {
         Self {
             listed: vec![(name.to_owned(), values.to_vec())],
@@ -34,7 +35,7 @@ impl SeededEffects {
         }
     }
 
-    /// Returns the same effects with the given noise of the marker positions.
+    /// Returns the same effects with the noise `noise` of the marker positions.
     pub fn with_noise(self, noise: Corruption) -> Self {
         Self {
             noise: Some(noise),

@@ -33,7 +33,7 @@ impl FlightPlace {
 }
 
 /// Simulates a flight and its measurement at `times` (s); `markers` are in the body frame, m. The random stream depends
-/// only on the flight, so the throws are the same whatever effects are added.
+/// only on the dataset's seed and the flight's index, so the throws are the same whatever effects are added.
 pub(super) fn seeded_flight(
     world: &ExtendedLaw<f64>,
     seeded: &SeededEffects,

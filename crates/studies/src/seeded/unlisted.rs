@@ -18,20 +18,21 @@ const SPEED_POWER: f64 = -0.4;
 /// Distance along x over which the phase of the sinusoidal side force of the effect `swerve` advances by one radian, m.
 const SWERVE_LENGTH: f64 = 1.0;
 
-/// An effect that can be added to simulated flights but that the diagnosis does not have among its candidates (the
-/// effects catalogue).
+/// A physical effect that can be added to simulated flights, but is not in the effects catalogue from which the
+/// diagnosis takes its candidates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UnlistedEffect {
     /// Name of the effect in the discovery study, which adds it to simulated flights.
     pub name: &'static str,
     /// Quantity of the model on which the effect acts (its site, such as "drag"), by its name in the diagnosis report.
     pub site: &'static str,
-    /// A weak and a strong size of the effect, in the units listed at [`UNLISTED`].
+    /// A weak and a strong size of the effect, in the effect's own unit, such as m/s for a wind; the units are listed
+    /// at [`UNLISTED`].
     pub strength: [f64; 2],
     /// Laws of motion (kinds of bodies) on which the effect can act.
     pub laws: &'static [Law],
-    /// Name of an effect of the built-in effects catalogue that is so similar that it counts as a right answer of the
-    /// diagnosis; `None` if there is none.
+    /// Name of an effect of the built-in effects catalogue that is so similar that it counts as correct if the
+    /// diagnosis names it; `None` if there is none.
     pub near: Option<&'static str>,
     kind: Kind,
 }

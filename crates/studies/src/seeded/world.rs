@@ -10,7 +10,7 @@ use super::effects::SeededEffects;
 use super::unlisted::{LAG, UnlistedEffect, unlisted};
 use crate::oracle_flights::{Derivatives, integrate_law};
 
-/// Law of motion and conditions under which one flight is simulated.
+/// Law of motion with added effects, under which one flight is simulated.
 pub(super) struct SeededWorld {
     world: ExtendedLaw<f64>,
     unlisted: Vec<(&'static UnlistedEffect, f64)>,
@@ -67,7 +67,8 @@ impl SeededWorld {
         states.iter().map(observed).collect()
     }
 
-    /// Maximum magnitude of the angle of attack at the given times of a flight, rad.
+    /// Maximum magnitude of the angle of attack, rad, over the states at `times` of a flight that starts in the state
+    /// `start`.
     pub(super) fn greatest_angle_of_attack(&self, start: Physical<f64>, times: &[f64]) -> f64 {
         let angles = self.fly(start, times).into_iter().zip(times);
         let angles = angles.map(|(body, time)| self.scene(&body, *time).alpha().abs());
@@ -114,8 +115,8 @@ impl SeededWorld {
         }
     }
 
-    /// Flow of the air relative to the body, from which the angle of attack follows. It contains the wind of the
-    /// unmodified law of motion, but not the wind that an [`UnlistedEffect`] adds.
+    /// Flow of the air relative to the body. It contains the wind of the unmodified law of motion, but not the wind of
+    /// an effect outside the built-in effects catalogue. The angle of attack follows from it.
     fn scene<'s>(&'s self, body: &'s Physical<f64>, time: f64) -> Flow<'s, f64> {
         let world = &self.world;
         Flow::new(
@@ -129,7 +130,7 @@ impl SeededWorld {
     }
 }
 
-/// Returns an effect of the built-in effects catalogue for one flight. The first `values` are its coefficients; the
+/// Returns an effect of the built-in effects catalogue for one flight. The first of `values` are its coefficients. The
 /// following ones are the standard deviations of the normal distributions from which its states are drawn.
 fn drawn(name: &str, values: &[f64], random: &mut impl Rng) -> ActiveEffect<f64> {
     let effect = by_name(name).unwrap_or_else(|| panic!("the oracle has no effect `{name}`"));

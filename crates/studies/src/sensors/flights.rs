@@ -18,7 +18,7 @@ use crate::oracle_flights::{
 /// Specification of the measurements that are simulated for each flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Observed {
-    /// Whether the positions of the three markers are measured.
+    /// Whether the positions of three markers on the disc are measured.
     pub markers: bool,
     /// Sensors, with their positions on the body as specified in the dataset.
     pub sensors: Vec<Sensor>,
@@ -28,7 +28,7 @@ pub struct Observed {
     pub noise: SensorNoise,
 }
 
-/// Standard deviations of the white noise of each measured component.
+/// Standard deviations of the white noise that is added to each simulated measurement.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct SensorNoise {
     /// Standard deviation of the noise of each position component, m.
@@ -39,7 +39,7 @@ pub struct SensorNoise {
     pub rate: f64,
     /// Standard deviation of the noise of each component of an accelerometer reading, m/s².
     pub force: f64,
-    /// Standard deviation of the noise of a speed, m/s.
+    /// Standard deviation of the noise of a measured speed, m/s.
     pub speed: f64,
 }
 

@@ -14,7 +14,8 @@ use crate::oracle_flights::{Plan, TWELVE, disc, truth};
 /// Number of flights per dataset, and how many of them a diagnosis holds out from the fit, to test predictions.
 const FLIGHTS: (usize, usize) = (12, 4);
 
-/// Displacement of accelerometers that a diagnosis is expected to find, m, body axes.
+/// Displacement of the accelerometer from its stated position, m, body axes, in the datasets in which the diagnosis
+/// should find such a displacement.
 pub const DISPLACEMENT: [f64; 3] = [0.005, 0.0, 0.0];
 
 /// Name, in the built-in effects catalogue, of the effect of a displaced accelerometer.
@@ -37,7 +38,7 @@ pub struct SensorSet {
     pub within_three: usize,
     /// RMS, over datasets and coefficients, of z = (estimate − true value) / standard error.
     pub rms_z: f64,
-    /// Median elapsed time of a fit, s.
+    /// Median elapsed time of a fit of one dataset, s.
     pub seconds: f64,
     /// Median over the coefficients of the ratio of the standard error with these sensors to that with markers alone.
     pub relative_error: f64,
@@ -186,8 +187,9 @@ fn diagnoses(observed: &Observed, count: u64, threads: usize, set: &mut SensorSe
     }
 }
 
-/// Diagnoses a simulated dataset. Returns, for each effect of the causes found: its name, and whether its estimate of
-/// the accelerometer's displacement is within three standard errors of the true one. `None` if the diagnosis fails.
+/// Diagnoses a simulated dataset. Returns, for each effect in the hypotheses that the diagnosis found: its name, and
+/// whether its estimate of the accelerometer's displacement is within three standard errors of the true one. `None` if
+/// the diagnosis fails.
 fn causes(observed: &Observed, seed: u64) -> Option<Vec<(String, bool)>> {
     let model = disc();
     let plan = Plan {

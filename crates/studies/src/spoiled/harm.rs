@@ -13,7 +13,7 @@ use crate::cuts::bouncing_flight;
 /// third a random generator.
 pub(super) type FlightHarm = fn(&mut Flight, &Flight, &mut ChaCha12Rng);
 
-/// How a kind of recording mistake changes the data of a dataset.
+/// How a mistake in a recording, introduced on purpose, changes the data of a dataset.
 #[derive(Clone, Copy)]
 pub(super) enum Harm {
     /// Multiplies all marker coordinates of a flight by a factor.
@@ -69,7 +69,7 @@ impl Harm {
     }
 }
 
-/// Index of the sample in the middle of a flight.
+/// Index of the middle sample of a flight, in its list of samples.
 fn middle(flight: &Flight) -> usize {
     flight.positions.len() / 2
 }
@@ -163,7 +163,8 @@ fn add(flight: &mut Flight, rows: Vec<Row>, at_start: bool, random: &mut ChaCha1
     renumber(flight);
 }
 
-/// Replaces the times of a flight by times at the interval of its first two samples.
+/// Replaces the times of a flight by equally spaced times from the same start, with the interval between the first two
+/// samples.
 fn renumber(flight: &mut Flight) {
     let (first, interval) = (flight.times[0], flight.times[1] - flight.times[0]);
     let samples = 0..flight.positions.len();

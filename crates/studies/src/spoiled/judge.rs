@@ -19,7 +19,7 @@ pub enum Judgement {
     /// The fit does not report every flight with the recording mistake, but its report states that the results are
     /// unreliable.
     Unreliable,
-    /// The fit ended with an error message.
+    /// The fit ended with an error message and without a result.
     Refused,
     /// A coefficient has no estimate within four standard errors of the true value, and the report does not state that
     /// its results are unreliable.
@@ -34,7 +34,7 @@ impl Judgement {
         !matches!(self, Self::Wrong | Self::TooLong)
     }
 
-    /// Text of this classification of a fit, as printed on the page of results.
+    /// Text of this class of a fit's result, as printed on the page of results.
     pub fn label(self) -> &'static str {
         match self {
             Self::Named => "named",

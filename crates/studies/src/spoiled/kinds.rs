@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::harm::{self, Harm};
 use super::kinematics::moved;
 
-/// A kind of mistake that a laboratory could make in a recording, and the change of the data that the mistake causes.
+/// A kind of mistake that a laboratory could make in a recording, and the resulting change of the data.
 #[derive(Clone, Copy)]
 pub struct Kind {
     /// Name of this kind of recording mistake, with which a user selects it on the command line.

@@ -27,7 +27,8 @@ pub enum Which {
 }
 
 impl Which {
-    /// Text for the page of results. The words with which a user selects runs on the command line are compared with it.
+    /// Text for the page of results: "one flight" or "all flights". The words with which a user selects runs on the
+    /// command line are compared with it.
     pub fn label(self) -> &'static str {
         match self {
             Self::One => "one flight",
@@ -36,7 +37,7 @@ impl Which {
     }
 }
 
-/// Result of fitting a dataset into which a mistake was introduced.
+/// Result of fitting a dataset into which a recording mistake was introduced.
 #[derive(Clone)]
 pub struct Run {
     /// Kind of recording mistake that was introduced into the dataset.
@@ -51,8 +52,8 @@ pub struct Run {
     pub seconds: f64,
 }
 
-/// Lists the runs whose texts contain all of `words`: each kind of recording mistake, introduced into one or into all
-/// flights. The texts are the kind's name and description and the label of `Which`.
+/// Lists pairs of a kind of recording mistake and whether it is introduced into one or into all flights. A pair is
+/// listed if its texts (name and description of the kind, label of `Which`) together contain all of `words`.
 pub fn runs(words: &str) -> Vec<(&'static Kind, Which)> {
     let all = KINDS.iter().flat_map(|kind| {
         let which: &[Which] = match kind.is_of_dataset() {

@@ -16,7 +16,7 @@ const MILLIMETRE: f64 = 0.001;
 const MAX_Z: f64 = 3.0;
 /// Half width of a 95 % interval of a normal variable, in standard deviations.
 const NORMAL_95: f64 = 1.96;
-/// Maximum number of failed sessions that the page lists.
+/// Maximum number of failed recording sessions that docs/takes.md lists as examples.
 const MAX_EXAMPLES: usize = 8;
 
 #[derive(Serialize)]
@@ -38,8 +38,8 @@ struct Results {
     /// disc's axis, after the mean error over the markers is subtracted.
     along: f64,
     greatest_across: f64,
-    /// Statistics of the estimated height of the centre of mass: estimated from flights with the detected ends, from
-    /// flights with the true ends, and by the fit of the motion.
+    /// Statistics of the estimated height of the centre of mass: estimated from flights with the detected releases and
+    /// ends, from flights with the true ones, and by the fit of the motion.
     heights: [HeightRow; 3],
     formats: Vec<FormatRow>,
     fits: Vec<FitRow>,
@@ -65,8 +65,8 @@ struct FormatRow {
     covered: f64,
 }
 
-/// Statistics of the fits with one combination of flight ends (detected or true) and marker template (estimated or
-/// true).
+/// Statistics of the fits with one combination of releases and ends of the flights (detected or true) and marker
+/// template (estimated or true).
 #[derive(Serialize)]
 struct FitRow {
     cuts: &'static str,
@@ -79,8 +79,8 @@ struct FitRow {
     rms_z: f64,
 }
 
-/// Coverage of the 95 % intervals of one coefficient, for each combination of flight ends (detected or true) and marker
-/// template (estimated or true).
+/// Coverage of the 95 % intervals of one coefficient, for each combination of releases and ends of the flights
+/// (detected or true) and marker template (estimated or true).
 #[derive(Serialize)]
 struct CoefficientRow {
     name: &'static str,
@@ -179,8 +179,8 @@ fn heights(estimated: impl Iterator<Item = (f64, f64)>) -> HeightRow {
     }
 }
 
-/// Errors of the estimated coefficients in all fits with one combination of flight ends (detected or true) and marker
-/// template (estimated or true). `kind` is the index of the combination in `GIVEN`.
+/// Errors of the estimated coefficients in all fits with one combination of releases and ends of the flights (detected
+/// or true) and marker template (estimated or true). `kind` is the index of the combination in `GIVEN`.
 fn errors<'r>(
     kind: usize,
     results: &'r [&'r SessionResult],

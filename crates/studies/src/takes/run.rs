@@ -22,8 +22,8 @@ use crate::progress::{Progress, each_run};
 /// Limit of the computing time for fitting one dataset.
 const LIMIT: Duration = Duration::from_secs(120);
 
-/// Combinations of inputs with which a session is fitted: flight ends "found" by the import or "true", and marker
-/// template "estimated" or "true".
+/// Combinations of inputs with which a session is fitted: releases and ends of the flights "found" by the import or
+/// "true", and marker template "estimated" or "true".
 pub(super) const GIVEN: [(&str, &str); 4] = [
     ("found", "estimated"),
     ("found", "true"),
@@ -42,7 +42,7 @@ pub struct Session {
     pub rate: f64,
     /// Number of markers on the body.
     pub markers: usize,
-    /// Standard deviation of the noise of a marker coordinate, m.
+    /// Standard deviation of the noise of each simulated marker coordinate, m.
     pub sigma: f64,
     /// Errors of the import and the fits against the true values, or the error that ended the session.
     pub result: Result<SessionResult, StudyError>,
@@ -60,15 +60,16 @@ pub struct SessionResult {
     pub template: TemplateErrors,
     /// Errors of the marker template that is estimated from the flights between the true releases and ends.
     pub template_of_true_cuts: TemplateErrors,
-    /// Errors of four fits, or the error of a fit that failed. The fits use detected or true flight ends, combined with
-    /// the estimated or true marker template, in the order of `GIVEN`.
+    /// Errors of four fits, or the error of a fit that failed: with detected flight ends and estimated marker template,
+    /// detected ends and true template, true ends and estimated template, true ends and true template.
     pub fits: Vec<Result<FitErrors, StudyError>>,
 }
 
-/// Errors of the estimates of one fit.
+/// Errors (estimated − true) of the coefficients and of the centre-of-mass height in one fit.
 #[derive(Clone, Debug)]
 pub struct FitErrors {
-    /// Errors of the estimated coefficients.
+    /// Errors of the estimated coefficients, in standard errors, and whether their confidence intervals contain the
+    /// true values.
     pub coefficients: Vec<CoefficientError>,
     /// Error (estimated − true) of the height of the centre of mass, and the standard error of the estimate, m; `None`
     /// if the fit does not estimate the height.
@@ -97,7 +98,7 @@ pub struct TemplateErrors {
 /// Error of one estimated coefficient in the fit of a simulated session.
 #[derive(Clone, Debug)]
 pub struct CoefficientError {
-    /// Name of the coefficient.
+    /// Name of the aerodynamic coefficient that was estimated.
     pub name: &'static str,
     /// Error (estimate − true value) in standard errors.
     pub z: f64,
@@ -268,7 +269,7 @@ fn imported(file: &[u8]) -> Result<(Take, Throws), StudyError> {
     Ok((take, found))
 }
 
-/// Appends one flight to `flights` for each of the given ranges of samples of a take (recording). The markers of the
+/// Appends one flight to `flights` for each range of samples of a take (recording) in `ranges`. The markers of the
 /// flights are in the order of `labels`.
 fn add_flights(
     take: &Take,

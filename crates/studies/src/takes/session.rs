@@ -14,10 +14,10 @@ use crate::oracle_flights::{
 
 /// Number of takes (recordings) per session, and number of throws per take.
 const TAKES: (usize, usize) = (3, 4);
-/// Possible frame rates of the cameras, Hz.
+/// Frame rates of the simulated cameras from which the rate of a session is chosen, Hz.
 const RATES: [f64; 5] = [120.0, 150.0, 200.0, 250.0, 300.0];
-/// After the catch by the net or the first ground contact: time for which the body remains visible, s, and then the
-/// time without the body, until the next throw, s.
+/// Two times after a catch by the net or the first ground contact, s: the time for which the body remains visible, and
+/// the following time without the body, until the next throw.
 const AFTER: (f64, f64) = (0.3, 0.7);
 /// Minimum time from the release to the first ground contact of a simulated low throw, s. Throws with a shorter time
 /// are redrawn.
@@ -44,12 +44,12 @@ pub(super) struct Filmed {
     pub markers: Vec<[f64; 3]>,
     /// Frame rate of the simulated cameras, Hz.
     pub rate: f64,
-    /// Standard deviation of the noise of a marker coordinate, m.
+    /// Standard deviation of the noise of each simulated marker coordinate, m.
     pub sigma: f64,
     pub takes: Vec<FilmedTake>,
 }
 
-/// Simulated recording of several throws.
+/// Simulated recording of several throws, one after the other.
 pub(super) struct FilmedTake {
     pub rows: Rows,
     /// Indices of the first and last sample of each true free flight in the recording.
@@ -166,8 +166,8 @@ fn add_throw(
         .extend((0..fetched).map(|_| vec![None; markers.len()]));
 }
 
-/// Draws a time interval (start, end), s, in which the whole disc is occluded from the cameras. A third of the flights
-/// on average have such an interval; `None` for the rest.
+/// Draws a time interval (start, end), s after the release, in which the whole disc is occluded from the cameras. A
+/// third of the flights on average have such an interval; `None` for the rest.
 fn hidden(end: f64, r: &mut ChaCha12Rng) -> Option<(f64, f64)> {
     let (from, to) = (IN_SIGHT, end - 2.0 * IN_SIGHT);
     let length = r.random_range(0.02..0.06);

@@ -10,7 +10,7 @@ pub(super) enum Writer {
     Vicon,
     Qualisys,
     OptiTrack,
-    /// C3D file, written by ezc3d from the Vicon table.
+    /// The library ezc3d, which writes a C3D file from a table in Vicon's text format.
     C3d,
 }
 

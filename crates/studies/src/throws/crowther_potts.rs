@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use crate::error::StudyError;
 
-/// Speed of the simulated disc launches, m/s.
+/// Speed at release in the simulated disc launches, m/s.
 const SPEED: f64 = 20.0;
 /// Advance ratio r d/2V of the launches, with the spin r, the diameter d and the speed V.
 const ADVANCE: f64 = 0.5;
@@ -30,7 +30,7 @@ pub struct Launches {
     pub curvature: Vec<(f64, f64)>,
 }
 
-/// Horizontal launches with an angle of attack of 10°, as a function of the tilt (hyzer).
+/// Results of horizontal disc launches with an angle of attack of 10°, as a function of the tilt (hyzer angle).
 #[derive(Clone, Debug, Serialize)]
 pub struct Tilts {
     /// Tilt (hyzer angle), deg, of the flight whose maximum lateral displacement is the smallest, and that
@@ -46,10 +46,12 @@ pub struct Tilts {
     pub inflections: usize,
 }
 
-/// Names of built-in effects by which the model `disc` must be extended to represent the wind tunnel's coefficients.
+/// Names of the built-in effects by which the model `disc` must be extended to represent the coefficients that Potts
+/// and Crowther measured in a wind tunnel.
 const EFFECTS: [&str; 2] = ["constant_pitching_moment", "zero_lift_drag_angle"];
 
-/// Values of the roll coefficient C_Rr that are tried with the wind tunnel's other coefficients, s.
+/// Values of the roll coefficient C_Rr, s, that are tried together with the coefficients that Potts and Crowther
+/// measured in a wind tunnel.
 const ROLLS: [f64; 7] = [-4e-4, -2e-4, 0.0, 2e-4, 4e-4, 6e-4, 8e-4];
 
 /// Coefficients with round values near the table of Potts and Crowther (2002), "Frisbee aerodynamics": lift, drag (a
@@ -66,8 +68,9 @@ const TUNNEL: [(&str, f64); 9] = [
     ("C_Rr", 0.0),
 ];
 
-/// Simulates launches over a range of tilts (hyzer angles) with the wind tunnel's coefficients, for several values of
-/// the roll coefficient C_Rr. Returns pairs (C_Rr in s, results of the launches).
+/// Simulates launches over a range of tilts (hyzer angles) with coefficients close to those that Potts and Crowther
+/// measured in a wind tunnel, for several values of the roll coefficient C_Rr. Returns pairs (C_Rr in s, results of the
+/// launches).
 ///
 /// # Errors
 /// [`StudyError`] if the model cannot be loaded.
@@ -82,7 +85,8 @@ pub fn rolls() -> Result<Vec<(f64, Tilts)>, StudyError> {
     each.into_iter().collect()
 }
 
-/// Simulates the disc launches with each set of aerodynamic coefficients.
+/// Simulates disc launches with each of four sets of aerodynamic coefficients, such as those of the model file and
+/// those measured in a wind tunnel.
 ///
 /// # Errors
 /// [`StudyError`] if the model cannot be loaded.
@@ -104,8 +108,8 @@ fn body(model: &str, effects: &[&str]) -> Result<ThrownBody, StudyError> {
     Ok(ThrownBody::new(model_spec::load::load(model, effects)?)?)
 }
 
-/// Returns the given coefficients without those of the pitching moment, so that the pitching moment of the model file
-/// remains in effect.
+/// Returns the coefficients in `all` without those of the pitching moment, so that the pitching moment of the model
+/// file remains in effect.
 fn own_pitch(all: &[(&'static str, f64)]) -> Vec<(&'static str, f64)> {
     all.iter()
         .filter(|(name, _)| !["C_M0", "C_Ma"].contains(name))
@@ -113,8 +117,8 @@ fn own_pitch(all: &[(&'static str, f64)]) -> Vec<(&'static str, f64)> {
         .collect()
 }
 
-/// Prepares simulations of flights of a disc with the given coefficients. Also returns a function that creates the
-/// launch conditions of a horizontal launch at [`SPEED`] with a given advance ratio.
+/// Prepares simulations of flights of a disc with the coefficients `values`. Also returns a function that creates the
+/// launch conditions of a horizontal launch at 20 m/s with a specified advance ratio.
 fn flights<'b>(
     body: &'b ThrownBody,
     values: &[(&str, f64)],

@@ -11,15 +11,15 @@ use crate::error::StudyError;
 pub struct Winds {
     /// Wind along the throw, m/s; positive for a tailwind.
     pub wind: f64,
-    /// Range of the longest throw in this wind, m.
+    /// Range of the longest discus throw in this wind, m.
     pub range: f64,
-    /// Launch angle of the longest throw, deg.
+    /// Launch angle of the longest discus throw in this wind, deg.
     pub launch: f64,
-    /// Nose angle of the longest throw at release, deg.
+    /// Nose angle at release of the longest discus throw in this wind, deg.
     pub nose: f64,
-    /// Hyzer angle of the longest throw at release, deg.
+    /// Hyzer angle at release of the longest discus throw in this wind, deg.
     pub hyzer: f64,
-    /// Maximum range of throws with zero hyzer angle at release, m.
+    /// Maximum range, in this wind, of discus throws with zero hyzer angle at release, m.
     pub upright: f64,
 }
 

@@ -3,7 +3,7 @@
 use studies::discovery::{Row, RowResult, plan, run_rows};
 
 /// Executes `runs` runs (simulated and diagnosed datasets) of each combination of the discovery study's simulation
-/// settings whose key contains the given words.
+/// settings whose key (text of these settings) contains the given words.
 fn tried(words: &[&str], runs: usize) -> Vec<RowResult> {
     let all = plan(100);
     let rows = words.iter().map(|words| {

@@ -16,8 +16,8 @@ const PERMUTATIONS: usize = 10_000;
 /// the flights' lift directions and ω × v.
 const ROTATIONS: usize = 2_000;
 
-/// Number of random permutations of the spins among the flights. For each, the random rotation of all spins is searched
-/// that gives the best agreement between lift directions and ω × v.
+/// Number of random permutations of the spins among the flights. For each permutation, random rotations of all spins
+/// are tried, to find the best agreement between lift directions and ω × v.
 const ROTATED_PERMUTATIONS: usize = 20;
 
 /// Agreement between the lift directions of ball flights and the spins that the data state, with a permutation test.
@@ -25,7 +25,8 @@ const ROTATED_PERMUTATIONS: usize = 20;
 pub struct Agreement {
     /// Number of flights to which the permutation test is applied.
     pub flights: usize,
-    /// Mean over the flights of the cosine of the angle between the lift and ω × v, for the spin ω that the data state.
+    /// Mean over the flights of the cosine of the angle between the lift and ω × v, for the velocity v and the spin ω
+    /// that the data state.
     pub cosine: f64,
     /// Mean, over random permutations of the spins among the flights, of the flights' mean cosine between lift and ω ×
     /// v.
@@ -34,7 +35,7 @@ pub struct Agreement {
     /// lift and ω × v.
     pub permuted_deviation: f64,
     /// p-value of the permutation test: fraction of the random permutations of the spins for which the mean cosine
-    /// between lift and ω × v is at least as large as for the stated spins.
+    /// between lift and ω × v (spin × velocity) is at least as large as for the stated spins.
     pub p_value: f64,
     /// Maximum of the flights' mean cosine between lift and ω × v over random rotations, with and without reflection,
     /// that are applied to all spins in common.
@@ -44,8 +45,8 @@ pub struct Agreement {
     pub rotated_permuted: f64,
 }
 
-/// Tests whether the flights' lifts point along ω × v for the stated spins ω. The permutations of the spins and the
-/// rotations are drawn from `seed`.
+/// Tests whether the flights' lifts point along ω × v for the spins ω that the data state. The permutations of the
+/// spins and the rotations are drawn from `seed`.
 pub(super) fn agreement(lifts: &[&Lift], seed: u64) -> Agreement {
     let identity: Vec<usize> = (0..lifts.len()).collect();
     let no_rotation = UnitQuaternion::identity();
@@ -90,9 +91,9 @@ fn mean_cosine(lifts: &[&Lift], order: &[usize], rotation: &UnitQuaternion<f64>)
     sum / lifts.len().max(1) as f64
 }
 
-/// Maximum, over the given rotations of all spins, of the flights' mean cosine between lift and ω × v if flight `k` has
-/// the spin of flight `order[k]`. Each rotation is tried with and without a reflection through the origin, which
-/// changes the sign of every cosine.
+/// Maximum, over `rotations` of all spins, of the flights' mean cosine between lift and ω × v if flight `k` has the
+/// spin of flight `order[k]`. Each rotation is tried with and without a reflection through the origin, which changes
+/// the sign of every cosine.
 fn greatest_rotated(lifts: &[&Lift], order: &[usize], rotations: &[UnitQuaternion<f64>]) -> f64 {
     let means = rotations
         .iter()

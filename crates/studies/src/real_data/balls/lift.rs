@@ -11,13 +11,13 @@ use crate::error::StudyError;
 /// Lift of one ball flight, estimated from its path, and the spin specified in the data.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Lift {
-    /// File name of the flight.
+    /// File name of the ball's flight in the dataset.
     pub(super) file: String,
-    /// Mean speed of the flight, m/s.
+    /// Mean speed of the ball over the flight, m/s.
     pub(super) speed: f64,
     /// Unit vector from the first to the last measured position.
     pub(super) direction: Vector3<f64>,
-    /// Lift coefficient as a vector along the axis about which the lift rotates the velocity.
+    /// Lift coefficient as a vector along the axis about which the lift rotates the velocity; dimensionless.
     pub(super) turn: Vector3<f64>,
     /// Spin vector ω that the data state, made dimensionless: ball radius × ω / speed.
     pub(super) spin: Vector3<f64>,
@@ -137,7 +137,8 @@ fn residual_along(evidence: &FlightEvidence) -> f64 {
 pub(super) mod tests {
     use super::*;
 
-    /// Lift of a ball that flies along -y, with the given vectors [`Lift::turn`] and [`Lift::spin`].
+    /// Lift of a ball that flies along -y, with a given vector lift coefficient (`turn`) and dimensionless spin vector
+    /// (`spin`).
     pub(in super::super) fn lift(turn: [f64; 3], spin: [f64; 3]) -> Lift {
         Lift {
             file: "flight001.csv".into(),

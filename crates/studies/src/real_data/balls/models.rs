@@ -42,7 +42,7 @@ pub(super) fn with_effects(model: &Model, effects: &[&str]) -> Result<Model, Stu
     Ok(tree.check()?)
 }
 
-/// Fits a ball model, extended by the named effects, to the flights.
+/// Fits a ball model, extended by the effects (optional model extensions) named in `effects`, to the flights.
 pub(super) fn fitted(
     model: &Model,
     flights: &Dataset,
@@ -52,8 +52,8 @@ pub(super) fn fitted(
     Ok(fit(&model, flights, &FitOptions::default())?.report)
 }
 
-/// Diagnoses the flights with a ball model that is extended by the named effects `with`. The outer error means that the
-/// model cannot be built; the inner error is that of a failed diagnosis, which the page reports.
+/// Diagnoses the flights with a ball model that is extended by the effects named in `with`. The outer error means that
+/// the model cannot be built; the inner error is that of a failed diagnosis, which is printed on the page of results.
 pub(super) fn diagnosed(
     model: &Model,
     flights: &Dataset,

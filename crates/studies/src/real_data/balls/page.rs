@@ -45,8 +45,8 @@ struct Section {
     /// Mean lift coefficient / mean advance ratio over the flights in the file ranges [`AGREEING`] (in which every lift
     /// agrees with the stated spin) with an advance ratio below 0.3.
     slope_low: f64,
-    /// Mean lift coefficient / mean advance ratio over the flights in the file ranges [`AGREEING`] with an advance
-    /// ratio of at least 0.7.
+    /// Mean lift coefficient / mean advance ratio over the flights in the file ranges [`AGREEING`] (in which every lift
+    /// agrees with the stated spin) with an advance ratio of at least 0.7.
     slope_high: f64,
     added: Vec<AddedRow>,
     diagnoses: Vec<DiagnosisRow>,
@@ -97,7 +97,7 @@ struct LiftRow {
     estimates: [Option<Estimate>; 3],
     held_out_m: Option<f64>,
     /// Decrease of the RMS prediction error on held-out flights from the model of the previous table row to the model
-    /// of this row, and standard error of the decrease, m. `None` for the first row or without held-out flights.
+    /// of the present row, and standard error of the decrease, m. `None` for the first row or without held-out flights.
     reduction: Option<(f64, f64)>,
 }
 
@@ -125,7 +125,7 @@ struct MagnusScore {
     discordant: usize,
 }
 
-/// Renders the section on the table-tennis balls as Markdown.
+/// Renders the section of docs/real-data.md on the flights of table-tennis balls, as Markdown.
 pub(in super::super) fn balls_section(balls: &Balls) -> Result<String, StudyError> {
     let report = &balls.plain;
     let count = |role: Role| report.flights.iter().filter(|f| f.role == role).count();

@@ -39,9 +39,11 @@ const ADDED_EFFECTS: [&str; 6] = [
 /// advance ratio), once to the model that also has a lift proportional to the squared advance ratio.
 pub(super) struct Added {
     pub(super) effect: &'static str,
-    /// Fit with the effect `magnus` (lift proportional to the advance ratio) and the added effect.
+    /// Fit of the model with two added effects: `magnus` (lift proportional to the advance ratio, radius × spin /
+    /// speed) and `effect`.
     pub(super) to_magnus: FitReport,
-    /// Fit with `magnus`, the lift proportional to the squared advance ratio, and the added effect.
+    /// Fit of the model with three added effects: `magnus` (lift proportional to the advance ratio, radius × spin /
+    /// speed), a lift proportional to the square of this ratio, and `effect`.
     pub(super) to_square: FitReport,
 }
 
@@ -49,7 +51,8 @@ pub(super) struct Added {
 pub(in super::super) struct Balls {
     /// Fit of all flights with a model that contains only gravity and drag.
     pub(in super::super) plain: FitReport,
-    /// Fits of all flights with each set of [`COMMON_EFFECTS`].
+    /// Fits of all flights, each with one of the sets of effects in [`COMMON_EFFECTS`], which could deflect all paths
+    /// in the same way. Pairs (names of the effects, fit).
     pub(super) common: Vec<(&'static [&'static str], FitReport)>,
     pub(super) lifts: Vec<Lift>,
     /// Fit of all flights with an unknown, constant lift vector for each flight.
@@ -57,12 +60,13 @@ pub(in super::super) struct Balls {
     /// Agreement of lift and spin for all flights, for the agreeing stretches (parts of the recording in which every
     /// lift agrees with the stated spin), and for the remaining flights.
     pub(in super::super) agreement: [Agreement; 3],
-    /// Fits of the flights in which the lift agrees with the stated spin: with gravity and drag, then also with
-    /// `magnus` (lift proportional to the advance ratio), then also with a lift proportional to the squared advance
-    /// ratio.
+    /// Fits of the flights in the parts of the recording in which every lift agrees with the stated spin: with gravity
+    /// and drag, then also with `magnus` (lift proportional to the advance ratio), then also with a lift proportional
+    /// to the squared advance ratio.
     pub(in super::super) lift_by_spin: [FitReport; 3],
-    /// Fits of the flights in which the lift agrees with the stated spin. Each of the effects [`ADDED_EFFECTS`] is
-    /// added to two models: with lift proportional to the advance ratio, and also to its square.
+    /// Fits of the flights in the parts of the recording in which every lift agrees with the stated spin. Each of the
+    /// effects [`ADDED_EFFECTS`] is added to two models: with lift proportional to the advance ratio, and with an
+    /// additional lift proportional to its square.
     pub(super) added: Vec<Added>,
     /// Diagnoses of three cases: all flights; the flights of the recording's parts in which every lift agrees with the
     /// stated spin; and these latter flights with the effect `magnus` in the model. `Err` contains the error of a

@@ -6,7 +6,7 @@ use identify::dataset::Dataset;
 /// state.
 pub(super) const AGREEING: [(u32, u32); 2] = [(2, 54), (139, 213)];
 
-/// Number formed by the digits of a file name; 0 if it has none.
+/// Number formed by the digits in the file name of a flight; 0 if it has none.
 pub(super) fn number(file: &str) -> u32 {
     let digits: String = file.chars().filter(char::is_ascii_digit).collect();
     digits.parse().unwrap_or(0)

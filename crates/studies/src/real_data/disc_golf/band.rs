@@ -8,14 +8,14 @@ use rand_distr::{Distribution, StandardNormal};
 use super::simulate::Simulator;
 use super::throw::{Launch, TRACK_UNCERTAINTY, Throw, UNCERTAINTY, rms_distance};
 
-/// Statistics of simulated flights whose launches are drawn at random within the stated uncertainties.
+/// Statistics of simulated flights whose launch quantities are drawn at random with their published uncertainties.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Band {
-    /// Mean, over the random launches, of the simulated horizontal position (x, y) at the time of the last track point,
-    /// m.
+    /// Mean, over the random launches, of the simulated horizontal position (x, y) at the time of the last compared
+    /// point of the measured track, m.
     pub(super) mean: [f64; 2],
     /// Standard deviation, over the random launches, of the simulated horizontal position (x, y) at the time of the
-    /// last track point, m.
+    /// last compared point of the measured track, m.
     pub(super) deviation: [f64; 2],
     /// Fraction of the random launches whose simulated path has an RMS difference of less than 1 m per coordinate from
     /// the measured track.

@@ -9,8 +9,8 @@ use super::throw::{TRACK_UNCERTAINTY, Throw, UNCERTAINTY, rms_distance};
 /// Prior standard deviation of each factor by which tabulated coefficients are multiplied; the prior mean is 1.
 const FACTOR_UNCERTAINTY: f64 = 1.0;
 
-/// Number of launch quantities, which are the unknowns of a fit. A fit with factors on lift, drag and pitching moment
-/// has three more unknowns.
+/// Number of launch quantities, which are the unknowns of a fit. A fit that also estimates factors on the tabulated
+/// lift, drag and pitching moment has three more unknowns.
 const LAUNCH_UNKNOWNS: usize = 7;
 const ALL_UNKNOWNS: usize = 10;
 
@@ -19,7 +19,7 @@ const ALL_UNKNOWNS: usize = 10;
 /// minimum.
 const DIFFERENCE: f64 = 0.05;
 
-/// Maximum number of Gauss–Newton steps in the fit of one launch.
+/// Maximum number of Gauss–Newton steps in the fit of the launch quantities of one throw.
 const MAX_STEPS: usize = 40;
 
 /// Number of step lengths that are tried in a Gauss–Newton step: the full step, then repeated halves of it.
@@ -37,9 +37,11 @@ pub struct LaunchFit {
     /// Changes of the launch quantities by the fit (fitted − published), in units of their published uncertainties.
     /// Order: speed, pitch, roll, nose, yaw, tailwind, crosswind.
     pub changes: [f64; 7],
-    /// Factors on the tabulated lift, drag and pitching moment; 1 if the factors were not fitted.
+    /// Fitted factors by which the tabulated lift, drag and pitching moment are multiplied; 1 if the factors were not
+    /// fitted.
     pub factors: [f64; 3],
-    /// Standard errors of the factors on lift, drag and pitching moment; 0 if the factors were not fitted.
+    /// Standard errors of the fitted factors on the tabulated lift, drag and pitching moment; 0 if the factors were not
+    /// fitted.
     pub factor_errors: [f64; 3],
 }
 

@@ -11,7 +11,7 @@ use super::simulate::Simulator;
 use super::throw::Throw;
 use crate::error::StudyError;
 
-/// Number of random launches simulated for each throw.
+/// Number of simulated flights of each filmed throw, with launch quantities drawn at random within their uncertainties.
 pub(super) const DRAWS: usize = 100;
 
 /// Simulations and fits of one filmed disc-golf throw.

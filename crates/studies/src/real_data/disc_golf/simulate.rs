@@ -23,11 +23,11 @@ const ROUGHNESS: f64 = 0.1;
 /// Height above the ground at which the wind was measured, m.
 const WIND_HEIGHT: f64 = 1.5;
 
-/// Maximum time between computed points of a path; positions between these points are interpolated linearly, s.
+/// Maximum time between computed points of a path, s. Positions between these points are interpolated linearly.
 const MAX_INTERVAL: f64 = 0.02;
 
-/// Maximum step size of the integration, s. With steps five times smaller, fitted factors change by less than a tenth
-/// of their standard errors.
+/// Maximum step size of the integration, s. With steps five times smaller, the fitted factors on lift, drag and
+/// pitching moment change by less than a tenth of their standard errors.
 const MAX_STEP: f64 = 2e-3;
 
 /// Angle of attack (rad) below which the tabulated pitching moment is set to 0.
@@ -77,8 +77,8 @@ impl<'a> Simulator<'a> {
         })
     }
 
-    /// Horizontal positions (x, y), m, at `times` (s) after a launch. Times after the landing give the landing
-    /// position.
+    /// Simulated horizontal positions (x, y), m, of the disc at `times` (s) after a launch. Times after the landing
+    /// give the landing position.
     pub(super) fn track(
         &self,
         throw: &Throw,
@@ -151,7 +151,8 @@ impl<'a> Simulator<'a> {
     }
 }
 
-/// State of the disc at the release, with the given launch quantities and the spin and height of the throw.
+/// State of the disc at the release, with the launch quantities `launch` (speed, angles and wind) and the spin and
+/// height of `throw`.
 fn release(throw: &Throw, launch: &Launch) -> Physical<f64> {
     let (axis, velocity) = axis_and_velocity(launch);
     let first = Vector3::x().cross(&axis).cross(&axis).normalize();
@@ -169,7 +170,7 @@ fn release(throw: &Throw, launch: &Launch) -> Physical<f64> {
 pub(super) mod tests {
     use super::*;
 
-    /// A disc with smooth aerodynamic curves.
+    /// Disc with an aerodynamic table that is computed from polynomials of the angle of attack.
     pub(in super::super) fn smooth_disc() -> Disc {
         let row = |k: i32| {
             let alpha = f64::from(k).to_radians();

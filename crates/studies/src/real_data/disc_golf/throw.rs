@@ -21,8 +21,8 @@ pub(crate) const LAUNCH_NAMES: [&str; 7] = [
 /// Values of the launch quantities in the order of [`LAUNCH_NAMES`], m/s and rad.
 pub(crate) type Launch = [f64; 7];
 
-/// Stated uncertainties (standard deviations) of the launch quantities, m/s and rad. The uncertainty of the crosswind
-/// is not stated; it is assumed equal to that of the tailwind.
+/// Published uncertainties (standard deviations) of the launch quantities, m/s and rad. The uncertainty of the
+/// crosswind is not published; it is assumed equal to that of the tailwind.
 pub(crate) const UNCERTAINTY: Launch = [0.6, RAD * 2.0, RAD * 5.0, RAD * 2.0, RAD * 2.0, 1.0, 1.0];
 
 /// Assumed uncertainty of a measured horizontal position, m. The camera films from a height of about 100 m, so a disc
@@ -47,14 +47,14 @@ pub(super) struct Disc {
 /// Time (s) and horizontal position (x, y; m) of a point of a measured track.
 pub(crate) type TrackPoint = (f64, [f64; 2]);
 
-/// A filmed throw.
+/// A filmed throw: published launch conditions and measured track.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Throw {
-    /// Number of the throw in the published data.
+    /// Number of the throw in the published data set.
     pub(crate) number: u32,
     /// Launch quantities as published with the throw.
     pub(crate) launch: Launch,
-    /// Magnitude of the spin, rad/s.
+    /// Magnitude of the disc's spin at release, rad/s.
     pub(crate) spin: f64,
     /// Height of the release above the ground, m.
     pub(crate) height: f64,

@@ -130,7 +130,7 @@ impl DiscPose {
     }
 }
 
-/// Treatment of the aerodynamic coefficients in a fit.
+/// Treatment of the aerodynamic coefficients in a fit to measured poses: estimated with priors, or fixed at 0.
 #[derive(Clone, Copy)]
 enum Air {
     /// The aerodynamic coefficients are estimated, with priors.
@@ -208,8 +208,8 @@ fn throw(flight: &Flight, report: &FlightReport, joint: f64, alone: Option<Ratio
     }
 }
 
-/// Jackknife standard error from the estimates that each leave out one throw: Efron and Tibshirani, An introduction to
-/// the bootstrap (1993), equation 11.5.
+/// Jackknife standard error of an estimate from all throws, computed from estimates that each leave out one throw:
+/// Efron and Tibshirani, An introduction to the bootstrap (1993), equation 11.5.
 fn jackknife(left_out: &[f64]) -> f64 {
     let count = left_out.len() as f64;
     let mean = left_out.iter().sum::<f64>() / count;

@@ -19,7 +19,7 @@ const GROUND: &str = "groundplanesample_part.csv";
 /// quaternion, and a file in which the tag's label changed.
 const LEFT_OUT: [&str; 3] = ["drive17.csv", "throw0.csv", "drive14fliplabel.csv"];
 
-/// Header line of a table of poses.
+/// Header line of a table of measured poses (time, position, attitude quaternion).
 const HEADER: &str = "t_s,x_m,y_m,z_m,qw,qx,qy,qz";
 
 /// One row of a table of poses: time, s, position, m, and attitude of the tag.
@@ -80,7 +80,7 @@ impl Poses {
     }
 }
 
-/// Names of the files of a folder, sorted.
+/// Names of the files in a folder, in alphabetical order.
 fn names(folder: &Path) -> Result<Vec<String>, StudyError> {
     let failed = |source| StudyError::Unreadable {
         file: folder.to_owned(),

@@ -48,7 +48,7 @@ pub(super) struct Diagnosed {
     pub(super) samples: usize,
 }
 
-/// Table row on one cause that the diagnosis found: a hypothesis, that is a set of effects.
+/// Table row on one hypothesis of the diagnosis: a set of effects (optional model extensions) that explains the misfit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct CauseRow {
     pub(super) effects: String,

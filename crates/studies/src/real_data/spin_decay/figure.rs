@@ -8,7 +8,7 @@ use super::form::Form;
 use super::results::SpinDecay;
 
 /// Torque laws whose residuals the figure shows: proportional to the spin (as in the model), proportional to its
-/// square, and the law that the data do not reject.
+/// square, and proportional to the spin with a factor that falls with time (the law that the data do not reject).
 const DRAWN: [Form; 3] = [Form::Linear, Form::Quadratic, Form::Falling];
 
 /// Draws two panels as SVG: the measured spin over time, and the residuals (measured − fitted) of three torque laws.

@@ -15,7 +15,7 @@ const STEPS: usize = 12;
 #[derive(Clone, Debug, PartialEq)]
 pub struct DecayFit {
     /// Estimates of the torque law's unknowns: spin at release (rad/s), fraction of the spin lost per second at
-    /// release, and, for some laws, a third.
+    /// release, and, for some laws, a third unknown (exponent of the spin, or rate at which a factor falls).
     pub unknowns: Vec<f64>,
     /// Standard errors of the estimated unknowns of the torque law, in the order of `unknowns`.
     pub std_errors: Vec<f64>,
@@ -23,7 +23,7 @@ pub struct DecayFit {
     pub rms: f64,
     /// Lag-1 correlation of the noise, estimated together with the torque law's unknowns.
     pub ar1: f64,
-    /// Akaike information criterion of the fit.
+    /// Akaike information criterion of the fit; lower is better.
     pub aic: f64,
 }
 
@@ -93,7 +93,8 @@ mod tests {
 
     use super::*;
 
-    /// Simulates the record of a spin under a torque, integrated in small steps, with AR(1) noise.
+    /// Simulates a measured spin in free flight with AR(1) noise. `torque` returns the angular acceleration (rad/s²) at
+    /// a given spin (rad/s) and time (s).
     fn made(torque: impl Fn(f64, f64) -> f64) -> Record {
         let mut random = ChaCha12Rng::seed_from_u64(5);
         let (mut spin, mut noise) = (60.0, 0.0);

@@ -6,7 +6,7 @@ use nalgebra::DVector;
 /// fraction of the spin lost per second at release.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// Torque that is constant in time.
+    /// Torque that does not depend on the spin or the time.
     Constant,
     /// Torque proportional to the spin.
     Linear,

@@ -14,7 +14,7 @@ const MIN_SAMPLES: usize = 10;
 /// Measured spin of a disc in flight.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Record {
-    /// Times since the release, s.
+    /// Times since the release of the disc, s.
     pub(super) times: Vec<f64>,
     /// Angular rates about the disc's axis, rad/s.
     pub(super) rates: Vec<f64>,

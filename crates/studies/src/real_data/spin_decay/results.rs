@@ -10,7 +10,8 @@ use super::form::Form;
 use super::record::Record;
 use crate::error::StudyError;
 
-/// Initial part of the flight that one fit leaves out, to test whether the disc's wobble there affects the result, s.
+/// Duration of the initial part of the flight that one fit leaves out, to test whether the disc's wobble there affects
+/// the result, s.
 pub(super) const WOBBLE: f64 = 0.5;
 
 /// Fits of all laws of the torque that slows a disc's spin, and the diagnosis of the same measured flight.
@@ -20,7 +21,7 @@ pub(in super::super) struct SpinDecay {
     /// Fit of a torque proportional to a power of the spin, without the first [`WOBBLE`] seconds of the flight; `None`
     /// if the fit failed.
     pub(super) power_without_wobble: Option<DecayFit>,
-    /// Axial moment of inertia of the model, kg·m².
+    /// Axial moment of inertia of the disc in the model, kg·m².
     pub(super) axial_inertia: f64,
     /// Value of the spin-damping coefficient C_Nr in the model file, N·m·s.
     pub(super) model_c_nr: f64,

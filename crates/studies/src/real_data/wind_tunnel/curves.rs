@@ -61,7 +61,7 @@ impl Curve {
         each.map(|(multiple, shape)| multiple * shape(alpha)).sum()
     }
 
-    /// RMS residual (table − curve) of one coefficient over the given rows of an aerodynamic table.
+    /// RMS residual (table − curve) of one coefficient over the rows `rows` of an aerodynamic table.
     pub(super) fn rms(&self, rows: &[Measured], coefficient: Coefficient) -> f64 {
         let residuals = rows
             .iter()

@@ -104,8 +104,8 @@ struct Departure {
     below: Option<f64>,
 }
 
-/// Renders the section on the effects that improve the fit of the model's curves to the wind tunnel's table, as
-/// Markdown.
+/// Renders the section of docs/real-data.md on the effects (optional model extensions) that improve the fit of the
+/// model's curves to the wind tunnel's table of coefficients, as Markdown.
 pub(in super::super) fn effects_section(table: &[Measured]) -> Result<String, StudyError> {
     let ranges = HALF_WIDTHS.map(|width| between(table, -width, width));
     let rms = |form: &Form, rows: &[Measured]| {

@@ -7,7 +7,7 @@ use super::curves::Curve;
 use super::page::{FIGURE_RANGE, NAMES, fitted_curve, model_curves};
 use super::table::{Measured, between};
 
-/// Range of angle of attack shown in the figure, degrees.
+/// Range of angle of attack shown in the figure of lift, drag and pitching-moment curves, degrees.
 const SHOWN: (f64, f64) = (-30.0, 45.0);
 
 /// Draws the wind tunnel's coefficients and the model's curves as SVG: one panel each for lift, drag and pitching

@@ -48,7 +48,8 @@ struct CurveRow {
     magnitude: f64,
 }
 
-/// Renders the section on the table and the model's curves as Markdown.
+/// Renders the section of docs/real-data.md that compares the wind tunnel's table of coefficients with the model's
+/// curves, as Markdown.
 pub(in super::super) fn tunnel_section(
     disc: &Model,
     table: &[Measured],
@@ -109,7 +110,8 @@ pub(super) fn fitted_curve(rows: &[Measured], coefficient: usize) -> Option<Curv
     Curve::fitted(rows, coefficient, MODEL_SHAPES[coefficient])
 }
 
-/// Curves of lift, drag and pitching moment with the coefficients of the model file.
+/// Curves of lift, drag and pitching moment over the angle of attack, with the coefficients of the model file of
+/// `disc`.
 pub(super) fn model_curves(disc: &Model) -> [Curve; 3] {
     let value = |name: &str| {
         let mut coefficients = disc.coefficients.iter();

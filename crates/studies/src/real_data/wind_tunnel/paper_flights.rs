@@ -47,8 +47,8 @@ impl CoefficientRow {
     }
 }
 
-/// Simulates the two flights of Hubbard & Hummel (2000) with the wind tunnel's coefficients, fits the model `disc` to
-/// each, and renders the section on the estimates as Markdown.
+/// Simulates the two flights of Hubbard & Hummel (2000) with the coefficients measured in the wind tunnel (`table`),
+/// fits the model `disc` to each, and renders the section on the estimates as Markdown.
 pub(in super::super) fn paper_flights_section(
     disc: &Model,
     table: &[Measured],

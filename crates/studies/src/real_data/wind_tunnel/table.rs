@@ -8,9 +8,9 @@ use crate::real_data::files::{bad_line, numbers, rows, text_of};
 /// Row of a table of aerodynamic coefficients: their values at one angle of attack.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in super::super) struct Measured {
-    /// Angle of attack, rad.
+    /// Angle of attack of this row, rad.
     pub(in super::super) alpha: f64,
-    /// Coefficients of lift, of drag, and of the pitching moment about d2 (nose-up negative).
+    /// Coefficients of lift, of drag, and of the pitching moment (negative nose up).
     pub(in super::super) coefficients: [f64; 3],
 }
 
@@ -29,8 +29,8 @@ pub(in super::super) fn read(file: &Path) -> Result<Vec<Measured>, StudyError> {
     rows.collect()
 }
 
-/// Coefficients at an angle of attack (rad), by linear interpolation. The rows must have increasing angles; outside
-/// their range the end values are returned.
+/// Coefficients `[lift, drag, pitching moment]` at an angle of attack (rad), by linear interpolation. The rows must
+/// have increasing angles; outside their range the end values are returned.
 pub(in super::super) fn interpolated(rows: &[Measured], alpha: f64) -> [f64; 3] {
     let above = rows.partition_point(|row| row.alpha <= alpha);
     let below = above.checked_sub(1).and_then(|k| rows.get(k));
