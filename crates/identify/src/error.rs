@@ -115,15 +115,15 @@ pub enum FlightError {
 /// Section of the dataset or option of the fit in which a name was given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NameSource {
-    /// The name is a key of `[parameters]` in the dataset.
+    /// The name is a key of the section `[parameters]` of the dataset, the values of known constants.
     DatasetParameters,
-    /// The name is in [`FitOptions::fixed`](crate::FitOptions::fixed).
+    /// The name is in the option `FitOptions::fixed`, the coefficients that are not estimated.
     Fixed,
-    /// The name is in [`FitOptions::free`](crate::FitOptions::free).
+    /// The name is in the option `FitOptions::free`, the constants and inputs that are estimated in addition.
     Free,
-    /// The name is in [`FitOptions::priors`](crate::FitOptions::priors).
+    /// The name is in the option `FitOptions::priors`, the Gaussian priors of parameters.
     Prior,
-    /// The name is in [`FitOptions::profiles`](crate::FitOptions::profiles).
+    /// The name is in the option `FitOptions::profiles`, the parameters whose profile likelihood is computed.
     Profile,
 }
 

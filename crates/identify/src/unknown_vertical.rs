@@ -14,8 +14,8 @@ use crate::vertical::{ANGLES, EFFECT, angles};
 /// these directions.
 const TRIED_FLIGHTS: usize = 6;
 
-/// Initial directions of the upward axis, in the measured axes and not normalised: along the axes and halfway between
-/// them.
+/// Trial directions of the vertical: upward vectors, not normalised, along the axes of the measured positions and
+/// halfway between two of them.
 fn directions() -> Vec<[f64; 3]> {
     let all =
         (0..27).map(|index| [index / 9, index / 3 % 3, index % 3].map(|k| f64::from(k) - 1.0));
@@ -115,7 +115,8 @@ fn misfit(found: &Fit) -> f64 {
     found.report.rms_m * (1.0 + excluded)
 }
 
-/// Estimated angles of the rotation of the measured axes, rad; `None` if the fit does not estimate them.
+/// Estimated angles, rad, by which the axes of the measured positions are rotated from the vertical, about x and then
+/// y; `None` if the fit does not estimate them.
 fn estimated(found: &Fit) -> Option<[f64; 2]> {
     let value = |name: &str| Some(found.report.coefficients.get(name)?.value);
     Some([value(ANGLES[0])?, value(ANGLES[1])?])

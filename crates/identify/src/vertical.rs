@@ -24,7 +24,8 @@ pub(crate) fn angles([x, y, z]: [f64; 3]) -> [f64; 2] {
     [about_x, (-x).atan2(z)]
 }
 
-/// Upward unit vector in the measured axes, given the rotation angles about x and y, rad.
+/// Upward unit vector in the axes of the measured positions, given the angles by which these axes are rotated from the
+/// vertical, about x and then y, rad.
 pub fn upward([about_x, about_y]: [f64; 2]) -> [f64; 3] {
     let (sin_x, cos_x) = about_x.sin_cos();
     let (sin_y, cos_y) = about_y.sin_cos();

@@ -337,8 +337,8 @@ impl<'t> Reader<'t> {
     }
 
     /// Parses the table `key` of the document, either `parameters` or `coefficients`, and returns its names and values.
-    /// `names` are the names that are valid in this table. `others` are the names of the model's constants that belong
-    /// in the second of the two tables; they are used in error messages.
+    /// `names` are the names that are valid in this table. `others` are the names that are valid in the table of these
+    /// two that is not `key`; they are used in error messages.
     fn constants(
         &mut self,
         document: &DeTable<'t>,

@@ -26,18 +26,18 @@ pub struct WindField {
 /// Mean wind as a function of the height above the ground; below the ground the wind at the ground applies.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Profile {
-    /// Logarithmic law for the speed at height z, with U and h from `at`: U ln(1 + (z/z₀)²)/ln(1 + (h/z₀)²), which is U
-    /// ln(z/z₀)/ln(h/z₀) well above z₀ and 0 at the ground.
+    /// Logarithmic law for the speed at height z: U ln(1 + (z/z₀)²)/ln(1 + (h/z₀)²), where U is the speed at the
+    /// reference height h. It is U ln(z/z₀)/ln(h/z₀) well above z₀ and 0 at the ground.
     Log {
-        /// Speed and direction at the reference height.
+        /// Speed and direction of the mean wind at the reference height.
         at: ReferenceWind,
         /// Roughness length z₀ of the logarithmic law, m.
         roughness: f64,
     },
-    /// Power law for the speed at height z, with U and h from `at`: U ((z² + ε²)/(h² + ε²))^(n/2) with ε = 5 cm, which
-    /// is U (z/h)ⁿ well above ε.
+    /// Power law for the speed at height z: U ((z² + ε²)/(h² + ε²))^(n/2), where U is the speed at the reference height
+    /// h and ε = 5 cm. It is U (z/h)ⁿ well above ε.
     Power {
-        /// Speed and direction at the reference height.
+        /// Speed and direction of the mean wind at the reference height.
         at: ReferenceWind,
         /// Exponent n of the power law, dimensionless.
         exponent: f64,

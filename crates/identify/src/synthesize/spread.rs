@@ -37,7 +37,7 @@ impl Default for Spread {
     }
 }
 
-/// Maximum allowed value of [`Spread::fraction`].
+/// Maximum allowed value of `Spread::fraction`, the relative standard deviation of the initial states.
 const MAX_FRACTION: f64 = 2.0;
 
 impl Spread {
