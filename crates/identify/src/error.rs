@@ -153,7 +153,7 @@ pub struct ExcludedFlight {
 /// Reason why a dataset cannot be fitted.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum FitError {
-    /// The dataset or the options contain a name that the model does not have.
+    /// The dataset or the options of the fit contain a name that the model does not have.
     #[error("{} {name}, and the model {model} has {}", given_in.phrase(), available.join(", "))]
     UnknownName {
         /// Place where the name is given: a section of the dataset or an option of the fit.

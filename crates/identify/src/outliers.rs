@@ -79,8 +79,8 @@ impl Series {
         local_residuals
     }
 
-    /// Values nearest in time to the value at `index` of the series, up to 2 × `SIDE` of them, without that value
-    /// itself: (time in s, sample index, residual in m).
+    /// Neighbours of the value at `index` of the series, as (time in s, sample index, residual in m): `SIDE` values
+    /// before and `SIDE` values after it. Near an end of the series, more of them are on one side.
     fn neighbours(&self, index: usize) -> impl Iterator<Item = &(f64, usize, [f64; 3])> + Clone {
         let seen = &self.0;
         // At the ends, the number of neighbours is the same, but they are on one side.

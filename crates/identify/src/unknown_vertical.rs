@@ -108,8 +108,8 @@ fn reaches_noise(found: &Fit) -> bool {
     floor.is_some_and(|floor| misfit(found) < NOISE_RATIO * floor)
 }
 
-/// Measure by which fits from different initial directions are compared, m: root mean square residual × (1 + number of
-/// excluded flights).
+/// Measure by which fits from different initial directions of the vertical are compared, m: root mean square residual ×
+/// (1 + number of excluded flights).
 fn misfit(found: &Fit) -> f64 {
     let excluded = found.report.excluded().count() as f64;
     found.report.rms_m * (1.0 + excluded)

@@ -86,7 +86,7 @@ struct Solver<'s, 'e, D: OdeRhs, O, S> {
     stats: SolverStats,
 }
 
-/// Recorded event occurrences of an integration.
+/// Event occurrences that an integration has recorded so far, and the events located in its current step.
 #[derive(Default)]
 struct EventLog {
     occurrences: Vec<Occurrence>,

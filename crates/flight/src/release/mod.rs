@@ -159,8 +159,8 @@ impl Vocabulary {
     }
 }
 
-/// Names and TOML texts of the built-in releases: two flights of Hubbard & Hummel (2000), a backhand, a discus throw
-/// and a table-tennis serve.
+/// Names and TOML texts of the built-in releases (initial conditions of a flight): two flights of Hubbard & Hummel
+/// (2000), a backhand, a discus throw and a table-tennis serve.
 pub const BUILT_IN: [(&str, &str); 5] = [
     ("fssh3", include_str!("../../releases/fssh3.toml")),
     ("bffl8", include_str!("../../releases/bffl8.toml")),

@@ -253,8 +253,8 @@ impl ThrownModel {
         self.motion.has_attitude()
     }
 
-    /// Parameter vector of the model for a release, in the order of the model's [`Layout`](codegen::Layout): the values
-    /// specified in the release, and default values of all other parameters.
+    /// Parameter vector of the model for a release (initial conditions of a flight), in the order of the model's
+    /// [`Layout`](codegen::Layout): the values specified in the release, and default values of all other parameters.
     pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
         self.motion.release_parameters(release)
     }

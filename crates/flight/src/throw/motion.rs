@@ -94,8 +94,8 @@ impl MotionModel {
         self.has_attitude
     }
 
-    /// Parameter vector of the model for a release, in the order of the model's [`Layout`](codegen::Layout): the values
-    /// specified in the release, and default values of all other parameters.
+    /// Parameter vector of the model for a release (initial conditions of a flight), in the order of the model's
+    /// [`Layout`](codegen::Layout): the values specified in the release, and default values of all other parameters.
     pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
         self.compiled.release_parameters(release)
     }
@@ -109,9 +109,9 @@ impl MotionModel {
     }
 }
 
-/// Copy of the model whose observation has three components: the speed of the mass centre over the ground (m/s), the
-/// spin as in a [`Throw`](super::Throw) (rpm; 0 for a point mass), and 0. `None` if the model neither declares a body
-/// nor states that its equations describe one.
+/// Copy of the model whose measurement equation yields, instead of a marker position, the speed of the mass centre over
+/// the ground (m/s), the spin as in a [`Throw`](super::Throw) (rpm; 0 for a point mass), and 0. `None` if the model
+/// neither declares a body nor states that its equations describe one.
 pub fn speed_and_spin(model: &Model) -> Option<Model> {
     let (vectors, _) = vectors(model)?;
     let scalar = |kind| Expr {

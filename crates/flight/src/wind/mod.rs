@@ -180,7 +180,8 @@ impl WindField {
 }
 
 impl Gusts {
-    /// Mutable reference to the value of the parameter of this name; `None` if the gusts have no such parameter.
+    /// Mutable reference to the value of the gust parameter of this name, in SI units or degrees; `None` if the gusts
+    /// have no such parameter.
     fn number(&mut self, name: &str) -> Option<&mut f64> {
         match name {
             "gust_intensity" => return Some(&mut self.intensity),

@@ -32,7 +32,7 @@ impl<T: Lanes> LaneValues<T> {
         }
     }
 
-    /// Replaces the values by those of `from` in the SIMD lanes where the mask `keep` is 0.
+    /// Replaces the values of a SIMD lane by those of `from` if the element of the mask `keep` for this lane is 0.
     #[inline(always)]
     pub(crate) fn take(&mut self, keep: T, from: &LaneValues<T>) {
         merge(keep, &from.x, &mut self.x);
@@ -43,7 +43,7 @@ impl<T: Lanes> LaneValues<T> {
     }
 }
 
-/// Copies `from` to `to` in the SIMD lanes where the mask `keep` is 0.
+/// Copies the values of a SIMD lane from `from` to `to` if the element of the mask `keep` for this lane is 0.
 #[inline(always)]
 pub(crate) fn merge<T: Lanes>(keep: T, from: &[T], to: &mut [T]) {
     let n = to.len();

@@ -55,7 +55,8 @@ pub(crate) struct ErrorTolerance {
 }
 
 impl ErrorTolerance {
-    /// Tolerated error `atol + rtol · max(|a|, |b|)` of a component with the values `a` and `b` at the ends of a step.
+    /// Tolerated error `atol + rtol · max(|a|, |b|)` of a state component with the values `a` and `b` at the start and
+    /// end of a step.
     #[inline(always)]
     pub(crate) fn scale(&self, a: f64, b: f64) -> f64 {
         self.atol + self.rtol * a.abs().max(b.abs())
