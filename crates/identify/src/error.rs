@@ -199,7 +199,7 @@ pub enum FitError {
         /// Reason why the model has no measurement equation for the sensor, as text for the message.
         reason: String,
     },
-    /// The model's body rotates, but the markers do not determine its attitude.
+    /// The body of the model rotates, but the markers do not determine its attitude.
     #[error(
         "the model {model} turns, and {} do not show how: three are needed that are not in line",
         count(*markers, "marker")
@@ -244,7 +244,7 @@ pub enum FitError {
     Interrupted,
 }
 
-/// Maximum number of flights or faults that an error message lists.
+/// Maximum number of excluded flights or data faults that an error message lists.
 const MAX_LISTED_FLIGHTS: usize = 10;
 
 fn first_faults(faults: &[DataFault]) -> String {

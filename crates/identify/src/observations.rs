@@ -255,8 +255,8 @@ impl Observations {
     }
 }
 
-/// Measured values of all channels in one sample of `flight`, in channel order, in the format of
-/// [`Observations::measured`].
+/// Measured values of all channels in one sample of `flight`, in channel order: position, rotation vector, or reading
+/// of an instrument. A scalar reading is repeated three times; `None` for a missing value.
 fn row<'f>(
     problem: &'f FitProblem,
     flight: &'f Flight,

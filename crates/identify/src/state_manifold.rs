@@ -9,8 +9,8 @@ use crate::ids::LocalId;
 /// Directions in which an initial state may vary: one per free state, and three per unit quaternion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StateManifold {
-    /// Indices of the states that vary and belong to no quaternion. The directions of the manifold begin with one for
-    /// each of these states, in this order.
+    /// Indices of the states that vary and belong to no quaternion. The first directions of the manifold are the
+    /// changes of these states, in this order.
     direct: Vec<usize>,
     /// State indices of the four components of each unit quaternion that varies; each has three directions.
     quaternions: Vec<[usize; 4]>,

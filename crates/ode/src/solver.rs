@@ -21,7 +21,7 @@ pub(crate) const FINAL_STEP_SLACK: f64 = 1e-10;
 /// Final time and state of an integration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Endpoint<X> {
-    /// Final time: the requested one, or that of the terminal event.
+    /// Final time: the requested one, or that of the terminal event which ended the integration.
     pub time: f64,
     /// State at the final time.
     pub state: X,

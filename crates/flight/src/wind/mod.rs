@@ -86,8 +86,8 @@ pub enum GustStrength {
     /// Standard deviations and length scales follow from the mean wind at 20 ft and the height of the gusts, by the
     /// low-altitude model of MIL-F-8785C.
     LowAltitude,
-    /// Standard deviations and length scales of the gust components u, v and w are specified in the release or wind
-    /// file.
+    /// Standard deviations and length scales of the gust components u, v and w are specified in the file from which the
+    /// wind was read.
     Stated {
         /// Standard deviations of u, v and w, m/s.
         sd: [f64; 3],

@@ -43,7 +43,7 @@ impl StoppingCriteria {
         max_steps: 40,
         ..StoppingCriteria::CONVERGED
     };
-    /// Criteria for intermediate fits, after which the weights of the residuals change.
+    /// Criteria for intermediate fits, after which the weights of the residuals are computed again.
     pub const COARSE: StoppingCriteria = StoppingCriteria {
         ftol_abs: 1e-2,
         ftol_rel: 1e-3,

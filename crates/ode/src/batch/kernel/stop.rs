@@ -136,8 +136,8 @@ impl<T: Lanes> Flying<'_, T> {
         }
     }
 
-    /// Fraction of the step at which a lane first crosses the limit of validity `limit`; `None` if it does not cross
-    /// it.
+    /// Fraction of the step at which the flight in a lane first crosses the limit of validity with the index `limit`;
+    /// `None` if it does not cross it.
     #[inline(always)]
     fn limit_crossing(&mut self, lane: usize, limit: usize, h: T) -> Option<f64> {
         let [middle, end, _] = &self.margins;
