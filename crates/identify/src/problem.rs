@@ -95,7 +95,7 @@ impl FitProblem {
         Self::with_body(model, body, dataset, options)
     }
 
-    /// Creates the problem as [`new`](Self::new) does, from a model that is already compiled.
+    /// Combines a model, which is already compiled as `body`, with a dataset and options.
     ///
     /// # Errors
     /// The errors of [`new`](Self::new).

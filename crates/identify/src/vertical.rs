@@ -15,8 +15,8 @@ pub(crate) fn is_in(model: &Model) -> bool {
     model.effects.iter().any(|own| own.name == EFFECT)
 }
 
-/// Angles by which the measured axes are rotated about x and then y, rad, so that the vector `up`, given in the
-/// measured axes, points upward along the vertical. The vector need not be normalised.
+/// Angles by which the axes of the measured positions are rotated about x and then y, rad, so that the vector `up` in
+/// these axes points upward along the vertical. The vector need not be normalised.
 pub(crate) fn angles([x, y, z]: [f64; 3]) -> [f64; 2] {
     let length = (x * x + y * y + z * z).sqrt();
     // In measured axes the vertical is (-sin b cos a, sin a, cos b cos a).

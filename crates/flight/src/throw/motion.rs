@@ -204,8 +204,9 @@ impl BoundMotion<'_> {
         all.iter().flat_map(|v| [v.x, v.y, v.z]).collect()
     }
 
-    /// Vectors that describe the motion at a state: position, velocity and, for a body with attitude, those listed at
-    /// `VECTORS`. The compiled model has them as its last auxiliary variables.
+    /// Vectors that describe the motion at a state: position, velocity and, for a body with attitude, its axes, angular
+    /// velocity and inertia in the order listed at `VECTORS`. The compiled model has them as its last auxiliary
+    /// variables.
     fn vectors(&self, state: &[f64]) -> Vec<Vector3<f64>> {
         let count = if self.model.has_attitude {
             VECTORS

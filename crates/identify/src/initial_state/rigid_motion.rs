@@ -195,7 +195,7 @@ struct Parabola {
 }
 
 impl Parabola {
-    /// Fits a parabola, or a polynomial of lower order if there are fewer than three positions.
+    /// Fits a parabola in time to the measured positions, or a polynomial of lower order if there are fewer than three.
     fn through(frames: &[&MeasuredFrame]) -> Self {
         let powers = frames.len().min(3);
         let design = DMatrix::from_fn(frames.len(), powers, |row, power| {

@@ -65,8 +65,9 @@ pub fn solve(
     solve_after(problem, start, criteria, None)
 }
 
-/// Minimises the sum of squares as [`solve`] does, as a continuation of the iteration of a nearly equal problem.
-/// `previous` is the reduction of the sum of squares that was predicted for the last step of that iteration.
+/// Minimises the sum of squares of `problem` from the iterate `start`, as a continuation of the iteration of a nearly
+/// equal problem. `previous` is the reduction of the sum of squares that was predicted for the last step of that
+/// iteration.
 ///
 /// # Errors
 /// The errors of [`solve`].

@@ -43,8 +43,8 @@ impl ScaledCholesky {
         Some(Self { scale, cholesky })
     }
 
-    /// Factors a matrix as [`new`](Self::new) does; `None` also if a column is linearly dependent on other columns
-    /// within rounding error.
+    /// Scales a matrix to a unit diagonal, adds `damping` to this diagonal, and factors the result; `None` if the
+    /// result is not positive definite, or if a column is linearly dependent on other columns within rounding error.
     pub fn independent(matrix: &DMatrix<f64>, damping: f64) -> Option<Self> {
         let factor = Self::new(matrix, damping)?;
         let least = factor.cholesky.l_dirty().diagonal().min();
