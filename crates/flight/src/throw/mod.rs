@@ -41,8 +41,8 @@ pub struct Throw {
     /// Tilt of the body about the velocity, deg; positive if the left edge, seen from behind, is the lower one. `None`
     /// counts as 0; it must be `None` for a body without attitude.
     pub hyzer: Option<f64>,
-    /// Spin about the body axis d3, positive clockwise as seen from above, rpm. `None` counts as 0; it must be `None` for
-    /// a body without attitude.
+    /// Spin about the body axis d3, positive clockwise as seen from above, rpm. `None` counts as 0; it must be `None`
+    /// for a body without attitude.
     pub spin: Option<f64>,
     /// Angle between the body's axis and its angular momentum, deg: for a body of revolution without moments, half the
     /// opening angle of the cone that the axis describes. At release the cone's axis is ahead of the body's axis,
