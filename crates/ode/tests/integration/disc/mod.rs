@@ -64,7 +64,7 @@ pub fn rate<T: Real>(x: &[T; 12], disc: &[T; 7], air: &[T; 8], dx: &mut [T; 12])
     dx[11] = m3 / i_a - fdd * st - fd * td * ct;
 }
 
-/// Right-hand side of a disc with the values [`DISC`] and [`AIR`].
+/// Right-hand side of a disc with the parameters [`DISC`] and the aerodynamic coefficients [`AIR`].
 pub fn disc() -> impl OdeRhs<State = [f64; 12]> {
     rhs_from_fn(&NAMES, |_, x: &[f64; 12], dx: &mut [f64; 12]| {
         rate(x, &DISC, &AIR, dx);
