@@ -47,8 +47,8 @@ pub fn each_on<R: Send>(threads: usize, count: usize, task: impl Fn(usize) -> R 
     results.collect()
 }
 
-/// Runs `task` on one of `threads` threads, which [`each_on`] then uses for the batches of the task. A batch starts
-/// sooner there than on a thread outside the pool, which has to wake another thread and wait for it.
+/// Runs `task` on one of `threads` threads, which [`each_on`] then uses for the batches that `task` runs. A batch
+/// starts sooner there than on a thread outside the pool, which has to wake another thread and wait for it.
 ///
 /// # Panics
 /// If `task` panics.

@@ -26,8 +26,8 @@ impl CompiledModel {
 }
 
 impl BoundModel<'_> {
-    /// Limits of validity of the model as events: an integration that reaches a limit fails with the reason that the
-    /// model states for this limit.
+    /// Limits of validity of the model as events. An integration that reaches a limit fails with the reason that the
+    /// model text gives for this limit.
     pub fn limits(&self) -> Vec<Event<'_, ModelState>> {
         self.limits_on()
     }

@@ -11,9 +11,9 @@ pub type EvaluationPoint<'a> = At<'a>;
 /// Sparsity patterns of a model's Jacobians: (row, column) of each stored entry, ordered by row.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SparsityPatterns<'a> {
-    /// Pattern of the state Jacobian ∂f/∂x.
+    /// Pattern of the state Jacobian ∂f/∂x, where f = dx/dt is the right-hand side.
     pub jacobian: &'a [(u32, u32)],
-    /// Pattern of the parameter Jacobian ∂f/∂p.
+    /// Pattern of the parameter Jacobian ∂f/∂p, where f = dx/dt is the right-hand side.
     pub parameter_jacobian: &'a [(u32, u32)],
     /// Pattern of ∂y/∂x, where y is the observed marker position.
     pub observation_by_state: &'a [(u32, u32)],
@@ -29,7 +29,7 @@ pub struct SparsityPatterns<'a> {
 /// Results are written to slices that must have at least the size of the result; shorter slices cause a panic. The
 /// entries of Jacobians are in the order of [`SparsityPatterns`].
 pub trait ModelFunctions: Send + Sync {
-    /// Number of values that [`prepare`](Self::prepare) writes.
+    /// Number of invariants (values that depend on the parameters alone) that `prepare` computes.
     fn prepared_len(&self) -> usize;
     /// Sparsity patterns of the Jacobians that the functions compute.
     fn patterns(&self) -> SparsityPatterns<'_>;

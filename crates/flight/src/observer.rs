@@ -14,14 +14,15 @@ pub struct ModelObserver<'a> {
 
 /// Sparse Jacobians of a marker position y, whose three rows are the components in the inertial frame.
 pub struct ObservationJacobians<'o> {
-    /// (row, state) indices of each entry of ∂y/∂x.
+    /// (row, state) indices of each entry of ∂y/∂x, where y is the marker position and x the state.
     pub by_state_pattern: &'o [(usize, usize)],
-    /// Entries of ∂y/∂x, m per state unit.
+    /// Entries of ∂y/∂x, the derivatives of the marker position y with respect to the state x, m per state unit.
     pub by_state: &'o [f64],
-    /// (row, parameter) indices of each entry of ∂y/∂p; parameters are in the order of the model's
-    /// [`Layout`](codegen::Layout).
+    /// (row, parameter) indices of each entry of ∂y/∂p, where y is the marker position; parameters p are in the order
+    /// of the model's [`Layout`](codegen::Layout).
     pub by_parameter_pattern: &'o [(usize, usize)],
-    /// Entries of ∂y/∂p, m per parameter unit.
+    /// Entries of ∂y/∂p, the derivatives of the marker position y with respect to the parameters p, m per parameter
+    /// unit.
     pub by_parameter: &'o [f64],
 }
 

@@ -54,8 +54,8 @@ impl Channel {
     }
 }
 
-/// Returns the channels of a dataset, markers first and then sensors, and the different kinds of instruments among the
-/// sensors.
+/// Returns the channels of a dataset, first those of the markers and then those of the sensors. Also returns the
+/// different kinds of instruments among the sensors.
 pub(crate) fn of_dataset(dataset: &Dataset) -> (Vec<Channel>, Vec<Instrument>) {
     let markers = dataset.markers.iter().enumerate();
     let mut channels: Vec<Channel> = markers

@@ -122,8 +122,9 @@ impl ChannelObservers<'_> {
         [0, 1, 2].map(|axis| (y[axis] - measured[axis]) * own.scale)
     }
 
-    /// Returns the attitude residual, rad, and writes its derivatives into `rows`. The residual is linear in the
-    /// predicted directions of the body's axes.
+    /// Returns the attitude residual, rad, and writes its derivatives into `rows`, one row per axis. The residual is
+    /// linear in the predicted directions of the body's axes. `derive` converts the Jacobians with respect to states
+    /// and parameters into these rows.
     fn attitude(
         &mut self,
         (t, x): (f64, &[f64]),

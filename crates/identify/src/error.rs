@@ -115,15 +115,15 @@ pub enum FlightError {
 /// Section of the dataset or option of the fit in which a name was given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NameSource {
-    /// The name is a key of `[parameters]` in the dataset.
+    /// The name is a key of the section `[parameters]` of the dataset, the values of known constants.
     DatasetParameters,
-    /// The name is in [`FitOptions::fixed`](crate::FitOptions::fixed).
+    /// The name is in the option `FitOptions::fixed`, the coefficients that are not estimated.
     Fixed,
-    /// The name is in [`FitOptions::free`](crate::FitOptions::free).
+    /// The name is in the option `FitOptions::free`, the constants and inputs that are estimated in addition.
     Free,
-    /// The name is in [`FitOptions::priors`](crate::FitOptions::priors).
+    /// The name is in the option `FitOptions::priors`, the Gaussian priors of parameters.
     Prior,
-    /// The name is in [`FitOptions::profiles`](crate::FitOptions::profiles).
+    /// The name is in the option `FitOptions::profiles`, the parameters whose profile likelihood is computed.
     Profile,
 }
 
@@ -153,7 +153,7 @@ pub struct ExcludedFlight {
 /// Reason why a dataset cannot be fitted.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum FitError {
-    /// The dataset or the options contain a name that the model does not have.
+    /// The dataset or the options of the fit contain a name that the model does not have.
     #[error("{} {name}, and the model {model} has {}", given_in.phrase(), available.join(", "))]
     UnknownName {
         /// Place where the name is given: a section of the dataset or an option of the fit.
@@ -199,7 +199,7 @@ pub enum FitError {
         /// Reason why the model has no measurement equation for the sensor, as text for the message.
         reason: String,
     },
-    /// The model's body rotates, but the markers do not determine its attitude.
+    /// The body of the model rotates, but the markers do not determine its attitude.
     #[error(
         "the model {model} turns, and {} do not show how: three are needed that are not in line",
         count(*markers, "marker")
@@ -244,7 +244,7 @@ pub enum FitError {
     Interrupted,
 }
 
-/// Maximum number of flights or faults that an error message lists.
+/// Maximum number of excluded flights or data faults that an error message lists.
 const MAX_LISTED_FLIGHTS: usize = 10;
 
 fn first_faults(faults: &[DataFault]) -> String {

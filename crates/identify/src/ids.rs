@@ -8,8 +8,8 @@ index_type!(
 );
 
 index_type!(
-    /// Index of a global parameter in [`FitProblem::globals`](crate::FitProblem::globals), and in
-    /// [`Iterate::global`](crate::Iterate::global).
+    /// Index of a global parameter (estimated, common to all flights) in
+    /// [`FitProblem::globals`](crate::FitProblem::globals), and in [`Iterate::global`](crate::Iterate::global).
     pub struct GlobalId;
 );
 

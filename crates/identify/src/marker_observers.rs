@@ -8,8 +8,8 @@ use model_spec::layout::ParamId;
 /// component k is 1 in the measurement equation of marker k and 0 in all others.
 const MARKER_IS: [&str; 3] = ["marker_is_x", "marker_is_y", "marker_is_z"];
 
-/// Models with given parameter values for the measurement equations of the markers: a single one shared by all points;
-/// or, if the model has the input `marker_is`, one per marker and a last one for points that are not markers.
+/// Models with given parameter values for the measurement equations of the markers. One model serves all points; but if
+/// the model has the input `marker_is`, there is one per marker and a last one for points that are not markers.
 pub struct MarkerConditions<'a>(Vec<BoundModel<'a>>);
 
 impl<'a> MarkerConditions<'a> {

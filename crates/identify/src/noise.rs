@@ -246,7 +246,8 @@ mod tests {
 
     use super::*;
 
-    /// Simulated stationary AR(1) process of `count` points, m.
+    /// Simulated stationary AR(1) process of `count` points with standard deviation `sigma` and lag-1 autocorrelation
+    /// `ar1`, m.
     fn process(count: usize, sigma: f64, ar1: f64) -> Vec<Option<[f64; 3]>> {
         let mut random = ChaCha12Rng::seed_from_u64(7);
         let mut normal = || -> f64 { random.sample(StandardNormal) };

@@ -115,8 +115,8 @@ fn track(
         .collect()
 }
 
-/// Weights of the neighbours' positions: the weighted sum is the value, at the time of the middle sample, of the cubic
-/// fitted to the neighbours by least squares.
+/// Cubic in time, fitted by least squares to the neighbours of a sample. It is stored as the weights whose weighted sum
+/// of the neighbours' positions is the value of the cubic at the time of the sample.
 #[derive(Default)]
 struct Interpolation {
     offsets: [f64; 2 * SIDE],
@@ -128,8 +128,8 @@ struct Interpolation {
 const SAME_TIME: f64 = 1e-6;
 
 impl Interpolation {
-    /// Difference between the middle position of a window and the cubic through its neighbours, m, scaled so that its
-    /// standard deviation is that of one marker coordinate; `None` if times coincide.
+    /// Difference between the middle position of `window` and the cubic in time through the other positions, m, scaled
+    /// so that its standard deviation is that of one marker coordinate. `None` if the times do not determine the cubic.
     fn residual(&mut self, window: &[TrackPoint]) -> Option<Vector3<f64>> {
         let middle = &window[SIDE];
         let neighbours = || window[..SIDE].iter().chain(&window[SIDE + 1..]);

@@ -209,8 +209,8 @@ impl Observations {
         arc
     }
 
-    /// Copy of this arc, a range of the samples of `flight`, that contains the samples in the range `samples` of
-    /// `flight` instead. The parameters, the known states and the state manifold remain those of this arc.
+    /// Copy of these observations (a range of the samples of `flight`) that contains the samples in the range `samples`
+    /// of `flight` instead. The parameters, the known states and the state manifold remain unchanged.
     pub(crate) fn longer(&self, flight: &Observations, samples: Range<usize>) -> Observations {
         let points = samples.start * self.channels..samples.end * self.channels;
         let stand_ins = samples.start * self.markers..samples.end * self.markers;
@@ -255,8 +255,8 @@ impl Observations {
     }
 }
 
-/// Measured values of all channels in one sample of `flight`, in channel order, in the format of
-/// [`Observations::measured`].
+/// Measured values of all channels in one sample of `flight`, in channel order: position, rotation vector, or reading
+/// of an instrument. A scalar reading is repeated three times; `None` for a missing value.
 fn row<'f>(
     problem: &'f FitProblem,
     flight: &'f Flight,

@@ -79,7 +79,8 @@ impl Series {
         local_residuals
     }
 
-    /// Neighbours of the value at `index`, through which the line is fitted.
+    /// Neighbours of the value at `index` of the series, as (time in s, sample index, residual in m): `SIDE` values
+    /// before and `SIDE` values after it. Near an end of the series, more of them are on one side.
     fn neighbours(&self, index: usize) -> impl Iterator<Item = &(f64, usize, [f64; 3])> + Clone {
         let seen = &self.0;
         // At the ends, the number of neighbours is the same, but they are on one side.
@@ -107,15 +108,15 @@ impl Series {
     }
 }
 
-/// Weights of the neighbours of a value, if the value is at time 0: the sum of the weighted neighbours is the ordinate
-/// at time 0 of the least-squares line through them.
+/// Least-squares line through the neighbours of a value, relative to the time of that value. It is stored as the
+/// weights whose weighted sum of the neighbours' values is the ordinate of the line at time 0.
 #[derive(Default)]
 struct Line {
     times: [f64; 2 * SIDE],
     count: usize,
     weights: [f64; 2 * SIDE],
-    /// Standard deviation of the difference between the value at time 0 and the line, in units of the standard
-    /// deviation of a value.
+    /// Standard deviation of the difference between the value at time 0 and the line through its neighbours, in units
+    /// of the standard deviation of a value.
     spread: f64,
 }
 
@@ -146,7 +147,8 @@ impl Line {
         self.spread = (1.0 + 1.0 / count + middle * part).sqrt();
     }
 
-    /// Weight of each neighbour in the value, at time 0, of the least-squares line through the neighbours.
+    /// Weight of each neighbour of a value in the ordinate, at the time of that value, of the least-squares line
+    /// through the neighbours.
     fn weights(&self) -> &[f64] {
         &self.weights[..self.count]
     }

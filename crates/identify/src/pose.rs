@@ -26,8 +26,8 @@ impl Pose {
     }
 }
 
-/// Ratio of the spread perpendicular to the best-fit line to the total spread, below which markers are considered
-/// collinear.
+/// Ratio of the spread of the markers perpendicular to the best-fit line to their total spread, below which the markers
+/// are considered collinear.
 const COLLINEAR: f64 = 0.02;
 
 /// Whether the markers determine the attitude of a body: there are at least three, and they are not collinear.

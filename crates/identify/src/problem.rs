@@ -33,7 +33,7 @@ const MISFIT_RATIO: f64 = 3.0;
 pub struct FitProblem {
     /// Model whose parameters are estimated.
     pub model: Arc<Model>,
-    /// The compiled model, with its equations of motion and the measurement equation of a point.
+    /// The compiled model, with its equations of motion and the measurement equation of a body-fixed point.
     pub body: Arc<CompiledModel>,
     /// Points from which the pose is determined: their positions in the frame in which markers are fixed, m. The first
     /// points are the markers. If the markers do not determine the attitude, body-fixed points follow, whose measured
@@ -95,7 +95,7 @@ impl FitProblem {
         Self::with_body(model, body, dataset, options)
     }
 
-    /// Creates the problem as [`new`](Self::new) does, from a model that is already compiled.
+    /// Combines a model, which is already compiled as `body`, with a dataset and options.
     ///
     /// # Errors
     /// The errors of [`new`](Self::new).

@@ -9,8 +9,8 @@ use crate::ids::LocalId;
 /// Directions in which an initial state may vary: one per free state, and three per unit quaternion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StateManifold {
-    /// Indices of the states that vary and belong to no quaternion. The directions of the manifold begin with one for
-    /// each of these states, in this order.
+    /// Indices of the states that vary and belong to no quaternion. The first directions of the manifold are the
+    /// changes of these states, in this order.
     direct: Vec<usize>,
     /// State indices of the four components of each unit quaternion that varies; each has three directions.
     quaternions: Vec<[usize; 4]>,
@@ -18,8 +18,8 @@ pub struct StateManifold {
 }
 
 impl StateManifold {
-    /// Manifold of the states of a model, some of which are known. A quaternion with a known component does not vary at
-    /// all, so that its norm remains 1.
+    /// Manifold of the states of a model, of which the states `known` do not vary. A quaternion with a known component
+    /// does not vary at all, so that its norm remains 1.
     pub fn new(model: &Model, known: &[StateId]) -> Self {
         let is_known = |state: usize| known.contains(&StateId::new(state));
         let all: Vec<[usize; 4]> = model.quaternions().collect();
@@ -55,8 +55,8 @@ impl StateManifold {
             .collect()
     }
 
-    /// Nonzero entries (state, direction, value) of the derivative of the state with respect to the directions, for the
-    /// states that are components of quaternions.
+    /// Nonzero entries (state index, direction index, value) of the derivative of the state with respect to the
+    /// directions in which it may vary, for the states that are components of quaternions.
     fn quaternion_tangent(&self, state: &[f64]) -> impl Iterator<Item = (usize, usize, f64)> {
         let each = self.quaternions.iter().enumerate();
         each.flat_map(move |(index, &components)| {

@@ -14,8 +14,8 @@ use crate::vertical::{ANGLES, EFFECT, angles};
 /// these directions.
 const TRIED_FLIGHTS: usize = 6;
 
-/// Initial directions of the upward axis, in the measured axes and not normalised: along the axes and halfway between
-/// them.
+/// Trial directions of the vertical: upward vectors, not normalised, along the axes of the measured positions and
+/// halfway between two of them.
 fn directions() -> Vec<[f64; 3]> {
     let all =
         (0..27).map(|index| [index / 9, index / 3 % 3, index % 3].map(|k| f64::from(k) - 1.0));
@@ -23,8 +23,8 @@ fn directions() -> Vec<[f64; 3]> {
     all.filter(|v| (1..=2).contains(&zeros(v))).collect()
 }
 
-/// Adds to the model the effect (model extension) that rotates the measured axes by two estimated angles, whose initial
-/// values are given, rad.
+/// Adds to the model the effect (model extension) that rotates the axes of the measured positions by two estimated
+/// angles, about x and then y. The arguments are the initial values of these angles, rad.
 fn turned(model: &Model, [about_x, about_y]: [f64; 2]) -> Result<Model, FitError> {
     let [x, y] = ANGLES;
     let text = format!(
@@ -52,8 +52,8 @@ fn turned(model: &Model, [about_x, about_y]: [f64; 2]) -> Result<Model, FitError
     tree.check().map_err(refused)
 }
 
-/// Returns the model with the effect (model extension) that rotates its measured axes. The initial angles are those of
-/// the best fit to a few flights, over all initial directions of the vertical.
+/// Returns the model with the effect (model extension) that rotates the axes of the measured positions by two angles.
+/// The initial angles are those of the best fit to a few flights, over all trial directions of the vertical.
 ///
 /// # Errors
 /// The error of the last fit if no fit succeeds; [`FitError::Interrupted`] if the work is cancelled.
@@ -108,14 +108,15 @@ fn reaches_noise(found: &Fit) -> bool {
     floor.is_some_and(|floor| misfit(found) < NOISE_RATIO * floor)
 }
 
-/// Measure by which fits from different initial directions are compared, m: root mean square residual × (1 + number of
-/// excluded flights).
+/// Measure by which fits from different initial directions of the vertical are compared, m: root mean square residual ×
+/// (1 + number of excluded flights).
 fn misfit(found: &Fit) -> f64 {
     let excluded = found.report.excluded().count() as f64;
     found.report.rms_m * (1.0 + excluded)
 }
 
-/// Estimated angles of the rotation of the measured axes, rad; `None` if the fit does not estimate them.
+/// Estimated angles, rad, by which the axes of the measured positions are rotated from the vertical, about x and then
+/// y; `None` if the fit does not estimate them.
 fn estimated(found: &Fit) -> Option<[f64; 2]> {
     let value = |name: &str| Some(found.report.coefficients.get(name)?.value);
     Some([value(ANGLES[0])?, value(ANGLES[1])?])

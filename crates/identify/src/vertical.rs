@@ -15,8 +15,8 @@ pub(crate) fn is_in(model: &Model) -> bool {
     model.effects.iter().any(|own| own.name == EFFECT)
 }
 
-/// Angles by which the measured axes are rotated about x and then y, rad, so that the vector `up`, given in the
-/// measured axes, points upward along the vertical. The vector need not be normalised.
+/// Angles by which the axes of the measured positions are rotated about x and then y, rad, so that the vector `up` in
+/// these axes points upward along the vertical. The vector need not be normalised.
 pub(crate) fn angles([x, y, z]: [f64; 3]) -> [f64; 2] {
     let length = (x * x + y * y + z * z).sqrt();
     // In measured axes the vertical is (-sin b cos a, sin a, cos b cos a).
@@ -24,7 +24,8 @@ pub(crate) fn angles([x, y, z]: [f64; 3]) -> [f64; 2] {
     [about_x, (-x).atan2(z)]
 }
 
-/// Upward unit vector in the measured axes, given the rotation angles about x and y, rad.
+/// Upward unit vector in the axes of the measured positions, given the angles by which these axes are rotated from the
+/// vertical, about x and then y, rad.
 pub fn upward([about_x, about_y]: [f64; 2]) -> [f64; 3] {
     let (sin_x, cos_x) = about_x.sin_cos();
     let (sin_y, cos_y) = about_y.sin_cos();

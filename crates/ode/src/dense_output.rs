@@ -13,7 +13,7 @@ pub(crate) struct DenseOutput<'a> {
     pub t: f64,
     /// Step size, in the time unit of the right-hand side.
     pub h: f64,
-    /// Coefficient vectors, each as long as the state.
+    /// Coefficient vectors of the dense output, each as long as the state.
     pub rows: [&'a [f64]; ROWS],
 }
 
@@ -90,7 +90,7 @@ impl<X: StateVector> HermiteStep<'_, X> {
         cubic(self.ends(i), s)
     }
 
-    /// h times the derivative of the cubic interpolant of component `i` at the fraction `s` of the step.
+    /// Step size times the time derivative of the cubic interpolant of component `i` at the fraction `s` of the step.
     #[inline(always)]
     pub(crate) fn scaled_derivative(&self, i: usize, s: f64) -> f64 {
         let (a, b, da, db) = self.ends(i);

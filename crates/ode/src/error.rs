@@ -61,8 +61,7 @@ pub enum IntegrationFailure {
         /// Description of the crossed limit of validity: the argument `reason` of `Event::limit`.
         reason: String,
     },
-    /// No terminal event occurred before the final time of
-    /// [`integrate_to_event`](crate::integrate_to_event).
+    /// No terminal event occurred before the final time, although the integration was to end at one.
     #[error("no terminal event occurred (expected: {event})")]
     NoTerminalEvent {
         /// Names of the terminal events, joined by commas.

@@ -156,7 +156,7 @@ impl<'a, X: StateVector> Event<'a, X> {
         }
     }
 
-    /// Appends to `found` every occurrence of the event in a step, as a fraction of the step.
+    /// Appends to `found` every occurrence of the event in a step, each as a fraction of the step.
     pub(crate) fn locate<D: OdeRhs<State = X>>(
         &mut self,
         rhs: &mut D,

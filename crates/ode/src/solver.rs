@@ -21,7 +21,7 @@ pub(crate) const FINAL_STEP_SLACK: f64 = 1e-10;
 /// Final time and state of an integration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Endpoint<X> {
-    /// Final time: the requested one, or that of the terminal event.
+    /// Final time: the requested one, or that of the terminal event which ended the integration.
     pub time: f64,
     /// State at the final time.
     pub state: X,
@@ -86,7 +86,7 @@ struct Solver<'s, 'e, D: OdeRhs, O, S> {
     stats: SolverStats,
 }
 
-/// Recorded event occurrences of an integration.
+/// Event occurrences that an integration has recorded so far, and the events located in its current step.
 #[derive(Default)]
 struct EventLog {
     occurrences: Vec<Occurrence>,

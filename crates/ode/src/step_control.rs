@@ -121,7 +121,8 @@ pub(crate) fn first_step(state_norm: f64, rate_norm: f64, max_step: f64) -> f64 
     .min(max_step)
 }
 
-/// Inputs of the initial step size: size of the trial Euler step, and norms of the first and second derivatives.
+/// Inputs of the initial step size: size of the trial Euler step, and norms of the first and second time derivatives of
+/// the state.
 pub(crate) struct InitialNorms {
     pub euler_step: f64,
     /// Norm of the first derivative of the state.

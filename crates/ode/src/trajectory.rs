@@ -15,11 +15,11 @@ pub struct Trajectory {
     pub(crate) method: Method,
     pub(crate) states: usize,
     pub(crate) steps: Vec<(f64, f64)>,
-    /// Dense-output coefficients of all steps, concatenated.
+    /// Dense-output coefficients of all steps, concatenated in the order of the steps.
     pub(crate) rows: Vec<f64>,
     /// Initial time, in the time unit of the right-hand side.
     pub start: f64,
-    /// Final time: the requested one, or that of the terminal event.
+    /// Final time: the requested one, or that of the terminal event which ended the integration.
     pub end: f64,
     /// State at the final time.
     pub end_state: Vec<f64>,

@@ -44,7 +44,8 @@ impl std::error::Error for ReleaseError {}
 /// Reason why a flight of a model cannot be simulated in the wind that its release file specifies.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum WindError {
-    /// The wind cannot be added to the model, because only the names that the model defines are known.
+    /// The wind cannot be added to the model, because only the names that the model defines are available, not the
+    /// model itself.
     #[error("found a wind by height or gusts, and no model that could fly in it")]
     NoModel,
     /// The wind cannot be added to the model.

@@ -77,8 +77,8 @@ impl Release {
         self
     }
 
-    /// Values of constants in the order of `defaults` (name and default value); the defaults are overridden by the
-    /// parameters, coefficients and wind of the release.
+    /// Values of parameters and coefficients in the order of `defaults` (name and default value); the defaults are
+    /// overridden by the parameters, coefficients and constant wind of the release (initial conditions of a flight).
     pub fn constants<'a>(&self, defaults: impl IntoIterator<Item = (&'a str, f64)>) -> Vec<f64> {
         let of_wind = self.wind_field.as_ref().map(WindField::parameters);
         let of_wind = of_wind.unwrap_or_default();
@@ -106,7 +106,7 @@ pub struct Vocabulary {
     pub optional: Vec<(usize, f64)>,
     /// Names of the inputs: vectors that are known for each flight, such as the wind.
     pub inputs: Vec<String>,
-    /// State indices of each unit quaternion.
+    /// State indices of the four components of each unit quaternion.
     pub quaternions: Vec<[usize; 4]>,
     /// The model, from whose body the states of a throw are derived; without it a release file must not contain
     /// `[throw]`.
@@ -159,8 +159,8 @@ impl Vocabulary {
     }
 }
 
-/// Names and TOML texts of the built-in releases: two flights of Hubbard & Hummel (2000), a backhand, a discus throw
-/// and a table-tennis serve.
+/// Names and TOML texts of the built-in releases (initial conditions of a flight): two flights of Hubbard & Hummel
+/// (2000), a backhand, a discus throw and a table-tennis serve.
 pub const BUILT_IN: [(&str, &str); 5] = [
     ("fssh3", include_str!("../../releases/fssh3.toml")),
     ("bffl8", include_str!("../../releases/bffl8.toml")),

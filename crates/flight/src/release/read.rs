@@ -42,7 +42,7 @@ pub fn read_file_in_wind(
     })
 }
 
-/// Parses the text of a release file (TOML).
+/// Parses the text of a release file (initial conditions of a flight, TOML).
 ///
 /// `file` is the file name in error messages. `vocabulary` returns the names defined by a model, given the model's name
 /// or path; an error of `vocabulary` becomes a fault at the location of that name. Winds by height and gusts, which
@@ -61,9 +61,9 @@ pub fn read(
     reader.finish(file, release)
 }
 
-/// Parses the text of a release file (TOML), which may specify winds by height and gusts. The top-level keys `own_keys`
-/// are allowed, but their values are ignored. Also returns the names defined by the model after the wind has been added
-/// to it; the flight must be simulated with the model in [`Vocabulary::model`].
+/// Parses the text of a release file (initial conditions of a flight, TOML), which may specify winds by height and
+/// gusts. The top-level keys `own_keys` are allowed, but their values are ignored. Also returns the names defined by
+/// the model after the wind has been added to it; the flight must be simulated with the model in [`Vocabulary::model`].
 ///
 /// # Errors
 /// [`ReleaseError`] with all faults of the file.
@@ -337,8 +337,8 @@ impl<'t> Reader<'t> {
     }
 
     /// Parses the table `key` of the document, either `parameters` or `coefficients`, and returns its names and values.
-    /// `names` are the names that are valid in this table. `others` are the names of the model's constants that belong
-    /// in the second of the two tables; they are used in error messages.
+    /// `names` are the names that are valid in this table. `others` are the names that are valid in the table of these
+    /// two that is not `key`; they are used in error messages.
     fn constants(
         &mut self,
         document: &DeTable<'t>,

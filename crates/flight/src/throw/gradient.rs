@@ -119,9 +119,9 @@ impl BoundMotion<'_> {
             .unwrap_or_else(|_| DMatrix::zeros(state.len(), wanted.ncols()))
     }
 
-    /// Angular velocity of the body in body axes, rad/s, if its component along the third axis is 1 rad/s and the throw
-    /// has its wobble (angle between axis and angular momentum). Also returns the derivative with respect to the
-    /// wobble, rad/s per rad.
+    /// Angular velocity of the body in body axes, rad/s, for a spin of 1 rad/s about the third axis and the wobble of
+    /// `throw` (angle between body axis and angular momentum). Also returns the derivative with respect to the wobble,
+    /// rad/s per rad.
     fn rates_of_spin(&self, throw: &Throw, state: &[f64]) -> (Vector3<f64>, Vector3<f64>) {
         let axes = throw.attitude();
         let wobble = throw.wobble.unwrap_or(0.0).to_radians();
@@ -159,7 +159,8 @@ impl Change {
     }
 }
 
-/// Stacks the components of a motion in the order of the rows of [`BoundMotion::jacobian`].
+/// Stacks the components of a motion: position and velocity, and for a body with attitude also its three axes and its
+/// angular velocity.
 fn stacked(motion: &Motion) -> DVector<f64> {
     let change = Change {
         position: motion.position,

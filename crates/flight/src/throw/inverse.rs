@@ -6,8 +6,8 @@ use nalgebra::{DMatrix, DVector};
 
 use super::motion::{BoundMotion, Motion};
 
-/// Norm of the differences between two motions of a body, as computed by [`BoundMotion::differences`], below which the
-/// motions count as equal.
+/// Norm of the differences between two motions of a body, below which the motions count as equal. Positions are in m;
+/// velocities and angular velocities are relative to the wanted speed and rate, or to 1 m/s and 1 rad/s if greater.
 const SAME: f64 = 1e-9;
 /// Maximum number of Gauss–Newton steps from one starting state, in the search for a state with a given motion.
 const MAX_STEPS: usize = 100;
@@ -142,8 +142,8 @@ fn descend(bound: &BoundMotion<'_>, wanted: &Motion, start: Vec<f64>) -> Option<
     Some(state)
 }
 
-/// Normalises a state: angles of frames to within half a turn of 0, quaternions to length 1 and a non-negative scalar
-/// part.
+/// Normalises a state: shifts angles of the model's frames by whole turns to within half a turn of 0, and scales
+/// quaternions to length 1 with a non-negative scalar part.
 fn tidy(bound: &BoundMotion<'_>, state: &mut [f64]) {
     for angle in &bound.model.angles {
         state[*angle] -= TAU * (state[*angle] / TAU).round();

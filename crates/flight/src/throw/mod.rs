@@ -35,18 +35,18 @@ pub struct Throw {
     pub launch: f64,
     /// Height of the mass centre at release, m.
     pub height: f64,
-    /// Angle of attack with respect to the velocity relative to the ground, positive nose-up, deg. `None` if not
-    /// stated, which counts as 0; a body without attitude must not state it. The same applies to `hyzer`, `spin` and
-    /// `wobble`.
+    /// Angle of attack with respect to the velocity relative to the ground, positive nose-up, deg. `None` counts as 0;
+    /// it must be `None` for a body without attitude.
     pub nose: Option<f64>,
     /// Tilt of the body about the velocity, deg; positive if the left edge, seen from behind, is the lower one. `None`
-    /// counts as 0.
+    /// counts as 0; it must be `None` for a body without attitude.
     pub hyzer: Option<f64>,
-    /// Spin about the body axis d3, positive clockwise as seen from above, rpm. `None` counts as 0.
+    /// Spin about the body axis d3, positive clockwise as seen from above, rpm. `None` counts as 0; it must be `None`
+    /// for a body without attitude.
     pub spin: Option<f64>,
     /// Angle between the body's axis and its angular momentum, deg: for a body of revolution without moments, half the
     /// opening angle of the cone that the axis describes. At release the cone's axis is ahead of the body's axis,
-    /// towards the nose. `None` counts as 0.
+    /// towards the nose. `None` counts as 0; it must be `None` for a body without attitude.
     pub wobble: Option<f64>,
 }
 
@@ -75,13 +75,13 @@ pub enum ThrowError {
         /// Description of the valid values.
         expected: String,
     },
-    /// An angle, a spin or a wobble is stated for a body without attitude.
+    /// An angle of attack, a hyzer angle, a spin or a wobble is specified for a body without attitude.
     #[error(
         "found {name}, but the model {model} is a point mass, which has no attitude; expected speed, heading, launch and \
          height alone"
     )]
     NoAttitude {
-        /// Name of the field that is stated although the body has no attitude.
+        /// Name of the field of the throw that is specified although the body has no attitude.
         name: &'static str,
         /// Name of the model, which describes a point mass.
         model: String,
@@ -124,7 +124,7 @@ impl ThrowError {
 }
 
 impl Throw {
-    /// Height of the mass centre at release if none is stated, m.
+    /// Height of the mass centre at release, m, if a throw specifies none.
     pub const DEFAULT_HEIGHT: f64 = 1.0;
 
     /// Horizontal throw along +x at a speed (m/s), from the default height, without a stated attitude or spin.
@@ -248,13 +248,13 @@ impl ThrownModel {
         }
     }
 
-    /// Whether the body has an attitude; false for a point mass.
+    /// Whether the body of the model has an attitude; false for a point mass.
     pub fn has_attitude(&self) -> bool {
         self.motion.has_attitude()
     }
 
-    /// Parameter vector of the model for a release, in the order of the model's [`Layout`](codegen::Layout): the values
-    /// specified in the release, and default values of all other parameters.
+    /// Parameter vector of the model for a release (initial conditions of a flight), in the order of the model's
+    /// [`Layout`](codegen::Layout): the values specified in the release, and default values of all other parameters.
     pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
         self.motion.release_parameters(release)
     }

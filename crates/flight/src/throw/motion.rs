@@ -41,7 +41,7 @@ pub struct MotionModel {
     /// Indices of the states on which the motion of the body does not depend, such as those that effects (optional
     /// model extensions) add.
     pub(super) added: Vec<usize>,
-    /// Indices of the states that are angles of frames.
+    /// Indices of the states that are rotation angles of the model's frames.
     pub(super) angles: Vec<usize>,
     /// State indices of each quaternion, scalar part first.
     pub(super) quaternions: Vec<[usize; 4]>,
@@ -94,8 +94,8 @@ impl MotionModel {
         self.has_attitude
     }
 
-    /// Parameter vector of the model for a release, in the order of the model's [`Layout`](codegen::Layout): the values
-    /// specified in the release, and default values of all other parameters.
+    /// Parameter vector of the model for a release (initial conditions of a flight), in the order of the model's
+    /// [`Layout`](codegen::Layout): the values specified in the release, and default values of all other parameters.
     pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
         self.compiled.release_parameters(release)
     }
@@ -109,9 +109,9 @@ impl MotionModel {
     }
 }
 
-/// Copy of the model whose observation has three components: the speed of the mass centre over the ground (m/s), the
-/// spin as in a [`Throw`](super::Throw) (rpm; 0 for a point mass), and 0. `None` if the model neither declares a body
-/// nor states that its equations describe one.
+/// Copy of the model whose measurement equation yields, instead of a marker position, the speed of the mass centre over
+/// the ground (m/s), the spin as in a [`Throw`](super::Throw) (rpm; 0 for a point mass), and 0. `None` if the model
+/// neither declares a body nor states that its equations describe one.
 pub fn speed_and_spin(model: &Model) -> Option<Model> {
     let (vectors, _) = vectors(model)?;
     let scalar = |kind| Expr {
@@ -185,8 +185,9 @@ impl BoundMotion<'_> {
         Some(e1 * r1.transpose() + e2 * r2.transpose() + e3 * r3.transpose())
     }
 
-    /// Differences between the motion at a state and the motion `wanted`. Differences of velocity are divided by the
-    /// wanted speed or 1 m/s, whichever is greater, those of angular velocity by the wanted rate or 1 rad/s.
+    /// Differences between the motion of the body at a state and the motion `wanted`, by component. Differences of
+    /// velocity are divided by the wanted speed or 1 m/s, whichever is greater, those of angular velocity by the wanted
+    /// rate or 1 rad/s.
     pub fn differences(&self, state: &[f64], wanted: &Motion) -> Vec<f64> {
         let found = self.motion(state);
         let speed = wanted.velocity.norm().max(1.0);
@@ -203,8 +204,9 @@ impl BoundMotion<'_> {
         all.iter().flat_map(|v| [v.x, v.y, v.z]).collect()
     }
 
-    /// Vectors that describe the motion at a state, in the order listed at [`VECTORS`]. The compiled model has them as
-    /// its last auxiliary variables.
+    /// Vectors that describe the motion at a state: position, velocity and, for a body with attitude, its axes, angular
+    /// velocity and inertia in the order listed at `VECTORS`. The compiled model has them as its last auxiliary
+    /// variables.
     fn vectors(&self, state: &[f64]) -> Vec<Vector3<f64>> {
         let count = if self.model.has_attitude {
             VECTORS

@@ -27,8 +27,8 @@ pub struct NearThrows<'m> {
     thrown: &'m ThrownModel,
     /// State of the known throw, from which the search for the state of a similar throw starts.
     near: Vec<f64>,
-    /// Indices of the attitude states (field `attitude`), and of the states on which the motion depends linearly (field
-    /// `linear`).
+    /// Indices of the attitude states. The field `linear` contains the indices of the states on which the motion
+    /// depends linearly.
     attitude: Vec<usize>,
     linear: Vec<usize>,
     parameters: Vec<f64>,
@@ -38,7 +38,8 @@ pub struct NearThrows<'m> {
     workspace: Workspace,
 }
 
-/// Vectors that describe the motion at a state, in the order listed at [`VECTORS`].
+/// Vectors that describe the motion of the body at a state (position, velocity, body axes, angular velocity and
+/// inertia), in the order listed at [`VECTORS`].
 #[derive(Clone, Copy)]
 struct Vectors([Vector3<f64>; VECTORS]);
 

@@ -8,7 +8,8 @@ use rand_chacha::ChaCha8Rng;
 /// Number of sinusoids whose sum represents one component of the gusts.
 pub const GUST_TERMS: usize = 24;
 
-/// Upper edge of the first and of the last wavenumber band, as products of wavenumber and length scale of the gusts.
+/// Upper edges of the first and of the last wavenumber band of the gust spectrum, as products of wavenumber and length
+/// scale of the gusts.
 const BAND: (f64, f64) = (0.1, 20.0);
 
 /// Components of the gusts: u along the flight, v across it, w upwards.

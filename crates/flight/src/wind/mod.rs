@@ -26,18 +26,18 @@ pub struct WindField {
 /// Mean wind as a function of the height above the ground; below the ground the wind at the ground applies.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Profile {
-    /// Logarithmic law for the speed at height z, with U and h from `at`: U ln(1 + (z/z₀)²)/ln(1 + (h/z₀)²), which is U
-    /// ln(z/z₀)/ln(h/z₀) well above z₀ and 0 at the ground.
+    /// Logarithmic law for the speed at height z: U ln(1 + (z/z₀)²)/ln(1 + (h/z₀)²), where U is the speed at the
+    /// reference height h. It is U ln(z/z₀)/ln(h/z₀) well above z₀ and 0 at the ground.
     Log {
-        /// Speed and direction at the reference height.
+        /// Speed and direction of the mean wind at the reference height.
         at: ReferenceWind,
         /// Roughness length z₀ of the logarithmic law, m.
         roughness: f64,
     },
-    /// Power law for the speed at height z, with U and h from `at`: U ((z² + ε²)/(h² + ε²))^(n/2) with ε = 5 cm, which
-    /// is U (z/h)ⁿ well above ε.
+    /// Power law for the speed at height z: U ((z² + ε²)/(h² + ε²))^(n/2), where U is the speed at the reference height
+    /// h and ε = 5 cm. It is U (z/h)ⁿ well above ε.
     Power {
-        /// Speed and direction at the reference height.
+        /// Speed and direction of the mean wind at the reference height.
         at: ReferenceWind,
         /// Exponent n of the power law, dimensionless.
         exponent: f64,
@@ -86,8 +86,8 @@ pub enum GustStrength {
     /// Standard deviations and length scales follow from the mean wind at 20 ft and the height of the gusts, by the
     /// low-altitude model of MIL-F-8785C.
     LowAltitude,
-    /// Standard deviations and length scales of the gust components u, v and w are specified in the release or wind
-    /// file.
+    /// Standard deviations and length scales of the gust components u, v and w are specified in the file from which the
+    /// wind was read.
     Stated {
         /// Standard deviations of u, v and w, m/s.
         sd: [f64; 3],
@@ -180,7 +180,8 @@ impl WindField {
 }
 
 impl Gusts {
-    /// Mutable reference to the value of the parameter of this name; `None` if the gusts have no such parameter.
+    /// Mutable reference to the value of the gust parameter of this name, in SI units or degrees; `None` if the gusts
+    /// have no such parameter.
     fn number(&mut self, name: &str) -> Option<&mut f64> {
         match name {
             "gust_intensity" => return Some(&mut self.intensity),

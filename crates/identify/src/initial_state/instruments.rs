@@ -90,7 +90,8 @@ pub fn motions(
     Ok(motions)
 }
 
-/// Initial attitudes that are tried: level and tilted, each upright and upside down.
+/// Initial attitudes that are tried: body axes level (parallel to the inertial axes) and tilted, each upright and
+/// upside down.
 fn attitudes() -> Vec<UnitQuaternion<f64>> {
     let tilts = [
         Vector3::zeros(),

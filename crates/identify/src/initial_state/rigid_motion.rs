@@ -165,7 +165,8 @@ const MAX_PATH_REFITS: usize = 2;
 /// Minimum number of positions that must remain after removal of the outliers for the parabola to be fitted again.
 const MIN_PATH_POINTS: usize = 4;
 
-/// Position, m, and velocity, m/s, at time 0 from a least-squares parabola, which is refitted without outliers.
+/// Position, m, and velocity, m/s, at time 0 of the least-squares parabola in time through the positions of `seen`. The
+/// parabola is fitted again after removal of outliers.
 fn path(seen: &[MeasuredFrame]) -> (Vector3<f64>, Vector3<f64>) {
     let mut kept: Vec<&MeasuredFrame> = seen.iter().collect();
     let mut parabola = Parabola::through(&kept);
@@ -194,7 +195,7 @@ struct Parabola {
 }
 
 impl Parabola {
-    /// Fits a parabola, or a polynomial of lower order if there are fewer than three positions.
+    /// Fits a parabola in time to the measured positions, or a polynomial of lower order if there are fewer than three.
     fn through(frames: &[&MeasuredFrame]) -> Self {
         let powers = frames.len().min(3);
         let design = DMatrix::from_fn(frames.len(), powers, |row, power| {

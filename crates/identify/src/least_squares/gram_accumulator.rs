@@ -130,8 +130,8 @@ impl Kernel for AddInnovation<'_> {
     }
 }
 
-/// SIMD kernel that adds the upper triangle of `rowsᵀ rows` to `sums`. Of the entries below the diagonal, only some are
-/// added; they are not used.
+/// SIMD kernel that adds the upper triangle of `rowsᵀ rows` to `sums`. It also computes some entries below the
+/// diagonal, which are not used.
 struct AddSquares<'a> {
     rows: &'a [f64],
     width: usize,

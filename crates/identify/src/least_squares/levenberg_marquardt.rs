@@ -52,7 +52,7 @@ const NEGLIGIBLE_DAMPING: f64 = 1e-6;
 /// Minimum Levenberg–Marquardt damping, relative to the diagonal of JᵀJ; lower values have no further effect.
 const MIN_DAMPING: f64 = 1e-12;
 
-/// Minimises the sum of squares from the iterate `start`.
+/// Minimises the sum of squares of `problem` from the iterate `start` by the Levenberg–Marquardt method.
 ///
 /// # Errors
 /// [`SolveError::Start`] with every flight that cannot be predicted at `start`; [`SolveError::Cancelled`] if the
@@ -65,8 +65,9 @@ pub fn solve(
     solve_after(problem, start, criteria, None)
 }
 
-/// Minimises the sum of squares as [`solve`] does, as a continuation of the iteration of a nearly equal problem.
-/// `previous` is the reduction of the sum of squares that was predicted for the last step of that iteration.
+/// Minimises the sum of squares of `problem` from the iterate `start`, as a continuation of the iteration of a nearly
+/// equal problem. `previous` is the reduction of the sum of squares that was predicted for the last step of that
+/// iteration.
 ///
 /// # Errors
 /// The errors of [`solve`].
@@ -80,7 +81,9 @@ pub fn solve_after(
     descend(problem, start, criteria, previous)
 }
 
-/// Minimises the sum of squares as [`solve_after`] does, from an iterate that is already evaluated.
+/// Minimises the sum of squares of `problem` from an iterate that is already evaluated. `previous` is the reduction of
+/// the sum of squares that was predicted for the step before it, if damping did not shorten that step; `None`
+/// otherwise.
 ///
 /// # Errors
 /// [`SolveError::Cancelled`] if the iteration is cancelled.

@@ -68,7 +68,7 @@ pub(super) struct Linearization {
 /// A candidate step whose residuals are not evaluated yet.
 pub(super) struct Step {
     pub(super) candidate: Iterate,
-    /// Decrease of the sum of squares that the quadratic model predicts.
+    /// Decrease of the sum of squares by this step that the quadratic model predicts.
     pub(super) predicted_reduction: f64,
 }
 

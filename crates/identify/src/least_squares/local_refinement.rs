@@ -13,9 +13,10 @@ use crate::error::FlightError;
 /// successive failure, the number of rejected steps before the next attempt doubles.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Backoff {
-    /// Number of rejected steps until the next attempt.
+    /// Number of further rejected steps until the next attempt to refine the local parameters.
     wait: usize,
-    /// Number of rejected steps to wait after the last failed attempt; 0 before the first failure.
+    /// Number of rejected steps to wait after the last failed attempt to refine the local parameters; 0 before the
+    /// first failure.
     pause: usize,
 }
 
@@ -28,19 +29,20 @@ impl Backoff {
         is_due
     }
 
-    /// Records that a refinement decreased the sum of squares.
+    /// Records that a refinement of the local parameters decreased the sum of squares.
     pub fn succeeded(&mut self) {
         *self = Self::default();
     }
 
-    /// Records that a refinement did not decrease the sum of squares.
+    /// Records that a refinement of the local parameters did not decrease the sum of squares.
     pub fn failed(&mut self) {
         self.pause = (2 * self.pause).max(1);
         self.wait = self.pause;
     }
 }
 
-/// Sum of squares of one flight, as a function of its local parameters (initial state) at fixed global parameters.
+/// Sum of squared residuals of one flight, as a function of its local parameters (initial state) at fixed global
+/// parameters.
 pub struct OneFlight<'a> {
     problem: &'a dyn LeastSquaresProblem,
     flight: usize,

@@ -23,9 +23,9 @@ pub struct NormalBlock {
     pub local_gradient: DVector<f64>,
     /// Block of the gradient Jᵀr: global parameters.
     pub global_gradient: DVector<f64>,
-    /// Sum of squared residuals.
+    /// Sum of the squared residuals of the flight.
     pub squares: f64,
-    /// Number of residuals.
+    /// Number of residuals of the flight.
     pub count: usize,
 }
 
@@ -130,7 +130,8 @@ pub fn eliminate(
 }
 
 impl<'a> ReducedSystem<'a> {
-    /// Sums the Schur complements of the blocks.
+    /// Sums the Schur complements `complements` of the flights' normal equations `blocks`; both are in the order of the
+    /// flights.
     ///
     /// # Errors
     /// [`UndeterminedFlight`] with the first flight that has no Schur complement.
@@ -158,7 +159,7 @@ impl<'a> ReducedSystem<'a> {
 }
 
 impl ReducedSystem<'_> {
-    /// Steps of the local parameters of each flight, given the step of the global parameters.
+    /// Steps of the local parameters (initial state) of each flight, given the step of the global parameters.
     pub fn back_substitute(&self, global: &DVector<f64>) -> Vec<DVector<f64>> {
         let blocks = self.blocks.iter().zip(&self.factors);
         blocks
@@ -186,7 +187,8 @@ impl ReducedSystem<'_> {
         factor.inverse() + &through * global * through.transpose()
     }
 
-    /// Contribution of one flight to the reduced gradient, its effective score.
+    /// Gradient Jᵀr of one flight with respect to the global parameters, after elimination of its local parameters
+    /// (initial state): the effective score of the flight.
     pub fn score(&self, flight: usize) -> DVector<f64> {
         reduced_gradient(&self.blocks[flight], &self.factors[flight])
     }

@@ -14,8 +14,8 @@ pub enum Unknowns {
     All,
 }
 
-/// Sum of squares over flights, as a function of global parameters (common to all flights) and of local parameters of
-/// each flight (its initial state).
+/// Sum of squared residuals of all flights, as a function of global parameters (common to all flights) and of local
+/// parameters of each flight (its initial state).
 pub trait LeastSquaresProblem: Sync {
     /// Number of flights.
     fn flights(&self) -> usize;
@@ -33,7 +33,8 @@ pub trait LeastSquaresProblem: Sync {
         by: Unknowns,
     ) -> Result<NormalBlock, FlightError>;
 
-    /// Returns a flight's local parameters after a step (the retraction of its manifold).
+    /// Returns the local parameters `local` (initial state) of a flight after the step `step` (the retraction of their
+    /// manifold).
     fn plus(&self, flight: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64>;
 
     /// Bounds and prior of each global parameter.

@@ -5,7 +5,8 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn, SymmetricEigen};
 /// Square root of a diagonal entry of a matrix, at or below which the row and the column of this entry are not scaled.
 const MIN_ROOT: f64 = 1e-150;
 
-/// Squared pivot, for a unit diagonal, below which a column is considered linearly dependent on the previous ones.
+/// Squared pivot of a Cholesky factorisation, for a matrix with unit diagonal, below which a column is considered
+/// linearly dependent on the previous ones.
 const MIN_SQUARED_PIVOT: f64 = 1e-11;
 
 /// Jacobi scaling of a symmetric matrix: 1/√diagonal, or `otherwise` if √diagonal is at most `least`.
@@ -42,8 +43,8 @@ impl ScaledCholesky {
         Some(Self { scale, cholesky })
     }
 
-    /// Factors a matrix as [`new`](Self::new) does; `None` also if a column is linearly dependent on other columns
-    /// within rounding error.
+    /// Scales a matrix to a unit diagonal, adds `damping` to this diagonal, and factors the result; `None` if the
+    /// result is not positive definite, or if a column is linearly dependent on other columns within rounding error.
     pub fn independent(matrix: &DMatrix<f64>, damping: f64) -> Option<Self> {
         let factor = Self::new(matrix, damping)?;
         let least = factor.cholesky.l_dirty().diagonal().min();

@@ -3,9 +3,10 @@
 /// Criteria by which the least-squares iteration stops.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StoppingCriteria {
-    /// Predicted reduction of the sum of squares below which a step is negligible.
+    /// Predicted reduction of the sum of squares by a step, below which the step is negligible.
     pub ftol_abs: f64,
-    /// Predicted reduction, as a fraction of the sum of squares, below which a step is negligible.
+    /// Predicted reduction of the sum of squares by a step, as a fraction of the sum of squares, below which the step
+    /// is negligible.
     pub ftol_rel: f64,
     /// Upper limit of the predicted reduction of a last step that is accepted without evaluating its residuals, in
     /// units of the negligible reduction (see `ftol_abs` and `ftol_rel`). The step after it must be predicted to be
@@ -42,7 +43,7 @@ impl StoppingCriteria {
         max_steps: 40,
         ..StoppingCriteria::CONVERGED
     };
-    /// Criteria for intermediate fits, after which the weights of the residuals change.
+    /// Criteria for intermediate fits, after which the weights of the residuals are computed again.
     pub const COARSE: StoppingCriteria = StoppingCriteria {
         ftol_abs: 1e-2,
         ftol_rel: 1e-3,
@@ -50,8 +51,8 @@ impl StoppingCriteria {
         max_steps: 30,
         worthwhile_squares: f64::INFINITY,
     };
-    /// Criteria for fits that lead to the start of another fit, of a longer part of the flights or with a smaller scale
-    /// of the loss.
+    /// Criteria for fits whose result is the starting point of another fit, to a longer part of the flights or with a
+    /// smaller scale of the robust loss.
     pub const HORIZON: StoppingCriteria = StoppingCriteria {
         ftol_rel: 1e-2,
         accept_unevaluated: f64::INFINITY,
@@ -105,7 +106,7 @@ impl StoppingCriteria {
 /// Reason why an iteration stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StopReason {
-    /// The predicted reduction of the last step was negligible.
+    /// The predicted reduction of the sum of squares by the last step was negligible.
     Converged,
     /// The iteration reached its maximum number of steps.
     MaxSteps,

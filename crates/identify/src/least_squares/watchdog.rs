@@ -34,8 +34,8 @@ pub fn solve_with_watchdog(
     })
 }
 
-/// The first iterate of undamped steps with a smaller sum of squares than `start`, or `None`; and the number of steps
-/// tried.
+/// The first iterate, reached from `start` by undamped steps, whose sum of squares is smaller than at `start`; `None`
+/// if there is none. Also returns the number of steps tried.
 fn undamped_steps(
     problem: &dyn LeastSquaresProblem,
     start: &mut Evaluated,

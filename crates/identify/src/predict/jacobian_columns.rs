@@ -18,8 +18,8 @@ pub(super) struct JacobianColumns<'p> {
     pub integrated: usize,
     /// Column index of each free direction of the initial state (see `StateManifold`).
     local: Vec<usize>,
-    /// For each state with constant sensitivity, the column of the direction that varies it; `None` for states whose
-    /// sensitivities are integrated or that are known.
+    /// For each state with constant sensitivity, the index of the Jacobian column with the derivatives with respect to
+    /// its initial value; `None` for states whose sensitivities are integrated or that are known.
     constant: Vec<Option<usize>>,
     /// Parameters with respect to which residuals are differentiated.
     pub parameters: &'p [ParamId],

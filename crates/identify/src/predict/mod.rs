@@ -64,8 +64,9 @@ pub fn linearise(
     )
 }
 
-/// Normal equations as from [`linearise`], for given equations of motion and with derivatives with respect to the given
-/// parameters instead of the global ones.
+/// Normal equations of the first `samples` samples of a flight at the given global and local parameters (initial
+/// state). The equations of motion are those in `by`. Derivatives are with respect to the local parameters and to the
+/// model parameters listed in `by`.
 ///
 /// The first call with a `cache` stores the trajectory in it. Later calls reuse the trajectory; only the loss and the
 /// outliers may change between calls.
@@ -84,8 +85,8 @@ pub fn linearise_with(
     normal_equations(problem, observations, unknowns, samples, loss, by, cache)
 }
 
-/// Computes the normal equations for [`linearise`] and [`linearise_with`]. The function is generic over the type `M` of
-/// the equations of motion, so that integrations for [`linearise`] are compiled without dynamic dispatch.
+/// Computes the normal equations of a flight. The function is generic over the type `M` of the equations of motion, so
+/// that integrations with a type known at compile time need no dynamic dispatch.
 fn normal_equations<M: DifferentiableRhs>(
     problem: &FitProblem,
     observations: &Observations,

@@ -165,7 +165,7 @@ impl TrajectoryPass<'_> {
     }
 }
 
-/// Merges each range that begins at the end of the preceding range with that range.
+/// Returns `ranges` after merging each range that begins at the end of the preceding one with that one.
 fn joined(ranges: impl Iterator<Item = Range<usize>>) -> Vec<Range<usize>> {
     let mut joined: Vec<Range<usize>> = Vec::new();
     for range in ranges {

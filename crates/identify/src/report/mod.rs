@@ -61,7 +61,7 @@ pub struct FitReport {
     pub profiles: Vec<Profile>,
     /// Residual diagnostics along each axis of the inertial frame, keyed by the names `x`, `y` and `z`.
     pub residuals: BTreeMap<String, AxisResiduals>,
-    /// Number of steps of the iteration, and its status.
+    /// Number of steps and convergence status of the least-squares iterations of the fit.
     pub iterations: Iterations,
     /// Computing times, s: `start` for the preparation and the initial guesses, `fit` for the estimation, and `total`
     /// for everything including the evaluation of the result.
@@ -167,7 +167,7 @@ pub struct Coefficient {
     pub prior: Option<[f64; 2]>,
 }
 
-/// Results for one flight.
+/// Results of a fit for one flight: residuals, initial state, truncation and remarks.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FlightReport {
     /// File name of the flight.
@@ -193,7 +193,7 @@ pub struct FlightReport {
 }
 
 impl FitReport {
-    /// Flights of a role that are not excluded, in the order of the dataset.
+    /// Flights with the role `role` (to be fitted, or held out) that are not excluded, in the order of the dataset.
     pub fn used(&self, role: Role) -> impl Iterator<Item = &FlightReport> {
         let flights = self.flights.iter();
         flights.filter(move |flight| flight.role == role && flight.is_used())

@@ -64,7 +64,7 @@ pub struct Iterations {
     pub rounds: usize,
     /// Whether `status` is [`FitStatus::Converged`].
     pub converged: bool,
-    /// Reason why the iteration ended.
+    /// Convergence status: reason why the last least-squares iteration, or the repeated noise estimation, ended.
     pub status: FitStatus,
 }
 

@@ -45,7 +45,7 @@ pub struct Plan {
     pub markers: Vec<Marker>,
     /// Random variation of the initial states between flights.
     pub spread: Spread,
-    /// Measurement noise, outliers and dropouts.
+    /// Measurement noise, outliers and dropouts (missing positions).
     pub noise: Corruption,
     /// Number of decimals to which positions in metres are rounded; `None` for no rounding.
     pub decimals: Option<u8>,

@@ -37,7 +37,7 @@ impl Default for Spread {
     }
 }
 
-/// Maximum allowed value of [`Spread::fraction`].
+/// Maximum allowed value of `Spread::fraction`, the relative standard deviation of the initial states.
 const MAX_FRACTION: f64 = 2.0;
 
 impl Spread {
@@ -49,7 +49,8 @@ impl Spread {
         OutOfRange::check("spread", self.fraction, 0.0, MAX_FRACTION)
     }
 
-    /// Standard deviation of each state of a model around the values `state`, SI; 0 for positions.
+    /// Standard deviation of the random variation of each state of a model about its value in `state`, SI; 0 for
+    /// positions.
     pub fn deviations(&self, model: &Model, state: &[f64]) -> Vec<f64> {
         let each = model.states.iter().zip(state);
         each.map(|(declared, value)| {
@@ -67,7 +68,7 @@ impl Spread {
         .collect()
     }
 
-    /// Draws a random state around the values `state`; quaternions are normalised.
+    /// Draws a random state about the values in `state`; its quaternions are normalised.
     pub fn draw(&self, model: &Model, state: &[f64], random: &mut ChaCha12Rng) -> Vec<f64> {
         let deviations = self.deviations(model, state);
         let mut drawn: Vec<f64> = state

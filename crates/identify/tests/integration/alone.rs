@@ -27,8 +27,8 @@ fn fitted() -> Fit {
     fit(&model, &made.dataset, &FitOptions::default()).expect("a fit")
 }
 
-/// Global parameters and initial states of the fit, each shifted by `apart` times its standard error, with alternating
-/// sign.
+/// Estimated global parameters and initial states of the fit. Each value is shifted by `apart` times its standard
+/// error, with alternating sign.
 fn away(fitted: &Fit, apart: f64) -> (DVector<f64>, Vec<DVector<f64>>) {
     let plus = |(i, (value, error)): (usize, (f64, f64))| {
         value + apart * error * if i.is_multiple_of(2) { 1.0 } else { -1.0 }

@@ -16,7 +16,7 @@ fn corrupted(noise: &Corruption, markers: usize, seed: u64) -> Positions {
     positions
 }
 
-/// Deviations of one marker along one axis, by sample; panics if a position is missing.
+/// Errors of one marker along one axis, by sample, if its true position is 0; panics if a position is missing.
 fn along(positions: &Positions, marker: usize, axis: usize) -> Vec<f64> {
     let each = positions.iter();
     each.map(|row| row[marker].expect("seen")[axis]).collect()

@@ -25,7 +25,7 @@ pub struct LaneSizes {
     pub states: usize,
     /// Number of parameters p of a flight.
     pub parameters: usize,
-    /// Number of invariants, which are computed once from the parameters of a flight.
+    /// Number of invariants: values that are computed once for each flight, from its parameters.
     pub prepared: usize,
     /// Number of limits of validity of the right-hand side, whose margins [`LaneRhs::limits`] computes.
     pub limits: usize,

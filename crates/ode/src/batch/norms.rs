@@ -6,7 +6,8 @@ use crate::method::tableau::{Row, Tableau};
 use crate::step_control::{InitialNorms, first_step, second_step};
 use lanes::Lanes;
 
-/// Tolerated error `atol + rtol · max(|a|, |b|)` of a component with the values `a` and `b` at the ends of a step.
+/// Tolerated error `atol + rtol · max(|a|, |b|)`, in each lane, of a state component with the values `a` and `b` at the
+/// start and end of a step.
 #[inline(always)]
 fn scale<T: Lanes>(tolerance: &ErrorTolerance, a: T, b: T) -> T {
     let greatest = a.abs().max(b.abs());
@@ -73,8 +74,8 @@ fn errors<T: Lanes>(stages: &Stages<T>, row: Row, start: usize, end: usize) -> [
     sums
 }
 
-/// Root mean squares of the state `x` and its derivative `dx` in each lane, each component divided by its tolerated
-/// error at `x`.
+/// Root mean squares of the state `x` and of its time derivative `dx` in each lane, each component divided by its
+/// tolerated error at `x`.
 #[inline(always)]
 pub(crate) fn initial_norms<T: Lanes>(x: &[T], dx: &[T], tolerance: &ErrorTolerance) -> [T; 2] {
     let n = x.len();
@@ -89,7 +90,8 @@ pub(crate) fn initial_norms<T: Lanes>(x: &[T], dx: &[T], tolerance: &ErrorTolera
     [(of_x * one_over_n).sqrt(), (of_dx * one_over_n).sqrt()]
 }
 
-/// Root mean square of `after - before` in each lane, each component divided by its tolerated error at the state `x`.
+/// Root mean square of `after - before` in each lane, each state component divided by its tolerated error at the state
+/// `x`.
 #[inline(always)]
 pub(crate) fn change_norm<T: Lanes>(
     x: &[T],

@@ -34,7 +34,8 @@ impl<T: Lanes> Stages<T> {
         &mut self.k[s * self.n..][..self.n]
     }
 
-    /// Component `i` of the weighted sum of the stage derivatives, Σ weight · stage, with the weights `row`.
+    /// Component `i` of the weighted sum of the stage derivatives over the stages, Σ weight · stage, with the weights
+    /// `row`.
     #[inline(always)]
     pub(crate) fn sum(&self, row: Row, i: usize) -> T {
         let mut sum = T::splat(0.0);

@@ -32,7 +32,7 @@ impl<T: Lanes> LaneValues<T> {
         }
     }
 
-    /// Replaces the values by those of `from` in the SIMD lanes where the mask `keep` is 0.
+    /// Replaces the values of a SIMD lane by those of `from` if the element of the mask `keep` for this lane is 0.
     #[inline(always)]
     pub(crate) fn take(&mut self, keep: T, from: &LaneValues<T>) {
         merge(keep, &from.x, &mut self.x);
@@ -43,7 +43,7 @@ impl<T: Lanes> LaneValues<T> {
     }
 }
 
-/// Copies `from` to `to` in the SIMD lanes where the mask `keep` is 0.
+/// Copies the values of a SIMD lane from `from` to `to` if the element of the mask `keep` for this lane is 0.
 #[inline(always)]
 pub(crate) fn merge<T: Lanes>(keep: T, from: &[T], to: &mut [T]) {
     let n = to.len();
@@ -65,8 +65,8 @@ pub(crate) struct Staging<T> {
     pub is_drained: bool,
     euler_state: Vec<T>,
     euler_rate: Vec<T>,
-    /// Initial states, transposed: component i of lane l is at index `i · WIDTH + l`. `p_columns` contains the
-    /// parameters in the same layout.
+    /// Initial states, transposed: component i of lane l is at index `i · WIDTH + l`, where `WIDTH` is the number of
+    /// lanes. `p_columns` contains the parameters in the same layout.
     x_columns: Vec<f64>,
     p_columns: Vec<f64>,
     x_next: Vec<f64>,
@@ -183,8 +183,9 @@ impl<T: Lanes> Staging<T> {
         }
     }
 
-    /// Takes flights from the queue until the initial state and the parameters of one are finite; that flight then
-    /// waits for the lane. The other flights are reported to the queue as ended. Returns false if the queue is empty.
+    /// Takes flights from the queue until one has a finite initial state and finite parameters; that flight then waits
+    /// for the lane. The flights with values that are not finite are reported to the queue as ended. Returns false if
+    /// the queue is empty.
     #[inline(always)]
     fn draw(&mut self, lane: usize, queue: &mut dyn FlightQueue, span: &FlightSpan) -> bool {
         while !self.is_drained {

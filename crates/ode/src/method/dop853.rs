@@ -17,7 +17,7 @@ pub(crate) static TABLEAU: Tableau = Tableau {
     step_factor_bounds: STEP_FACTOR_BOUNDS,
 };
 
-/// Weights of the stages in each of the last four rows of the dense output.
+/// Weights of the stages in each of the last four of the eight coefficient vectors of the dense output.
 pub(crate) static DENSE: [Row; 4] = [&D0, &D1, &D2, &D3];
 
 /// Order q of the error estimate, which is proportional to h^q, where h is the step size.
@@ -159,7 +159,8 @@ impl<X: StateVector> Stepper<X> for Dop853<X> {
     }
 }
 
-/// Appends the dense-output row `h Σ weight · k[stage]` to `to`; `k` contains the stage derivatives.
+/// Appends to `to` a coefficient vector of the dense output, `h Σ weight · k[stage]`; `k` contains the stage
+/// derivatives.
 #[inline(always)]
 fn append_row<X: StateVector, const M: usize>(
     to: &mut Vec<f64>,

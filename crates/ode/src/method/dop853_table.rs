@@ -163,7 +163,7 @@ pub(super) const A15: Terms<8> = [
     (14, -9.15095847217987),
 ];
 
-/// Weights of the error estimate of order 3.
+/// Weights of the stages in the error estimate of order 3.
 pub(super) const E3: Terms<8> = [
     (0, -0.18980075407240762),
     (5, 4.450312892752409),
@@ -175,7 +175,7 @@ pub(super) const E3: Terms<8> = [
     (11, 0.02265179219836082),
 ];
 
-/// Weights of the error estimate of order 5.
+/// Weights of the stages in the error estimate of order 5.
 pub(super) const E5: Terms<8> = [
     (0, 0.01312004499419488),
     (5, -1.2251564463762044),
@@ -187,7 +187,7 @@ pub(super) const E5: Terms<8> = [
     (11, -0.022355307863886294),
 ];
 
-/// Stage weights of row 4 of the dense output (rows counted from 0).
+/// Weights of the stages in coefficient vector 4 of the dense output (vectors counted from 0).
 pub(super) const D0: Terms<12> = [
     (0, -8.428938276109013),
     (5, 0.5667149535193777),
@@ -203,7 +203,7 @@ pub(super) const D0: Terms<12> = [
     (15, -4.436036387594894),
 ];
 
-/// Stage weights of row 5 of the dense output (rows counted from 0).
+/// Weights of the stages in coefficient vector 5 of the dense output (vectors counted from 0).
 pub(super) const D1: Terms<12> = [
     (0, 10.427508642579134),
     (5, 242.28349177525817),
@@ -219,7 +219,7 @@ pub(super) const D1: Terms<12> = [
     (15, 35.81684148639408),
 ];
 
-/// Stage weights of row 6 of the dense output (rows counted from 0).
+/// Weights of the stages in coefficient vector 6 of the dense output (vectors counted from 0).
 pub(super) const D2: Terms<12> = [
     (0, 19.985053242002433),
     (5, -387.0373087493518),
@@ -235,7 +235,7 @@ pub(super) const D2: Terms<12> = [
     (15, 11.99229113618279),
 ];
 
-/// Stage weights of row 7 of the dense output (rows counted from 0).
+/// Weights of the stages in coefficient vector 7 of the dense output (vectors counted from 0).
 pub(super) const D3: Terms<12> = [
     (0, -25.69393346270375),
     (5, -154.18974869023643),

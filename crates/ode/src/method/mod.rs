@@ -27,7 +27,7 @@ impl Method {
         }
     }
 
-    /// Weights of the dense-output rows at the fraction `s` (0 to 1) of a step of size `h`.
+    /// Weights of the coefficient vectors of the dense output at the fraction `s` (0 to 1) of a step of size `h`.
     pub(crate) fn weights(self, s: f64, h: f64) -> [f64; ROWS] {
         match self {
             Method::Tsit5 => {
@@ -42,7 +42,7 @@ impl Method {
     }
 }
 
-/// Number of coefficient vectors ("rows") of the dense output of one step, for either method.
+/// Number of coefficient vectors ("rows") of the dense output of one step, the same for Tsit5 and DOP853.
 pub(crate) const ROWS: usize = 8;
 
 /// Error tolerances of a step, and the number of state components that they apply to.
@@ -55,7 +55,8 @@ pub(crate) struct ErrorTolerance {
 }
 
 impl ErrorTolerance {
-    /// Tolerated error `atol + rtol · max(|a|, |b|)` of a component with the values `a` and `b` at the ends of a step.
+    /// Tolerated error `atol + rtol · max(|a|, |b|)` of a state component with the values `a` and `b` at the start and
+    /// end of a step.
     #[inline(always)]
     pub(crate) fn scale(&self, a: f64, b: f64) -> f64 {
         self.atol + self.rtol * a.abs().max(b.abs())
@@ -98,7 +99,7 @@ pub(crate) trait Stepper<X: StateVector> {
     /// derivative (FSAL).
     fn accept<D: OdeRhs<State = X>>(&mut self, rhs: &mut D, t_end: f64);
 
-    /// State at the end of the step.
+    /// State at the end of the step that was tried last.
     fn x_end(&self) -> &X;
     /// Derivative at the end of an accepted step.
     fn dx_end(&self) -> &X;

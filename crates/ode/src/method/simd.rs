@@ -6,7 +6,8 @@ use lanes::{Kernel, Lanes};
 /// Minimum state length for which SIMD kernels are used; for shorter states the scalar loops are faster.
 pub(crate) const MIN_SIMD_LEN: usize = 64;
 
-/// Computes the argument of a Runge–Kutta stage: `to = from + h Σ weight · k`. All slices of numbers have one length.
+/// Computes the argument of a Runge–Kutta stage: `to = from + h Σ weight · k`, where `k` are derivatives computed by
+/// earlier stages. All slices of numbers have one length.
 // Not generic, so that programs do not compile the kernels again for each of their right-hand sides.
 pub(crate) fn combine(to: &mut [f64], from: &[f64], h: f64, weights: &[f64], k: &[&[f64]]) {
     macro_rules! stages {

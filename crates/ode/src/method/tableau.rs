@@ -13,7 +13,7 @@ pub(crate) struct Tableau {
     /// Rows of the Runge–Kutta matrix: row k gives the argument of stage k + 1, counted from 0. The argument of the
     /// last stage is the state at the end of the step.
     pub rows: &'static [Row],
-    /// Rows of the additional stages that only dense output requires.
+    /// Rows of the Runge–Kutta matrix for the additional stages that only dense output requires.
     pub dense_rows: &'static [Row],
     /// Weights of the error estimates: one row for Tsit5; for DOP853 the rows of orders 5 and 3.
     pub errors: &'static [Row],

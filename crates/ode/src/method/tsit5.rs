@@ -184,8 +184,8 @@ impl<X: StateVector> Stepper<X> for Tsit5<X> {
     }
 }
 
-/// Weights of the dense-output rows at the fraction `s` of the step, for the order-4 interpolant, which needs no
-/// additional stages. The caller must multiply all weights but the first by the step size.
+/// Weights of the coefficient vectors of the dense output at the fraction `s` of the step, for the order-4 interpolant,
+/// which needs no additional stages. The caller must multiply all weights but the first by the step size.
 pub(crate) fn weights(s: f64) -> [f64; ROWS] {
     let mut weights = [1.0; ROWS];
     for (weight, [a, b, c, d]) in weights[1..].iter_mut().zip(INTERPOLANT) {
@@ -219,21 +219,21 @@ pub(crate) const INTERPOLANT: [[f64; 4]; ROWS - 1] = [
 ];
 
 /// Coefficients of s, s², s³ and s⁴ in the dense-output weight a s (s - b) (s² - c s + d) of the first stage, where s
-/// is the fraction of the step.
+/// is the fraction of the step and a to d are constants of the method.
 const fn first_weight() -> [f64; 4] {
     let (a, b) = (-1.0530884977290216, 1.329_989_018_975_141);
     let (c, d) = (1.4364028541716351, 0.7139816917074209);
     [-a * b * d, a * (d + b * c), -a * (b + c), a]
 }
 
-/// Coefficients of s, s², s³ and s⁴ in the dense-output weight a s² (s² - c s + d) of a stage, where s is the fraction
-/// of the step.
+/// Coefficients of s, s², s³ and s⁴ in a stage's dense-output weight of the form a s² (s² - c s + d), where s is the
+/// fraction of the step.
 const fn even_weight(a: f64, c: f64, d: f64) -> [f64; 4] {
     [0.0, a * d, -a * c, a]
 }
 
-/// Coefficients of s, s², s³ and s⁴ in the dense-output weight a s² (s - b) (s - c) of a stage, where s is the fraction
-/// of the step.
+/// Coefficients of s, s², s³ and s⁴ in a stage's dense-output weight of the form a s² (s - b) (s - c), where s is the
+/// fraction of the step.
 const fn zeros_weight(a: f64, b: f64, c: f64) -> [f64; 4] {
     even_weight(a, b + c, b * c)
 }

@@ -13,10 +13,11 @@ const MAX_BLOCK_ROWS: usize = 3;
 /// Each row of S is divided into lines of `PADDING` elements, and `lines_per_group` consecutive lines form a group. The
 /// sums of one group of a row of J S are accumulated together.
 pub(super) struct JacobianProduct {
-    /// Blocks in increasing order of column count, so that the branch predictor learns the loop lengths.
+    /// Blocks of Jacobian rows with equal column indices, in increasing order of column count, so that the branch
+    /// predictor learns the loop lengths.
     blocks: Vec<Block>,
-    /// Column indices of all blocks, concatenated. Column j multiplies row j of the sensitivity matrix S and is stored
-    /// as the index of the first group of that row, `j * groups_per_row`.
+    /// Column indices of all blocks, concatenated. Column j multiplies row j of the sensitivity matrix S. It is stored
+    /// as `j * groups_per_row`, the index of the first group of elements of that row.
     columns: Vec<usize>,
     /// Number of lines (`PADDING` consecutive elements of a row of the sensitivity matrix S) in a group; the sums of
     /// one group of a row of J S are accumulated together.

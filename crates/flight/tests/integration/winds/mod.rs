@@ -39,8 +39,8 @@ fn released(text: &str) -> (Release, Model) {
     (release, Model::clone(&names.model.expect("the model")))
 }
 
-/// TOML text of a release for the model `name`, without the table `[wind]`; `until` is the line with the end of the
-/// flight.
+/// TOML text of a release (initial conditions of a flight) for the model `name`, without the table `[wind]`; `until` is
+/// the line that specifies the end of the flight.
 fn throw(name: &str, until: &str) -> String {
     let thrown = |name: &str, more: &str| {
         format!(

@@ -46,7 +46,8 @@ fn end(release: &Release, model: &Model) -> (Motion, Trajectory) {
     (motion, flight)
 }
 
-/// Asserts that a flight in a constant wind equals the flight in still air, shifted with the wind.
+/// Asserts, for the model `name`, that a flight in a constant wind equals the flight in still air, shifted with the
+/// wind. `gusts` is the TOML text of gusts that are added in both cases; it may be empty.
 fn is_carried(name: &str, gusts: &str) {
     let until = format!("duration = {SECONDS:?}");
     let text = throw(name, &until);

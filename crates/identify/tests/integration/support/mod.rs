@@ -19,7 +19,7 @@ role = "held-out"
 known = { omega = [1.0, 2.0, 3.0] }
 "#;
 
-/// Table of the flight of [`MANIFEST`].
+/// CSV table of the single flight of the dataset described by [`MANIFEST`]: time, s, and marker position, m.
 pub const TABLE: &str = "t,centre_x,centre_y,centre_z\n0.0,1,2,3\n0.1,1.1,2,3\n";
 
 /// Temporary folder that contains the given files (name, content).

@@ -39,7 +39,8 @@ impl<T: Lanes> Flying<'_, T> {
         }
     }
 
-    /// Coefficients of the height (state component `z`) in each lane, in the form of [`HeightStep::terms`].
+    /// Coefficients, in each lane, of the dense output of the height (state component `z`) over a step of size `h`, in
+    /// the nested-product form of `HeightStep`.
     #[inline(always)]
     fn height_terms(&self, z: usize, h: T) -> [T; ROWS] {
         let rows = self.dense_rows(z, h);
@@ -135,8 +136,8 @@ impl<T: Lanes> Flying<'_, T> {
         }
     }
 
-    /// Fraction of the step at which a lane first crosses the limit of validity `limit`; `None` if it does not cross
-    /// it.
+    /// Fraction of the step at which the flight in a lane first crosses the limit of validity with the index `limit`;
+    /// `None` if it does not cross it.
     #[inline(always)]
     fn limit_crossing(&mut self, lane: usize, limit: usize, h: T) -> Option<f64> {
         let [middle, end, _] = &self.margins;
@@ -176,7 +177,7 @@ impl<T: Lanes> Flying<'_, T> {
     }
 }
 
-/// Weights of the dense-output rows (coefficient vectors) at the fraction `s` of a step of size `h`, in each lane.
+/// Weights of the coefficient vectors of the dense output at the fraction `s` of a step of size `h`, in each lane.
 #[inline(always)]
 fn weights<T: Lanes>(method: Method, s: T, h: T) -> [T; ROWS] {
     let mut weights = [T::splat(1.0); ROWS];

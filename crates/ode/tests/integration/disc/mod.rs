@@ -9,16 +9,19 @@ pub const NAMES: [&str; 12] = [
     "x", "y", "z", "u", "v", "w", "phi", "theta", "gamma", "phidot", "thetadot", "gammadot",
 ];
 
-/// Parameters of the disc in SI units: m, I_a, I_d, d, A, rho, g.
+/// Parameters of the disc in SI units: mass, axial and diametral moments of inertia, diameter, area, air density, and
+/// acceleration of gravity.
 pub const DISC: [f64; 7] = [0.175, 0.00235, 0.00122, 0.269, 0.057, 1.23, 9.7935];
-/// Aerodynamic coefficients of the disc: C_L0, C_La, C_D0, C_Da, C_Ma, C_Mq, C_Rr, C_Nr.
+/// Aerodynamic coefficients of the disc: C_L0, C_La (lift), C_D0, C_Da (drag), C_Ma, C_Mq (pitch), C_Rr (roll by spin),
+/// C_Nr (spin-down).
 pub const AIR: [f64; 8] = [0.188, 2.37, 0.15, 1.24, -0.2, -0.012, -0.0004, -3.4e-5];
 /// Initial state of a fast throw, in the order of [`NAMES`], SI.
 pub const THROW: [f64; 12] = [
     -0.9, 0.63, 1.6, 13.1, 0.4, -2.5, -0.07, -0.2, 5.0, -1.0, 1.5, -54.0,
 ];
 
-/// Right-hand side dx/dt for the twelve states of the disc.
+/// Writes the time derivative of the twelve states `x` of the disc to `dx`; `disc` contains its parameters, and `air`
+/// its aerodynamic coefficients.
 #[inline(always)]
 pub fn rate<T: Real>(x: &[T; 12], disc: &[T; 7], air: &[T; 8], dx: &mut [T; 12]) {
     let [m, i_a, i_d, d, a, rho, g] = *disc;
@@ -61,7 +64,7 @@ pub fn rate<T: Real>(x: &[T; 12], disc: &[T; 7], air: &[T; 8], dx: &mut [T; 12])
     dx[11] = m3 / i_a - fdd * st - fd * td * ct;
 }
 
-/// Right-hand side of a disc with the values [`DISC`] and [`AIR`].
+/// Right-hand side of a disc with the parameters [`DISC`] and the aerodynamic coefficients [`AIR`].
 pub fn disc() -> impl OdeRhs<State = [f64; 12]> {
     rhs_from_fn(&NAMES, |_, x: &[f64; 12], dx: &mut [f64; 12]| {
         rate(x, &DISC, &AIR, dx);
