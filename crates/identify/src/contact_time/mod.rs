@@ -47,8 +47,8 @@ const MIN_GROWTH: f64 = 4.0;
 /// this value, the 90 % quantile of χ² with one degree of freedom. If the contact with the ground is dated too late,
 /// disturbed samples remain in the data; this is worse than the loss of undisturbed samples if it is dated too early.
 const UNDECIDED_GAIN: f64 = 2.71;
-/// Numbers for confirming a contact with the ground or an object by later samples. The velocity jump is tested again
-/// with this number of additional samples (first value). If its gain (decrease of the sum of squares) increased
+/// Two numbers for confirming a contact with the ground or an object by later samples. The velocity jump is tested
+/// again with this number of additional samples (first value). If its gain (decrease of the sum of squares) increased
 /// abruptly before (see `OUTLIER_GAIN`), the additional samples must increase the gain by this factor (second value).
 /// They do not increase a gain that an outlier causes.
 const CONFIRMING: (usize, f64) = (2, 1.2);
@@ -124,7 +124,7 @@ enum Departure<'a> {
 }
 
 /// First deviation from free motion at the samples `tried`: a velocity jump or an outlier; `None` if there is none.
-/// `is_seen` returns whether a sample has measured markers.
+/// `is_seen` returns whether any marker is measured in the sample with a given index.
 fn departure(
     jumps: &Jumps,
     tried: Range<usize>,

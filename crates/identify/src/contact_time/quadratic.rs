@@ -16,7 +16,7 @@ pub struct Quadratic {
 }
 
 impl Quadratic {
-    /// Creates a sum of squares without terms, for a number of unknowns.
+    /// Creates a sum of squares that is identically 0, as a function of `unknowns` unknowns.
     pub fn zeros(unknowns: usize) -> Self {
         Self {
             normal: DMatrix::zeros(unknowns, unknowns),
@@ -36,7 +36,7 @@ impl Quadratic {
         self.right += &other.right;
     }
 
-    /// Solves the normal equations; `None` if they are singular.
+    /// Factorises the normal equations, which gives the minimum of the sum of squares; `None` if they are singular.
     pub fn minimum(&self) -> Option<Minimum> {
         let diagonal = |index| self.normal[(index, index)];
         Minimum::new(self.normal.clone(), diagonal, &self.right)

@@ -24,13 +24,13 @@ const FIRST_SEGMENT: f64 = 0.15;
 /// Minimum number of samples in the first segment of a flight.
 const MIN_FIRST_SAMPLES: usize = 12;
 
-/// Minimum initial estimate of the noise of one coordinate, m, to which smaller estimates are raised. It is at the
-/// level of rounding in tables.
+/// Minimum initial estimate of the noise of one coordinate, m, to which smaller estimates are raised. It is about the
+/// rounding error of recorded coordinates.
 const MIN_SIGMA0: f64 = 1e-7;
 
 /// Ratio of the noise floor (scatter about smooth paths) to the noise estimated from the rigidity of the markers, below
-/// which the noise floor is used instead. The deviations from rigidity are then due to wrong marker positions or
-/// sampling times. Correlated noise also lowers the ratio, but less.
+/// which the noise floor is used instead. The deviations of the markers from a rigid body are then due to wrong marker
+/// positions or sampling times. Correlated noise also lowers the ratio, but less.
 const MAX_FLOOR_RATIO: f64 = 0.2;
 
 /// Root mean square of the standard deviations along the three axes.
@@ -53,8 +53,8 @@ pub struct ObservedFlights {
     pub usable: Vec<(FlightId, Observations)>,
     /// Flights that cannot be used, with the reasons.
     pub excluded: Vec<ExcludedFlight>,
-    /// Initial estimate of the noise of one coordinate, m, from deviations from rigidity; `None` if the samples do not
-    /// determine it.
+    /// Initial estimate of the noise of one coordinate, m, from deviations of the markers from a rigid body; `None` if
+    /// the samples do not determine it.
     pub sigma0: Option<f64>,
     /// Noise floor: standard deviation along each axis of the noise of one coordinate, estimated by a smoother, m;
     /// `None` if the samples do not determine it.
@@ -170,8 +170,8 @@ pub fn initial_guesses<'a>(
     })
 }
 
-/// Note for the report of a flight whose spin is not the slowest one compatible with its samples, with the number of
-/// additional turns between samples.
+/// Note for the report of a flight whose spin is not the slowest one compatible with its samples. `turns` is the number
+/// of additional turns between successive samples.
 pub fn spin_note(turns: i32) -> String {
     format!(
         "between samples it makes whole turns ({turns:+}) beyond what neighbouring samples show"
@@ -179,7 +179,7 @@ pub fn spin_note(turns: i32) -> String {
 }
 
 /// Observations of a flight, truncated at its first ground contact, with the pose in each sample if the body has an
-/// attitude. The contact is searched for unless `search` is given.
+/// attitude. The contact is searched for unless `search` contains the result of an earlier search.
 ///
 /// # Errors
 /// The errors of [`Observations::new`]; [`FlightError::TooFewCoordinates`] if the samples do not determine the initial
@@ -208,7 +208,8 @@ pub fn observations_and_poses(
 }
 
 /// Returns initial guesses refined by a fit to the first segment of the flight, each with its sum of squares after the
-/// fit; the guess with the slowest spin is first. After the deadline, guesses are returned without refinement.
+/// fit; the guess with the slowest spin is first. After the deadline set in the fit options, guesses are returned
+/// without refinement.
 ///
 /// # Errors
 /// [`FlightError`] if no guess can be found or refined.

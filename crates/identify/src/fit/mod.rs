@@ -209,8 +209,9 @@ struct Screened<'a> {
 impl Screened<'_> {
     /// Last stages of a fit: estimates the noise, predicts the held-out flights, and creates the report. `cache`
     /// contains the residuals for the present values of the unknowns in `state`. `noise_floor` is the noise floor
-    /// (noise estimated without a model) along each axis, m, and `floor_m` the one for the report. `started` is the
-    /// time, s after the start of the fit, at which the initial guesses were known.
+    /// (noise estimated without a model) along each axis, m. `floor_m` is the noise that the report states as its
+    /// floor, m: one value for all axes. `started` is the time, s after the start of the fit, at which the initial
+    /// guesses were known.
     fn finish(
         mut self,
         mut state: State<'_>,
@@ -356,7 +357,7 @@ impl Fit {
         &self.global
     }
 
-    /// Noise model by which residuals were weighted.
+    /// Noise model of the measured values, by which the fit weighted their residuals.
     pub fn noise(&self) -> &NoiseModel {
         &self.noise
     }

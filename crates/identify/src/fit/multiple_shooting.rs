@@ -29,7 +29,7 @@ const MIN_ARC_SAMPLES: usize = 12;
 const JOINED: usize = 3;
 
 /// Minimum distance between the initial value of a parameter and its bounds, in units of the parameter's typical
-/// magnitude. A model value nearer to a bound is moved inwards.
+/// magnitude. An initial value nearer to a bound is moved inwards.
 const OFF_BOUND: f64 = 0.1;
 
 /// Change of the sum of squares, if a parameter changes by its typical magnitude, below which the parameter is

@@ -286,8 +286,8 @@ fn evaluate(
     each.into_iter().collect()
 }
 
-/// Initial state of a flight with standard errors, keyed by the names of the states. `covariance` is that of the steps
-/// along the directions in which the state may vary.
+/// Initial state of a flight with standard errors, keyed by the names of the states. `covariance` is the covariance of
+/// the initial state, in terms of steps along the directions in which it may vary.
 pub fn initial_state_report(
     problem: &FitProblem,
     observations: &Observations,

@@ -105,7 +105,8 @@ impl ResidualCache {
             .collect()
     }
 
-    /// Removes the flights listed in `failures`, whose indices refer to the flights in this cache.
+    /// Removes the residuals and trajectories of the flights listed in `failures`, whose indices refer to the flights
+    /// in this cache.
     pub fn remove(&mut self, failures: &[FailedFlight]) {
         let mut is_kept = vec![true; self.0.len()];
         for (flight, _) in failures {

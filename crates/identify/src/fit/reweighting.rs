@@ -151,8 +151,8 @@ impl Reweighted {
     }
 }
 
-/// Marks outliers, and estimates the noise of the other values. Returns the noise, and whether more outlier flags
-/// changed than is allowed at convergence.
+/// Marks outliers among the measured values, and estimates the noise of the remaining values. Returns the noise, and
+/// whether more outlier flags changed than is allowed at convergence.
 pub fn estimate_noise(
     state: &mut State<'_>,
     cache: &ResidualCache,

@@ -115,7 +115,7 @@ impl<'a> State<'a> {
     }
 
     /// Limits the used time of each flight in `failures` to a fraction of the time before the failure of its
-    /// integration, and doubles the time limits of all other flights. Flights without a limit remain unlimited.
+    /// integration. Doubles the time limits of the remaining flights; flights without a limit remain unlimited.
     pub fn limit_to_flyable(&mut self, failures: &[FailedFlight]) {
         for limit in &mut self.limits {
             *limit *= 2.0;

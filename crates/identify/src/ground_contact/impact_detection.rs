@@ -15,9 +15,9 @@ use crate::statistics::median_of;
 const SIDE: usize = 7;
 /// Minimum numbers of points (measured positions) before and after an interval that is tested for an impact.
 const MIN_SIDES: (usize, usize) = (6, 3);
-/// Minimum number of points on one side of an interval, which is tested for an impact, for a parabola to be fitted to
-/// them. With fewer points after the interval, only position and velocity are fitted there, and the acceleration before
-/// the interval is used.
+/// Minimum number of points (measured positions) on one side of an interval tested for an impact, at which a parabola
+/// is fitted to them. With fewer points after the interval, only position and velocity are fitted there, and the
+/// acceleration before the interval is used.
 const PARABOLA: usize = 5;
 /// Number of coefficients (degree plus one) of the single polynomial that represents motion without an impact. It is
 /// fitted to the points before and after the interval that is tested for an impact.
@@ -99,8 +99,8 @@ fn usual_jump(path: &[PathPoint], candidates: std::ops::RangeInclusive<usize>, n
     median_of(kinks.map(|kink| kink.jump.norm())).unwrap_or(0.0)
 }
 
-/// Whether an impact before point `index` is possible, judged at low cost from velocities over a few points on each
-/// side.
+/// Whether an impact in the interval before point `index` is possible. A cheap test: the body descends before the
+/// interval, and the vertical mean velocity over a few points rises across it by more than `MIN_JUMP` / 2.
 fn may_be_impact(path: &[PathPoint], index: usize) -> bool {
     let velocity = |from: usize, to: usize| {
         (path[to].position - path[from].position) / (path[to].time - path[from].time)
@@ -277,7 +277,7 @@ mod tests {
 
     /// Simulated path of a body thrown at `speed`, m/s, with an upward acceleration `lift`, m/s², that decays with the
     /// time constant `fading`, s. `bounce` contains the index of the first sample after a bounce and the coefficient of
-    /// restitution; `None` for no bounce.
+    /// restitution; `None` for no bounce. `seed` determines the pseudo-random noise.
     fn path(
         speed: f64,
         (lift, fading): (f64, f64),

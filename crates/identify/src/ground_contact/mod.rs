@@ -119,8 +119,9 @@ fn contact_of(
     contact(&path(&observations.times, poses, of_point_mass, &points))
 }
 
-/// Path of the body's origin: from the pose in each sample, or, if `of_point_mass` gives the markers of a point mass,
-/// from the measured positions of these markers, which `points` returns for each sample.
+/// Path of the body's origin, computed from the pose in each sample. For a point mass, `of_point_mass` contains the
+/// positions of its markers on the body, and the path is computed from their measured positions. `points` returns the
+/// measured positions in the sample with a given index.
 pub fn path<'p>(
     times: &[f64],
     poses: &[Option<Pose>],

@@ -20,8 +20,8 @@ const MIN_SIDES: (usize, usize) = (8, 4);
 /// Maximum number of points (samples with a pose) around an interval tested for a ground contact that are excluded as
 /// outliers.
 const MAX_OUTLIERS: usize = 2;
-/// Sum of the squared residuals of a point's position and axis, each divided by its noise variance, above which the
-/// point is an outlier.
+/// Threshold above which a point (sample with a pose) is an outlier: sum of the squared residuals of its position and
+/// of the direction of its body axis, each divided by its noise variance.
 const OUTLIER: f64 = 40.0;
 
 /// Motion without a ground contact that is fitted to the poses in some samples (points).
@@ -33,8 +33,8 @@ pub struct FreeMotion {
     pub axis: Regression<6>,
     /// Whitened residuals of the position, m, and of the direction of the body axis (a unit vector).
     residuals: [Residuals; 2],
-    /// Decreases of the sums of squared residuals of position and of axis direction, one vector each, if a single point
-    /// is removed. Each vector has an entry for each point.
+    /// Decreases of the sums of squared residuals if a single point is removed: one vector for the position and one for
+    /// the axis direction, each with one entry per point.
     removals: [Vec<f64>; 2],
 }
 
@@ -154,8 +154,8 @@ impl MotionFits {
         Some((kept, free))
     }
 
-    /// Returns the points of `range` without the outliers, which deviate from the motion without a ground contact that
-    /// is fitted to the points. `None` if the points do not determine this motion.
+    /// Returns the points (samples with a pose) in the index range `range` without the outliers, which deviate from the
+    /// motion without a ground contact that is fitted to the points. `None` if the points do not determine this motion.
     pub fn without_outliers<'p>(
         &mut self,
         points: &'p [Point],
@@ -203,8 +203,8 @@ impl MotionFits {
     }
 }
 
-/// Index range of the points to which the motion before point `index` is fitted: at most `SIDES.0` points, which
-/// precede that point.
+/// Index range of the points (samples with a pose) to which the motion before point `index` is fitted: at most the
+/// `SIDES.0` preceding points.
 pub fn range_before(points: &[Point], index: usize) -> Range<usize> {
     let end = index.min(points.len());
     let from = end.saturating_sub(SIDES.0);
@@ -214,7 +214,8 @@ pub fn range_before(points: &[Point], index: usize) -> Range<usize> {
     from + far.count()..end
 }
 
-/// Index range of the points to which the motion from point `index` on is fitted: at most `SIDES.1` points.
+/// Index range of the points (samples with a pose) to which the motion from point `index` on is fitted: at most
+/// `SIDES.1` points.
 fn range_after(points: &[Point], index: usize) -> Range<usize> {
     let end = (index + SIDES.1).min(points.len());
     let after = points.get(index..end).unwrap_or_default();
