@@ -108,7 +108,7 @@ impl Header {
 }
 
 /// Maps the name of each sensor column to the index of its channel (measured quantity) among the channels of all
-/// sensors, and the position of the column within the channel.
+/// sensors, and the index of the column within the channel.
 fn names_of_sensors(sensors: &[Sensor]) -> BTreeMap<String, (usize, usize)> {
     let all = channels(sensors).enumerate();
     let each = all.flat_map(|(channel, (sensor, endings))| {

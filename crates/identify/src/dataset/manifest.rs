@@ -21,7 +21,7 @@ const MAX_BYTES: u64 = 4 << 20;
 pub(super) const MAX_MARKERS: usize = 1000;
 /// Maximum absolute coordinate of a marker in the body frame, m; larger values suggest millimetres.
 const MAX_COORDINATE: f64 = 10.0;
-/// Distance below which two markers count as identical, m.
+/// Distance between the declared positions of two markers below which the markers count as identical, m.
 const MIN_DISTANCE: f64 = 1e-6;
 /// Maximum standard deviation of a measured coordinate, m; larger values suggest millimetres.
 const MAX_SIGMA: f64 = 1.0;
@@ -34,14 +34,15 @@ pub(super) struct Manifest {
     pub origin_error: Option<[f64; 3]>,
     pub parameters: BTreeMap<String, f64>,
     pub markers: Vec<Marker>,
-    /// Markers whose positions are unknown.
+    /// Markers whose positions on the body are unknown.
     pub unplaced: Vec<Unplaced>,
     pub sensors: Vec<Sensor>,
     pub sigma: Option<f64>,
     pub flights: Vec<Entry>,
 }
 
-/// One `[[flights]]` entry of `dataset.toml`.
+/// One `[[flights]]` entry of `dataset.toml`: the file of a flight, whether it is fitted or held out, and its known
+/// values.
 #[derive(Debug, PartialEq)]
 pub(super) struct Entry {
     pub file: String,
@@ -130,7 +131,8 @@ impl Checker<'_> {
         Ok(model)
     }
 
-    /// Reads the value of a known constant, checked by the rules for parameters in a release file (launch conditions).
+    /// Reads the value of the known constant `name`, and checks it by the rules for parameters in a release file
+    /// (launch conditions).
     fn constant(&self, name: &str, value: &Value<'_>) -> Result<f64, InputError> {
         let number = self.0.number(value, name)?;
         let rule = flight::release::Name {
@@ -146,7 +148,8 @@ impl Checker<'_> {
         }
     }
 
-    /// The value under a required key of the table at the byte range `span`; an error if the key is absent.
+    /// The value under the required key `key` of a TOML table, whose byte range is `span`. Returns an error, in which
+    /// `expected` describes the value, if the key is absent.
     pub(super) fn needed<'d, 't>(
         &self,
         (span, table): &(Range<usize>, &'d DeTable<'t>),
@@ -208,8 +211,8 @@ impl Checker<'_> {
         Ok(markers)
     }
 
-    /// Reads `origin_error` of `[template]`: standard errors, along the body axes, of the origin of the markers'
-    /// positions (the mass centre), m; `None` if the key is absent.
+    /// Reads the key `origin_error` of the TOML table `[template]`: standard errors, along the body axes, of the origin
+    /// of the markers' positions (the mass centre), m; `None` if the key is absent.
     fn origin_error(&self, document: &DeTable<'_>) -> Result<Option<[f64; 3]>, InputError> {
         let Some(template) = self.0.table(document, "template")? else {
             return Ok(None);

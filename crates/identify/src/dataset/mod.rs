@@ -72,7 +72,7 @@ pub struct Marker {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Role {
-    /// Coefficients are estimated from the flight.
+    /// The parameters of the model are estimated from the flight.
     #[default]
     Fit,
     /// The flight is excluded from the estimation and used to test predictions.
@@ -119,7 +119,7 @@ impl Flight {
     }
 }
 
-/// Reads and checks a dataset folder on all processors.
+/// Reads and checks a dataset folder (`dataset.toml` and the tables of the flights), with one thread per processor.
 ///
 /// # Errors
 /// [`InputError`] for the first fault, with its file and location.
@@ -127,7 +127,8 @@ pub fn load(folder: &Path) -> Result<Dataset, InputError> {
     load_on(folder, None)
 }
 
-/// Reads and checks a dataset folder on `threads` threads; `None` for one per processor.
+/// Reads and checks a dataset folder (`dataset.toml` and the tables of the flights) on `threads` threads; `None` for
+/// one thread per processor.
 ///
 /// # Errors
 /// As for [`load`].

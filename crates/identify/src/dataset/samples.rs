@@ -23,7 +23,7 @@ const MIN_REJECTED: f64 = 1.0;
 /// the memory used.
 const MAX_VALUES: usize = 1 << 23;
 
-/// Texts of an error: what was found, and what was expected.
+/// Texts of an input error: what was found in the file, and what was expected instead.
 pub(super) type Unexpected = (String, String);
 
 /// Maximum number of samples of a flight; `markers` is the total number of its markers and sensor channels.

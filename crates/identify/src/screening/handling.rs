@@ -58,7 +58,7 @@ pub fn check(track: &Track, gravity: Vector3<f64>, flight: &Flight) -> Option<Da
 struct Examined<'a> {
     track: &'a Track,
     gravity: Vector3<f64>,
-    /// Median over the time windows of the speed of the body, m/s.
+    /// Median speed of the body over the time windows into which its path is divided, m/s.
     speed: f64,
 }
 
@@ -78,7 +78,7 @@ impl<'a> Examined<'a> {
     }
 
     /// Force per mass other than gravity, m/s², in the time window of the parabola `motion`, which is fitted to points
-    /// of the path.
+    /// of the measured path.
     fn force(&self, motion: &Parabola) -> Vector3<f64> {
         motion.acceleration - self.gravity
     }
@@ -126,7 +126,8 @@ impl<'a> Examined<'a> {
             .take_while(move |length| *length <= half)
     }
 
-    /// Time until which the body is held or pushed, s; `None` if it is free from the start.
+    /// Time at the start of the flight until which the body is held or pushed by a hand, s; `None` if it is free from
+    /// the start.
     fn held_until(&self) -> Option<f64> {
         let count = self.track.points.len();
         // Forward forces in the second half come from the body itself or a strong wind, not from a hand.
@@ -146,7 +147,8 @@ impl<'a> Examined<'a> {
         until
     }
 
-    /// Time from which the body is caught or at rest, s; `None` if it is free until the end.
+    /// Time at the end of the flight from which the body is being caught or is at rest, s; `None` if it is free until
+    /// the end.
     fn stopped_from(&self) -> Option<f64> {
         let count = self.track.points.len();
         let mut from = None;

@@ -135,7 +135,8 @@ fn reject_noisy_tracks(
     }
 }
 
-/// Flights that a fit excludes because of their faults; empty if the option `trust_data` includes faulty flights.
+/// Flights that a fit excludes because of the faults in their data; empty if the option `trust_data` includes faulty
+/// flights.
 pub(crate) fn excluded(
     dataset: &Dataset,
     faults: &[DataFault],

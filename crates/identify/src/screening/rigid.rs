@@ -5,8 +5,8 @@ use super::distances::marker_pairs;
 use crate::marker_observers::MarkerConditions;
 use crate::problem::FitProblem;
 
-/// Maximum derivative of a distance between markers with respect to an estimated parameter that counts as zero,
-/// relative to the derivatives of the markers' positions.
+/// Threshold below which the derivative of a distance between markers with respect to an estimated parameter counts as
+/// zero, relative to the derivatives of the markers' positions.
 const MIN_DERIVATIVE: f64 = 1e-9;
 
 /// Whether the declared positions of the markers fix the distance of each pair of markers independently of all

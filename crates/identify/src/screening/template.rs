@@ -55,8 +55,8 @@ fn units(distances: &Distances, flight: &Flight) -> Option<DataFault> {
     Some(DataFault::new(flight, FaultKind::Units, detail, mend))
 }
 
-/// Fault of a marker whose distances to the other markers are grossly wrong in many samples; `None` if there is no
-/// such marker.
+/// Fault of a marker whose measured distances to the other markers are grossly wrong in many samples; `None` if there
+/// is no such marker.
 fn misplaced_marker(
     distances: &Distances,
     flight: &Flight,

@@ -92,7 +92,8 @@ pub fn disc(seed: u64) -> (Model, Dataset) {
     (model, made.dataset)
 }
 
-/// Simulated flights of a disc whose data have white noise, but no outliers, missing points or correlated noise.
+/// Model of a disc, and simulated flights of it whose data have white noise, but no outliers, missing points or
+/// correlated noise.
 pub fn calm_disc(seed: u64) -> (Model, Dataset) {
     let model = model("disc");
     let mut usual = release(&model, "backhand");
