@@ -154,7 +154,8 @@ fn departure(
     None
 }
 
-/// Jump of the mean velocity of the markers just before the sample with the index `sample`, m/s.
+/// Jump of the mean velocity of the markers just before the sample with the index `sample`, m/s, computed from the
+/// change of the initial state in `found`.
 fn jump_of_velocity(
     trajectory: &Trajectory,
     observations: &Observations,

@@ -23,7 +23,7 @@ pub(super) struct Header {
 /// Suffixes of the names of the three columns that contain the coordinates of a marker, as in `m1_x`.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Cell separator of a table: a semicolon or a tab if the header contains one, otherwise a comma.
+/// Cell separator of the text of a flight's table: a semicolon or a tab if the header contains one, otherwise a comma.
 pub(super) fn separator(text: &str) -> char {
     let header = text
         .split(['\n', '\r'])

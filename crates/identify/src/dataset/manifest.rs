@@ -73,7 +73,7 @@ fn syntax(file: &Path, text: &str, error: &toml::de::Error) -> InputError {
     InputError::at(file, place, found, expected)
 }
 
-/// Checks the values of `dataset.toml` and converts them to the contents of a dataset.
+/// Converter of the parsed `dataset.toml` to checked values; it reports the location of each invalid value.
 pub(super) struct Checker<'a>(pub(super) Fields<'a>);
 
 impl Checker<'_> {
@@ -230,8 +230,8 @@ impl Checker<'_> {
         Err(self.0.fault(value.span(), found, expected))
     }
 
-    /// Creates the record of marker number `marker`, whose position is unknown; `value` is its entry in the file, to
-    /// which error messages refer.
+    /// Creates the record of the marker with the index `marker`, whose position is unknown. `value` is its entry in
+    /// `dataset.toml`, to which error messages refer.
     pub(super) fn unplaced(&self, marker: usize, value: &Value<'_>) -> Unplaced {
         Unplaced {
             marker,

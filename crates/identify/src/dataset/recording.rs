@@ -17,7 +17,8 @@ const UPS: [&str; 7] = ["+z", "-z", "+y", "-y", "+x", "-x", UNKNOWN];
 /// Value of the key `up` if the direction of the vertical is unknown.
 const UNKNOWN: &str = "unknown";
 
-/// The +z axis: the default upward axis, and the third axis of the dataset if the vertical is unknown.
+/// The +z axis of the flights' tables: the upward axis by default, and the third axis of the dataset if the vertical is
+/// unknown.
 const UP_Z: Axis = Axis {
     index: 2,
     negative: false,
@@ -28,7 +29,7 @@ const UP_Z: Axis = Axis {
 pub(super) enum Up {
     /// This axis of the flights' tables points vertically upwards.
     Axis(Axis),
-    /// The vertical is unknown and is estimated in the fit.
+    /// The direction of the vertical is unknown and is estimated in the fit.
     Unknown,
 }
 

@@ -8,7 +8,7 @@ use crate::input_error::InputError;
 use crate::pose::distance;
 use crate::statistics::median_of;
 
-/// Maximum absolute coordinate of a measured marker position, m.
+/// Maximum absolute value of a coordinate of a measured marker position, m.
 const MAX_COORDINATE: f64 = 1e4;
 /// Maximum duration of a measured flight, s; equal to the limit for simulated flights.
 const MAX_SECONDS: f64 = flight::release::Release::MAX_DURATION;

@@ -121,8 +121,8 @@ pub(crate) fn points_on_body(position: [f64; 3]) -> [[f64; 3]; 3] {
     ]
 }
 
-/// Inertial positions, m, of the virtual marker points of a pose sensor, from the readings of its position and
-/// attitude channels; `None` if a reading is missing.
+/// Inertial positions, m, of the virtual marker points of a pose sensor, from the readings of its two channels,
+/// position and attitude; `None` if a reading is missing.
 pub(crate) fn points_seen(readings: &[Option<Reading>]) -> [Option<[f64; 3]>; 3] {
     let (Some(place), Some(turn)) = (readings[0], readings[1]) else {
         return [None; 3];

@@ -14,7 +14,8 @@ use crate::statistics::median_vector;
 pub(super) struct Unplaced {
     /// Index of the marker in the dataset.
     pub marker: usize,
-    /// Error located at the marker's entry in the file; its texts are filled in if the position cannot be estimated.
+    /// Input error located at the marker's entry in `dataset.toml`; its texts are filled in if the position cannot be
+    /// estimated.
     pub place: InputError,
 }
 

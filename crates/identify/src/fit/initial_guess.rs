@@ -18,7 +18,7 @@ use crate::problem::FitProblem;
 use crate::statistics::median_of;
 use crate::vertical;
 
-/// Length of the first segment of a flight, to which its initial guess is fitted, s.
+/// Duration of the first segment of a flight, to which the guess of its initial state is fitted, s.
 const FIRST_SEGMENT: f64 = 0.15;
 
 /// Minimum number of samples in the first segment of a flight.
@@ -33,12 +33,13 @@ const MIN_SIGMA0: f64 = 1e-7;
 /// positions or sampling times. Correlated noise also lowers the ratio, but less.
 const MAX_FLOOR_RATIO: f64 = 0.2;
 
-/// Root mean square of the standard deviations along the three axes.
+/// Noise of a coordinate averaged over the axes: root mean square of the standard deviations `sigma` along the three
+/// axes.
 pub fn overall(sigma: [f64; 3]) -> f64 {
     (sigma.iter().map(|sigma| sigma * sigma).sum::<f64>() / 3.0).sqrt()
 }
 
-/// Flights that can be fitted, with their initial guesses.
+/// Flights that can be fitted, each with one or more initial guesses of its initial state.
 pub struct InitialGuesses<'a> {
     /// Usable flights, each with its best initial guess, and excluded flights.
     pub state: State<'a>,
@@ -61,7 +62,7 @@ pub struct ObservedFlights {
     pub noise_floor: Option<[f64; 3]>,
 }
 
-/// Number of samples in the first segment of a flight, to which its initial guess is fitted.
+/// Number of samples in the first segment of a flight, to which the guess of its initial state is fitted.
 pub fn first_segment(observations: &Observations) -> usize {
     let samples = observations.samples_until(FIRST_SEGMENT);
     samples.max(MIN_FIRST_SAMPLES).min(observations.times.len())
@@ -121,7 +122,7 @@ fn exclude(dataset: &Dataset, flight: FlightId, reason: FlightError) -> Excluded
     }
 }
 
-/// Determines initial guesses of the flights, with the global parameters at their initial values.
+/// Determines initial guesses of the initial states of the flights, with the global parameters at their initial values.
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight has an initial guess; [`FitError::Interrupted`] if the work is cancelled.
@@ -207,9 +208,9 @@ pub fn observations_and_poses(
     Ok((observations, poses))
 }
 
-/// Returns initial guesses refined by a fit to the first segment of the flight, each with its sum of squares after the
-/// fit; the guess with the slowest spin is first. After the deadline set in the fit options, guesses are returned
-/// without refinement.
+/// Returns guesses of the initial state of a flight, refined by a fit to the first segment of the flight, each with its
+/// sum of squares after the fit; the guess with the slowest spin is first. After the deadline set in the fit options,
+/// guesses are returned without refinement.
 ///
 /// # Errors
 /// [`FlightError`] if no guess can be found or refined.

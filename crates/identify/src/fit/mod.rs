@@ -58,7 +58,8 @@ pub use held_out::CONDITIONING_FRACTION;
 #[cfg(test)]
 pub(crate) use one_flight::FixedGlobal;
 
-/// Result of a fit: report, estimates, noise model, and the flights with their initial states.
+/// Result of a fit of a model to measured flights: report, estimates, noise model, and the flights with their initial
+/// states.
 pub struct Fit {
     /// Report with estimates, uncertainties and residual diagnostics.
     pub report: FitReport,
@@ -70,7 +71,7 @@ pub struct Fit {
     /// Noise floor: standard deviation along each axis of the noise of one coordinate, estimated by a smoother, m;
     /// `None` if it was not determined.
     noise_floor: Option<[f64; 3]>,
-    /// Flights that the fit excluded.
+    /// Flights that the fit excluded, with the reasons.
     excluded: Vec<ExcludedFlight>,
 }
 
@@ -200,7 +201,7 @@ struct Screened<'a> {
     contacts: Vec<Option<ContactSearch>>,
     /// Indices of the held-out flights that have no data faults.
     held_out: Vec<FlightId>,
-    /// Flights excluded because of faults in their data.
+    /// Flights excluded from the fit because screening found faults in their data.
     faulty: Vec<ExcludedFlight>,
     /// Time at which the fit started, from which computing times are measured.
     clock: Instant,
@@ -321,7 +322,7 @@ fn flights_of(dataset: &Dataset, role: Role) -> Vec<FlightId> {
 #[derive(Default)]
 struct FlightResult {
     report: Option<FlightReport>,
-    /// Observations and initial state; `None` if the flight is excluded.
+    /// Observations of the flight and its estimated initial state; `None` if the flight is excluded.
     fitted: Option<FittedFlight>,
 }
 

@@ -253,7 +253,8 @@ fn profiles(
     Ok(profiles)
 }
 
-/// Computes the residual statistics of every flight, and its report with the initial state and standard errors.
+/// Computes, for every fitted flight, its residual statistics and its report, which contains the initial state with
+/// standard errors.
 fn evaluate(
     state: &State<'_>,
     fitted: &Reweighted,

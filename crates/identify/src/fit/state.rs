@@ -63,7 +63,7 @@ impl<'a> State<'a> {
         }
     }
 
-    /// Fit in progress with the present global parameters, but without flights.
+    /// Copy of this fit in progress that has the same global parameters but no flights.
     pub fn without_flights(&self) -> Self {
         Self::new(
             self.problem,
@@ -73,7 +73,7 @@ impl<'a> State<'a> {
         )
     }
 
-    /// Global parameters and initial states as an iterate of the least-squares problem.
+    /// The present global parameters and initial states, as an iterate (starting point) of the least-squares solver.
     pub fn iterate(&self) -> Iterate {
         Iterate {
             global: self.global.clone(),
@@ -128,8 +128,8 @@ impl<'a> State<'a> {
         }
     }
 
-    /// Excludes the flights of `failures`, given by their indices among the fitted flights. The indices of later
-    /// flights change.
+    /// Excludes the flights listed in `failures` by their indices among the fitted flights. The indices of the flights
+    /// after an excluded one decrease.
     ///
     /// # Errors
     /// [`FitError::NoUsableFlight`] if no flight is left.

@@ -30,7 +30,7 @@ const MIN_OUTLIER_VARIANCE: f64 = 1e-8;
 /// its attitude, for both to be the same contact.
 const MAX_SAMPLE_DIFFERENCE: usize = 4;
 
-/// Measured pose or position of the body's origin in one sample.
+/// Point of the measured path of a body: position of its origin, and attitude if known, in one sample.
 #[derive(Clone, Copy, Debug)]
 pub struct PathPoint {
     /// Index of the sample in the flight's table.
@@ -63,7 +63,7 @@ pub struct ContactSearch {
 }
 
 impl ContactSearch {
-    /// The search result restricted to a part of the flight: the `samples` samples that follow its first `unseen`
+    /// The search result restricted to one part of the flight: the `samples` samples that follow its first `unseen`
     /// samples.
     pub fn of_part(&self, unseen: usize, samples: usize) -> Self {
         let poses = self

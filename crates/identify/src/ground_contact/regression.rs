@@ -82,13 +82,13 @@ impl<const N: usize> Regression<N> {
     }
 }
 
-/// Whitened basis functions of a regression (its regression matrix), with their factorized normal equations.
+/// Regression matrix, which contains the values of the whitened basis functions, with its factorized normal equations.
 #[derive(Clone, Debug)]
 pub struct Design<const N: usize> {
     whitenings: Vec<Whitening>,
     /// Values of the whitened basis functions, one array per row of the regression matrix.
     rows: Vec<[f64; N]>,
-    /// 1 − leverage of each row of the regression matrix.
+    /// 1 − leverage of each row of the regression matrix; the leverage is the diagonal entry of the hat matrix.
     free_parts: Vec<f64>,
     inverse: SMatrix<f64, N, N>,
     precisions: [f64; N],
@@ -237,7 +237,8 @@ impl<const N: usize> Design<N> {
     }
 }
 
-/// Whitened residuals of the rows of a regression matrix, each with a fourth component of 0.
+/// Whitened residuals of a regression of vectors: one vector per row of the regression matrix, with a fourth component
+/// of 0.
 #[derive(Clone, Debug)]
 pub struct Residuals(Vec<[f64; 4]>);
 
@@ -245,9 +246,9 @@ pub struct Residuals(Vec<[f64; 4]>);
 /// the residuals of the regression without them, by the Schur complement of the normal equations.
 #[derive(Clone, Debug)]
 pub struct Extension<const N: usize, const K: usize> {
-    /// Values of the whitened further functions, one array per row of the regression matrix.
+    /// Values of the `K` whitened further functions, one array per row of the regression matrix.
     rows: Vec<[f64; K]>,
-    /// Coefficients of the least-squares fit of the original basis functions to each of the further functions.
+    /// Coefficients of the least-squares fit of the `N` original basis functions to each of the `K` further functions.
     explained: SMatrix<f64, N, K>,
     /// Inverse of the Schur complement of the normal equations for the further functions.
     inverse: SMatrix<f64, K, K>,

@@ -142,7 +142,7 @@ fn is_touch(comparison: &Comparison, usual: [f64; 2]) -> bool {
     velocity < 0.0 && is_upward && (of_both || of_path)
 }
 
-/// Lower quartile of the given values; 0 for no values.
+/// Lower quartile (25 % quantile) of the values; 0 if there are none.
 fn quartile(values: impl Iterator<Item = f64>) -> f64 {
     let mut values: Vec<f64> = values.collect();
     let quarter = values.len() / 4;

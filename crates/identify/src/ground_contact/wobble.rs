@@ -34,10 +34,11 @@ const SCALE: f64 = 0.05;
 const MIN_SQUARE: f64 = 1e-12;
 /// Spacing and number of the trial values of the noise correlation between successive samples; the first one is 0.
 const CORRELATIONS: (f64, i32) = (0.05, 18);
-/// Minimum number of third differences of the positions from which the noise correlation is estimated.
+/// Minimum number of third differences of the measured positions from which the noise correlation is estimated.
 const DIFFERENCES: usize = 30;
 
-/// A point of the measured path, with the attitude of the body there (rotation from body to inertial components).
+/// A point of the measured path of a body, with the attitude of the body at this point (rotation from body to inertial
+/// components).
 pub type Posed<'p> = (&'p PathPoint, UnitQuaternion<f64>);
 
 /// Position of the body and direction of its most steady axis (the body axis whose direction changes least) in each

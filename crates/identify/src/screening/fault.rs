@@ -9,13 +9,13 @@ use crate::dataset::Flight;
 /// A mistake that screening found in the recorded data of one flight.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct DataFault {
-    /// File name of the flight.
+    /// File name of the flight that has the mistake, as in `dataset.toml`.
     pub file: String,
     /// Kind of the mistake, such as a wrong unit.
     pub fault: FaultKind,
     /// Message for the user that describes the mistake, with the values that reveal it.
     pub detail: String,
-    /// Instruction for correcting the data, for the user.
+    /// Instruction for the user: how to correct the data.
     pub mend: String,
 }
 

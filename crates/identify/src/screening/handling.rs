@@ -28,8 +28,8 @@ const REST_FORCE: f64 = 0.7;
 /// flight, scaled with the square of the speed to the speed at the start of the braking.
 const CATCH: (f64, f64) = (3.0, 5.0);
 
-/// Data fault of a flight that has samples not of free flight, at its start or its end; `None` if all samples are of
-/// free flight.
+/// Data fault of a flight that starts or ends with samples that are not of free flight, for example because a hand
+/// holds the body; `None` if all samples are of free flight.
 pub fn check(track: &Track, gravity: Vector3<f64>, flight: &Flight) -> Option<DataFault> {
     let examined = Examined::new(track, gravity)?;
     let fault = |detail: &str, mend| DataFault::new(flight, FaultKind::NotFreeFlight, detail, mend);

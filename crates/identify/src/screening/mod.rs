@@ -39,13 +39,13 @@ const NOISE_RATIO: f64 = 30.0;
 /// data are then too noisy to be those of a flying body. The limit [`NOISE_RATIO`] must be exceeded too.
 const NOISE_PART: f64 = 0.1;
 
-/// Result of screening a dataset for recording mistakes.
+/// Result of screening (checking) a dataset for recording mistakes, such as wrong units or exchanged markers.
 #[derive(Debug, Default)]
 pub(crate) struct Screening {
     /// Faults in the data of the flights, in the order of the dataset, at most one per flight.
     pub faults: Vec<DataFault>,
-    /// Result of the search for the first ground contact of each flight, in the order of the dataset: `None` if a fault
-    /// of the flight prevented the search. Empty if the faults come from an earlier screening.
+    /// Results of the search for the first ground contact, one for each flight, in the order of the dataset: `None` if
+    /// a fault of the flight prevented the search. Empty if the faults come from an earlier screening.
     pub contacts: Vec<Option<ContactSearch>>,
 }
 
