@@ -17,9 +17,9 @@ const MAX_SAMPLES_AFTER: usize = 40;
 /// noise of a marker coordinate. It is small, because a contact changes velocities and not positions.
 const DISPLACEMENT_SIGMA: f64 = 0.3;
 
-/// Decrease of the whitened sum of squares by a velocity jump, tested with all samples in reach, below which no jump is
-/// tested with fewer samples. It is far below the decrease by a contact with the ground, which samples after the
-/// contact increase further.
+/// Threshold of the decrease of the whitened sum of squares by a velocity jump. Each jump is first tested with all
+/// later samples in reach; if every decrease is below the threshold, no jump is tested with fewer samples. It is far
+/// below the decrease by a contact with the ground, which samples after the contact increase further.
 const MIN_ROUGH_GAIN: f64 = 30.0;
 
 /// Result of the comparison of free motion (without contact) with motion whose velocities jump just before a sample.

@@ -26,11 +26,11 @@ use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 
-/// Number of samples before the first sample at which a velocity jump is tried; motion without a contact is fitted to
-/// them.
+/// Number of samples, just before the first sample at which a velocity jump is tried, to which motion without a contact
+/// is fitted.
 const FREE_SAMPLES: usize = 24;
 /// Number of samples at which velocity jumps are tried in addition, just before the range that is searched for a
-/// contact with the ground or an object. The decrease of the sum of squares by a jump there is the value that is
+/// contact with the ground or an object. The decreases of the sum of squares by these jumps show which values are
 /// typical of free flight.
 const REFERENCE_SAMPLES: usize = 8;
 /// Maximum number of samples by which a detected contact with the ground or an object may precede the range searched
@@ -39,9 +39,9 @@ const MAX_LEAD: usize = 2;
 /// Minimum decrease of the whitened sum of squares by a velocity jump for the jump to count as a contact with the
 /// ground or an object. Noise exceeds it at one sample in 10⁹.
 const MIN_GAIN: f64 = 60.0;
-/// Minimum growth of the decrease of the sum of squares for a velocity jump to count as a contact with the ground or an
-/// object: its decrease divided by the largest one of the jumps tried at earlier samples. Deviations due to a wrong
-/// model grow smoothly and stay below this ratio.
+/// Minimum ratio, for a velocity jump to count as a contact with the ground or an object, of the decrease of the sum of
+/// squares by this jump to the largest decrease by a jump at an earlier sample. Deviations due to a wrong model grow
+/// smoothly and stay below this ratio.
 const MIN_GROWTH: f64 = 4.0;
 /// An earlier velocity jump is preferred to the best one if its decrease of the sum of squares is smaller by at most
 /// this value, the 90 % quantile of χ² with one degree of freedom. If the contact with the ground is dated too late,

@@ -16,7 +16,8 @@ const PARTS: [f64; 4] = [0.125, 0.375, 0.625, 0.875];
 
 /// Predicted marker positions of a flight, with derivatives with respect to the initial state.
 pub struct Trajectory {
-    /// Number of free directions in which the initial state may vary (see [`StateManifold`]).
+    /// Number of independent directions in which the initial state may vary (see [`StateManifold`]); smaller than the
+    /// number of its components if it contains a quaternion.
     pub dimension: usize,
     /// Index of the first sample at which the trajectory is evaluated.
     pub first: usize,
@@ -46,7 +47,7 @@ enum EvaluationTime {
     Start,
     Sample,
     /// A time between two samples at which a velocity jump is tried; contains the index of the later sample, counted
-    /// from `tried`.
+    /// from the first sample before which a jump is tried.
     Before(usize),
 }
 

@@ -26,7 +26,7 @@ use crate::noise::NoiseModel;
 use crate::observations::Observations;
 
 /// Range in which the ground contact of a truncated flight is searched again: numbers of samples before and after its
-/// present end, which was found from the samples alone, without the fitted model.
+/// last used sample, which was determined without the fitted model.
 const SEARCH_RANGE: (usize, usize) = (12, 14);
 /// Number of samples by which the ranges of two successive searches for a ground contact in one flight overlap.
 const OVERLAP: usize = 8;
@@ -256,8 +256,8 @@ impl Search<'_> {
     }
 
     /// Searches the samples `from..to` of the flight `whole` for the first ground contact, in successive ranges.
-    /// Returns the contact and the initial state fitted to the samples before the range in which it was found; `None`
-    /// if no contact was found. `local` is the initial guess of the initial state.
+    /// Returns the contact, and the initial state fitted to the samples before the range of the contact; `None` if no
+    /// contact was found. `local` is the initial guess of the initial state.
     fn contact(
         &self,
         whole: &Observations,
@@ -330,7 +330,7 @@ impl Search<'_> {
     }
 }
 
-/// Whether the velocity jump of a contact is mainly upward, as at a contact with the ground.
+/// Whether the velocity jump of a detected contact is sufficiently upward for a contact with the ground.
 fn is_upward(onset: &Onset) -> bool {
     onset.jump.z > MIN_UPWARD_PART * onset.jump.norm()
 }

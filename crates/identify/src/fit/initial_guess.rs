@@ -68,8 +68,8 @@ pub fn first_segment(observations: &Observations) -> usize {
     samples.max(MIN_FIRST_SAMPLES).min(observations.times.len())
 }
 
-/// Extracts the observations of the given flights and estimates their noise. `contacts` contains, by index of the
-/// flight in the dataset, the results of an earlier search for ground contacts; empty if there was none.
+/// Extracts the observations of the flights `flights` of a dataset and estimates their noise. `contacts` contains, by
+/// index of the flight in the dataset, the results of an earlier search for ground contacts; empty if there was none.
 pub fn observe(
     problem: &FitProblem,
     dataset: &Dataset,

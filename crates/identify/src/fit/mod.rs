@@ -384,8 +384,8 @@ impl Fit {
     }
 }
 
-/// Converts an error of the least-squares solver to an error of the fit. `flights` are the flights to which the indices
-/// in the error refer.
+/// Converts an error of the least-squares solver to an error of the fit. `flights` are the flights to which the flight
+/// indices in the solver's error refer.
 fn solve_error(error: SolveError, flights: &[impl Borrow<Observations>]) -> FitError {
     match error {
         SolveError::Start(failures) => match failures.into_iter().next() {

@@ -131,8 +131,8 @@ fn correlations(
     rows.collect()
 }
 
-/// Creates the reports of the channels other than markers. `sums` contains, for each channel, the sum of squared
-/// residuals and the numbers of values and outliers.
+/// Creates the reports of the sensor channels, that is, of all measured quantities other than marker positions. `sums`
+/// contains, for each channel, the sum of squared residuals and the numbers of values and outliers.
 fn sensors(problem: &FitProblem, noise: &NoiseModel, sums: &[ChannelSum]) -> Vec<SensorReport> {
     let channels = problem.channels.iter().enumerate().zip(sums);
     let sensors = channels.filter_map(|((index, own), sum)| {

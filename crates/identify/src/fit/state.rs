@@ -41,7 +41,8 @@ pub(crate) struct State<'a> {
 }
 
 impl<'a> State<'a> {
-    /// Creates a fit in progress without flights, for given global parameters and sampling interval (s).
+    /// Creates a fit in progress without flights. `global` contains the global parameters, SI, and `interval` is the
+    /// median time between samples, s.
     pub fn new(
         problem: &'a FitProblem,
         options: &'a FitOptions<'a>,

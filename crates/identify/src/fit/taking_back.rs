@@ -88,7 +88,7 @@ pub fn take_back(
 
 /// Whether an excluded flight may be included again. It may if it was excluded because of its fit, but not if it was
 /// excluded because of its samples. A flight with a suspected wrong unit of time is an exception and may be included,
-/// because an acceleration that the other flights do not have can cause the same suspicion.
+/// because an acceleration that occurs in one flight only can cause the same suspicion.
 pub fn may_come_back(excluded: &ExcludedFlight) -> bool {
     match &excluded.reason {
         FlightError::UnlikeTheOthers { .. }

@@ -39,7 +39,8 @@ pub struct PathPoint {
     pub time: f64,
     /// Position of the body's origin, m, inertial frame.
     pub position: Vector3<f64>,
-    /// Rotation from body to inertial components; `None` for a point mass, or if the pose contains an outlier.
+    /// Attitude of the body: rotation from body to inertial components. `None` for a point mass, or if a marker
+    /// position in this sample is an outlier.
     pub attitude: Option<UnitQuaternion<f64>>,
 }
 

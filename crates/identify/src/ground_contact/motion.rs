@@ -47,11 +47,11 @@ pub struct Character {
     pub noise: [f64; 2],
 }
 
-/// Result of testing one interval between two points for a ground contact: comparison of free motion with motion that
-/// is disturbed within the interval, so that its velocity and wobble change.
+/// Result of testing one interval between two successive points (samples with a pose) for a ground contact: comparison
+/// of free motion with motion that is disturbed within the interval, so that its velocity and wobble change.
 #[derive(Clone, Copy, Debug)]
 pub struct Comparison {
-    /// Index of the first point after the interval that is tested for a ground contact.
+    /// Index of the first point (sample with a pose) after the interval that is tested for a ground contact.
     pub index: usize,
     /// Decreases of the sums of squared residuals of the position and of the body axis if the motion may change within
     /// the tested interval. Each is divided by its noise variance, or by `LOCAL_PART` × its residual variance if that

@@ -11,8 +11,8 @@ pub const MAX_MARKERS: usize = 8;
 /// Limit at which a scale error counts as common to all pairs of markers. The ratio of measured to declared distance
 /// between the markers of a pair may deviate from the median ratio of all pairs by less than this fraction.
 const RATIO_SPREAD: f64 = 0.1;
-/// Tolerance for recognising a wrong unit of length: maximum relative deviation of the ratio of measured to true
-/// lengths from the ratio that this unit would give.
+/// Tolerance for recognising that coordinates are in a certain unit of length instead of metres: maximum relative
+/// deviation of the ratio of measured to true lengths from the ratio that this unit would give.
 const UNIT_TOLERANCE: f64 = 0.05;
 /// Minimum deviation of the measured distance between two markers from their declared distance, relative to the latter,
 /// at which the measured distance counts as grossly wrong. The limits [`GROSS_DISTANCE`] and [`GROSS_NOISE`] must be

@@ -234,8 +234,8 @@ impl<'a> FreeFall<'a> {
         })
     }
 
-    /// Faults of single flights. The accelerations of such a flight, minus the aerodynamic loads fitted to all flights,
-    /// deviate from gravity, and a correction of units, times or axes removes the deviation.
+    /// Data faults of single flights. The accelerations of such a flight, minus the aerodynamic loads fitted to all
+    /// flights, deviate from gravity, and a correction of units, times or axes removes the deviation.
     fn single_faults(&self, fixed: &Regression) -> Vec<DataFault> {
         let g = self.gravity.norm();
         let misfit = |rows: &[Row]| self.misfit(fixed, rows);
@@ -263,10 +263,10 @@ impl<'a> FreeFall<'a> {
         faults
     }
 
-    /// Fault of flight number `index` if the body is upside down in this flight alone and the flight appears mirrored.
-    /// Upside down: the normal of the plane of its markers points up and that of all other flights down, or vice versa.
-    /// Mirrored: the misfit (deviation of the accelerations from gravity) of its mirror image is clearly smaller than
-    /// `before`, m/s², the misfit of the recorded flight.
+    /// Data fault of the flight with the index `index`, if the body is upside down in this flight alone and the flight
+    /// appears mirrored. Upside down: the normal of the plane of its markers points up and that of all other flights
+    /// down, or vice versa. Mirrored: the misfit (deviation of the accelerations from gravity) of its mirror image is
+    /// clearly smaller than `before`, m/s², the misfit of the recorded flight.
     fn turned_over(&self, fixed: &Regression, index: usize, before: f64) -> Option<DataFault> {
         let own = self.upright[index]?;
         let others = self
@@ -294,8 +294,8 @@ impl<'a> FreeFall<'a> {
         misfit(&rest.collect::<Vec<_>>(), self.gravity)
     }
 
-    /// Fault of a flight for which a correction of its units, times or axes reduces the misfit below `enough`, m/s²;
-    /// `None` if no correction does.
+    /// Data fault of a flight for which a correction of its units, times or axes reduces the misfit below `enough`,
+    /// m/s²; `None` if no correction does.
     fn correctable_fault(
         &self,
         fixed: &Regression,
