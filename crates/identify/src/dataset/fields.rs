@@ -65,7 +65,8 @@ impl Fields<'_> {
         }
     }
 
-    /// Reads a boolean from `value`; an error, which names `key`, if the value is of another type.
+    /// Reads a boolean from the TOML value `value`. Returns an error, which names `key`, if the value is of another
+    /// type.
     pub fn truth(&self, value: &Value<'_>, key: &str) -> Result<bool, InputError> {
         match value.get_ref() {
             DeValue::Boolean(truth) => Ok(*truth),
@@ -73,8 +74,8 @@ impl Fields<'_> {
         }
     }
 
-    /// Reads a finite number from `value`; integers are accepted. An error, which names `key`, if the value is of
-    /// another type or not finite.
+    /// Reads a finite number from the TOML value `value`; integers are accepted. Returns an error, which names `key`,
+    /// if the value is of another type or not finite.
     pub fn number(&self, value: &Value<'_>, key: &str) -> Result<f64, InputError> {
         let number = match value.get_ref() {
             DeValue::Float(float) => float.as_str().parse::<f64>().ok(),

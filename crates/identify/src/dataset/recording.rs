@@ -107,8 +107,8 @@ impl Recording {
     }
 }
 
-/// Reads the text under a key of `table`, which must be one of `choices`. Also returns the byte range of the text in
-/// the file; the result is `None` if the key is absent.
+/// Reads the text under a key of `table`, which must be one of `choices`, and its byte range in `dataset.toml`. Returns
+/// `None` if the key is absent.
 fn choice(
     fields: &Fields<'_>,
     table: &DeTable<'_>,

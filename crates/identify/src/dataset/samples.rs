@@ -15,8 +15,8 @@ const MAX_SECONDS: f64 = flight::release::Release::MAX_DURATION;
 /// Maximum median speed of a marker over half of a flight, m/s; larger values suggest millimetres.
 const MAX_SPEED: f64 = 1e3;
 /// Maximum plausible ratio of the measured distance between two markers to their distance according to `dataset.toml`.
-/// If the ratio exceeds this value and the measured distance exceeds `MIN_REJECTED`, m, the coordinates are rejected as
-/// not being in metres.
+/// If the ratio exceeds this value and the measured distance exceeds 1 m (`MIN_REJECTED`), the coordinates are rejected
+/// as not being in metres.
 const MAX_STRETCH: f64 = 30.0;
 const MIN_REJECTED: f64 = 1.0;
 /// Maximum product of the number of samples of a flight and the number of its markers and sensor channels; it bounds
@@ -112,8 +112,8 @@ fn first_distance(flight: &Flight, markers: &[Marker]) -> Option<(f64, f64)> {
     Some((measured, distance(first.position, second.position)))
 }
 
-/// Median speed of the first marker, m/s, over pairs of samples half a flight apart, which is robust to outliers;
-/// `None` for a flight that is too short.
+/// Median speed of the first marker, m/s, over pairs of samples half a flight apart, a statistic that is robust to
+/// outliers; `None` if the flight is too short.
 fn speed(flight: &Flight) -> Option<f64> {
     let half = flight.times.len() / 2;
     if half < 2 {

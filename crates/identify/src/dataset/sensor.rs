@@ -80,9 +80,9 @@ impl SensorKind {
         }
     }
 
-    /// For each channel, a quantity measured by the sensor (a pose sensor has two: position and attitude), the suffixes
-    /// of its column names, which follow the sensor's name; an empty suffix means that the column has the sensor's
-    /// name.
+    /// For each channel of a sensor of this kind, the suffixes of its column names, which follow the sensor's name. A
+    /// channel is a measured quantity; a pose sensor has two, position and attitude. An empty suffix means that the
+    /// column has the sensor's name.
     pub fn channels(self) -> &'static [&'static [&'static str]] {
         const VECTOR: &[&str] = &["_x", "_y", "_z"];
         const ATTITUDE: &[&str] = &["_qw", "_qx", "_qy", "_qz"];

@@ -178,7 +178,7 @@ fn is_read_back(dataset: &Dataset, files: &[(String, String)]) -> io::Result<()>
     }
 }
 
-/// Reads a dataset from the text `manifest` of `dataset.toml`, without access to files: `table` returns the text of a
+/// Reads a dataset without access to files. `manifest` is the text of `dataset.toml`, and `table` returns the text of a
 /// flight's table, given the flight's index and file name.
 pub(super) fn read_back<'t>(
     manifest: &str,

@@ -10,9 +10,9 @@ use crate::statistics::median_of;
 /// Lengths, in points of the measured path, of the intervals at the start and at the end of a flight that are examined
 /// for contact with a hand or the ground.
 const LENGTHS: [usize; 8] = [6, 9, 13, 20, 32, 52, 90, 160];
-/// Limits at which a force counts as a push by a hand. The force per mass other than gravity is considered: its
-/// component along the velocity must exceed the first number times gravity, and the second number times its own
-/// magnitude. Aerodynamic forces in moderate wind do not exceed both limits.
+/// Limits at which a force counts as a push by a hand. The component of the force per mass (without gravity) along the
+/// velocity must exceed the first number times gravity. It must also exceed the second number times the magnitude of
+/// this force per mass. Aerodynamic forces in moderate wind do not exceed both limits.
 const PUSH: (f64, f64) = (1.0, 0.5);
 /// Margin, in units of the standard error, by which a measured force per mass must exceed its limit (in [`PUSH`],
 /// [`CATCH`] or [`REST_FORCE`]) to count as detected.
@@ -25,7 +25,8 @@ const REST: (f64, f64) = (0.5, 0.08);
 const REST_FORCE: f64 = 0.7;
 /// Limits at which a braking force counts as a catch. The force per mass other than gravity must exceed the first
 /// number times gravity. It must also exceed the second number times the force per mass in the earlier part of the
-/// flight, scaled with the square of the speed to the speed at the start of the braking.
+/// flight; that force is first scaled, in proportion to the square of the speed, to the speed at the start of the
+/// braking.
 const CATCH: (f64, f64) = (3.0, 5.0);
 
 /// Data fault of a flight that starts or ends with samples that are not of free flight, for example because a hand

@@ -18,11 +18,11 @@ const JUMP: (f64, f64) = (15.0, 0.08);
 /// Minimum size of a jump in a measured path that is reported, in units of the distance that the body moves in the
 /// sampling interval of the jump.
 const STEPS: f64 = 0.5;
-/// Maximum ratio of a sampling interval to the median interval at which the interval is examined for a jump; longer
-/// intervals are gaps in the data.
+/// Maximum ratio of a sampling interval to the median interval at which the interval is examined for a jump of the
+/// position; longer intervals are gaps in the data.
 const GAP: f64 = 1.5;
-/// Minimum cosine of the angle between a jump and the velocity at which the jump counts as one forward along the path,
-/// which suggests missing frames.
+/// Minimum cosine of the angle between a jump of the position and the velocity at which the jump counts as forward
+/// along the path. A forward jump suggests missing frames.
 const AHEAD: f64 = 0.97;
 
 /// Data fault for the first jump in the measured path of a body: an offset between the position extrapolated from the

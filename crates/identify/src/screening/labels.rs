@@ -97,8 +97,8 @@ pub fn check(distances: &Distances, flight: &Flight, markers: &[Marker]) -> Opti
     ))
 }
 
-/// Permutations of the labels of `count` markers other than the identity, in the order of the number of labels that
-/// they move. For more than [`ALL_PERMUTATIONS`] markers, only the exchanges of two labels.
+/// Permutations of the labels of `count` markers other than the identity, ordered by the number of labels that they
+/// move. For more than [`ALL_PERMUTATIONS`] markers, only the exchanges of two labels are returned.
 fn permutations(count: usize) -> Vec<Vec<usize>> {
     let identity: Vec<usize> = (0..count).collect();
     let mut found = Vec::new();

@@ -77,9 +77,9 @@ pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) ->
     Screening { faults, contacts }
 }
 
-/// Compares the flights with each other and with gravity, and adds the faults that this reveals to `faults`, which were
-/// found in single flights. Returns all faults. `faults` and `tracks` (paths of the bodies) have one entry per flight.
-/// Uses `threads` threads.
+/// Compares the motion of the flights with each other and with gravity, and adds the faults that this reveals to
+/// `faults`, which were found by checks of single flights. Returns all faults. `faults` and `tracks` (paths of the
+/// bodies) have one entry per flight. Uses `threads` threads.
 fn compare_flights(
     (problem, dataset): (&FitProblem, &Dataset),
     is_rigid: bool,
@@ -107,8 +107,8 @@ fn compare_flights(
     each.into_iter().flatten().collect()
 }
 
-/// Adds a fault for each flight whose path is far noisier than the paths of the other flights and than any measured
-/// flight can be. The entry of the flight in `tracks` is set to `None`.
+/// Adds a data fault for each flight whose measured path is far noisier than the paths of the other flights and than
+/// any measured flight can be. The entry of the flight in `tracks` is set to `None`.
 fn reject_noisy_tracks(
     dataset: &Dataset,
     faults: &mut [Option<DataFault>],

@@ -23,7 +23,7 @@ const WINDOWS: [usize; 2] = [4, 14];
 /// Measured path of the body's origin in one flight.
 #[derive(Clone, Debug)]
 pub struct Track {
-    /// Times and positions of the body's origin, for the samples in which it could be determined.
+    /// Times and positions of the body's origin, one point for each sample in which the position could be determined.
     pub points: Vec<PathPoint>,
     /// Standard deviation of the noise of one coordinate of the measured position of the body's origin, m.
     pub noise: f64,
@@ -35,7 +35,7 @@ pub struct Track {
 pub struct Parabola {
     /// Velocity at the middle of the time window, m/s.
     pub velocity: Vector3<f64>,
-    /// Acceleration, which a parabola takes as constant over the window, m/s².
+    /// Acceleration of the body's origin in the time window, m/s²; a parabola in time has a constant acceleration.
     pub acceleration: Vector3<f64>,
     /// Standard error of a component of the acceleration, m/s².
     pub error: f64,
