@@ -17,9 +17,9 @@ const MAX_SAMPLES_AFTER: usize = 40;
 /// noise of a marker coordinate. It is small, because a contact changes velocities and not positions.
 const DISPLACEMENT_SIGMA: f64 = 0.3;
 
-/// Decrease of the whitened sum of squares by a velocity jump, tested with all samples in reach, below which no jump is
-/// tested with fewer samples. It is far below the decrease by a contact with the ground, which samples after the
-/// contact increase further.
+/// Threshold of the decrease of the whitened sum of squares by a velocity jump. Each jump is first tested with all
+/// later samples in reach; if every decrease is below the threshold, no jump is tested with fewer samples. It is far
+/// below the decrease by a contact with the ground, which samples after the contact increase further.
 const MIN_ROUGH_GAIN: f64 = 30.0;
 
 /// Result of the comparison of free motion (without contact) with motion whose velocities jump just before a sample.
@@ -109,15 +109,15 @@ impl Jumps {
         })
     }
 
-    /// Of the jumps tested with the samples up to index `last`, the one with the greatest decrease of the sum of
-    /// squares, and the index of the first sample after this jump. `None` if no jump was tested.
+    /// Of the velocity jumps tested with the samples up to index `last`, the one with the greatest decrease of the sum
+    /// of squares, and the index of the first sample after this jump. `None` if no jump was tested.
     pub fn best(&self, last: usize) -> Option<(usize, &Comparison)> {
         self.until(last)
             .max_by(|a, b| a.1.gain.total_cmp(&b.1.gain))
     }
 
-    /// Earliest jump that decreases the sum of squares over the samples up to index `last` by at least `gain`, and the
-    /// index of the first sample after this jump; `None` if there is no such jump.
+    /// Earliest velocity jump that decreases the sum of squares over the samples up to index `last` by at least `gain`,
+    /// and the index of the first sample after this jump; `None` if there is no such jump.
     pub fn earliest(&self, last: usize, gain: f64) -> Option<(usize, &Comparison)> {
         self.until(last).find(|(_, found)| found.gain >= gain)
     }
@@ -128,7 +128,7 @@ impl Jumps {
     }
 
     /// Change of the initial state of the predicted trajectory with which free motion best fits the samples before the
-    /// one with the index `contact`.
+    /// one with the index `contact`, which is the first sample after a supposed contact.
     pub fn before(&self, contact: usize) -> DVector<f64> {
         self.free[contact - self.tried].unknowns()
     }
@@ -159,7 +159,8 @@ impl JumpSum {
         }
     }
 
-    /// Adds the squared residuals of `sample`, which follows a jump just before the sample with the index `contact`.
+    /// Adds the squared residuals of `sample` to the sum, for a velocity jump just before the sample with the index
+    /// `contact`; `sample` follows this jump.
     fn add(&mut self, sample: &SampleSum<'_>, contact: usize) {
         let is_first = |point: &Point| point.previous.is_none_or(|previous| previous < contact);
         if !sample.points.iter().any(is_first) {

@@ -26,11 +26,11 @@ use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 
-/// Number of samples before the first sample at which a velocity jump is tried; motion without a contact is fitted to
-/// them.
+/// Number of samples, just before the first sample at which a velocity jump is tried, to which motion without a contact
+/// is fitted.
 const FREE_SAMPLES: usize = 24;
 /// Number of samples at which velocity jumps are tried in addition, just before the range that is searched for a
-/// contact with the ground or an object. The decrease of the sum of squares by a jump there is the value that is
+/// contact with the ground or an object. The decreases of the sum of squares by these jumps show which values are
 /// typical of free flight.
 const REFERENCE_SAMPLES: usize = 8;
 /// Maximum number of samples by which a detected contact with the ground or an object may precede the range searched
@@ -39,16 +39,16 @@ const MAX_LEAD: usize = 2;
 /// Minimum decrease of the whitened sum of squares by a velocity jump for the jump to count as a contact with the
 /// ground or an object. Noise exceeds it at one sample in 10⁹.
 const MIN_GAIN: f64 = 60.0;
-/// Minimum growth of the decrease of the sum of squares for a velocity jump to count as a contact with the ground or an
-/// object: its decrease divided by the largest one of the jumps tried at earlier samples. Deviations due to a wrong
-/// model grow smoothly and stay below this ratio.
+/// Minimum ratio, for a velocity jump to count as a contact with the ground or an object, of the decrease of the sum of
+/// squares by this jump to the largest decrease by a jump at an earlier sample. Deviations due to a wrong model grow
+/// smoothly and stay below this ratio.
 const MIN_GROWTH: f64 = 4.0;
 /// An earlier velocity jump is preferred to the best one if its decrease of the sum of squares is smaller by at most
 /// this value, the 90 % quantile of χ² with one degree of freedom. If the contact with the ground is dated too late,
 /// disturbed samples remain in the data; this is worse than the loss of undisturbed samples if it is dated too early.
 const UNDECIDED_GAIN: f64 = 2.71;
-/// Numbers for confirming a contact with the ground or an object by later samples. The velocity jump is tested again
-/// with this number of additional samples (first value). If its gain (decrease of the sum of squares) increased
+/// Two numbers for confirming a contact with the ground or an object by later samples. The velocity jump is tested
+/// again with this number of additional samples (first value). If its gain (decrease of the sum of squares) increased
 /// abruptly before (see `OUTLIER_GAIN`), the additional samples must increase the gain by this factor (second value).
 /// They do not increase a gain that an outlier causes.
 const CONFIRMING: (usize, f64) = (2, 1.2);
@@ -124,7 +124,7 @@ enum Departure<'a> {
 }
 
 /// First deviation from free motion at the samples `tried`: a velocity jump or an outlier; `None` if there is none.
-/// `is_seen` returns whether a sample has measured markers.
+/// `is_seen` returns whether any marker is measured in the sample with a given index.
 fn departure(
     jumps: &Jumps,
     tried: Range<usize>,
@@ -154,7 +154,8 @@ fn departure(
     None
 }
 
-/// Jump of the mean velocity of the markers just before the sample with the index `sample`, m/s.
+/// Jump of the mean velocity of the markers just before the sample with the index `sample`, m/s, computed from the
+/// change of the initial state in `found`.
 fn jump_of_velocity(
     trajectory: &Trajectory,
     observations: &Observations,

@@ -7,7 +7,8 @@ use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::pose::distance;
 
-/// Squared whitened residual of a marker position above which it is an outlier; noise exceeds it with probability 10⁻⁵.
+/// Squared whitened residual of a marker position, summed over its coordinates, above which it is an outlier; noise
+/// exceeds it with probability 10⁻⁵.
 const LIMIT: f64 = 26.0;
 /// Maximum difference between the measured and the predicted distance of two markers, in units of the noise standard
 /// deviation of a coordinate. A marker with larger differences to most other markers is an outlier.

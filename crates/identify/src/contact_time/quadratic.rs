@@ -16,7 +16,7 @@ pub struct Quadratic {
 }
 
 impl Quadratic {
-    /// Creates a sum of squares without terms, for a number of unknowns.
+    /// Creates a sum of squares that is identically 0, as a function of `unknowns` unknowns.
     pub fn zeros(unknowns: usize) -> Self {
         Self {
             normal: DMatrix::zeros(unknowns, unknowns),
@@ -24,26 +24,27 @@ impl Quadratic {
         }
     }
 
-    /// Adds the square of a residual, given with its derivatives with respect to the unknowns.
+    /// Adds the square of a residual that is linear in the unknowns: `residual` is its value if all unknowns are 0, and
+    /// `derivatives` are its derivatives with respect to them.
     pub fn add(&mut self, derivatives: &DVector<f64>, residual: f64) {
         self.normal.ger(1.0, derivatives, derivatives, 1.0);
         self.right.axpy(residual, derivatives, 1.0);
     }
 
-    /// Adds another sum of squares in the same unknowns.
+    /// Adds `other`, a sum of squares as a function of the same unknowns.
     pub fn add_all(&mut self, other: &Self) {
         self.normal += &other.normal;
         self.right += &other.right;
     }
 
-    /// Solves the normal equations; `None` if they are singular.
+    /// Factorises the normal equations, which gives the minimum of the sum of squares; `None` if they are singular.
     pub fn minimum(&self) -> Option<Minimum> {
         let diagonal = |index| self.normal[(index, index)];
         Minimum::new(self.normal.clone(), diagonal, &self.right)
     }
 }
 
-/// Factorised normal equations of a sum of squares, from which its minimum is computed.
+/// Factorised normal equations of a sum of squares, from which the minimum of the sum is computed.
 #[derive(Clone, Debug)]
 pub struct Minimum {
     factor: Cholesky<f64, Dyn>,

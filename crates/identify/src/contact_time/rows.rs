@@ -45,7 +45,8 @@ impl Point {
     }
 }
 
-/// Whitened residuals of all marker positions that are not outliers, by sample.
+/// Whitened residuals of all measured marker positions that are not outliers: one vector of marker positions for each
+/// sample of `trajectory`.
 pub fn whitened(
     observations: &Observations,
     trajectory: &Trajectory,
@@ -72,8 +73,9 @@ pub fn whitened(
     each.collect()
 }
 
-/// Whitened residual of one coordinate of a marker in the sample `now`; `before` is the preceding sample in which the
-/// marker is measured, `None` if there is none.
+/// Whitened residual of one coordinate of a marker in the sample `now`, with its derivatives. `before` is the preceding
+/// sample in which the marker is measured; `None` if there is none. Both contain the index of the sample and the
+/// predicted position.
 fn row(
     observations: &Observations,
     (marker, axis): (usize, usize),

@@ -13,11 +13,13 @@ use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::synthesize::{Corruption, Plan, flights};
 
-/// Number of samples to which the flight is fitted before contacts with the ground are searched.
+/// Number of samples at the start of a flight to which its initial state is fitted; contacts with the ground are
+/// searched in the later samples.
 const SHOWN: usize = 30;
 
 /// First contact with the ground or an object found in each of 12 simulated flights, with the true parameter values of
-/// the model. The flights are simulated with the named model and launch conditions, and then modified by `change`.
+/// the model. The flights are simulated with the named model and launch conditions, and then modified by `change`,
+/// which receives the index of the flight and the flight.
 fn contacts(
     (model, release): (&str, &str),
     noise: Corruption,

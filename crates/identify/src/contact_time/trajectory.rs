@@ -16,7 +16,8 @@ const PARTS: [f64; 4] = [0.125, 0.375, 0.625, 0.875];
 
 /// Predicted marker positions of a flight, with derivatives with respect to the initial state.
 pub struct Trajectory {
-    /// Number of free directions in which the initial state may vary (see [`StateManifold`]).
+    /// Number of independent directions in which the initial state may vary (see [`StateManifold`]); smaller than the
+    /// number of its components if it contains a quaternion.
     pub dimension: usize,
     /// Index of the first sample at which the trajectory is evaluated.
     pub first: usize,
@@ -39,14 +40,14 @@ pub struct Predicted {
     pub derivatives: [DVector<f64>; 3],
 }
 
-/// Kind of a time at which the predicted trajectory is evaluated: its initial time, a sample, or a time between two
+/// A time at which the predicted trajectory is evaluated: its initial time, the time of a sample, or a time between two
 /// samples.
 #[derive(Clone, Copy)]
 enum EvaluationTime {
     Start,
     Sample,
     /// A time between two samples at which a velocity jump is tried; contains the index of the later sample, counted
-    /// from `tried`.
+    /// from the first sample before which a jump is tried.
     Before(usize),
 }
 
@@ -130,7 +131,8 @@ impl Trajectory {
         Ok(trajectory)
     }
 
-    /// Derivatives of the mean position of the markers in a sample with respect to the initial state.
+    /// Derivatives of the mean predicted position of the markers in a sample with respect to the initial state of the
+    /// flight: one row per coordinate.
     pub fn centre(&self, sample: usize) -> Matrix3xX<f64> {
         let markers = &self.samples[sample - self.first];
         Matrix3xX::from_fn(self.dimension, |axis, column| {
@@ -142,8 +144,8 @@ impl Trajectory {
     }
 }
 
-/// Jacobian of the predicted marker positions with respect to the initial state: one row per coordinate of each marker,
-/// divided by the standard deviation `sigma` (m) along its axis.
+/// Jacobian of the predicted marker positions with respect to the initial state: one row per coordinate of each marker.
+/// Each row is divided by the noise standard deviation `sigma`, m, along its axis.
 pub fn over_noise(markers: &[Predicted], sigma: [f64; 3]) -> DMatrix<f64> {
     let dimension = markers[0].derivatives[0].len();
     DMatrix::from_fn(3 * markers.len(), dimension, |row, column| {

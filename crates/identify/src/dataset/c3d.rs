@@ -58,8 +58,8 @@ fn table(bytes: &[u8], markers: &[&str]) -> Result<Table, Unexpected> {
     Ok(table)
 }
 
-/// Index, among the points of a frame, of the point with the marker's label. An error if no point or several points
-/// have this label.
+/// Index, among the points in each frame of a C3D recording, of the point with the label `marker`. Returns an error if
+/// no point or several points have this label.
 fn point_index(recording: &Recording<'_>, marker: &str) -> Result<usize, Unexpected> {
     let labels = recording.labels();
     let mut found =

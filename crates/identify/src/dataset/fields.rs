@@ -11,7 +11,7 @@ use toml::de::{DeTable, DeValue};
 use super::words::{listed, meant, shown};
 use crate::input_error::InputError;
 
-/// A TOML value with its byte range in the text.
+/// A TOML value with its byte range in the text of the document.
 pub(super) type Value<'t> = Spanned<DeValue<'t>>;
 
 /// Path and text of a TOML document, used for the locations of errors.
@@ -43,7 +43,7 @@ impl Fields<'_> {
         self.fault(value.span(), format!("{key} = {found}"), expected)
     }
 
-    /// Returns an error if the table has a key not in `known`; `of` names the table in the message, for example
+    /// Returns an error if the TOML table has a key not in `known`; `of` names the table in the message, for example
     /// ` in [noise]`.
     pub fn keys(&self, table: &DeTable<'_>, of: &str, known: &[&str]) -> Result<(), InputError> {
         for key in table.keys() {
@@ -65,7 +65,8 @@ impl Fields<'_> {
         }
     }
 
-    /// Reads a boolean from `value`; an error, which names `key`, if the value is of another type.
+    /// Reads a boolean from the TOML value `value`. Returns an error, which names `key`, if the value is of another
+    /// type.
     pub fn truth(&self, value: &Value<'_>, key: &str) -> Result<bool, InputError> {
         match value.get_ref() {
             DeValue::Boolean(truth) => Ok(*truth),
@@ -73,8 +74,8 @@ impl Fields<'_> {
         }
     }
 
-    /// Reads a finite number from `value`; integers are accepted. An error, which names `key`, if the value is of
-    /// another type or not finite.
+    /// Reads a finite number from the TOML value `value`; integers are accepted. Returns an error, which names `key`,
+    /// if the value is of another type or not finite.
     pub fn number(&self, value: &Value<'_>, key: &str) -> Result<f64, InputError> {
         let number = match value.get_ref() {
             DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
@@ -105,7 +106,7 @@ impl Fields<'_> {
         Err(self.wrong_kind(value, key, "three numbers, as in [0.0, 0.0, 0.0]"))
     }
 
-    /// The table under a key; `None` if the key is absent, an error if its value is not a table.
+    /// The TOML table under a key of the document; `None` if the key is absent, an error if its value is not a table.
     pub fn table<'d, 't>(
         &self,
         document: &'d DeTable<'t>,
@@ -120,7 +121,8 @@ impl Fields<'_> {
         }
     }
 
-    /// The array of tables under a key, each with its byte range; empty if the key is absent.
+    /// The TOML array of tables under a key of the document, each table with its byte range; empty if the key is
+    /// absent.
     pub fn tables<'d, 't>(
         &self,
         document: &'d DeTable<'t>,

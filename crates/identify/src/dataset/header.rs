@@ -23,7 +23,7 @@ pub(super) struct Header {
 /// Suffixes of the names of the three columns that contain the coordinates of a marker, as in `m1_x`.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Cell separator of a table: a semicolon or a tab if the header contains one, otherwise a comma.
+/// Cell separator of the text of a flight's table: a semicolon or a tab if the header contains one, otherwise a comma.
 pub(super) fn separator(text: &str) -> char {
     let header = text
         .split(['\n', '\r'])
@@ -108,7 +108,7 @@ impl Header {
 }
 
 /// Maps the name of each sensor column to the index of its channel (measured quantity) among the channels of all
-/// sensors, and the position of the column within the channel.
+/// sensors, and the index of the column within the channel.
 fn names_of_sensors(sensors: &[Sensor]) -> BTreeMap<String, (usize, usize)> {
     let all = channels(sensors).enumerate();
     let each = all.flat_map(|(channel, (sensor, endings))| {

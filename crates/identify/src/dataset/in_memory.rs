@@ -7,8 +7,8 @@ use super::{Dataset, manifest_text, table_text};
 use crate::input_error::InputError;
 
 impl Dataset {
-    /// Runs all checks of dataset files on this dataset, such as valid names, plausible units, increasing times and
-    /// finite values.
+    /// Checks this dataset in the same way as a dataset read from files: names must be valid, units plausible, times
+    /// increasing and values finite, for example.
     ///
     /// # Errors
     /// The first fault found; its line and column refer to the files that [`write`](fn@super::write) would write.

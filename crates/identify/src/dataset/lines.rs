@@ -57,7 +57,8 @@ impl Lines<'_> {
         }
     }
 
-    /// Creates an error located at the cell with the index `index` (from 0) of the current record.
+    /// Creates an error located at the cell with the index `index` (from 0) of the current record. `found` and
+    /// `expected` are its texts.
     pub fn fault(
         &self,
         index: usize,

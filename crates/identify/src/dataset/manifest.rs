@@ -21,7 +21,7 @@ const MAX_BYTES: u64 = 4 << 20;
 pub(super) const MAX_MARKERS: usize = 1000;
 /// Maximum absolute coordinate of a marker in the body frame, m; larger values suggest millimetres.
 const MAX_COORDINATE: f64 = 10.0;
-/// Distance below which two markers count as identical, m.
+/// Distance between the declared positions of two markers below which the markers count as identical, m.
 const MIN_DISTANCE: f64 = 1e-6;
 /// Maximum standard deviation of a measured coordinate, m; larger values suggest millimetres.
 const MAX_SIGMA: f64 = 1.0;
@@ -34,14 +34,15 @@ pub(super) struct Manifest {
     pub origin_error: Option<[f64; 3]>,
     pub parameters: BTreeMap<String, f64>,
     pub markers: Vec<Marker>,
-    /// Markers whose positions are unknown.
+    /// Markers whose positions on the body are unknown.
     pub unplaced: Vec<Unplaced>,
     pub sensors: Vec<Sensor>,
     pub sigma: Option<f64>,
     pub flights: Vec<Entry>,
 }
 
-/// One `[[flights]]` entry of `dataset.toml`.
+/// One `[[flights]]` entry of `dataset.toml`: the file of a flight, whether it is fitted or held out, and its known
+/// values.
 #[derive(Debug, PartialEq)]
 pub(super) struct Entry {
     pub file: String,
@@ -72,7 +73,7 @@ fn syntax(file: &Path, text: &str, error: &toml::de::Error) -> InputError {
     InputError::at(file, place, found, expected)
 }
 
-/// Checks the values of `dataset.toml` and converts them to the contents of a dataset.
+/// Converter of the parsed `dataset.toml` to checked values; it reports the location of each invalid value.
 pub(super) struct Checker<'a>(pub(super) Fields<'a>);
 
 impl Checker<'_> {
@@ -130,7 +131,8 @@ impl Checker<'_> {
         Ok(model)
     }
 
-    /// Reads the value of a known constant, checked by the rules for parameters in a release file (launch conditions).
+    /// Reads the value of the known constant `name`, and checks it by the rules for parameters in a release file
+    /// (launch conditions).
     fn constant(&self, name: &str, value: &Value<'_>) -> Result<f64, InputError> {
         let number = self.0.number(value, name)?;
         let rule = flight::release::Name {
@@ -146,7 +148,8 @@ impl Checker<'_> {
         }
     }
 
-    /// The value under a required key of the table at the byte range `span`; an error if the key is absent.
+    /// The value under the required key `key` of a TOML table, whose byte range is `span`. Returns an error, in which
+    /// `expected` describes the value, if the key is absent.
     pub(super) fn needed<'d, 't>(
         &self,
         (span, table): &(Range<usize>, &'d DeTable<'t>),
@@ -208,8 +211,8 @@ impl Checker<'_> {
         Ok(markers)
     }
 
-    /// Reads `origin_error` of `[template]`: standard errors, along the body axes, of the origin of the markers'
-    /// positions (the mass centre), m; `None` if the key is absent.
+    /// Reads the key `origin_error` of the TOML table `[template]`: standard errors, along the body axes, of the origin
+    /// of the markers' positions (the mass centre), m; `None` if the key is absent.
     fn origin_error(&self, document: &DeTable<'_>) -> Result<Option<[f64; 3]>, InputError> {
         let Some(template) = self.0.table(document, "template")? else {
             return Ok(None);
@@ -227,8 +230,8 @@ impl Checker<'_> {
         Err(self.0.fault(value.span(), found, expected))
     }
 
-    /// Creates the record of marker number `marker`, whose position is unknown; `value` is its entry in the file, to
-    /// which error messages refer.
+    /// Creates the record of the marker with the index `marker`, whose position is unknown. `value` is its entry in
+    /// `dataset.toml`, to which error messages refer.
     pub(super) fn unplaced(&self, marker: usize, value: &Value<'_>) -> Unplaced {
         Unplaced {
             marker,

@@ -92,7 +92,7 @@ impl Checker<'_> {
         Ok(sensors)
     }
 
-    /// Reads the kind of a sensor; `None` for a marker.
+    /// Reads the kind of a sensor from its entry of `[[sensors]]`; `None` if the entry declares a marker.
     fn kind(
         &self,
         entry: &(std::ops::Range<usize>, &DeTable<'_>),
@@ -120,8 +120,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Reads an optional standard deviation of a sensor; `None` if the key is absent, an error if the value is not
-    /// positive.
+    /// Reads the standard deviation of a sensor's noise under the key `key`; `None` if the key is absent, an error if
+    /// the value is not positive.
     fn deviation(&self, table: &DeTable<'_>, key: &str) -> Result<Option<f64>, InputError> {
         let Some(value) = table.get(key) else {
             return Ok(None);

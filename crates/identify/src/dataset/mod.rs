@@ -45,7 +45,7 @@ pub struct Dataset {
     pub parameters: BTreeMap<String, f64>,
     /// Tracked points of the body (markers), with their names and their positions on the body.
     pub markers: Vec<Marker>,
-    /// Sensors other than markers.
+    /// Sensors other than markers, such as gyroscopes.
     pub sensors: Vec<Sensor>,
     /// Whether the direction of the vertical relative to the axes of the positions is unknown; otherwise the z axis
     /// points up.
@@ -55,7 +55,7 @@ pub struct Dataset {
     pub origin_error: Option<[f64; 3]>,
     /// Standard deviation of one coordinate of a measured position, m; `None` if unknown.
     pub sigma: Option<f64>,
-    /// The flights, in the order of `dataset.toml`.
+    /// The measured flights, in the order of their entries in `dataset.toml`.
     pub flights: Vec<Flight>,
 }
 
@@ -68,11 +68,11 @@ pub struct Marker {
     pub position: [f64; 3],
 }
 
-/// Whether a flight is fitted or held out.
+/// Use of a flight: for the estimation of parameters (fitted), or only to test predictions (held out).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Role {
-    /// Coefficients are estimated from the flight.
+    /// The parameters of the model are estimated from the flight.
     #[default]
     Fit,
     /// The flight is excluded from the estimation and used to test predictions.
@@ -119,7 +119,7 @@ impl Flight {
     }
 }
 
-/// Reads and checks a dataset folder on all processors.
+/// Reads and checks a dataset folder (`dataset.toml` and the tables of the flights), with one thread per processor.
 ///
 /// # Errors
 /// [`InputError`] for the first fault, with its file and location.
@@ -127,7 +127,8 @@ pub fn load(folder: &Path) -> Result<Dataset, InputError> {
     load_on(folder, None)
 }
 
-/// Reads and checks a dataset folder on `threads` threads; `None` for one per processor.
+/// Reads and checks a dataset folder (`dataset.toml` and the tables of the flights) on `threads` threads; `None` for
+/// one thread per processor.
 ///
 /// # Errors
 /// As for [`load`].
@@ -171,8 +172,8 @@ pub fn load_on(folder: &Path, threads: Option<usize>) -> Result<Dataset, InputEr
     })
 }
 
-/// Combines the checked contents of `dataset.toml` with the samples of each flight, which the function `samples` reads
-/// from the index of the flight and its entry, on `threads` threads.
+/// Combines the checked contents of `dataset.toml` with the samples of each flight. The function `samples` reads them,
+/// given the index of the flight and its entry in `dataset.toml`; it is called on `threads` threads.
 fn assemble(
     manifest: manifest::Manifest,
     threads: usize,

@@ -37,7 +37,8 @@ pub(super) fn wrong_with_file(file: &str) -> Option<&'static str> {
     }
 }
 
-/// Whether a file is read as C3D, judged by the extension of its name.
+/// Whether a flight's file is read as C3D (motion-capture format), judged by the extension of its name; other files are
+/// read as text tables.
 pub(super) fn is_c3d(file: &Path) -> bool {
     file.extension()
         .is_some_and(|extension| extension.eq_ignore_ascii_case("c3d"))

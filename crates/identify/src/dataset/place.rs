@@ -1,14 +1,14 @@
 //! Source locations (line and column) of table cells, computed only when an error is reported.
 
-/// Text of a table and its cell separator, from which source locations are computed.
+/// Text of a flight's table and its cell separator, from which the line and column of a cell are computed.
 pub(super) struct CellLocations<'a> {
     pub text: &'a str,
     pub separator: char,
 }
 
 impl CellLocations<'_> {
-    /// Byte offset of the next record of the table, at or after `from`; skips empty lines and comments, as the table
-    /// reader does.
+    /// Byte offset of the first record of the table at or after the byte offset `from`; empty lines and comments are
+    /// skipped.
     pub fn record(&self, from: usize) -> usize {
         let mut start = from.min(self.text.len());
         loop {

@@ -17,22 +17,23 @@ const UPS: [&str; 7] = ["+z", "-z", "+y", "-y", "+x", "-x", UNKNOWN];
 /// Value of the key `up` if the direction of the vertical is unknown.
 const UNKNOWN: &str = "unknown";
 
-/// The +z axis: the default upward axis, and the third axis of the dataset if the vertical is unknown.
+/// The +z axis of the flights' tables: the upward axis by default, and the third axis of the dataset if the vertical is
+/// unknown.
 const UP_Z: Axis = Axis {
     index: 2,
     negative: false,
 };
 
-/// Direction of the vertical relative to the axes of the tables.
+/// Direction of the vertical relative to the axes in which the flights' tables state coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Up {
-    /// This axis of the tables points vertically upwards.
+    /// This axis of the flights' tables points vertically upwards.
     Axis(Axis),
-    /// The vertical is unknown and is estimated in the fit.
+    /// The direction of the vertical is unknown and is estimated in the fit.
     Unknown,
 }
 
-/// Units and axes of the tables of a dataset.
+/// Units and axes of the values in the flights' tables of a dataset.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Recording {
     pub length: LengthUnit,
@@ -53,7 +54,7 @@ impl Default for Recording {
 }
 
 impl Recording {
-    /// Reads the section `[recording]`; keys that are absent have their default values.
+    /// Reads the TOML table `[recording]` of `dataset.toml`; keys that are absent have their default values.
     pub fn read(
         fields: &Fields<'_>,
         document: &DeTable<'_>,
@@ -86,7 +87,8 @@ impl Recording {
         Ok(recording)
     }
 
-    /// The axis of the tables that becomes the third axis of the dataset.
+    /// The axis of the flights' tables that becomes the third axis of the dataset: the upward axis, or +z if the
+    /// vertical is unknown.
     pub fn third_axis(&self) -> Axis {
         match self.up {
             Up::Axis(axis) => axis,
@@ -105,8 +107,8 @@ impl Recording {
     }
 }
 
-/// Reads the text under a key of `table`, which must be one of `choices`. Also returns the byte range of the text in
-/// the file; the result is `None` if the key is absent.
+/// Reads the text under a key of `table`, which must be one of `choices`, and its byte range in `dataset.toml`. Returns
+/// `None` if the key is absent.
 fn choice(
     fields: &Fields<'_>,
     table: &DeTable<'_>,

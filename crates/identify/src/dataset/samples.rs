@@ -8,22 +8,22 @@ use crate::input_error::InputError;
 use crate::pose::distance;
 use crate::statistics::median_of;
 
-/// Maximum absolute coordinate of a measured marker position, m.
+/// Maximum absolute value of a coordinate of a measured marker position, m.
 const MAX_COORDINATE: f64 = 1e4;
 /// Maximum duration of a measured flight, s; equal to the limit for simulated flights.
 const MAX_SECONDS: f64 = flight::release::Release::MAX_DURATION;
 /// Maximum median speed of a marker over half of a flight, m/s; larger values suggest millimetres.
 const MAX_SPEED: f64 = 1e3;
 /// Maximum plausible ratio of the measured distance between two markers to their distance according to `dataset.toml`.
-/// If the ratio exceeds this value and the measured distance exceeds `MIN_REJECTED`, m, the coordinates are rejected as
-/// not being in metres.
+/// If the ratio exceeds this value and the measured distance exceeds 1 m (`MIN_REJECTED`), the coordinates are rejected
+/// as not being in metres.
 const MAX_STRETCH: f64 = 30.0;
 const MIN_REJECTED: f64 = 1.0;
 /// Maximum product of the number of samples of a flight and the number of its markers and sensor channels; it bounds
 /// the memory used.
 const MAX_VALUES: usize = 1 << 23;
 
-/// Texts of an error: what was found, and what was expected.
+/// Texts of an input error: what was found in the file, and what was expected instead.
 pub(super) type Unexpected = (String, String);
 
 /// Maximum number of samples of a flight; `markers` is the total number of its markers and sensor channels.
@@ -112,8 +112,8 @@ fn first_distance(flight: &Flight, markers: &[Marker]) -> Option<(f64, f64)> {
     Some((measured, distance(first.position, second.position)))
 }
 
-/// Median speed of the first marker, m/s, over pairs of samples half a flight apart, which is robust to outliers;
-/// `None` for a flight that is too short.
+/// Median speed of the first marker, m/s, over pairs of samples half a flight apart, a statistic that is robust to
+/// outliers; `None` if the flight is too short.
 fn speed(flight: &Flight) -> Option<f64> {
     let half = flight.times.len() / 2;
     if half < 2 {

@@ -25,7 +25,7 @@ pub struct Sensor {
     pub kind: SensorKind,
     /// Position of the sensor on the body, in the frame of the marker positions, m.
     pub position: [f64; 3],
-    /// Whether the position is unknown and is estimated in the fit.
+    /// Whether the position of the sensor on the body is unknown and is estimated in the fit.
     pub position_is_unknown: bool,
     /// Standard deviation of one component of a reading, in the unit of the component (m, rad/s, m/s², m/s); `None`
     /// if unknown.
@@ -53,8 +53,8 @@ impl Sensor {
 }
 
 impl SensorKind {
-    /// All kinds with their names in `dataset.toml`. The kind `marker` is not included, because such an entry becomes
-    /// a marker.
+    /// All kinds of sensors, each with its name in `dataset.toml`. The kind `marker` is not included, because such an
+    /// entry becomes a marker.
     pub const ALL: [(Self, &'static str); 4] = [
         (Self::Pose, "pose"),
         (Self::Instrument(Instrument::Gyroscope), "gyroscope"),
@@ -62,7 +62,7 @@ impl SensorKind {
         (Self::Instrument(Instrument::Speed), "speed"),
     ];
 
-    /// Name of the kind in `dataset.toml`.
+    /// Name of the kind of sensor in `dataset.toml`, such as `gyroscope`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Pose => "pose",
@@ -70,7 +70,7 @@ impl SensorKind {
         }
     }
 
-    /// Unit of a reading's components; for a pose, the unit of its position.
+    /// Unit of the components of a reading of this kind of sensor; for a pose, the unit of its position.
     pub fn unit(self) -> &'static str {
         match self {
             Self::Pose => "m",
@@ -80,9 +80,9 @@ impl SensorKind {
         }
     }
 
-    /// For each channel, a quantity measured by the sensor (a pose sensor has two: position and attitude), the suffixes
-    /// of its column names, which follow the sensor's name; an empty suffix means that the column has the sensor's
-    /// name.
+    /// For each channel of a sensor of this kind, the suffixes of its column names, which follow the sensor's name. A
+    /// channel is a measured quantity; a pose sensor has two, position and attitude. An empty suffix means that the
+    /// column has the sensor's name.
     pub fn channels(self) -> &'static [&'static [&'static str]] {
         const VECTOR: &[&str] = &["_x", "_y", "_z"];
         const ATTITUDE: &[&str] = &["_qw", "_qx", "_qy", "_qz"];
@@ -105,7 +105,8 @@ pub(super) fn channels(
     })
 }
 
-/// Rotation from body to inertial components given by a quaternion reading.
+/// Rotation from body to inertial components that corresponds to a reading of the attitude, a quaternion with the
+/// scalar part first.
 pub(crate) fn attitude([w, x, y, z]: Reading) -> UnitQuaternion<f64> {
     UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z))
 }
@@ -120,8 +121,8 @@ pub(crate) fn points_on_body(position: [f64; 3]) -> [[f64; 3]; 3] {
     ]
 }
 
-/// Inertial positions, m, of the virtual marker points of a pose sensor, from the readings of its position and
-/// attitude channels; `None` if a reading is missing.
+/// Inertial positions, m, of the virtual marker points of a pose sensor, from the readings of its two channels,
+/// position and attitude; `None` if a reading is missing.
 pub(crate) fn points_seen(readings: &[Option<Reading>]) -> [Option<[f64; 3]>; 3] {
     let (Some(place), Some(turn)) = (readings[0], readings[1]) else {
         return [None; 3];

@@ -12,9 +12,10 @@ use crate::statistics::median_vector;
 /// A marker with the position `"unknown"` in `dataset.toml`.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Unplaced {
-    /// Index of the marker.
+    /// Index of the marker in the dataset.
     pub marker: usize,
-    /// Error located at the marker's entry in the file; its texts are filled in if the position cannot be estimated.
+    /// Input error located at the marker's entry in `dataset.toml`; its texts are filled in if the position cannot be
+    /// estimated.
     pub place: InputError,
 }
 
@@ -28,12 +29,13 @@ impl Unplaced {
     }
 }
 
-/// Phrase for error messages: the condition under which unknown marker positions can be estimated, as a number of
+/// Phrase for error messages: the condition under which unknown marker positions can be estimated, as the number of
 /// markers whose positions must be known.
 const NEEDED: &str = "at least three markers with positions that are not on a line, or none";
 
 /// Estimates the unknown positions of markers and pose sensors and writes them into `markers` and `sensors`. If all
-/// positions of markers are unknown, returns the standard errors of the mass centre, m; otherwise `None`.
+/// positions of markers are unknown, returns the standard errors of the estimated mass centre along the body axes, m;
+/// otherwise `None`.
 ///
 /// # Errors
 /// [`InputError`], located at the first marker concerned, if the flights do not determine the positions.
@@ -85,9 +87,9 @@ fn estimate_all_markers(
     Ok(template.origin_error())
 }
 
-/// Estimates the unknown positions of some markers from the known positions of the remaining markers. An error if the
-/// known positions do not determine the attitude of the body, or if a marker of unknown position is never measured in
-/// the same sample as enough markers of known position.
+/// Estimates the unknown positions of some markers from the known positions of the remaining markers. Returns an error
+/// if the known positions do not determine the attitude of the body, or if a marker of unknown position is never
+/// measured in the same sample as enough markers of known position.
 fn estimate_some_markers(
     markers: &mut [Marker],
     unplaced: &[Unplaced],

@@ -4,8 +4,9 @@ use super::recording::Recording;
 use super::sensor::{Reading, Sensor, SensorKind, channels};
 use super::table::Table;
 
-/// Converts a table to right-handed axes with z up. Times and marker positions must already be in s and m; positions
-/// measured by pose sensors are converted to m.
+/// Converts the marker positions and poses of a flight's table to right-handed axes with z up; an unknown vertical
+/// leaves the direction of z unchanged. Times and marker positions must already be in s and m; positions measured by
+/// pose sensors are converted to m.
 pub(super) fn upright(recording: &Recording, mut table: Table, sensors: &[Sensor]) -> Table {
     let up = recording.third_axis();
     let turned = |position: [f64; 3]| up.upright(recording.left_handed, position);

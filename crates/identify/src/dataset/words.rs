@@ -4,7 +4,8 @@
 use model_spec::nearest_name;
 pub(super) use takes::words::{listed, shown};
 
-/// Suggestion ` (did you mean …?)` if one of the names is similar to `wrong`; otherwise an empty text.
+/// Suggestion ` (did you mean …?)` for an error message, if one of `names` is similar to the misspelt name `wrong`;
+/// otherwise an empty text.
 pub(super) fn meant<'a>(wrong: &str, names: impl IntoIterator<Item = &'a str>) -> String {
     match nearest_name(wrong, names.into_iter()) {
         Some(name) => format!(" (did you mean {name}?)"),

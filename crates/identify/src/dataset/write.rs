@@ -76,7 +76,8 @@ fn invalid(why: String) -> io::Error {
     io::Error::new(io::ErrorKind::InvalidInput, why)
 }
 
-/// Content of the target folder before writing: nothing, exactly the files to be written, or other files.
+/// Content of the folder into which a dataset is to be written: nothing, exactly the files to be written, or other
+/// files.
 enum FolderContent {
     Nothing,
     This,
@@ -158,7 +159,7 @@ fn write_files(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
     Ok(())
 }
 
-/// Returns an error if reading the files would fail or give a different dataset.
+/// Returns an error if reading `files` (pairs of name and text) as a dataset would fail or would not give `dataset`.
 fn is_read_back(dataset: &Dataset, files: &[(String, String)]) -> io::Result<()> {
     let text = |index: usize, path: &Path| match names::is_c3d(path) {
         true => {
@@ -177,7 +178,7 @@ fn is_read_back(dataset: &Dataset, files: &[(String, String)]) -> io::Result<()>
     }
 }
 
-/// Reads a dataset from the text `manifest` of `dataset.toml`, without access to files: `table` returns the text of a
+/// Reads a dataset without access to files. `manifest` is the text of `dataset.toml`, and `table` returns the text of a
 /// flight's table, given the flight's index and file name.
 pub(super) fn read_back<'t>(
     manifest: &str,
@@ -193,7 +194,7 @@ pub(super) fn read_back<'t>(
     })
 }
 
-/// Text of `dataset.toml` for a dataset.
+/// Text of the file `dataset.toml` that describes a dataset, without the samples of its flights.
 pub fn manifest_text(dataset: &Dataset) -> String {
     let mut text = format!("model = {}\n", quoted(&dataset.model));
     if !dataset.parameters.is_empty() {

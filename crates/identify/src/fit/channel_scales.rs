@@ -9,12 +9,13 @@ use crate::problem::FitProblem;
 use crate::statistics::{median_of, robust_sigma};
 
 /// Minimum noise of a channel relative to the median magnitude of its values; smaller estimates of the noise are raised
-/// to it. It prevents values that are rounded in tables from appearing noiseless.
+/// to it. Without it, a channel whose values were rounded could appear to be noiseless.
 const MIN_RELATIVE_NOISE: f64 = 1e-6;
 
-/// Sets the scale of each sensor channel so that the scaled noise of the channel equals `problem.sigma0`, the noise of
-/// a position coordinate, which must be set before. If there are no markers, `sigma0` is the noise of the positions of
-/// pose sensors; the channels of these positions then retain their scale.
+/// Sets the scale of each sensor channel so that the noise of the channel, multiplied by this scale, equals
+/// `problem.sigma0`. `sigma0` is the noise standard deviation of a position coordinate, m, and must be set before. If
+/// there are no markers, `sigma0` is the noise of the positions of pose sensors; the channels of these positions then
+/// retain their scale.
 pub fn set_scales<'o>(
     problem: &mut FitProblem,
     flights: impl Iterator<Item = &'o Observations> + Clone,
@@ -36,8 +37,9 @@ pub fn set_scales<'o>(
     }
 }
 
-/// Standard deviation of the noise of a channel in one flight, estimated from the deviations from smooth curves, in the
-/// unit of the channel; `None` for fewer than four values.
+/// Standard deviation of the noise of a channel in one flight, estimated from the deviations of its values from smooth
+/// curves, in the unit of the channel; `None` for fewer than four values. `is_attitude` states whether the values are
+/// attitudes.
 fn noise(flight: &Observations, channel: usize, is_attitude: bool) -> Option<f64> {
     let samples = flight.times.iter().enumerate();
     let values = samples.filter_map(|(sample, time)| {

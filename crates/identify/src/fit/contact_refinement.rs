@@ -26,7 +26,7 @@ use crate::noise::NoiseModel;
 use crate::observations::Observations;
 
 /// Range in which the ground contact of a truncated flight is searched again: numbers of samples before and after its
-/// present end, which was found from the samples alone, without the fitted model.
+/// last used sample, which was determined without the fitted model.
 const SEARCH_RANGE: (usize, usize) = (12, 14);
 /// Number of samples by which the ranges of two successive searches for a ground contact in one flight overlap.
 const OVERLAP: usize = 8;
@@ -49,7 +49,8 @@ const SUSPECT_LIMITS: (f64, f64) = (1.05, 3.0);
 /// ground contacts that were not found from the poses.
 const ACCURATE_RATIO: f64 = 1.3;
 
-/// Observations of a flight after its last used sample was changed, and the initial state fitted to them.
+/// A flight whose last used sample was changed in the search for a ground contact: its observations up to the new last
+/// sample, and the initial state fitted to them.
 struct Retruncated {
     observations: Observations,
     local: DVector<f64>,
@@ -152,8 +153,8 @@ pub fn refine_contacts(
 }
 
 /// Reference fit: fits only the flights whose residual scale (robust standard deviation of the residuals) is not far
-/// above `usual`, m. Returns these flights with their residuals; `None` if no flight or more than half of the flights
-/// would be left out.
+/// above `usual`, m, a typical scale of the flights. Returns these flights with their residuals; `None` if no flight or
+/// more than half of the flights would be left out.
 fn fitted_without<'a>(
     state: &State<'a>,
     cache: &ResidualCache,
@@ -246,7 +247,7 @@ impl Search<'_> {
     }
 
     /// Whether the residual scale (robust standard deviation of the residuals) of a flight up to its new last sample is
-    /// at most `ratio` times the usual one.
+    /// at most `ratio` times `self.usual`, the residual scale that is typical of the fitted flights.
     fn is_within(&self, ratio: f64, moved: &Retruncated) -> bool {
         let (observations, local) = (&moved.observations, &moved.local);
         let samples = observations.times.len();
@@ -255,8 +256,8 @@ impl Search<'_> {
     }
 
     /// Searches the samples `from..to` of the flight `whole` for the first ground contact, in successive ranges.
-    /// Returns the contact and the initial state fitted to the samples before the range in which it was found; `None`
-    /// if no contact was found. `local` is the initial guess of the initial state.
+    /// Returns the contact, and the initial state fitted to the samples before the range of the contact; `None` if no
+    /// contact was found. `local` is the initial guess of the initial state.
     fn contact(
         &self,
         whole: &Observations,
@@ -329,7 +330,7 @@ impl Search<'_> {
     }
 }
 
-/// Whether the velocity jump of a contact is mainly upward, as at a contact with the ground.
+/// Whether the velocity jump of a detected contact is sufficiently upward for a contact with the ground.
 fn is_upward(onset: &Onset) -> bool {
     onset.jump.z > MIN_UPWARD_PART * onset.jump.norm()
 }
@@ -344,7 +345,8 @@ pub(crate) mod tests {
     use crate::options::FitOptions;
     use crate::synthesize::{Plan, flights};
 
-    /// Copy of a flight whose velocity jumps by `push`, m/s, at `sample`. The sample index may be fractional.
+    /// Copy of a flight in which the velocity of the body jumps by `push`, m/s, at the sample with the index `sample`.
+    /// The index may be fractional.
     pub fn pushed(flight: &Flight, sample: f64, push: Vector3<f64>) -> Flight {
         let interval = flight.times[1] - flight.times[0];
         let mut flight = flight.clone();

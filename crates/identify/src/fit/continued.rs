@@ -11,9 +11,9 @@ use crate::observations::{Observations, median_interval};
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 
-/// Returns a fit in progress that starts at the estimates of an earlier fit, with its flights, truncations and
-/// outliers, and the residuals at these estimates. `None` if the earlier fit lacks a flight, if its model has another
-/// number of states, or if a flight cannot be integrated from its estimates.
+/// Returns a fit in progress that starts at the estimates of an earlier fit, with its flights, their truncations and
+/// the values marked as outliers. Also returns the residuals at these estimates. `None` if the earlier fit lacks a
+/// flight, if its model has another number of states, or if a flight cannot be integrated from its estimates.
 pub fn continued<'a>(
     problem: &'a FitProblem,
     dataset: &Dataset,

@@ -9,8 +9,8 @@ use crate::predict::Loss;
 
 /// Minimises the sum of squares over the flights of `state`, a fit in progress, and returns the solution, which the
 /// caller applies with [`State::take`]. Flights that cannot be predicted from their values in `state` are excluded
-/// first. `configure` may change the objective. `previous` is the reduction of the sum of squares that was predicted
-/// for the last step of a preceding iteration.
+/// first. `configure` may change the objective, for example restrict it to the first samples of each flight. `previous`
+/// is the reduction of the sum of squares that was predicted for the last step of a preceding iteration.
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.

@@ -105,8 +105,8 @@ fn predict(
     })
 }
 
-/// Root mean square residual of one coordinate over the samples from `first` to the end of the flight, outliers
-/// excluded, m; `None` if there are no residuals.
+/// Root mean square residual of one position coordinate, over all measured positions in the samples from `first` to the
+/// end of the flight, outliers excluded, m; `None` if there are no residuals.
 fn rms_from(
     problem: &FitProblem,
     observations: &Observations,

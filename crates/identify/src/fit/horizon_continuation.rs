@@ -37,8 +37,8 @@ const MAX_STARTS: usize = 3;
 const HORIZON_SCALE: f64 = 5.0;
 
 /// Scale of the robust loss in a single trial step, after which the residuals may already be at noise level, in units
-/// of the initial noise estimate `sigma0`. To compute the scale of the residuals before the step would cost another
-/// integration.
+/// of the initial noise estimate `sigma0`. It is fixed because computing the scale of the residuals before the step
+/// would cost another integration.
 const STEP_SCALE: f64 = 2.0;
 
 /// Maximum median over the flights of their residual scales (robust standard deviations of the residuals), in units of
@@ -193,8 +193,9 @@ pub fn unevaluated_step(
     Ok(accepted)
 }
 
-/// Bounds and priors of the global parameters. Parameters without a prior get a weak one, because the short initial
-/// parts of the flights do not determine all parameters.
+/// Bounds and priors of the global parameters. Parameters without a prior get a weak one (mean: the model's value,
+/// standard deviation: the typical magnitude), because the short initial parts of the flights do not determine all
+/// parameters.
 fn weak_constraints(problem: &FitProblem) -> Vec<Constraint> {
     let constraints = problem.globals.iter().map(|global| {
         let weak = Some((global.model_value, global.x_scale));

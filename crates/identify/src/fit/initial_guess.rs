@@ -18,27 +18,28 @@ use crate::problem::FitProblem;
 use crate::statistics::median_of;
 use crate::vertical;
 
-/// Length of the first segment of a flight, to which its initial guess is fitted, s.
+/// Duration of the first segment of a flight, to which the guess of its initial state is fitted, s.
 const FIRST_SEGMENT: f64 = 0.15;
 
 /// Minimum number of samples in the first segment of a flight.
 const MIN_FIRST_SAMPLES: usize = 12;
 
-/// Minimum initial estimate of the noise of one coordinate, m, to which smaller estimates are raised. It is at the
-/// level of rounding in tables.
+/// Minimum initial estimate of the noise of one coordinate, m, to which smaller estimates are raised. It is about the
+/// rounding error of recorded coordinates.
 const MIN_SIGMA0: f64 = 1e-7;
 
 /// Ratio of the noise floor (scatter about smooth paths) to the noise estimated from the rigidity of the markers, below
-/// which the noise floor is used instead. The deviations from rigidity are then due to wrong marker positions or
-/// sampling times. Correlated noise also lowers the ratio, but less.
+/// which the noise floor is used instead. The deviations of the markers from a rigid body are then due to wrong marker
+/// positions or sampling times. Correlated noise also lowers the ratio, but less.
 const MAX_FLOOR_RATIO: f64 = 0.2;
 
-/// Root mean square of the standard deviations along the three axes.
+/// Noise of a coordinate averaged over the axes: root mean square of the standard deviations `sigma` along the three
+/// axes.
 pub fn overall(sigma: [f64; 3]) -> f64 {
     (sigma.iter().map(|sigma| sigma * sigma).sum::<f64>() / 3.0).sqrt()
 }
 
-/// Flights that can be fitted, with their initial guesses.
+/// Flights that can be fitted, each with one or more initial guesses of its initial state.
 pub struct InitialGuesses<'a> {
     /// Usable flights, each with its best initial guess, and excluded flights.
     pub state: State<'a>,
@@ -53,22 +54,22 @@ pub struct ObservedFlights {
     pub usable: Vec<(FlightId, Observations)>,
     /// Flights that cannot be used, with the reasons.
     pub excluded: Vec<ExcludedFlight>,
-    /// Initial estimate of the noise of one coordinate, m, from deviations from rigidity; `None` if the samples do not
-    /// determine it.
+    /// Initial estimate of the noise of one coordinate, m, from deviations of the markers from a rigid body; `None` if
+    /// the samples do not determine it.
     pub sigma0: Option<f64>,
     /// Noise floor: standard deviation along each axis of the noise of one coordinate, estimated by a smoother, m;
     /// `None` if the samples do not determine it.
     pub noise_floor: Option<[f64; 3]>,
 }
 
-/// Number of samples in the first segment of a flight, to which its initial guess is fitted.
+/// Number of samples in the first segment of a flight, to which the guess of its initial state is fitted.
 pub fn first_segment(observations: &Observations) -> usize {
     let samples = observations.samples_until(FIRST_SEGMENT);
     samples.max(MIN_FIRST_SAMPLES).min(observations.times.len())
 }
 
-/// Extracts the observations of the given flights and estimates their noise. `contacts` contains, by index of the
-/// flight in the dataset, the results of an earlier search for ground contacts; empty if there was none.
+/// Extracts the observations of the flights `flights` of a dataset and estimates their noise. `contacts` contains, by
+/// index of the flight in the dataset, the results of an earlier search for ground contacts; empty if there was none.
 pub fn observe(
     problem: &FitProblem,
     dataset: &Dataset,
@@ -121,7 +122,7 @@ fn exclude(dataset: &Dataset, flight: FlightId, reason: FlightError) -> Excluded
     }
 }
 
-/// Determines initial guesses of the flights, with the global parameters at their initial values.
+/// Determines initial guesses of the initial states of the flights, with the global parameters at their initial values.
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight has an initial guess; [`FitError::Interrupted`] if the work is cancelled.
@@ -170,8 +171,8 @@ pub fn initial_guesses<'a>(
     })
 }
 
-/// Note for the report of a flight whose spin is not the slowest one compatible with its samples, with the number of
-/// additional turns between samples.
+/// Note for the report of a flight whose spin is not the slowest one compatible with its samples. `turns` is the number
+/// of additional turns between successive samples.
 pub fn spin_note(turns: i32) -> String {
     format!(
         "between samples it makes whole turns ({turns:+}) beyond what neighbouring samples show"
@@ -179,7 +180,7 @@ pub fn spin_note(turns: i32) -> String {
 }
 
 /// Observations of a flight, truncated at its first ground contact, with the pose in each sample if the body has an
-/// attitude. The contact is searched for unless `search` is given.
+/// attitude. The contact is searched for unless `search` contains the result of an earlier search.
 ///
 /// # Errors
 /// The errors of [`Observations::new`]; [`FlightError::TooFewCoordinates`] if the samples do not determine the initial
@@ -207,8 +208,9 @@ pub fn observations_and_poses(
     Ok((observations, poses))
 }
 
-/// Returns initial guesses refined by a fit to the first segment of the flight, each with its sum of squares after the
-/// fit; the guess with the slowest spin is first. After the deadline, guesses are returned without refinement.
+/// Returns guesses of the initial state of a flight, refined by a fit to the first segment of the flight, each with its
+/// sum of squares after the fit; the guess with the slowest spin is first. After the deadline set in the fit options,
+/// guesses are returned without refinement.
 ///
 /// # Errors
 /// [`FlightError`] if no guess can be found or refined.

@@ -14,8 +14,8 @@ const MIN_SIGNIFICANCE: f64 = 5.0;
 /// of a coordinate, above which a significant difference is reported.
 const MIN_NOISE_RATIO: f64 = 1.0;
 
-/// Number, sum and sum of squares of the differences (measured − predicted) of the distance between two markers, over
-/// the samples of one flight.
+/// Statistics of the differences (measured − predicted) of the distance between two markers in the samples of one
+/// flight: their number, their sum, m, and the sum of their squares, m².
 #[derive(Clone, Copy, Debug, Default)]
 struct Sum {
     count: f64,
@@ -72,7 +72,8 @@ pub fn wrong_distances(
 }
 
 /// Sums over the samples of one flight of the differences (measured − predicted) of the distance between two markers,
-/// m. `residuals` contains the residuals of these two markers by sample, predicted − measured, m.
+/// m. `residuals` contains the residuals of the two markers by sample, predicted − measured, m. The mean increase of a
+/// measured distance by noise is subtracted; `noise` is the standard deviation of a coordinate, m.
 fn differences(
     observations: &Observations,
     residuals: [&Vec<Option<[f64; 3]>>; 2],

@@ -58,7 +58,8 @@ pub use held_out::CONDITIONING_FRACTION;
 #[cfg(test)]
 pub(crate) use one_flight::FixedGlobal;
 
-/// Result of a fit: report, estimates, noise model, and the flights with their initial states.
+/// Result of a fit of a model to measured flights: report, estimates, noise model, and the flights with their initial
+/// states.
 pub struct Fit {
     /// Report with estimates, uncertainties and residual diagnostics.
     pub report: FitReport,
@@ -70,7 +71,7 @@ pub struct Fit {
     /// Noise floor: standard deviation along each axis of the noise of one coordinate, estimated by a smoother, m;
     /// `None` if it was not determined.
     noise_floor: Option<[f64; 3]>,
-    /// Flights that the fit excluded.
+    /// Flights that the fit excluded, with the reasons.
     excluded: Vec<ExcludedFlight>,
 }
 
@@ -200,7 +201,7 @@ struct Screened<'a> {
     contacts: Vec<Option<ContactSearch>>,
     /// Indices of the held-out flights that have no data faults.
     held_out: Vec<FlightId>,
-    /// Flights excluded because of faults in their data.
+    /// Flights excluded from the fit because screening found faults in their data.
     faulty: Vec<ExcludedFlight>,
     /// Time at which the fit started, from which computing times are measured.
     clock: Instant,
@@ -209,8 +210,9 @@ struct Screened<'a> {
 impl Screened<'_> {
     /// Last stages of a fit: estimates the noise, predicts the held-out flights, and creates the report. `cache`
     /// contains the residuals for the present values of the unknowns in `state`. `noise_floor` is the noise floor
-    /// (noise estimated without a model) along each axis, m, and `floor_m` the one for the report. `started` is the
-    /// time, s after the start of the fit, at which the initial guesses were known.
+    /// (noise estimated without a model) along each axis, m. `floor_m` is the noise that the report states as its
+    /// floor, m: one value for all axes. `started` is the time, s after the start of the fit, at which the initial
+    /// guesses were known.
     fn finish(
         mut self,
         mut state: State<'_>,
@@ -320,7 +322,7 @@ fn flights_of(dataset: &Dataset, role: Role) -> Vec<FlightId> {
 #[derive(Default)]
 struct FlightResult {
     report: Option<FlightReport>,
-    /// Observations and initial state; `None` if the flight is excluded.
+    /// Observations of the flight and its estimated initial state; `None` if the flight is excluded.
     fitted: Option<FittedFlight>,
 }
 
@@ -356,7 +358,7 @@ impl Fit {
         &self.global
     }
 
-    /// Noise model by which residuals were weighted.
+    /// Noise model of the measured values, by which the fit weighted their residuals.
     pub fn noise(&self) -> &NoiseModel {
         &self.noise
     }
@@ -382,8 +384,8 @@ impl Fit {
     }
 }
 
-/// Converts an error of the least-squares solver to an error of the fit. `flights` are the flights to which the indices
-/// in the error refer.
+/// Converts an error of the least-squares solver to an error of the fit. `flights` are the flights to which the flight
+/// indices in the solver's error refer.
 fn solve_error(error: SolveError, flights: &[impl Borrow<Observations>]) -> FitError {
     match error {
         SolveError::Start(failures) => match failures.into_iter().next() {

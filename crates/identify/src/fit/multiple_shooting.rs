@@ -29,14 +29,15 @@ const MIN_ARC_SAMPLES: usize = 12;
 const JOINED: usize = 3;
 
 /// Minimum distance between the initial value of a parameter and its bounds, in units of the parameter's typical
-/// magnitude. A model value nearer to a bound is moved inwards.
+/// magnitude. An initial value nearer to a bound is moved inwards.
 const OFF_BOUND: f64 = 0.1;
 
 /// Change of the sum of squares, if a parameter changes by its typical magnitude, below which the parameter is
 /// considered to have no effect on the residuals.
 const HIDDEN: f64 = 1e-6;
 
-/// Maximum number of parameters without an effect on the residuals for which other initial values are tried.
+/// Maximum number of parameters for which other initial values are tried because the parameters do not change the
+/// residuals.
 const MAX_HIDDEN: usize = 2;
 
 /// Fits all flights again by multiple shooting if the present fit may have ended in a wrong minimum: its residuals are
@@ -83,9 +84,9 @@ fn shoot_from(
     Ok(cache)
 }
 
-/// Finds global parameters without an effect at the present values of the other parameters, such as an angle that
-/// appears only multiplied by a coefficient equal to 0. Returns two entries (index, initial value) for each of them,
-/// with initial values between its bounds; empty if every parameter has an effect.
+/// Finds global parameters that do not change the residuals at the present values of the other parameters, such as an
+/// angle that appears only multiplied by a coefficient equal to 0. Returns two entries (index, initial value) for each
+/// of them, with initial values between its bounds; empty if every parameter changes the residuals.
 fn without_effect(state: &State<'_>) -> Vec<(usize, f64)> {
     let problem = state.problem;
     let loss = Loss::Huber(problem.sigma0);

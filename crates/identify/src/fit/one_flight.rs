@@ -31,7 +31,8 @@ pub struct FixedGlobal<'a> {
 }
 
 impl State<'_> {
-    /// The present values of the global parameters, as fixed values for fits of single flights.
+    /// The present values of the global parameters, held fixed so that the initial states of single flights can be
+    /// fitted.
     pub fn fixed_global(&self) -> FixedGlobal<'_> {
         FixedGlobal {
             problem: self.problem,
@@ -42,8 +43,8 @@ impl State<'_> {
 }
 
 impl FixedGlobal<'_> {
-    /// Fits the initial state of one flight to its first `samples` samples. Returns the minimum of the robust loss with
-    /// scale `sigma0`, and the initial state.
+    /// Fits the initial state of one flight to its first `samples` samples, from the initial guess `start`. Returns the
+    /// minimum of the robust loss with scale `sigma0`, and the initial state.
     ///
     /// # Errors
     /// [`FlightError::SingularInitialState`] if the samples do not determine the initial state;
@@ -76,8 +77,8 @@ impl FixedGlobal<'_> {
         Ok((solution.squares, local))
     }
 
-    /// Fits the initial state of one flight to its first `samples` samples under the given loss, until the given
-    /// termination criteria are met. Returns the initial state and the least-squares solution.
+    /// Fits the initial state of one flight to its first `samples` samples under the loss function `loss`, from the
+    /// initial guess `local`. Returns the fitted initial state and the least-squares solution.
     ///
     /// # Errors
     /// The errors of [`fit_initial_state`](Self::fit_initial_state).

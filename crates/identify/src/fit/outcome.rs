@@ -131,8 +131,8 @@ fn correlations(
     rows.collect()
 }
 
-/// Creates the reports of the channels other than markers. `sums` contains, for each channel, the sum of squared
-/// residuals and the numbers of values and outliers.
+/// Creates the reports of the sensor channels, that is, of all measured quantities other than marker positions. `sums`
+/// contains, for each channel, the sum of squared residuals and the numbers of values and outliers.
 fn sensors(problem: &FitProblem, noise: &NoiseModel, sums: &[ChannelSum]) -> Vec<SensorReport> {
     let channels = problem.channels.iter().enumerate().zip(sums);
     let sensors = channels.filter_map(|((index, own), sum)| {
@@ -253,7 +253,8 @@ fn profiles(
     Ok(profiles)
 }
 
-/// Computes the residual statistics of every flight, and its report with the initial state and standard errors.
+/// Computes, for every fitted flight, its residual statistics and its report, which contains the initial state with
+/// standard errors.
 fn evaluate(
     state: &State<'_>,
     fitted: &Reweighted,
@@ -286,8 +287,8 @@ fn evaluate(
     each.into_iter().collect()
 }
 
-/// Initial state of a flight with standard errors, keyed by the names of the states. `covariance` is that of the steps
-/// along the directions in which the state may vary.
+/// Initial state of a flight with standard errors, keyed by the names of the states. `covariance` is the covariance of
+/// the initial state, in terms of steps along the directions in which it may vary.
 pub fn initial_state_report(
     problem: &FitProblem,
     observations: &Observations,

@@ -9,7 +9,8 @@ use crate::options::FitOptions;
 use crate::predict::{Loss, linearise};
 use crate::problem::FitProblem;
 
-/// Sum of squared residuals (or of their loss) over the first samples of some flights.
+/// Objective of a fit: the sum of squared residuals, or of a loss function of them, over the first samples of the
+/// flights in `flights`.
 pub struct OutputError<'a> {
     /// Estimation problem with the model, the channels and the parameters.
     pub problem: &'a FitProblem,

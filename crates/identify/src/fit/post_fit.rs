@@ -14,8 +14,8 @@ use crate::report::{FlightEvidence, ResidualPool, SensorEvidence};
 /// Residual statistics of one flight, and the minimum and maximum over the flight of each state and auxiliary variable
 /// of the model.
 pub struct PostFit {
-    /// Sums of lagged products of the flight's residuals, and histograms of its whitened residuals, for the residual
-    /// diagnostics.
+    /// Sums of lagged products of the flight's residuals, and histograms of its whitened residuals, from which the
+    /// report states the autocorrelation and the distribution of the residuals.
     pub pool: ResidualPool,
     /// For each channel, the sum of squared residuals and the numbers of values and outliers, in the order of the
     /// channels.
@@ -60,7 +60,7 @@ fn channel_sums(problem: &FitProblem, observations: &Observations, path: &Path) 
 /// minimum and maximum.
 const EVALUATED_SAMPLES: usize = 12;
 
-/// Range (minimum, maximum) that contains no value: the initial value for the union of ranges by `joined`.
+/// Range (minimum, maximum) that contains no value: the initial value when the union of several ranges is computed.
 pub const EMPTY_RANGE: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
 
 /// Smallest range (minimum, maximum) that contains both ranges.

@@ -13,7 +13,7 @@ use crate::statistics::{median_of, robust_sigma};
 /// Trajectories and residuals of all flights for one set of values of the unknowns.
 pub struct ResidualCache(Vec<CachedFlight>);
 
-/// Standard error of the robust standard deviation s of n normal values, in units of s/√n.
+/// Standard error of a robust standard deviation s, computed from n normally distributed values, in units of s/√n.
 const SCALE_ERROR: f64 = 1.17;
 
 struct CachedFlight {
@@ -24,14 +24,16 @@ struct CachedFlight {
 
 /// Trajectory and residuals of one flight.
 pub struct Path {
-    /// Model states at the integrated samples, concatenated sample by sample.
+    /// States of the model along the trajectory, one vector of states for each sample up to which the flight was
+    /// integrated, concatenated.
     pub states: Vec<f64>,
-    /// Residuals at the samples of `states`, predicted − measured, m.
+    /// Residuals of the measured values in these samples, predicted − measured, m.
     pub residuals: Residuals,
 }
 
 impl State<'_> {
-    /// Computes the residuals of whole flights for the present values of the unknowns.
+    /// Computes the trajectories and residuals of all fitted flights, over their whole lengths, for the present values
+    /// of the unknowns.
     pub fn residuals(&self) -> ResidualCache {
         let samples = self.flights.iter().map(|flight| flight.times.len());
         ResidualCache::new(self, &samples.collect::<Vec<usize>>())
@@ -39,7 +41,8 @@ impl State<'_> {
 }
 
 impl ResidualCache {
-    /// Integrates each flight up to its number of samples in `samples`, and computes the residuals.
+    /// Integrates each fitted flight over its first samples, whose number `samples` contains for each flight, and
+    /// computes their residuals.
     pub fn new(state: &State<'_>, samples: &[usize]) -> Self {
         let (problem, options) = (state.problem, state.options);
         let count = state.flights.len();
@@ -97,7 +100,7 @@ impl ResidualCache {
         (squares / scales.len().max(1) as f64).sqrt()
     }
 
-    /// Indices of the flights whose trajectories could not be computed, with the reasons.
+    /// Flights whose trajectories could not be computed, as indices among the fitted flights, with the reasons.
     pub fn failures(&self) -> Vec<FailedFlight> {
         let flights = self.0.iter().enumerate();
         flights
@@ -105,7 +108,8 @@ impl ResidualCache {
             .collect()
     }
 
-    /// Removes the flights listed in `failures`, whose indices refer to the flights in this cache.
+    /// Removes the residuals and trajectories of the flights listed in `failures`, whose indices refer to the flights
+    /// in this cache.
     pub fn remove(&mut self, failures: &[FailedFlight]) {
         let mut is_kept = vec![true; self.0.len()];
         for (flight, _) in failures {

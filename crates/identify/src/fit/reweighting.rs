@@ -19,7 +19,7 @@ use crate::report::FitStatus;
 /// flag. Among very many values, a few are always near the outlier threshold.
 const POINTS_PER_CHANGED_MARK: usize = 10_000;
 
-/// Maximum number of noise estimates in the alternation of noise estimates and least squares.
+/// Maximum number of rounds, each of which estimates the noise from the residuals and then fits by least squares again.
 const MAX_ROUNDS: usize = 8;
 
 /// Maximum difference at which two noise estimates count as equal: relative for standard deviations, absolute for
@@ -69,7 +69,8 @@ pub fn reweight(state: &mut State<'_>, mut cache: ResidualCache) -> Result<Rewei
     }
 }
 
-/// Flights whose residuals do not determine their local parameters (the initial state), with the reason.
+/// Flights whose initial state (local parameters) is not determined by their residuals, as indices among the fitted
+/// flights, with the reason.
 fn undetermined_flights(solution: &Solution) -> Vec<FailedFlight> {
     let blocks = solution.blocks.iter().enumerate();
     let undetermined = blocks.filter(|(_, block)| !block.determines_local());
@@ -151,8 +152,8 @@ impl Reweighted {
     }
 }
 
-/// Marks outliers, and estimates the noise of the other values. Returns the noise, and whether more outlier flags
-/// changed than is allowed at convergence.
+/// Marks outliers among the measured values, and estimates the noise of the remaining values. Returns the noise, and
+/// whether more outlier flags changed than is allowed at convergence.
 pub fn estimate_noise(
     state: &mut State<'_>,
     cache: &ResidualCache,
@@ -205,10 +206,12 @@ pub fn estimate_noise(
 /// Possible outliers of one flight, found from local residuals. A local residual is the difference of a residual from
 /// the line through the residuals of the neighbouring samples.
 struct FlightOutliers {
-    /// Robust standard deviation of the local residuals of the flight, for each noise group along each axis, m.
+    /// Robust standard deviation of the local residuals of the flight, for each noise group (channels that share one
+    /// noise process) along each axis, m.
     scales: Vec<[f64; 3]>,
-    /// Index in `Observations::outlier` and local residual, m, of each value that is an outlier for the standard
-    /// deviations `scales`. For larger standard deviations, no other value is an outlier.
+    /// Index and local residual, m, of each value that is an outlier for the standard deviations `scales`. The index
+    /// counts the values of all channels, sample by sample. For larger standard deviations, no other value is an
+    /// outlier.
     candidates: Vec<(usize, [f64; 3])>,
 }
 

@@ -41,7 +41,8 @@ pub(crate) struct State<'a> {
 }
 
 impl<'a> State<'a> {
-    /// Creates a fit in progress without flights, for given global parameters and sampling interval (s).
+    /// Creates a fit in progress without flights. `global` contains the global parameters, SI, and `interval` is the
+    /// median time between samples, s.
     pub fn new(
         problem: &'a FitProblem,
         options: &'a FitOptions<'a>,
@@ -63,7 +64,7 @@ impl<'a> State<'a> {
         }
     }
 
-    /// Fit in progress with the present global parameters, but without flights.
+    /// Copy of this fit in progress that has the same global parameters but no flights.
     pub fn without_flights(&self) -> Self {
         Self::new(
             self.problem,
@@ -73,7 +74,7 @@ impl<'a> State<'a> {
         )
     }
 
-    /// Global parameters and initial states as an iterate of the least-squares problem.
+    /// The present global parameters and initial states, as an iterate (starting point) of the least-squares solver.
     pub fn iterate(&self) -> Iterate {
         Iterate {
             global: self.global.clone(),
@@ -115,7 +116,7 @@ impl<'a> State<'a> {
     }
 
     /// Limits the used time of each flight in `failures` to a fraction of the time before the failure of its
-    /// integration, and doubles the time limits of all other flights. Flights without a limit remain unlimited.
+    /// integration. Doubles the time limits of the remaining flights; flights without a limit remain unlimited.
     pub fn limit_to_flyable(&mut self, failures: &[FailedFlight]) {
         for limit in &mut self.limits {
             *limit *= 2.0;
@@ -128,8 +129,8 @@ impl<'a> State<'a> {
         }
     }
 
-    /// Excludes the flights of `failures`, given by their indices among the fitted flights. The indices of later
-    /// flights change.
+    /// Excludes the flights listed in `failures` by their indices among the fitted flights. The indices of the flights
+    /// after an excluded one decrease.
     ///
     /// # Errors
     /// [`FitError::NoUsableFlight`] if no flight is left.

@@ -88,7 +88,7 @@ pub fn take_back(
 
 /// Whether an excluded flight may be included again. It may if it was excluded because of its fit, but not if it was
 /// excluded because of its samples. A flight with a suspected wrong unit of time is an exception and may be included,
-/// because an acceleration that the other flights do not have can cause the same suspicion.
+/// because an acceleration that occurs in one flight only can cause the same suspicion.
 pub fn may_come_back(excluded: &ExcludedFlight) -> bool {
     match &excluded.reason {
         FlightError::UnlikeTheOthers { .. }
@@ -100,8 +100,7 @@ pub fn may_come_back(excluded: &ExcludedFlight) -> bool {
 }
 
 /// Observations and fitted initial state of an excluded flight, if its residual scale (robust standard deviation of its
-/// residuals) is at most `LIKE_RATIO` × `usual`, the residual scale of the other
-/// flights, m; `None` otherwise.
+/// residuals) is at most `LIKE_RATIO` × `usual`, the residual scale of the other flights, m; `None` otherwise.
 fn like_the_others(
     at: FixedGlobal<'_>,
     flight: &Flight,
@@ -125,8 +124,8 @@ mod tests {
     use crate::synthesize::{Plan, flights};
     use crate::tolerance;
 
-    /// Number of flights that remain excluded after [`take_back`], if one flight similar to the others was excluded for
-    /// the given reason.
+    /// Number of flights that remain excluded after the fit tried to include excluded flights again, if one of four
+    /// similar simulated flights was excluded for the given reason.
     fn excluded_after(reason: FlightError) -> usize {
         let model = model_spec::load::load("ball", &[]).unwrap();
         let release = read("serve", built_in("serve").unwrap(), |_| {

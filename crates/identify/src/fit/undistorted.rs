@@ -62,9 +62,10 @@ fn undistorted_guess(
     found
 }
 
-/// Initial values of all unknowns for another fit. Parameters by which the measurement distorts the samples, such as a
-/// recording delay, have their present values; other parameters have the model's values; initial states are estimated
-/// from samples corrected for the distortion. `None` if no parameter distorts the samples noticeably.
+/// Initial values of all unknowns with which the fit is repeated. Parameters by which the measurement distorts the
+/// samples, such as a recording delay, have their present values; other parameters have the model's values; initial
+/// states are estimated from samples corrected for the distortion. `None` if no parameter distorts the samples
+/// noticeably.
 pub fn start<'a>(state: &State<'a>) -> Option<State<'a>> {
     let problem = state.problem;
     let mut global = problem.model_values();

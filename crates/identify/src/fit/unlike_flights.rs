@@ -12,9 +12,9 @@ use crate::error::{ExcludedFlight, FlightError};
 use crate::least_squares::FailedFlight;
 use crate::observations::Observations;
 
-/// A flight is a suspect if its residual scale (robust standard deviation of its residuals) exceeds this multiple of
-/// the median over all flights, or of the initial noise estimate `sigma0` if that is greater. The other flights are
-/// then fitted without the suspects.
+/// Ratio of a flight's residual scale (robust standard deviation of its residuals) to the median over all flights, or
+/// to the initial noise estimate `sigma0` if that is greater. Flights above this ratio are suspects, without which the
+/// other flights are fitted.
 const SUSPECT_RATIO: f64 = 3.0;
 
 /// Ratio of a flight's residual scale (robust standard deviation of its residuals) to that of the other flights, fitted

@@ -11,9 +11,9 @@ use crate::options::FitOptions;
 use crate::predict::Loss;
 
 impl Fit {
-    /// Minimises the whitened sum of squares over the fitted flights, starting from the given global parameters (in the
-    /// order of [`FitProblem::globals`]) and initial states of the fitted flights (in the order of the dataset).
-    /// Outliers of this fit remain excluded.
+    /// Minimises the sum of squared residuals, whitened by `noise`, over the fitted flights, starting from the given
+    /// global parameters (in the order of [`FitProblem::globals`]) and initial states of the fitted flights (in the
+    /// order of the dataset). Outliers of this fit remain excluded.
     ///
     /// [`FitProblem::globals`]: crate::FitProblem::globals
     ///

@@ -57,8 +57,8 @@ pub fn is_suspect(state: &State<'_>, cache: &ResidualCache) -> bool {
     is_driven_to_bound || !cache.failures().is_empty() || problem.is_misfit(cache.median_scale())
 }
 
-/// Whether fewer trajectories fail to integrate in the fit `found` than in the fit `before`, or equally many fail and
-/// the residuals are clearly smaller.
+/// Whether the fit with the residuals `found` is better than that with the residuals `before`: fewer trajectories fail
+/// to integrate, or equally many fail and the residuals are clearly smaller.
 pub fn is_better(found: &ResidualCache, before: &ResidualCache) -> bool {
     let (failed, failed_before) = (found.failures().len(), before.failures().len());
     failed < failed_before

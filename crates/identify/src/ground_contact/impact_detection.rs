@@ -15,9 +15,9 @@ use crate::statistics::median_of;
 const SIDE: usize = 7;
 /// Minimum numbers of points (measured positions) before and after an interval that is tested for an impact.
 const MIN_SIDES: (usize, usize) = (6, 3);
-/// Minimum number of points on one side of an interval, which is tested for an impact, for a parabola to be fitted to
-/// them. With fewer points after the interval, only position and velocity are fitted there, and the acceleration before
-/// the interval is used.
+/// Minimum number of points (measured positions) on one side of an interval tested for an impact, at which a parabola
+/// is fitted to them. With fewer points after the interval, only position and velocity are fitted there, and the
+/// acceleration before the interval is used.
 const PARABOLA: usize = 5;
 /// Number of coefficients (degree plus one) of the single polynomial that represents motion without an impact. It is
 /// fitted to the points before and after the interval that is tested for an impact.
@@ -47,7 +47,7 @@ const REFERENCE_INTERVALS: usize = 24;
 /// An impact on the measured path of a body: a velocity jump between two points of the path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impact {
-    /// Index of the first point of the path after the impact.
+    /// Index, in the path, of the first measured position after the impact.
     pub index: usize,
     /// Jump of the velocity of the body at the impact, m/s.
     pub jump: Vector3<f64>,
@@ -89,8 +89,8 @@ pub fn impact(path: &[PathPoint]) -> Option<Impact> {
 }
 
 /// Median magnitude, m/s, of the velocity jumps that are fitted at intervals spread evenly over the path, most of which
-/// contain no impact. `candidates` is the range of the indices of the points that follow these intervals. `noise` is
-/// the standard deviation of one coordinate, m.
+/// contain no impact. `candidates` is the range of point indices from which the intervals are chosen; the index is that
+/// of the point after the interval. `noise` is the standard deviation of one coordinate, m.
 fn usual_jump(path: &[PathPoint], candidates: std::ops::RangeInclusive<usize>, noise: f64) -> f64 {
     let step = candidates.clone().count().div_ceil(REFERENCE_INTERVALS);
     let kinks = candidates
@@ -99,8 +99,8 @@ fn usual_jump(path: &[PathPoint], candidates: std::ops::RangeInclusive<usize>, n
     median_of(kinks.map(|kink| kink.jump.norm())).unwrap_or(0.0)
 }
 
-/// Whether an impact before point `index` is possible, judged at low cost from velocities over a few points on each
-/// side.
+/// Whether an impact in the interval before point `index` is possible. A cheap test: the body descends before the
+/// interval, and the vertical mean velocity over a few points rises across it by more than `MIN_JUMP` / 2.
 fn may_be_impact(path: &[PathPoint], index: usize) -> bool {
     let velocity = |from: usize, to: usize| {
         (path[to].position - path[from].position) / (path[to].time - path[from].time)
@@ -112,7 +112,7 @@ fn may_be_impact(path: &[PathPoint], index: usize) -> bool {
 /// Test of one interval for an impact: parabolas in time fitted to the motion before and after the interval.
 #[derive(Clone, Copy)]
 struct Kink {
-    /// Index of the first point after the interval that is tested for an impact.
+    /// Index, in the measured path, of the first point after the interval that is tested for an impact.
     index: usize,
     /// Velocity before the impact, extrapolated to the middle of the interval that is tested for an impact, m/s.
     before: Vector3<f64>,
@@ -123,8 +123,8 @@ struct Kink {
     /// Velocity change that acceleration alone would cause within the interval that is tested for an impact, m/s. The
     /// larger one of the accelerations before and after the interval is used.
     impulse: f64,
-    /// Residual variance of the two parabolas, or the noise variance if that is greater, m². `smooth` is the residual
-    /// variance of a single polynomial through the points of both parabolas, m².
+    /// Residual variance of the two parabolas, or the noise variance if that is greater, m². The next field, `smooth`,
+    /// is the residual variance of a single polynomial through the points of both parabolas, m².
     squares: f64,
     smooth: f64,
 }
@@ -144,8 +144,9 @@ impl Kink {
     }
 }
 
-/// Fits parabolas before and after the interval that precedes point `index`, and a single polynomial through the points
-/// of both parabolas. `noise` is the standard deviation of one coordinate, m. `None` if there are too few points.
+/// Tests the interval before point `index` of a measured path for an impact: fits one parabola in time to the points
+/// before it and one to the points after it, and a single polynomial to all of these points. `noise` is the standard
+/// deviation of one coordinate, m. `None` if there are too few points.
 fn kink(path: &[PathPoint], index: usize, noise: f64) -> Option<Kink> {
     let (from, to) = (index.saturating_sub(SIDE), (index + SIDE).min(path.len()));
     let time = 0.5 * (path[index - 1].time + path[index].time);
@@ -191,10 +192,10 @@ fn kink(path: &[PathPoint], index: usize, noise: f64) -> Option<Kink> {
     })
 }
 
-/// Removes up to `MAX_OUTLIERS` outliers from the points on the two sides of an interval that is tested for an impact.
-/// A point is an outlier if a single polynomial fits the points of both sides far better without it. After an impact,
-/// the removal of a single point does not improve the fit in this way. `noise` is the standard deviation of one
-/// coordinate, m.
+/// Removes up to `MAX_OUTLIERS` outliers from the points (time, position) on the two sides of an interval that is
+/// tested for an impact. A point is an outlier if a single polynomial fits the points of both sides far better without
+/// it. After an impact, the removal of a single point does not improve the fit in this way. `noise` is the standard
+/// deviation of one coordinate, m.
 fn leave_out_outliers(sides: &mut [Vec<(f64, Vector3<f64>)>; 2], noise: f64) {
     for _ in 0..MAX_OUTLIERS {
         let all: Vec<_> = sides.iter().flatten().copied().collect();
@@ -235,8 +236,8 @@ struct Fitted<const N: usize> {
     slope_variance: f64,
 }
 
-/// Fits a polynomial in time with `N` coefficients through points (normalised time, position in m). If `quadratic` is
-/// given, m, the coefficient of the second power is fixed at this value. `None` if the normal matrix is singular.
+/// Fits a polynomial in time with `N` coefficients through points (normalised time, position in m). The coefficient of
+/// the second power is fixed at `quadratic`, m, and fitted if that is `None`. `None` if the normal matrix is singular.
 fn polynomial<const N: usize>(
     points: &[(f64, Vector3<f64>)],
     quadratic: Option<Vector3<f64>>,
@@ -277,7 +278,7 @@ mod tests {
 
     /// Simulated path of a body thrown at `speed`, m/s, with an upward acceleration `lift`, m/s², that decays with the
     /// time constant `fading`, s. `bounce` contains the index of the first sample after a bounce and the coefficient of
-    /// restitution; `None` for no bounce.
+    /// restitution; `None` for no bounce. `seed` determines the pseudo-random noise.
     fn path(
         speed: f64,
         (lift, fading): (f64, f64),

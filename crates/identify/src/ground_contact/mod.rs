@@ -30,7 +30,7 @@ const MIN_OUTLIER_VARIANCE: f64 = 1e-8;
 /// its attitude, for both to be the same contact.
 const MAX_SAMPLE_DIFFERENCE: usize = 4;
 
-/// Measured pose or position of the body's origin in one sample.
+/// Point of the measured path of a body: position of its origin, and attitude if known, in one sample.
 #[derive(Clone, Copy, Debug)]
 pub struct PathPoint {
     /// Index of the sample in the flight's table.
@@ -39,7 +39,8 @@ pub struct PathPoint {
     pub time: f64,
     /// Position of the body's origin, m, inertial frame.
     pub position: Vector3<f64>,
-    /// Rotation from body to inertial components; `None` for a point mass, or if the pose contains an outlier.
+    /// Attitude of the body: rotation from body to inertial components. `None` for a point mass, or if a marker
+    /// position in this sample is an outlier.
     pub attitude: Option<UnitQuaternion<f64>>,
 }
 
@@ -63,7 +64,7 @@ pub struct ContactSearch {
 }
 
 impl ContactSearch {
-    /// The search result restricted to a part of the flight: the `samples` samples that follow its first `unseen`
+    /// The search result restricted to one part of the flight: the `samples` samples that follow its first `unseen`
     /// samples.
     pub fn of_part(&self, unseen: usize, samples: usize) -> Self {
         let poses = self
@@ -119,8 +120,9 @@ fn contact_of(
     contact(&path(&observations.times, poses, of_point_mass, &points))
 }
 
-/// Path of the body's origin: from the pose in each sample, or, if `of_point_mass` gives the markers of a point mass,
-/// from the measured positions of these markers, which `points` returns for each sample.
+/// Path of the body's origin, computed from the pose in each sample. For a point mass, `of_point_mass` contains the
+/// positions of its markers on the body, and the path is computed from their measured positions. `points` returns the
+/// measured positions in the sample with a given index.
 pub fn path<'p>(
     times: &[f64],
     poses: &[Option<Pose>],

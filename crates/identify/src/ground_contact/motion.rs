@@ -7,12 +7,12 @@ use nalgebra::{SVector, Vector3};
 
 use super::regression::Row;
 
-/// Unit of time in the polynomials of the motion, s: their variable is time divided by this value.
+/// Unit of time in the polynomials that describe the motion of a body, s: their variable is time divided by this value.
 pub const SCALE: f64 = 0.1;
 /// Prior standard deviation of the fourth time derivative of the position, m/s⁴. The value allows for a lift of several
 /// g that decays within half a second.
 const SNAP: f64 = 300.0;
-/// Prior standard deviation, m, of the coefficients of the sine and the cosine at the wobble rate in the position.
+/// Prior standard deviation, m, of the amplitudes of the sine and cosine terms with the wobble rate in the position.
 const WOBBLE: f64 = 0.002;
 /// Prior standard deviation of the cubic coefficient of the polynomial in time / `SCALE` that describes the drift of
 /// the axis (a unit vector); dimensionless.
@@ -47,11 +47,11 @@ pub struct Character {
     pub noise: [f64; 2],
 }
 
-/// Result of testing one interval between two points for a ground contact: comparison of free motion with motion that
-/// is disturbed within the interval, so that its velocity and wobble change.
+/// Result of testing one interval between two successive points (samples with a pose) for a ground contact: comparison
+/// of free motion with motion that is disturbed within the interval, so that its velocity and wobble change.
 #[derive(Clone, Copy, Debug)]
 pub struct Comparison {
-    /// Index of the first point after the interval that is tested for a ground contact.
+    /// Index of the first point (sample with a pose) after the interval that is tested for a ground contact.
     pub index: usize,
     /// Decreases of the sums of squared residuals of the position and of the body axis if the motion may change within
     /// the tested interval. Each is divided by its noise variance, or by `LOCAL_PART` × its residual variance if that
@@ -63,7 +63,7 @@ pub struct Comparison {
     /// Sum of the squared residuals of the position and of the body axis for motion that changes within the tested
     /// interval, each in units of its noise variance.
     pub remaining: f64,
-    /// Velocity just before the change of the motion, m/s. `jump` is the change of the velocity, m/s.
+    /// Velocity just before the change of the motion, m/s. The next field, `jump`, is the change of the velocity, m/s.
     pub velocity: Vector3<f64>,
     pub jump: Vector3<f64>,
 }
@@ -73,9 +73,9 @@ impl Character {
         (self.noise[part] / deviation).powi(2)
     }
 
-    /// Regression rows for a point in motion without a ground contact: for the position, and for the direction of the
-    /// most steady body axis (whose direction changes least). The basis functions are powers of time, and a sine and
-    /// cosine at the wobble rate. `about` is the origin of time, s.
+    /// Regression rows for a point (sample with a pose) in motion without a ground contact: for the position, and for
+    /// the direction of the most steady body axis (whose direction changes least). The basis functions are powers of
+    /// time, and a sine and cosine at the wobble rate. `about` is the origin of time, s.
     pub fn free_rows(&self, point: &Point, about: f64) -> (Row<7>, Row<6>) {
         let u = (point.time - about) / SCALE;
         let (sine, cosine) = (self.rate * (point.time - about)).sin_cos();
@@ -125,9 +125,9 @@ impl Character {
         [0, 1].map(|part| of.gains[part] * there[part] / here[part])
     }
 
-    /// Values, at a point, of the functions by which a ground contact at the time `about`, s, changes the position and
-    /// the direction of the most steady body axis. The contact changes the velocity and the acceleration of the
-    /// position, and the drift and the wobble of the axis.
+    /// Values, at a point (sample with a pose), of the functions by which a ground contact at the time `about`, s,
+    /// changes the position and the direction of the most steady body axis. The contact changes the velocity and the
+    /// acceleration of the position, and the drift and the wobble of the axis.
     pub fn disturbance(&self, point: &Point, about: f64) -> (SVector<f64, 2>, SVector<f64, 3>) {
         let since = (point.time - about).max(0.0);
         let (u, (sine, cosine)) = (since / SCALE, (self.rate * since).sin_cos());

@@ -20,8 +20,8 @@ const MIN_SIDES: (usize, usize) = (8, 4);
 /// Maximum number of points (samples with a pose) around an interval tested for a ground contact that are excluded as
 /// outliers.
 const MAX_OUTLIERS: usize = 2;
-/// Sum of the squared residuals of a point's position and axis, each divided by its noise variance, above which the
-/// point is an outlier.
+/// Threshold above which a point (sample with a pose) is an outlier: sum of the squared residuals of its position and
+/// of the direction of its body axis, each divided by its noise variance.
 const OUTLIER: f64 = 40.0;
 
 /// Motion without a ground contact that is fitted to the poses in some samples (points).
@@ -33,8 +33,8 @@ pub struct FreeMotion {
     pub axis: Regression<6>,
     /// Whitened residuals of the position, m, and of the direction of the body axis (a unit vector).
     residuals: [Residuals; 2],
-    /// Decreases of the sums of squared residuals of position and of axis direction, one vector each, if a single point
-    /// is removed. Each vector has an entry for each point.
+    /// Decreases of the sums of squared residuals if a single point is removed: one vector for the position and one for
+    /// the axis direction, each with one entry per point.
     removals: [Vec<f64>; 2],
 }
 
@@ -44,14 +44,14 @@ pub struct FreeMotion {
 struct MotionDesigns {
     position: Design<7>,
     axis: Design<6>,
-    /// Additional functions by which a ground contact changes position and axis direction; `None` if the points do not
-    /// determine the change.
+    /// Additional basis functions by which a ground contact changes the position and the axis direction; `None` if the
+    /// samples do not determine their coefficients.
     disturbance: Option<(Extension<7, 2>, Extension<6, 3>)>,
 }
 
 impl MotionDesigns {
-    /// Factorises the regression matrices of the points, for motion that a ground contact may change at the time
-    /// `about`, s; `None` if the points do not determine motion without a contact.
+    /// Factorises the regression matrices for the times of `points` (samples with a pose), for motion that a ground
+    /// contact may change at the time `about`, s; `None` if the points do not determine motion without a contact.
     fn new(of: &Character, points: &[&Point], about: f64) -> Option<Self> {
         let rows = points.iter().map(|point| of.free_rows(point, about));
         let (positions, axes): (Vec<_>, Vec<_>) = rows.unzip();
@@ -67,8 +67,8 @@ impl MotionDesigns {
     }
 }
 
-/// Least-squares fits of free motion, and of motion with a velocity jump, to ranges of points of one flight. Ranges
-/// with equally spaced times share one factorised regression matrix.
+/// Least-squares fits of free motion, and of motion with a velocity jump, to ranges of points (samples with a pose) of
+/// one flight. Ranges with equally spaced times share one factorised regression matrix.
 #[derive(Debug)]
 pub struct MotionFits {
     /// Wobble rate and noise of the flight that the regressions assume.
@@ -85,8 +85,8 @@ impl MotionFits {
         }
     }
 
-    /// Factorised regression matrices of the given points, with times relative to `about`, s; `None` if the points do
-    /// not determine motion without a ground contact.
+    /// Factorised regression matrices for the times of `points` (samples with a pose), with times relative to `about`,
+    /// s; `None` if the points do not determine motion without a ground contact.
     fn designs(&mut self, points: &[&Point], about: f64) -> Option<&MotionDesigns> {
         let of = &self.character;
         self.designs.of(points.iter().copied(), about, || {
@@ -94,8 +94,9 @@ impl MotionFits {
         })
     }
 
-    /// Fits motion without a ground contact to the given points, separately to their positions and to the directions of
-    /// their body axes. Times are relative to `about`, s. `None` if the points do not determine the motion.
+    /// Fits motion without a ground contact to `points` (samples with a pose), separately to their positions and to the
+    /// directions of their body axes. Times are relative to `about`, s. `None` if the points do not determine the
+    /// motion.
     pub fn free(&mut self, points: &[&Point], about: f64) -> Option<FreeMotion> {
         let MotionDesigns { position, axis, .. } = self.designs(points, about)?;
         let positions = position.whiten(points.iter().map(|point| point.position));
@@ -113,9 +114,9 @@ impl MotionFits {
         })
     }
 
-    /// Fits motion whose velocity and wobble change at the time `about`, s, to the points to which the motion `free`
-    /// was fitted, separately to their positions and to the directions of their body axes. `None` if the points do not
-    /// determine the motion.
+    /// Fits motion whose velocity and wobble change at the time `about`, s, to the points (samples with a pose) to
+    /// which the motion `free` was fitted, separately to their positions and to the directions of their body axes.
+    /// `None` if the points do not determine the motion.
     fn disturbed(
         &mut self,
         points: &[&Point],
@@ -129,9 +130,10 @@ impl MotionFits {
         ))
     }
 
-    /// Removes up to `MAX_OUTLIERS` points without which free motion fits far better. An outlier is such a point; a
-    /// ground contact affects all later points, so that the removal of one point does not help. Returns the remaining
-    /// points and the free motion through them; `None` if the points do not determine free motion.
+    /// Removes up to `MAX_OUTLIERS` outliers from the points (samples with a pose) in the index range `range`. An
+    /// outlier is a point without which free motion fits the rest far better; a ground contact affects all later
+    /// points, so that the removal of one point does not help. Returns the remaining points and the free motion through
+    /// them; `None` if the points do not determine free motion.
     fn robust<'p>(
         &mut self,
         points: &'p [Point],
@@ -154,8 +156,8 @@ impl MotionFits {
         Some((kept, free))
     }
 
-    /// Returns the points of `range` without the outliers, which deviate from the motion without a ground contact that
-    /// is fitted to the points. `None` if the points do not determine this motion.
+    /// Returns the points (samples with a pose) in the index range `range` without the outliers, which deviate from the
+    /// motion without a ground contact that is fitted to the points. `None` if the points do not determine this motion.
     pub fn without_outliers<'p>(
         &mut self,
         points: &'p [Point],
@@ -165,9 +167,9 @@ impl MotionFits {
         Some(self.robust(points, range, about)?.0)
     }
 
-    /// Tests the interval before point `index` for a ground contact: compares free motion with motion whose velocity
-    /// and wobble change at the time `at`, s; for `None`, in the middle of the interval. Returns `None` if there are
-    /// too few points.
+    /// Tests the interval before point `index` (a sample with a pose) for a ground contact: compares free motion with
+    /// motion whose velocity and wobble change at the time `at`, s; for `None`, in the middle of the interval. Returns
+    /// `None` if there are too few points.
     pub fn compare(
         &mut self,
         points: &[Point],
@@ -203,8 +205,8 @@ impl MotionFits {
     }
 }
 
-/// Index range of the points to which the motion before point `index` is fitted: at most `SIDES.0` points, which
-/// precede that point.
+/// Index range of the points (samples with a pose) to which the motion before point `index` is fitted: at most the
+/// `SIDES.0` preceding points.
 pub fn range_before(points: &[Point], index: usize) -> Range<usize> {
     let end = index.min(points.len());
     let from = end.saturating_sub(SIDES.0);
@@ -214,7 +216,8 @@ pub fn range_before(points: &[Point], index: usize) -> Range<usize> {
     from + far.count()..end
 }
 
-/// Index range of the points to which the motion from point `index` on is fitted: at most `SIDES.1` points.
+/// Index range of the points (samples with a pose) to which the motion from point `index` on is fitted: at most
+/// `SIDES.1` points.
 fn range_after(points: &[Point], index: usize) -> Range<usize> {
     let end = (index + SIDES.1).min(points.len());
     let after = points.get(index..end).unwrap_or_default();

@@ -12,11 +12,11 @@ const RIDGE: f64 = 1e-9;
 /// One measured vector and the values of the basis functions at its time.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<const N: usize> {
-    /// Index of the sample.
+    /// Index of the sample in the flight.
     pub sample: usize,
-    /// Values of the basis functions.
+    /// Values of the basis functions at the time of this sample.
     pub functions: SVector<f64, N>,
-    /// Measured vector.
+    /// Measured vector in this sample: a position, m, or the direction of an axis.
     pub value: Vector3<f64>,
 }
 
@@ -56,7 +56,7 @@ impl Whitened {
 /// Least-squares fit of `N` basis functions of time to measured vectors.
 #[derive(Clone, Debug)]
 pub struct Regression<const N: usize> {
-    /// Coefficients of the basis functions; one column per component of the vector.
+    /// Coefficients of the basis functions; one column per component of the measured vectors.
     pub coefficients: SMatrix<f64, N, 3>,
     /// Sum of squared whitened residuals, plus the penalty by the priors of the coefficients.
     pub squares: f64,
@@ -82,13 +82,13 @@ impl<const N: usize> Regression<N> {
     }
 }
 
-/// Whitened basis functions of a regression (its regression matrix), with their factorized normal equations.
+/// Regression matrix, which contains the values of the whitened basis functions, with its factorized normal equations.
 #[derive(Clone, Debug)]
 pub struct Design<const N: usize> {
     whitenings: Vec<Whitening>,
     /// Values of the whitened basis functions, one array per row of the regression matrix.
     rows: Vec<[f64; N]>,
-    /// 1 − leverage of each row of the regression matrix.
+    /// 1 − leverage of each row of the regression matrix; the leverage is the diagonal entry of the hat matrix.
     free_parts: Vec<f64>,
     inverse: SMatrix<f64, N, N>,
     precisions: [f64; N],
@@ -158,7 +158,8 @@ impl<const N: usize> Design<N> {
         (regression, Residuals(residuals))
     }
 
-    /// Fits the basis functions and calls `each` with the whitened residual of each row of the regression matrix.
+    /// Fits the basis functions to the whitened measured vectors `values`, and calls `each` with the whitened residual
+    /// of each row of the regression matrix.
     fn solve_rows(&self, values: &Whitened, mut each: impl FnMut([f64; 4])) -> Regression<N> {
         let right = products(&self.rows, &values.vectors);
         let coefficients = self.inverse * right;
@@ -195,8 +196,8 @@ impl<const N: usize> Design<N> {
         rows.map(|(residual, free_part)| square(residual) / free_part.max(MIN_PART))
     }
 
-    /// Extends the regression by further functions without priors, given by their values for each row of the regression
-    /// matrix; `None` if the rows do not determine their coefficients.
+    /// Extends the regression by `K` further basis functions without priors, given by their values for each row of the
+    /// regression matrix; `None` if the rows do not determine their coefficients.
     pub fn extended<const K: usize>(
         &self,
         functions: &[SVector<f64, K>],
@@ -236,17 +237,18 @@ impl<const N: usize> Design<N> {
     }
 }
 
-/// Whitened residuals of the rows of a regression matrix, each with a fourth component of 0.
+/// Whitened residuals of a regression of vectors: one vector per row of the regression matrix, with a fourth component
+/// of 0.
 #[derive(Clone, Debug)]
 pub struct Residuals(Vec<[f64; 4]>);
 
-/// `K` further basis functions of a regression ([`Design`]) with `N` functions. Their effect is computed from the
-/// residuals of the regression without them, by the Schur complement of the normal equations.
+/// `K` further basis functions of a regression ([`Design`]) with `N` functions. Their coefficients are computed from
+/// the residuals of the regression without them, by the Schur complement of the normal equations.
 #[derive(Clone, Debug)]
 pub struct Extension<const N: usize, const K: usize> {
-    /// Values of the whitened further functions, one array per row of the regression matrix.
+    /// Values of the `K` whitened further functions, one array per row of the regression matrix.
     rows: Vec<[f64; K]>,
-    /// Coefficients of the least-squares fit of the original basis functions to each of the further functions.
+    /// Coefficients of the least-squares fit of the `N` original basis functions to each of the `K` further functions.
     explained: SMatrix<f64, N, K>,
     /// Inverse of the Schur complement of the normal equations for the further functions.
     inverse: SMatrix<f64, K, K>,
@@ -257,9 +259,9 @@ pub struct Extension<const N: usize, const K: usize> {
 /// Least-squares fit of the `N` basis functions of a regression together with `K` further functions.
 #[derive(Clone, Debug)]
 pub struct Extended<const N: usize, const K: usize> {
-    /// Coefficients of the original basis functions; one column per component of the vector.
+    /// Coefficients of the original `N` basis functions; one column per component of the measured vectors.
     pub coefficients: SMatrix<f64, N, 3>,
-    /// Coefficients of the `K` further functions; one column per component of the vector.
+    /// Coefficients of the `K` further functions; one column per component of the measured vectors.
     pub further: SMatrix<f64, K, 3>,
     /// Decrease of the sum of squared whitened residuals if the further functions are included in the fit.
     pub gain: f64,
@@ -270,7 +272,8 @@ pub struct Extended<const N: usize, const K: usize> {
 }
 
 impl<const N: usize, const K: usize> Extension<N, K> {
-    /// Extends the fit `of`, whose whitened residuals are `residuals`, by the further functions.
+    /// Adds the `K` further basis functions to the least-squares fit `of`, whose whitened residuals are `residuals`,
+    /// and returns the fit of all `N` + `K` functions.
     pub fn solve(&self, of: &Regression<N>, residuals: &Residuals) -> Extended<N, K> {
         let right = products(&self.rows, &residuals.0);
         let further = self.inverse * right;

@@ -9,7 +9,7 @@ const INTERVAL: f64 = 1.0 / 120.0;
 /// Spin rate of the simulated disc, and angular rate of its wobble, rad/s.
 const RATES: (f64, f64) = (50.0, 96.0);
 
-/// Deterministic pseudo-random value between −1 and 1.
+/// Deterministic pseudo-random value between −1 and 1, used as measurement noise.
 pub fn jitter(seed: usize) -> f64 {
     let mixed = (seed as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     let mixed = (mixed ^ (mixed >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -17,7 +17,8 @@ pub fn jitter(seed: usize) -> f64 {
 }
 
 /// Simulated flight of a spinning disc that wobbles. At the time `touch`, s, and again two samples later, the velocity
-/// jumps upward by `jump`, m/s, and the wobble grows by 0.06 rad per m/s.
+/// jumps upward by `jump`, m/s, and the wobble grows by 0.06 rad per m/s of `jump`; `None` for no ground contact.
+/// `seed` determines the pseudo-random noise.
 fn flight(touch: Option<f64>, jump: f64, seed: usize) -> Vec<PathPoint> {
     let each = (0..100).map(|i| {
         let noise = |k: usize, size: f64| size * jitter(seed * 10_007 + 6 * i + k);

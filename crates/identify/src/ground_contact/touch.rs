@@ -46,8 +46,8 @@ const MIN_OF_PATH: (f64, f64, f64) = (7.0, 0.8, 0.3);
 /// a rough noise estimate. A flight in which no interval exceeds these lower thresholds has no contact.
 const ROUGH: f64 = 0.5;
 
-/// Spacing, in points, of the intervals that are tested for a ground contact in the first, cheap pass. Not every
-/// interval need be tested, because a contact affects the tests of several neighbouring intervals.
+/// Spacing, in points (samples with a pose), of the intervals that are tested for a ground contact in the first, cheap
+/// pass. Not every interval need be tested, because a contact affects the tests of several neighbouring intervals.
 const ROUGH_STEP: usize = 2;
 
 /// A contact of a body with the ground.
@@ -142,7 +142,7 @@ fn is_touch(comparison: &Comparison, usual: [f64; 2]) -> bool {
     velocity < 0.0 && is_upward && (of_both || of_path)
 }
 
-/// Lower quartile of the given values; 0 for no values.
+/// Lower quartile (25 % quantile) of the values; 0 if there are none.
 fn quartile(values: impl Iterator<Item = f64>) -> f64 {
     let mut values: Vec<f64> = values.collect();
     let quarter = values.len() / 4;

@@ -20,22 +20,25 @@ const SPIN_PART: usize = 3;
 /// Trial values of the wobble angle between successive samples: minimum (rad), step (rad) and number, up to about half
 /// a turn.
 const TURNS: (f64, f64, usize) = (0.25, 0.05, 56);
-/// Spacing of the trial values in the first, coarse search for the wobble rate, in multiples of the step of `TURNS`.
+/// Spacing of the trial values in the first, coarse search for the wobble rate, in multiples of the step of the fine
+/// search (0.05 rad per sample).
 const COARSE: usize = 3;
 /// Number of samples in each of the segments into which a flight is divided. For every trial value of the wobble rate,
-/// a sinusoid with this rate is fitted to the axis in each segment.
+/// a sinusoid with this rate is fitted to the body axis in each segment.
 const CHUNK: usize = 12;
-/// Unit of time in a polynomial over a segment, s: its variable is time divided by this value.
+/// Unit of time in the polynomial that describes the drift of the body axis in a segment of a flight, s: its variable
+/// is time divided by this value.
 const SCALE: f64 = 0.05;
 /// Lower limit of the sum of squared residuals of the axis in a segment, because its logarithm is used; smaller values
 /// are rounding errors.
 const MIN_SQUARE: f64 = 1e-12;
 /// Spacing and number of the trial values of the noise correlation between successive samples; the first one is 0.
 const CORRELATIONS: (f64, i32) = (0.05, 18);
-/// Minimum number of third differences of the positions from which the noise correlation is estimated.
+/// Minimum number of third differences of the measured positions from which the noise correlation is estimated.
 const DIFFERENCES: usize = 30;
 
-/// A point of the measured path, with the attitude of the body there (rotation from body to inertial components).
+/// A point of the measured path of a body, with the attitude of the body at this point (rotation from body to inertial
+/// components).
 pub type Posed<'p> = (&'p PathPoint, UnitQuaternion<f64>);
 
 /// Position of the body and direction of its most steady axis (the body axis whose direction changes least) in each
@@ -79,9 +82,9 @@ fn steadiest_axis(posed: &[Posed<'_>]) -> Option<Vector3<f64>> {
     is_steady.then(|| eigen.eigenvectors.column(least).into())
 }
 
-/// Rate at which the axis wobbles about its mean direction, rad/s: the frequency of the sinusoid with the smallest
-/// residuals in short segments of the flight. `interval` is the median time between samples, s. An impact changes the
-/// amplitude and phase of the wobble, but not its rate.
+/// Rate at which the most steady body axis wobbles about its mean direction, rad/s: the frequency of the sinusoid with
+/// the smallest residuals in short segments of the flight. `interval` is the median time between samples, s. An impact
+/// changes the amplitude and phase of the wobble, but not its rate.
 pub fn wobble_rate(points: &[Point], interval: f64) -> f64 {
     let (least, step, count) = TURNS;
     let rate = |index: usize| (least + step * index as f64) / interval;

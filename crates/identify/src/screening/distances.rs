@@ -8,25 +8,25 @@ use crate::statistics::{median, median_of, robust_sigma};
 /// Maximum number of markers whose mutual distances are compared; more would add little information and much
 /// computation.
 pub const MAX_MARKERS: usize = 8;
-/// Limit for a scale error common to all pairs of markers. The ratio of measured to declared distance between the
-/// markers of a pair may deviate from the median ratio of all pairs by less than this fraction.
+/// Limit at which a scale error counts as common to all pairs of markers. The ratio of measured to declared distance
+/// between the markers of a pair may deviate from the median ratio of all pairs by less than this fraction.
 const RATIO_SPREAD: f64 = 0.1;
-/// Tolerance for recognising a wrong unit of length: maximum relative deviation of the ratio of measured to true
-/// lengths from the ratio that this unit would give.
+/// Tolerance for recognising that coordinates are in a certain unit of length instead of metres: maximum relative
+/// deviation of the ratio of measured to true lengths from the ratio that this unit would give.
 const UNIT_TOLERANCE: f64 = 0.05;
 /// Minimum deviation of the measured distance between two markers from their declared distance, relative to the latter,
 /// at which the measured distance counts as grossly wrong. The limits [`GROSS_DISTANCE`] and [`GROSS_NOISE`] must be
 /// exceeded too.
 const GROSS: f64 = 0.25;
 /// Minimum deviation, m, of the measured distance between two markers from their declared distance, at which the
-/// measured distance counts as grossly wrong; see [`GROSS`].
+/// measured distance counts as grossly wrong. The limits [`GROSS`] and [`GROSS_NOISE`] must be exceeded too.
 const GROSS_DISTANCE: f64 = 0.02;
 /// Minimum deviation of the measured distance between two markers from their declared distance, in units of the
-/// standard deviation of the noise of measured distances, at which the measured distance counts as grossly wrong; see
-/// [`GROSS`].
+/// standard deviation of the noise of measured distances, at which the measured distance counts as grossly wrong. The
+/// limits [`GROSS`] and [`GROSS_DISTANCE`] must be exceeded too.
 const GROSS_NOISE: f64 = 8.0;
 
-/// Units of length that are mistaken for metres: length in metres, and name.
+/// Units of length that users mistake for metres: length of the unit in metres, and its name.
 pub const UNITS: [(f64, &str); 6] = [
     (1e-3, "millimetres"),
     (1e-2, "centimetres"),
@@ -36,14 +36,15 @@ pub const UNITS: [(f64, &str); 6] = [
     (1e3, "kilometres"),
 ];
 
-/// The unit of coordinates that are `ratio` times as large as in metres: its length in metres and its name; `None` if
-/// no unit fits.
+/// Unit of length in which coordinates are `ratio` times as large as in metres: its length in metres and its name.
+/// `None` if no unit in [`UNITS`] fits.
 pub fn unit(ratio: f64) -> Option<(f64, &'static str)> {
     let near = |length: f64| (ratio * length - 1.0).abs() < UNIT_TOLERANCE;
     UNITS.iter().copied().find(|(length, _)| near(*length))
 }
 
-/// All pairs of the first [`MAX_MARKERS`] of `markers` markers, by index.
+/// All pairs (i, j), i < j, of the marker indices below `markers`; at most the first [`MAX_MARKERS`] markers are
+/// paired.
 pub fn marker_pairs(markers: usize) -> Vec<(usize, usize)> {
     let count = markers.min(MAX_MARKERS);
     (0..count)
@@ -51,7 +52,7 @@ pub fn marker_pairs(markers: usize) -> Vec<(usize, usize)> {
         .collect()
 }
 
-/// Distances between the markers of pairs in one flight: measured, and according to the declared marker positions.
+/// Distances between the markers of each pair in one flight: measured, and according to the declared marker positions.
 pub struct Distances {
     /// Pairs of markers, by marker index. The entries of all other fields are in the order of these pairs.
     pub pairs: Vec<(usize, usize)>,

@@ -9,13 +9,13 @@ use crate::dataset::Flight;
 /// A mistake that screening found in the recorded data of one flight.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct DataFault {
-    /// File name of the flight.
+    /// File name of the flight that has the mistake, as in `dataset.toml`.
     pub file: String,
     /// Kind of the mistake, such as a wrong unit.
     pub fault: FaultKind,
-    /// Description of what was found, for the user.
+    /// Message for the user that describes the mistake, with the values that reveal it.
     pub detail: String,
-    /// Instruction for correcting the data, for the user.
+    /// Instruction for the user: how to correct the data.
     pub mend: String,
 }
 
@@ -37,12 +37,13 @@ pub enum FaultKind {
     NotFreeFlight,
     /// The recorded coordinates of a marker do not change while the body moves.
     Frozen,
-    /// A mistake of another kind, described in [`DataFault::detail`].
+    /// A mistake in the data for which there is no separate kind, such as a copied flight.
     Other,
 }
 
 impl DataFault {
-    /// Creates a fault of a flight from its kind, its description and the instruction for correcting it.
+    /// Creates the data fault of `flight`. `detail` describes the mistake, and `mend` tells the user how to correct the
+    /// data.
     pub(crate) fn new(
         flight: &Flight,
         fault: FaultKind,
@@ -59,7 +60,7 @@ impl DataFault {
 }
 
 impl FaultKind {
-    /// Name of the kind of mistake in reports.
+    /// Name of the kind of mistake in reports, such as `labels-exchanged`.
     pub fn name(self) -> &'static str {
         match self {
             Self::LabelsExchanged => "labels-exchanged",

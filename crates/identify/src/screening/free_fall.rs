@@ -26,9 +26,9 @@ const MIN_RATIO: f64 = 1.7;
 /// Minimum cosine of the angle between a measured acceleration and gravity at which the acceleration counts as directed
 /// downwards: cos 30°.
 const ALONG: f64 = 0.866;
-/// Range of the ratio of the fitted constant acceleration to gravity in which no fault is reported: aerodynamic loads
-/// that the regression does not include may explain such a ratio. For comparison, times that are wrong by a factor of 2
-/// give a ratio of 4 or 1/4.
+/// Range of the ratio of the fitted constant acceleration to gravity in which no wrong unit or time is reported:
+/// aerodynamic loads that the regression does not include may explain such a ratio. For comparison, times that are
+/// wrong by a factor of 2 give a ratio of 4 or 1/4.
 const USUAL_FACTORS: std::ops::Range<f64> = 0.38..2.6;
 /// Minimum misfit (unexplained acceleration) of a single flight at which corrections of its data are tried: the larger
 /// of the first number times gravity and the second number times the median misfit of all flights.
@@ -52,11 +52,13 @@ const NOISE: f64 = 2.5;
 /// Weight, in the misfit (unexplained acceleration) of a flight, of the scatter of its accelerations about their
 /// median; the deviation of the median from gravity has the weight 1.
 const SCATTER_PART: f64 = 0.25;
-/// Minimum number of flights in the dataset for checking each flight by comparison with the others.
+/// Minimum number of flights in the dataset at which the accelerations of each flight are compared with those of all
+/// flights.
 const MIN_FLIGHTS: usize = 4;
 
-/// For each axis of the table that may point up: its name, the columns to be written for x, y and z so that z points
-/// up, and the rotation from the table's coordinates to coordinates with z up.
+/// For each axis of the recorded coordinates that may point up: its name, such as `-z`; the recorded axes that must be
+/// written as x, y and z so that z points up, such as `x, -y, -z`; and the matrix that converts recorded coordinates to
+/// these.
 fn orientations() -> [(&'static str, &'static str, Matrix3<f64>); 6] {
     let rows =
         |a: [f64; 3], b: [f64; 3], c: [f64; 3]| Matrix3::from_rows(&[a.into(), b.into(), c.into()]);
@@ -72,7 +74,8 @@ fn orientations() -> [(&'static str, &'static str, Matrix3<f64>); 6] {
     ]
 }
 
-/// Flights whose accelerations are compared with gravity and with each other.
+/// Flights of a dataset whose measured accelerations are compared with gravity and with each other, to find wrong
+/// units, times and axes.
 pub struct FreeFall<'a> {
     problem: &'a FitProblem,
     dataset: &'a Dataset,
@@ -87,7 +90,7 @@ pub struct FreeFall<'a> {
 
 impl<'a> FreeFall<'a> {
     /// Computes the regression data of each flight from the path of its body in `tracks`, which is `None` for a flight
-    /// that already has another fault. Uses `threads` threads.
+    /// in which an earlier check found a fault. Uses `threads` threads.
     pub fn new(
         (problem, dataset): (&'a FitProblem, &'a Dataset),
         gravity: Vector3<f64>,
@@ -231,8 +234,8 @@ impl<'a> FreeFall<'a> {
         })
     }
 
-    /// Faults of single flights. The accelerations of such a flight, minus the aerodynamic loads fitted to all flights,
-    /// deviate from gravity, and a correction of units, times or axes removes the deviation.
+    /// Data faults of single flights. The accelerations of such a flight, minus the aerodynamic loads fitted to all
+    /// flights, deviate from gravity, and a correction of units, times or axes removes the deviation.
     fn single_faults(&self, fixed: &Regression) -> Vec<DataFault> {
         let g = self.gravity.norm();
         let misfit = |rows: &[Row]| self.misfit(fixed, rows);
@@ -260,10 +263,10 @@ impl<'a> FreeFall<'a> {
         faults
     }
 
-    /// Fault of flight number `index` if the body is upside down in this flight alone and the flight appears mirrored.
-    /// Upside down: the normal of the plane of its markers points up and that of all other flights down, or vice versa.
-    /// Mirrored: the misfit (deviation of the accelerations from gravity) of its mirror image is clearly smaller than
-    /// `before`, m/s², the misfit of the recorded flight.
+    /// Data fault of the flight with the index `index`, if the body is upside down in this flight alone and the flight
+    /// appears mirrored. Upside down: the normal of the plane of its markers points up and that of all other flights
+    /// down, or vice versa. Mirrored: the misfit (deviation of the accelerations from gravity) of its mirror image is
+    /// clearly smaller than `before`, m/s², the misfit of the recorded flight.
     fn turned_over(&self, fixed: &Regression, index: usize, before: f64) -> Option<DataFault> {
         let own = self.upright[index]?;
         let others = self
@@ -291,8 +294,8 @@ impl<'a> FreeFall<'a> {
         misfit(&rest.collect::<Vec<_>>(), self.gravity)
     }
 
-    /// Fault of a flight for which a correction of its units, times or axes reduces the misfit below `enough`, m/s²;
-    /// `None` if no correction does.
+    /// Data fault of a flight for which a correction of its units, times or axes reduces the misfit below `enough`,
+    /// m/s²; `None` if no correction does.
     fn correctable_fault(
         &self,
         fixed: &Regression,

@@ -12,9 +12,9 @@ const HALF_DURATION: f64 = 1e-2;
 /// Maximum relative difference between the accelerations of bodies released from rest at different positions and
 /// attitudes, at which gravity counts as independent of position and attitude.
 const MAX_DIFFERENCE: f64 = 1e-2;
-/// Displacements from the default state at which the acceleration of a body released from rest is computed, to test
-/// whether it depends on position or attitude. Angles change by up to this value in rad, coordinates by up to 3 m times
-/// this value.
+/// Three displacements from the default state, at each of which the acceleration of a body released from rest is
+/// computed, to test whether it depends on position or attitude. A displacement changes angles by up to its value in
+/// rad, and coordinates by up to 3 m times its value.
 const VARIATIONS: [f64; 3] = [0.0, 0.4, -0.9];
 
 /// Acceleration of the body's origin from rest in still air, m/s². `None` if the acceleration is zero or depends on
@@ -29,7 +29,7 @@ pub fn gravity(problem: &FitProblem) -> Option<Vector3<f64>> {
     others.into_iter().all(same).then_some(first)
 }
 
-/// Speed at which [`drag`] computes the drag of a point mass, m/s.
+/// Speed of a simulated point mass, m/s, from whose deceleration the drag of the model is computed.
 const SPEED: f64 = 8.0;
 
 /// Drag of a point mass with the model's coefficients: deceleration divided by squared speed, 1/m; `None` for a body
@@ -80,8 +80,8 @@ fn fall(problem: &FitProblem, variation: f64) -> Option<Vector3<f64>> {
     acceleration(problem, &state)
 }
 
-/// Acceleration of the body's origin at a state, m/s², by a second difference of a short simulation; `None` if the
-/// simulation fails.
+/// Acceleration of the body's origin, m/s², when the simulation starts at the state `state`, computed by a second
+/// difference of a short simulation; `None` if the simulation fails.
 pub fn acceleration(problem: &FitProblem, state: &[f64]) -> Option<Vector3<f64>> {
     let conditions = problem.body.bind(problem.parameters.clone());
     let times = [0.0, HALF_DURATION, 2.0 * HALF_DURATION];

@@ -10,9 +10,9 @@ use crate::statistics::median_of;
 /// Lengths, in points of the measured path, of the intervals at the start and at the end of a flight that are examined
 /// for contact with a hand or the ground.
 const LENGTHS: [usize; 8] = [6, 9, 13, 20, 32, 52, 90, 160];
-/// Limits at which a force counts as a push by a hand. The force per mass other than gravity is considered: its
-/// component along the velocity must exceed the first number times gravity, and the second number times its own
-/// magnitude. Aerodynamic forces in moderate wind do not exceed both limits.
+/// Limits at which a force counts as a push by a hand. The component of the force per mass (without gravity) along the
+/// velocity must exceed the first number times gravity. It must also exceed the second number times the magnitude of
+/// this force per mass. Aerodynamic forces in moderate wind do not exceed both limits.
 const PUSH: (f64, f64) = (1.0, 0.5);
 /// Margin, in units of the standard error, by which a measured force per mass must exceed its limit (in [`PUSH`],
 /// [`CATCH`] or [`REST_FORCE`]) to count as detected.
@@ -25,11 +25,12 @@ const REST: (f64, f64) = (0.5, 0.08);
 const REST_FORCE: f64 = 0.7;
 /// Limits at which a braking force counts as a catch. The force per mass other than gravity must exceed the first
 /// number times gravity. It must also exceed the second number times the force per mass in the earlier part of the
-/// flight, scaled with the square of the speed to the speed at the start of the braking.
+/// flight; that force is first scaled, in proportion to the square of the speed, to the speed at the start of the
+/// braking.
 const CATCH: (f64, f64) = (3.0, 5.0);
 
-/// Data fault of a flight that has samples not of free flight, at its start or its end; `None` if all samples are of
-/// free flight.
+/// Data fault of a flight that starts or ends with samples that are not of free flight, for example because a hand
+/// holds the body; `None` if all samples are of free flight.
 pub fn check(track: &Track, gravity: Vector3<f64>, flight: &Flight) -> Option<DataFault> {
     let examined = Examined::new(track, gravity)?;
     let fault = |detail: &str, mend| DataFault::new(flight, FaultKind::NotFreeFlight, detail, mend);
@@ -58,7 +59,7 @@ pub fn check(track: &Track, gravity: Vector3<f64>, flight: &Flight) -> Option<Da
 struct Examined<'a> {
     track: &'a Track,
     gravity: Vector3<f64>,
-    /// Median over the time windows of the speed of the body, m/s.
+    /// Median speed of the body over the time windows into which its path is divided, m/s.
     speed: f64,
 }
 
@@ -78,7 +79,7 @@ impl<'a> Examined<'a> {
     }
 
     /// Force per mass other than gravity, m/s², in the time window of the parabola `motion`, which is fitted to points
-    /// of the path.
+    /// of the measured path.
     fn force(&self, motion: &Parabola) -> Vector3<f64> {
         motion.acceleration - self.gravity
     }
@@ -126,7 +127,8 @@ impl<'a> Examined<'a> {
             .take_while(move |length| *length <= half)
     }
 
-    /// Time until which the body is held or pushed, s; `None` if it is free from the start.
+    /// Time at the start of the flight until which the body is held or pushed by a hand, s; `None` if it is free from
+    /// the start.
     fn held_until(&self) -> Option<f64> {
         let count = self.track.points.len();
         // Forward forces in the second half come from the body itself or a strong wind, not from a hand.
@@ -146,7 +148,8 @@ impl<'a> Examined<'a> {
         until
     }
 
-    /// Time from which the body is caught or at rest, s; `None` if it is free until the end.
+    /// Time at the end of the flight from which the body is being caught or is at rest, s; `None` if it is free until
+    /// the end.
     fn stopped_from(&self) -> Option<f64> {
         let count = self.track.points.len();
         let mut from = None;

@@ -8,9 +8,9 @@ use crate::dataset::Flight;
 use crate::ground_contact::PathPoint;
 use crate::statistics::{median_of, median_vector};
 
-/// Number of points of the path on each side of a possible jump. A line is fitted to the points before it and another
-/// to the points after it; the jump is the distance between the two lines at the middle of the sampling interval
-/// between them.
+/// Number of points of the measured path that are used on each side of a possible jump of the position. A line is
+/// fitted to the points before it and another to the points after it; the jump is the distance between the two lines at
+/// the middle of the sampling interval between them.
 const SIDE: usize = 8;
 /// Minimum size of a jump in a measured path that is reported: the larger of the first number times the noise of the
 /// path and the second number in m.
@@ -18,11 +18,11 @@ const JUMP: (f64, f64) = (15.0, 0.08);
 /// Minimum size of a jump in a measured path that is reported, in units of the distance that the body moves in the
 /// sampling interval of the jump.
 const STEPS: f64 = 0.5;
-/// Maximum ratio of a sampling interval to the median interval at which the interval is examined for a jump; longer
-/// intervals are gaps in the data.
+/// Maximum ratio of a sampling interval to the median interval at which the interval is examined for a jump of the
+/// position; longer intervals are gaps in the data.
 const GAP: f64 = 1.5;
-/// Minimum cosine of the angle between a jump and the velocity at which the jump counts as one forward along the path,
-/// which suggests missing frames.
+/// Minimum cosine of the angle between a jump of the position and the velocity at which the jump counts as forward
+/// along the path. A forward jump suggests missing frames.
 const AHEAD: f64 = 0.97;
 
 /// Data fault for the first jump in the measured path of a body: an offset between the position extrapolated from the
@@ -81,7 +81,8 @@ fn may_jump(points: &[PathPoint], index: usize, least: f64) -> bool {
     rough.norm() * time(index) > 0.5 * least
 }
 
-/// Position at a time, and velocity, of a Theil–Sen line through points, which is robust to a few outliers.
+/// Fits a Theil–Sen line, which is robust to a few outliers, to the positions of points as a function of time. Returns
+/// its position at the time `time`, s, and its velocity, m/s.
 fn line(points: &[PathPoint], time: f64) -> (Vector3<f64>, Vector3<f64>) {
     let slope = |axis: usize| {
         let pairs = points.iter().enumerate().flat_map(|(i, a)| {

@@ -6,7 +6,8 @@ use super::fault::{DataFault, FaultKind};
 use crate::dataset::{Flight, Marker};
 use crate::statistics::median_of;
 
-/// Maximum number of markers for which all permutations are tried; with more markers only exchanges of two are tried.
+/// Maximum number of markers for which all permutations of their labels are tried; with more markers only exchanges of
+/// two labels are tried.
 const ALL_PERMUTATIONS: usize = 4;
 /// Assumed standard deviation of the declared position of a marker, m.
 const TEMPLATE_ERROR: f64 = 1e-3;
@@ -96,8 +97,8 @@ pub fn check(distances: &Distances, flight: &Flight, markers: &[Marker]) -> Opti
     ))
 }
 
-/// Permutations of the labels of `count` markers other than the identity, in the order of the number of labels that
-/// they move. For more than [`ALL_PERMUTATIONS`] markers, only the exchanges of two labels.
+/// Permutations of the labels of `count` markers other than the identity, ordered by the number of labels that they
+/// move. For more than [`ALL_PERMUTATIONS`] markers, only the exchanges of two labels are returned.
 fn permutations(count: usize) -> Vec<Vec<usize>> {
     let identity: Vec<usize> = (0..count).collect();
     let mut found = Vec::new();
@@ -147,7 +148,7 @@ fn permuted(distances: &Distances, permutation: &[usize]) -> Vec<f64> {
 /// Tests one permutation of the marker labels; `permuted` is the distance of each pair of markers, m, that is expected
 /// with the permuted labels. Returns the range of consecutive samples with the greatest log-likelihood ratio of
 /// permuted to declared labels; `None` if this ratio is at most [`MIN_EVIDENCE`] or the permutation does not remove
-/// most of the error of the distances (see [`ERROR_RATIO`]).
+/// most of the deviation of the measured from the declared distances (see [`ERROR_RATIO`]).
 fn exchanged_range(distances: &Distances, permuted: &[f64]) -> Option<SampleRange> {
     let variance = (CORRELATION * distances.noise).powi(2) + TEMPLATE_ERROR.powi(2);
     let errors = |row: &[f64], declared: &[f64]| -> f64 {

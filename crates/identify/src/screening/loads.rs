@@ -7,8 +7,8 @@ use super::track::{Parabola, Track};
 use crate::ground_contact::PathPoint;
 use crate::statistics::{median, median_of};
 
-/// Standard deviation of the prior of each aerodynamic load coefficient, whose mean is zero. It is stated as the
-/// acceleration that the load causes at the median speed, in units of the median acceleration.
+/// Standard deviation of the prior of each aerodynamic load coefficient; the mean of the prior is zero. It is stated as
+/// the acceleration that the load causes at the median speed, in units of the median acceleration.
 const PRIOR: f64 = 3.0;
 /// Residual standard deviation assumed in the first iteration of the robust regression, in units of the median
 /// acceleration; later iterations estimate it from the residuals.
@@ -29,9 +29,9 @@ pub struct Row {
 /// Result of a regression of accelerations: the constant acceleration (gravity) and the coefficients of the aerodynamic
 /// loads.
 pub struct Regression {
-    /// The fitted or given constant acceleration, m/s².
+    /// The constant acceleration (gravity), m/s²: fitted, or fixed by the caller.
     pub gravity: Vector3<f64>,
-    /// Covariance of the constant acceleration, m²/s⁴; zero if the constant was given.
+    /// Covariance of the constant acceleration (gravity), m²/s⁴; zero if the constant was fixed by the caller.
     pub covariance: Matrix3<f64>,
     /// Coefficients of the aerodynamic loads, in the order of [`Row::loads`], 1/m.
     pub coefficients: Vec<f64>,

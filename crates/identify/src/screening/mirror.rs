@@ -41,7 +41,8 @@ pub fn normal(markers: &[[f64; 3]]) -> Vector3<f64> {
     eigen.eigenvectors.column(eigen.eigenvalues.imin()).into()
 }
 
-/// Matrix of the sums of squares and products of the markers' coordinates about their centroid, m².
+/// Scatter matrix of the marker positions: the sums, over the markers, of squares and products of the coordinates
+/// relative to the centroid, m².
 fn scatter(markers: &[[f64; 3]]) -> Matrix3<f64> {
     let each = || markers.iter().map(|marker| Vector3::from(*marker));
     let centre = each().sum::<Vector3<f64>>() / markers.len() as f64;

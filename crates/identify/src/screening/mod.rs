@@ -39,13 +39,13 @@ const NOISE_RATIO: f64 = 30.0;
 /// data are then too noisy to be those of a flying body. The limit [`NOISE_RATIO`] must be exceeded too.
 const NOISE_PART: f64 = 0.1;
 
-/// Result of screening a dataset for recording mistakes.
+/// Result of screening (checking) a dataset for recording mistakes, such as wrong units or exchanged markers.
 #[derive(Debug, Default)]
 pub(crate) struct Screening {
     /// Faults in the data of the flights, in the order of the dataset, at most one per flight.
     pub faults: Vec<DataFault>,
-    /// Result of the search for the first ground contact of each flight, in the order of the dataset: `None` if a fault
-    /// of the flight prevented the search. Empty if the faults come from an earlier screening.
+    /// Results of the search for the first ground contact, one for each flight, in the order of the dataset: `None` if
+    /// a fault of the flight prevented the search. Empty if the faults come from an earlier screening.
     pub contacts: Vec<Option<ContactSearch>>,
 }
 
@@ -77,9 +77,9 @@ pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) ->
     Screening { faults, contacts }
 }
 
-/// Compares the flights with each other and with gravity, and adds the faults that this reveals to `faults`, which were
-/// found in single flights. Returns all faults. `faults` and `tracks` (paths of the bodies) have one entry per flight.
-/// Uses `threads` threads.
+/// Compares the motion of the flights with each other and with gravity, and adds the faults that this reveals to
+/// `faults`, which were found by checks of single flights. Returns all faults. `faults` and `tracks` (paths of the
+/// bodies) have one entry per flight. Uses `threads` threads.
 fn compare_flights(
     (problem, dataset): (&FitProblem, &Dataset),
     is_rigid: bool,
@@ -107,8 +107,8 @@ fn compare_flights(
     each.into_iter().flatten().collect()
 }
 
-/// Adds a fault for each flight whose path is far noisier than the paths of the other flights and than any measured
-/// flight can be. The entry of the flight in `tracks` is set to `None`.
+/// Adds a data fault for each flight whose measured path is far noisier than the paths of the other flights and than
+/// any measured flight can be. The entry of the flight in `tracks` is set to `None`.
 fn reject_noisy_tracks(
     dataset: &Dataset,
     faults: &mut [Option<DataFault>],
@@ -135,7 +135,8 @@ fn reject_noisy_tracks(
     }
 }
 
-/// Flights that a fit excludes because of their faults; empty if the option `trust_data` includes faulty flights.
+/// Flights that a fit excludes because of the faults in their data; empty if the option `trust_data` includes faulty
+/// flights.
 pub(crate) fn excluded(
     dataset: &Dataset,
     faults: &[DataFault],

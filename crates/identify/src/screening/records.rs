@@ -18,18 +18,18 @@ const FROZEN_STEPS: f64 = 10.0;
 /// Minimum fraction of the sampling intervals in which the position of a marker does not change, at which the flight is
 /// reported as having repeated values, for example after resampling at a higher rate.
 const REPEATED_FRACTION: f64 = 0.3;
-/// Minimum number of samples of a flight that is checked for being a copy.
+/// Minimum number of samples at which a flight is checked for being a copy of an earlier flight.
 const COPY_SAMPLES: usize = 8;
 
-/// First fault in the recorded values of the flight with this index: a copy of an earlier flight, or coordinates that
-/// are repeated or exactly 0. `None` if there is none.
+/// First fault in the recorded values of the flight with the index `flight`: a copy of an earlier flight, or
+/// coordinates that are repeated or exactly 0. `None` if there is none.
 pub fn check(dataset: &Dataset, flight: usize) -> Option<DataFault> {
     copy(dataset, flight)
         .or_else(|| (0..dataset.markers.len()).find_map(|marker| frozen(dataset, flight, marker)))
 }
 
-/// Fault of a flight whose samples equal those of an earlier flight. Only flights with noise are compared: simulations
-/// without noise may be equal, but noise does not repeat.
+/// Fault of a flight whose samples equal those of an earlier flight in the dataset; `None` if there is no such flight.
+/// Only flights with noise are compared: simulations without noise may be equal, but noise does not repeat.
 fn copy(dataset: &Dataset, flight: usize) -> Option<DataFault> {
     let this = &dataset.flights[flight];
     let count = this.positions.len();
@@ -123,8 +123,9 @@ fn frozen(dataset: &Dataset, flight: usize, marker: usize) -> Option<DataFault> 
     )
 }
 
-/// Runs of at least two consecutive identical positions in a marker's track of (sample, position), and the number of
-/// sampling intervals within these runs.
+/// Runs of at least two consecutive identical positions of one marker, and the number of sampling intervals within all
+/// of these runs. `track` contains (index of the sample, position in m) for each sample in which the marker was
+/// measured.
 fn runs(track: &[(usize, [f64; 3])]) -> (Vec<Run>, usize) {
     let (mut runs, mut still, mut start) = (Vec::new(), 0, 0);
     for end in 1..=track.len() {

@@ -5,12 +5,12 @@ use super::distances::marker_pairs;
 use crate::marker_observers::MarkerConditions;
 use crate::problem::FitProblem;
 
-/// Maximum derivative of a distance between markers with respect to an estimated parameter that counts as zero,
-/// relative to the derivatives of the markers' positions.
+/// Threshold below which the derivative of a distance between markers with respect to an estimated parameter counts as
+/// zero, relative to the derivatives of the markers' positions.
 const MIN_DERIVATIVE: f64 = 1e-9;
 
-/// Whether the declared positions of the markers fix the distance of each pair of markers independently of all
-/// estimated parameters, in the order of [`marker_pairs`].
+/// For each pair of markers: whether the declared positions of the markers fix its distance independently of all
+/// estimated parameters. The pairs are in the order of [`marker_pairs`].
 pub fn rigid_pairs(problem: &FitProblem) -> Vec<bool> {
     let pairs = marker_pairs(problem.markers.len());
     let parameters = &problem.parameters;

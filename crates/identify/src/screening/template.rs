@@ -13,9 +13,9 @@ const MIN_LOG_RATIO: f64 = 0.18;
 /// outliers. If the fraction is greater, all positions of the marker are reported as faulty.
 const GROSS_FRACTION: f64 = 0.15;
 
-/// First fault of a flight that the distances between markers reveal; `None` if the distances match the template (the
-/// declared positions of the markers). `rigid` states for each pair, in the order of
-/// [`marker_pairs`](super::distances::marker_pairs), whether the template fixes its distance.
+/// First data fault of the flight with the index `flight` that the measured distances between markers reveal; `None` if
+/// the distances match the template (the declared positions of the markers). `rigid` states for each pair, in the order
+/// of [`marker_pairs`](super::distances::marker_pairs), whether the template fixes its distance.
 pub fn check(dataset: &Dataset, flight: usize, rigid: &[bool]) -> Option<DataFault> {
     let (flight, markers) = (&dataset.flights[flight], &dataset.markers[..]);
     let distances = Distances::of(flight, markers, rigid)?;
@@ -55,8 +55,8 @@ fn units(distances: &Distances, flight: &Flight) -> Option<DataFault> {
     Some(DataFault::new(flight, FaultKind::Units, detail, mend))
 }
 
-/// Fault of a marker whose distances to the other markers are grossly wrong in many samples; `None` if there is no
-/// such marker.
+/// Data fault of a flight due to a marker whose measured distances to the other markers are grossly wrong in many
+/// samples; `None` if there is no such marker.
 fn misplaced_marker(
     distances: &Distances,
     flight: &Flight,

@@ -8,10 +8,10 @@ use crate::pose::{Pose, pose};
 use crate::problem::FitProblem;
 use crate::statistics::robust_sigma;
 
-/// Maximum residual of a point about the parabola fitted to a time window, in units of the robust standard deviation of
-/// these residuals; points with larger residuals are dropped.
+/// Maximum residual of a point of the measured path about the parabola fitted to a time window, in units of the robust
+/// standard deviation of these residuals; points with larger residuals are dropped.
 const OUTLIER: f64 = 4.0;
-/// Minimum number of points of a path for fitting a parabola to them.
+/// Minimum number of points of a measured path to which a parabola is fitted.
 pub const MIN_POINTS: usize = 6;
 /// Target standard error of the acceleration in a time window, relative to the mean acceleration of the flight; it
 /// determines the length of the windows.
@@ -23,18 +23,19 @@ const WINDOWS: [usize; 2] = [4, 14];
 /// Measured path of the body's origin in one flight.
 #[derive(Clone, Debug)]
 pub struct Track {
-    /// Times and positions of the body's origin, for the samples in which it could be determined.
+    /// Times and positions of the body's origin, one point for each sample in which the position could be determined.
     pub points: Vec<PathPoint>,
     /// Standard deviation of the noise of one coordinate of the measured position of the body's origin, m.
     pub noise: f64,
 }
 
-/// Motion at the middle of a time window, from a parabola fitted to consecutive points.
+/// Motion of the body's origin at the middle of a time window, from a parabola in time fitted to consecutive points of
+/// the measured path.
 #[derive(Clone, Copy, Debug)]
 pub struct Parabola {
     /// Velocity at the middle of the time window, m/s.
     pub velocity: Vector3<f64>,
-    /// Acceleration, which a parabola takes as constant over the window, m/s².
+    /// Acceleration of the body's origin in the time window, m/s²; a parabola in time has a constant acceleration.
     pub acceleration: Vector3<f64>,
     /// Standard error of a component of the acceleration, m/s².
     pub error: f64,
@@ -117,8 +118,8 @@ impl Track {
     }
 }
 
-/// Least-squares parabola through points, refitted once without outliers; `noise`, m, is the minimum standard deviation
-/// assumed for a coordinate. `None` for fewer than [`MIN_POINTS`] points.
+/// Least-squares parabola in time through points of a measured path, refitted once without outliers; `noise`, m, is the
+/// minimum standard deviation assumed for a coordinate. `None` for fewer than [`MIN_POINTS`] points.
 pub fn parabola(points: &[PathPoint], noise: f64) -> Option<Parabola> {
     let (first, last) = (points.first()?, points.last()?);
     let time = 0.5 * (first.time + last.time);

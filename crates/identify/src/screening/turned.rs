@@ -22,8 +22,8 @@ use crate::statistics::{median, median_vector};
 const UPRIGHT: f64 = 0.3;
 /// Minimum number of flights at which mirrored axes are reported; the body must appear upside down in all flights.
 const MIN_FLIGHTS: usize = 3;
-/// Maximum number of flights in which measured and modelled accelerations are compared, and maximum number of time
-/// windows per flight.
+/// Maximum number of flights in which measured accelerations are compared with those of the model, and maximum number
+/// of time windows per flight.
 const COMPARED: (usize, usize) = (6, 3);
 /// Limit for reporting the flights as mirrored: maximum ratio of the median deviation between measured and modelled
 /// accelerations of the mirror images of the flights to that of the recorded flights.
@@ -87,8 +87,8 @@ pub fn check(problem: &FitProblem, dataset: &Dataset, tracks: &[Option<Track>]) 
     flights.map(|(flight, _)| fault(flight)).collect()
 }
 
-/// Vertical component of the unit normal of the markers' plane in the model's default state, which defines the usual
-/// upper side of the body; `None` if the component is too small to distinguish the sides.
+/// Vertical component of the unit normal of the markers' plane in the model's default state, which defines the upper
+/// side of the body in normal flight; `None` if the component is too small to distinguish the sides.
 fn usual_side(problem: &FitProblem) -> Option<f64> {
     let conditions = problem.body.bind(problem.parameters.clone());
     let state = problem.body.layout().default_states();
@@ -125,8 +125,8 @@ fn misfits(problem: &FitProblem, observations: &Observations, track: &Track) -> 
     each.collect()
 }
 
-/// Component-wise median of the angular velocities between successive points of a path, rad/s, inertial frame; `None`
-/// if there are no two successive points with attitudes.
+/// Component-wise median of the body's angular velocities between successive points of a path, rad/s, inertial frame;
+/// `None` if there are no two successive points with attitudes.
 fn rates(points: &[PathPoint]) -> Option<Vector3<f64>> {
     let pairs = points.windows(2).filter_map(|pair| {
         let turn: UnitQuaternion<f64> = pair[1].attitude? * pair[0].attitude?.inverse();

@@ -7,7 +7,7 @@ use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::screening::track::{self, Track};
 
-/// Makes the body of a flight bounce at a time, s: its velocity jumps by `change`, m/s.
+/// Copy of a flight in which the body bounces at the time `time`, s: its velocity jumps by `change`, m/s.
 fn bounced(flight: &Flight, time: f64, change: [f64; 3]) -> Flight {
     let mut flight = flight.clone();
     for (t, row) in flight.times.iter().zip(&mut flight.positions) {
@@ -21,8 +21,8 @@ fn bounced(flight: &Flight, time: f64, change: [f64; 3]) -> Flight {
     flight
 }
 
-/// Index of the first sample after the detected impact, at which the flight is truncated; `None` if no impact is
-/// detected.
+/// Index of the first sample after the detected impact on the ground or an object, at which the flight is truncated;
+/// `None` if no impact is detected.
 fn cut_at(problem: &FitProblem, flight: &Flight) -> Option<usize> {
     let (track, _) = Track::of(
         &problem.markers,

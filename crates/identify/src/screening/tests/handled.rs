@@ -3,8 +3,8 @@
 use super::{ball, disc, found, kinds};
 use crate::dataset::Flight;
 
-/// Prepends samples before the release to a flight: `held` samples at rest, then `pushed` samples of acceleration to
-/// the initial velocity.
+/// Copy of a flight with additional samples before its start, as if a hand threw the body: `held` samples at rest, then
+/// `pushed` samples of acceleration to the initial velocity.
 fn with_hand(flight: &Flight, held: usize, pushed: usize) -> Flight {
     let mut flight = flight.clone();
     let dt = flight.times[1] - flight.times[0];
@@ -48,7 +48,8 @@ fn with_hand(flight: &Flight, held: usize, pushed: usize) -> Flight {
     flight
 }
 
-/// Appends samples of a catch to a flight: `braked` samples of deceleration, then `held` samples at rest.
+/// Copy of a flight with additional samples at its end, as if a hand caught the body: `braked` samples of deceleration,
+/// then `held` samples at rest.
 fn with_catch(flight: &Flight, braked: usize, held: usize) -> Flight {
     let mut backwards = flight.clone();
     backwards.positions.reverse();

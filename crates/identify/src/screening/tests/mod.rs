@@ -48,7 +48,8 @@ pub fn found(model: &Model, dataset: &Dataset) -> Vec<DataFault> {
     screen(&problem, dataset, 2).faults
 }
 
-/// Releases (launch conditions) of a disc: usual, at steep angles of attack, fast, slow, upside down.
+/// Releases (launch conditions) of a disc: an ordinary throw, and throws at steep angles of attack, fast, slow and
+/// upside down.
 pub fn disc_releases(model: &Model) -> Vec<Release> {
     let usual = release(model, "backhand");
     let with = |changes: &[(&str, f64)]| {
@@ -92,7 +93,8 @@ pub fn disc(seed: u64) -> (Model, Dataset) {
     (model, made.dataset)
 }
 
-/// Simulated flights of a disc whose data have white noise, but no outliers, missing points or correlated noise.
+/// Model of a disc, and simulated flights of it whose data have white noise, but no outliers, missing points or
+/// correlated noise.
 pub fn calm_disc(seed: u64) -> (Model, Dataset) {
     let model = model("disc");
     let mut usual = release(&model, "backhand");
