@@ -257,7 +257,8 @@ impl TermLibrary {
         })
     }
 
-    /// Iterates over all terms: each of `products` added to the first of `channels`, then to the second, and so on.
+    /// Iterates over all terms of the library: every product of variables (`products`) as an addition to the first
+    /// force or moment (`channels`), then to the second, and so on.
     pub fn terms(&self) -> impl Iterator<Item = Term> + '_ {
         self.channels.indices().flat_map(|channel| {
             let products = self.products.indices();

@@ -120,8 +120,8 @@ struct Line {
     spread: f64,
 }
 
-/// Relative difference up to which times are considered equal, so that the weights of a [`Line`] are reused for evenly
-/// spaced samples.
+/// Relative difference up to which time offsets between samples are considered equal, so that evenly spaced samples
+/// share the weights of the straight line fitted to their neighbours.
 const SAME_TIME: f64 = 1e-9;
 
 impl Line {

@@ -49,8 +49,8 @@ pub struct Band {
     pub height: [f64; 3],
 }
 
-/// Integrates flights drawn from the scatter, as many as `options` state; the bands are computed along the line from
-/// the release to `target`, m. `None` if fewer than three flights land.
+/// Integrates flights whose releases are drawn from their scatter, as many as `options` state. The height bands are
+/// quantiles along the line from the release to `target`, m. `None` if fewer than three flights land.
 pub(super) fn sampled(
     flights: &ThrowFlights<'_>,
     throw: &Throw,

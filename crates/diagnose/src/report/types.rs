@@ -148,7 +148,8 @@ pub struct RemainingEffect {
     pub p: f64,
 }
 
-/// One effect of an explanation of the misfit (a [`Cause`]), with the estimates of its coefficients.
+/// One effect (named change to the model) of those that together explain the misfit (a [`Cause`]), with the estimates
+/// of its coefficients.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CauseEffect {
     /// Display name, with hyphens, of the candidate effect or of the effect created from library terms (products of

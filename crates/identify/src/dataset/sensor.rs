@@ -53,8 +53,8 @@ impl Sensor {
 }
 
 impl SensorKind {
-    /// All kinds of sensors, each with its name in `dataset.toml`. The kind `marker` is not included, because such an
-    /// entry becomes a marker.
+    /// All kinds of sensors, each with its name in `dataset.toml`. `marker` is not included: an entry of that kind is
+    /// read as a tracked point on the body, not as a sensor.
     pub const ALL: [(Self, &'static str); 4] = [
         (Self::Pose, "pose"),
         (Self::Instrument(Instrument::Gyroscope), "gyroscope"),

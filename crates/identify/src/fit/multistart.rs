@@ -22,8 +22,8 @@ const SUSPECT_RATIO: f64 = 3.0;
 const ACCEPTED_RATIO: f64 = 0.7;
 
 /// Median over the flights of their residual scales (robust standard deviations of the residuals), in units of the
-/// initial noise estimate `sigma0`, above which the model or most initial guesses are wrong. Flights are then compared
-/// with `sigma0` instead of the median.
+/// initial noise estimate `sigma0`, above which the model or most initial guesses are wrong. The residual scale of a
+/// flight is then compared with `sigma0` instead of this median.
 const MISFIT_RATIO: f64 = 10.0;
 
 /// Refits flights whose residual scale (robust standard deviation of the residuals) is far above that of the other

@@ -76,7 +76,8 @@ impl<'p> JacobianColumns<'p> {
         GramAccumulator::new(self.local.clone(), self.parameter_columns().collect())
     }
 
-    /// Column indices of all free directions of the initial state, followed by those of the parameters.
+    /// Column indices of the estimated components of the flight's own initial state, followed by those of the
+    /// parameters common to all flights.
     pub fn local_then_parameters(&self) -> Vec<usize> {
         let local = self.local.iter().copied();
         local.chain(self.parameter_columns()).collect()

@@ -40,7 +40,8 @@ impl<'a, T> Variable<'a, T> {
     }
 }
 
-/// States and parameters of a compiled model, with the directions of differentiation at the given states.
+/// Variables by which the functions of a compiled model are differentiated: its states and parameters, each with the
+/// direction in which it varies at the given states.
 pub(super) fn variables<'a, T: Field>(
     model: &Model,
     compiled: &'a Compiled,

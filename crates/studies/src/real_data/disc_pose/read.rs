@@ -16,7 +16,7 @@ pub(super) const FOLLOWED: (f64, f64) = (0.03, 0.25);
 const GROUND: &str = "groundplanesample_part.csv";
 
 /// Names of files that are not used as throws: another processing of `drive16`, a file with angles instead of a
-/// quaternion, and a file in which the tag's label changed.
+/// quaternion, and a file in which the label of the printed tag changed.
 const LEFT_OUT: [&str; 3] = ["drive17.csv", "throw0.csv", "drive14fliplabel.csv"];
 
 /// Header line of a table of measured poses (time, position, attitude quaternion).
