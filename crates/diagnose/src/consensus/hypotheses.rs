@@ -43,7 +43,7 @@ pub(crate) struct Consensus {
     /// noise.
     pub explained: f64,
     /// Familywise p-value of the sign-flip test of the effect of the best hypothesis: probability that the flights
-    /// agree as much by chance.
+    /// agree as much under the null hypothesis.
     pub p_value: f64,
     /// Indices of the discordant flights, which contradict the effect on which the other flights agree. The search is
     /// to be repeated without them.

@@ -8,6 +8,7 @@ use std::path::Path;
 use takes::c3d::{self, Recording};
 use takes::words::{listed, shown};
 
+use super::AXES;
 use super::samples::{self, Unexpected};
 use super::table::Table;
 use crate::input_error::InputError;
@@ -46,7 +47,7 @@ fn table(bytes: &[u8], markers: &[&str]) -> Result<Table, Unexpected> {
             let position = recording.position(frame, point);
             let position = position.map(|raw| raw.map(|x| x * unit.metres()));
             let number = u64::from(recording.first_frame()) + frame as u64;
-            for (value, axis) in position.into_iter().flatten().zip(["x", "y", "z"]) {
+            for (value, axis) in position.into_iter().flatten().zip(AXES) {
                 let name = format_args!("{marker}_{axis} of frame {number}");
                 samples::check_coordinate(&name, value)?;
             }

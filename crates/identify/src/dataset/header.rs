@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use csv::StringRecord;
 
+use super::AXES;
 use super::lines::Lines;
 use super::sensor::{Sensor, channels};
 use super::words::{listed, meant, shown};
@@ -19,9 +20,6 @@ pub(super) struct Header {
     /// of all sensors follow one another.
     pub channels: Vec<Vec<usize>>,
 }
-
-/// Suffixes of the names of the three columns that contain the coordinates of a marker, as in `m1_x`.
-const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Cell separator of the text of a flight's table: a semicolon or a tab if the header contains one, otherwise a comma.
 pub(super) fn separator(text: &str) -> char {

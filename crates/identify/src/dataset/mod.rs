@@ -33,6 +33,9 @@ pub use write::{manifest_text, table_text, write, write_commented, write_with};
 
 use crate::input_error::InputError;
 
+/// Names of the inertial axes, as in the columns `NAME_x`, `NAME_y` and `NAME_z` of a marker.
+pub(crate) const AXES: [&str; 3] = ["x", "y", "z"];
+
 /// Maximum size of a table or C3D file, bytes.
 const MAX_BYTES: u64 = 1 << 30;
 

@@ -5,6 +5,7 @@ use std::path::Path;
 use csv::{ReaderBuilder, StringRecord};
 use takes::number::number;
 
+use super::AXES;
 use super::header::{Header, separator};
 use super::lines::Lines;
 use super::place::CellLocations;
@@ -94,7 +95,7 @@ fn row(
     let mut positions = Vec::with_capacity(markers.len());
     for (axes, marker) in header.columns.iter().zip(markers) {
         let mut point = [None; 3];
-        for ((slot, &index), axis) in point.iter_mut().zip(axes).zip(["x", "y", "z"]) {
+        for ((slot, &index), axis) in point.iter_mut().zip(axes).zip(AXES) {
             *slot = read(index)?.map(|value| recording.metres(value));
             if let Some(value) = *slot {
                 samples::check_coordinate(&format_args!("{marker}_{axis}"), value)

@@ -11,6 +11,7 @@ use super::reweighting::Reweighted;
 use super::state::State;
 use super::{FitError, flight_error, solve_error};
 use crate::channel::ChannelKind;
+use crate::dataset::AXES;
 use crate::error::FlightError;
 use crate::ids::GlobalId;
 use crate::least_squares::{ReducedSystem, StoppingCriteria, eliminate, solve};
@@ -24,8 +25,6 @@ use crate::report::{
 };
 use crate::statistics::median_of;
 use crate::uncertainty::{Covariance, interval, non_identifiable, profile};
-
-const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Ratio of a flight's rms residual to the median over all fitted flights, above which the report contains a note on
 /// the flight.

@@ -6,6 +6,7 @@ use lanes::{Kernel, Lanes};
 use statrs::distribution::{ContinuousCDF, Normal};
 
 use super::AxisResiduals;
+use crate::dataset::AXES;
 use crate::noise::AxesNoise;
 
 /// Number of lags, in samples, for which the autocorrelation is computed.
@@ -111,7 +112,7 @@ impl ResidualPool {
 
     /// Residual diagnostics of each axis, keyed by the names `x`, `y` and `z`.
     pub fn axes(&self) -> BTreeMap<String, AxisResiduals> {
-        let names = ["x", "y", "z"].into_iter().map(str::to_owned);
+        let names = AXES.into_iter().map(str::to_owned);
         names.zip(self.axes.iter().map(Axis::report)).collect()
     }
 }
