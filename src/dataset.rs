@@ -58,7 +58,8 @@ impl DatasetBuilder {
         self
     }
 
-    /// Sets the standard deviation of one measured coordinate, m. If it is not set, a fit estimates it from the data.
+    /// Sets the standard deviation of the noise of each measured coordinate, m, the same for all markers and axes. If
+    /// it is not set, a fit estimates it from the data.
     pub fn sigma(mut self, sigma: f64) -> Self {
         self.dataset.sigma = Some(sigma);
         self
@@ -85,7 +86,7 @@ impl DatasetBuilder {
     }
 
     /// Sets a value of the flight added last that is known from other measurements, such as the wind, by its name in
-    /// the model.
+    /// the model. Has no effect if no flight has been added.
     pub fn known(mut self, name: &str, value: KnownValue) -> Self {
         if let Some(flight) = self.dataset.flights.last_mut() {
             flight.known.insert(name.to_owned(), value);
@@ -93,7 +94,8 @@ impl DatasetBuilder {
         self
     }
 
-    /// Runs the checks of dataset files on the dataset and returns it.
+    /// Checks the dataset in the same way as a dataset read from files, and returns it. For example, names must be
+    /// valid, times increasing and values finite.
     ///
     /// # Errors
     /// [`Error::Dataset`] for the first fault found.

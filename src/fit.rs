@@ -86,7 +86,7 @@ pub struct Estimate {
     pub value: f64,
     /// Standard error (Cramér–Rao), SI; 0 if the value was held fixed.
     pub std_error: f64,
-    /// Unit, as written in the model.
+    /// Text of the SI unit of [`Estimate::value`], such as `1`, `1/rad` or `kg*m^2`.
     pub unit: String,
     /// Whether the estimate lies on a bound specified in the model.
     pub at_bound: bool,

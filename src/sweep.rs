@@ -60,8 +60,9 @@ impl Sweep {
         self.summary["columns"][column]["mean"].as_f64()
     }
 
-    /// Standard deviation of a column of the table of flights, over the flights that [`Sweep::mean`] includes; `None`
-    /// for an unknown column or without such flights.
+    /// Sample standard deviation (divisor n − 1) of a column of the table of flights, over the flights that reached the
+    /// intended end: the ground or, if a duration is specified in the plan, the final time. 0 if there is only one such
+    /// flight; `None` for an unknown column or without such flights.
     pub fn standard_deviation(&self, column: &str) -> Option<f64> {
         self.summary["columns"][column]["sd"].as_f64()
     }

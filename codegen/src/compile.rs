@@ -74,7 +74,8 @@ pub struct Compiled {
 }
 
 impl Compiled {
-    /// All functions of the model, `prepare` first.
+    /// All functions of the model, in the order `prepare`, `f`, `f_jac`, `f_jac_par`, `observe`, `observe_jac`,
+    /// `quantities`, `limits`.
     pub fn functions(&self) -> [&Function; 8] {
         [
             &self.prepare,

@@ -65,7 +65,7 @@ pub enum Derivative {
     InverseRootOfOneMinusSquare,
     /// f'(x) = 1 / x for x > 0, else 0.
     ReciprocalAboveZero,
-    /// f'(x) = 1 / (2 f(x)).
+    /// f'(x) = 1 / (2 f(x)) where f(x) ≠ 0, else 0.
     HalfOverValue,
 }
 
@@ -74,7 +74,7 @@ pub enum Derivative {
 pub enum CostKind {
     /// Square root.
     Root,
-    /// Transcendental function.
+    /// Transcendental function or table lookup.
     Call,
     /// Comparison of the argument with 0 (sign, Heaviside function, indicator of x ≠ 0), or absolute value.
     Select,

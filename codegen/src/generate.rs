@@ -49,9 +49,9 @@ impl fmt::Display for Difference {
     }
 }
 
-/// Compares `directory`, the `src` of the crate `generated` (Rust code of the models), with the files that `models`
-/// give. Rust files in the directory that are not among the generated files also count as differences. Returns an empty
-/// list if nothing differs.
+/// Compares `directory`, the `src` directory of the crate `generated` (Rust code of the models), with the files that
+/// [`generate`] generates from `models`. Rust files in the directory that are not among the generated files also count
+/// as differences. Returns an empty list if nothing differs.
 ///
 /// # Errors
 /// If the directory or a file in it cannot be read.
@@ -100,7 +100,8 @@ fn difference(path: &str, found: &str, expected: &str) -> Option<Difference> {
 }
 
 /// Writes the changed files of the crate `generated` (Rust code of the models) to `directory`, and removes Rust files
-/// that are not among the generated files. Returns the paths of all changed and removed files.
+/// that are not among the generated files. Returns the paths, relative to `directory`, of all changed and removed
+/// files.
 ///
 /// # Errors
 /// If a file cannot be read, written or removed.
@@ -119,7 +120,7 @@ pub fn write(directory: &Path, models: &[Model]) -> io::Result<Vec<String>> {
 }
 
 /// Writes the files whose text differs from the file on disk, each atomically by renaming a temporary file. Returns the
-/// paths of the written files.
+/// paths of the written files, relative to `directory`.
 ///
 /// # Errors
 /// If a file or its directory cannot be written.

@@ -34,7 +34,7 @@ impl TableFunction {
         TableFunction(u16::try_from(code).expect("few tables"))
     }
 
-    /// Index of the table.
+    /// Index of the table whose value or derivative this function is.
     pub fn table(self) -> TableId {
         TableId::new(usize::from(self.0 >> 2))
     }

@@ -70,7 +70,8 @@ pub struct TapeModel {
     /// Function that computes the marker position `y`, m, and its Jacobians `dy_dx`, `dy_dp` and `dy_dmarker` with
     /// respect to states, parameters and marker coordinates.
     pub observe_jac: TapeFunction,
-    /// Function that computes the auxiliary variables of the model.
+    /// Function that computes the auxiliary variables in [`Layout::quantities`](crate::Layout::quantities): those that
+    /// depend neither on the marker nor on the specific force or angular acceleration.
     pub quantities: TapeFunction,
     /// Function that computes the left-hand sides of the limits of validity. The model is valid while each left-hand
     /// side exceeds its bound.
@@ -114,7 +115,8 @@ impl TapeModel {
         self.f_jac_par.pattern("j")
     }
 
-    /// Sparsity pattern: (row, column) of each entry of `jp` = ∂dx/∂parameters.
+    /// Sparsity pattern: (row, column) of each entry of `jp` = ∂dx/∂parameters. The column is an index into
+    /// [`Compiled::columns`], the list of the parameters with respect to which derivatives are computed.
     pub fn jp_pattern(&self) -> &[(u32, u32)] {
         self.f_jac_par.pattern("jp")
     }
@@ -125,7 +127,8 @@ impl TapeModel {
     }
 
     /// Sparsity pattern: (row, column) of each entry of `dy_dp` = ∂y/∂parameters, where `y` is the observed marker
-    /// position.
+    /// position. The column is an index into [`Compiled::columns`], the list of the parameters with respect to which
+    /// derivatives are computed.
     pub fn dy_dp_pattern(&self) -> &[(u32, u32)] {
         self.observe_jac.pattern("dy_dp")
     }
@@ -160,13 +163,14 @@ impl TapeModel {
         run(&self.f, at, &[], scratch, &mut [dx]);
     }
 
-    /// Writes the time derivatives of the states to `dx` and the nonzero entries of the state Jacobian to `j`.
+    /// Writes the time derivatives of the states to `dx` and the nonzero entries of the state Jacobian to `j`, in the
+    /// order of [`j_pattern`](Self::j_pattern).
     pub fn f_jac(&self, at: At<'_>, scratch: &mut Scratch, dx: &mut [f64], j: &mut [f64]) {
         run(&self.f_jac, at, &[], scratch, &mut [dx, j]);
     }
 
     /// Writes the time derivatives of the states to `dx`, and the nonzero entries of the state and parameter Jacobians
-    /// to `j` and `jp`.
+    /// to `j` and `jp`, in the order of [`j_pattern`](Self::j_pattern) and [`jp_pattern`](Self::jp_pattern).
     pub fn f_jac_par(
         &self,
         at: At<'_>,
@@ -185,7 +189,8 @@ impl TapeModel {
     }
 
     /// Writes the position of a marker in the inertial frame, m, and the Jacobians of the position to `results`, in the
-    /// order `[y, dy_dx, dy_dp, dy_dmarker]`.
+    /// order `[y, dy_dx, dy_dp, dy_dmarker]`. A Jacobian consists of its nonzero entries, in the order of its sparsity
+    /// pattern, such as [`dy_dx_pattern`](Self::dy_dx_pattern).
     pub fn observe_jac(
         &self,
         at: At<'_>,

@@ -46,7 +46,7 @@ pub enum LoadError {
         known: Vec<String>,
     },
     /// No effect (named change to a model) has the given name: it is neither an existing file, nor declared in the
-    /// model's file, nor built in.
+    /// model's file, nor built in, nor created from an equation `der(STATE) = …` of the model.
     #[error(
         "there is no effect `{wanted}`: not in the model, not among the built-in ones, and no such file{}\nknown are {}",
         suggestion(wanted, known), known.join(", ")

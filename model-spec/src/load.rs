@@ -23,8 +23,8 @@ pub struct Loaded {
 }
 
 /// Loads a model from a path or by the name of a built-in model; an existing file takes precedence. `with` lists the
-/// effects (named changes to the model) to apply, each by path or by the name of an effect in the model's file or of a
-/// built-in effect.
+/// effects (named changes to the model) to apply, each by path or by name, as in [`ModelTree::find_effect`]: an effect
+/// of the model's file, a built-in effect, or an effect created from an equation `der(STATE) = …` of the model.
 ///
 /// # Errors
 /// [`LoadError`] if a file is missing or any text has an error, unit errors included.

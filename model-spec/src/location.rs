@@ -17,7 +17,8 @@ pub fn line_of(text: &str, byte: usize) -> usize {
     before.iter().filter(|&&b| b == b'\n').count() + 1
 }
 
-/// Line, counted from 1, of a byte offset in a text, and the text of this line without surrounding blanks.
+/// Line, counted from 1, of a byte offset in a text, and the text of this line without leading and trailing whitespace.
+/// An offset past the end counts as the end.
 pub fn trimmed_line(text: &str, byte: usize) -> (usize, &str) {
     let line = line_of(text, byte);
     (line, text.lines().nth(line - 1).unwrap_or_default().trim())

@@ -103,7 +103,7 @@ pub struct Parameter {
     pub value: f64,
     /// Lower and upper bound of the value, SI; `None` if the declaration states no bounds.
     pub bounds: Option<(f64, f64)>,
-    /// Source span of the declaration.
+    /// Source span of the name in the declaration.
     pub span: Span,
 }
 
@@ -123,7 +123,7 @@ pub struct Input {
     pub unit_text: String,
     /// Default values of the three components, SI.
     pub value: [f64; 3],
-    /// Source span of the declaration.
+    /// Source span of the name in the declaration.
     pub span: Span,
 }
 
@@ -139,7 +139,7 @@ pub struct State {
     /// Default initial value, SI: as stated in the file, else 1 for the scalar part of a quaternion and 0 for other
     /// states.
     pub value: f64,
-    /// Source span of the declaration.
+    /// Source span of the name in the declaration; for the rate of a rotation angle, such as `phidot`, of the angle.
     pub span: Span,
 }
 
@@ -150,7 +150,7 @@ pub struct Frame {
     pub name: String,
     /// Orientation of the frame relative to its parent, the frame from which it is rotated.
     pub kind: FrameKind,
-    /// Source span of the declaration.
+    /// Source span of the name in the declaration.
     pub span: Span,
 }
 
@@ -159,7 +159,7 @@ pub struct Frame {
 pub enum FrameKind {
     /// The inertial frame, with its third axis up. Only frame 0 has this kind.
     Inertial,
-    /// The parent frame rotated by an angle about the parent's axis `axis`.
+    /// The parent frame rotated by an angle about the parent's axis `axis`, positive by the right-hand rule.
     Turned {
         /// Index into [`Model::frames`] of the parent frame.
         parent: usize,
@@ -168,7 +168,7 @@ pub enum FrameKind {
         /// Index into [`Model::states`] of the time derivative of the rotation angle, rad/s; `None` if that derivative
         /// is not a state, which is possible only in a model without a body.
         rate: Option<usize>,
-        /// Number of the rotation axis: 1, 2 or 3.
+        /// Number of the rotation axis: axis 1, 2 or 3 of the parent frame, which the rotation leaves unchanged.
         axis: u8,
     },
     /// The parent frame rotated by a unit quaternion q: v_parent = q v_frame q*.
@@ -196,7 +196,7 @@ pub struct Body {
     pub velocity_frame: usize,
     /// Frames, inertia tensor and angular-velocity states of the rotational motion; `None` for a point mass.
     pub rotation: Option<Rotation>,
-    /// Source span of the declaration.
+    /// Source span of the name in the declaration.
     pub span: Span,
 }
 
@@ -211,7 +211,9 @@ pub struct Rotation {
     /// Index into [`Model::frames`] of the frame in which the inertia tensor is constant: the body-fixed frame, or a
     /// frame that differs from the body-fixed frame only by rotations about axes of inertial symmetry.
     pub inertia_frame: usize,
-    /// Inertia tensor, kg m², symmetric; entries depend on parameters and coefficients alone.
+    /// Inertia tensor about the centre of mass, kg m², symmetric, with components in [`Rotation::inertia_frame`].
+    /// Off-diagonal entries are those of the tensor, such as -∫ x y dm. All entries depend on parameters and
+    /// coefficients alone.
     pub inertia: [[Expr; 3]; 3],
     /// If a quaternion describes the attitude: indices into [`Model::states`] of the components of the angular
     /// velocity, and index into [`Model::frames`] of the frame of these components. `None` if three rotation angles
@@ -229,7 +231,7 @@ pub struct AuxVariable {
     pub doc: String,
     /// Defining expression.
     pub value: Expr,
-    /// Source span of the declaration.
+    /// Source span of the name in the declaration; after [`AuxVariable::new`], of the definition.
     pub span: Span,
     /// Index into [`Model::effects`] of the effect (named change to the model) that added this declaration or replaced
     /// it; `None` for an unchanged declaration of the model's file.
@@ -257,7 +259,7 @@ pub struct Load {
     pub name: String,
     /// Force or moment vector in any frame, N or N m.
     pub value: Expr,
-    /// Source span of the declaration.
+    /// Source span of the name in the declaration.
     pub span: Span,
     /// Index into [`Model::effects`] of the effect (named change to the model) that added this declaration or replaced
     /// it; `None` for an unchanged declaration of the model's file.
@@ -279,7 +281,7 @@ pub struct Equation {
     pub state: usize,
     /// Derivative of the state with respect to time.
     pub value: Expr,
-    /// Source span of the declaration.
+    /// Source span of the name of the state in `der(STATE) = …`.
     pub span: Span,
 }
 
@@ -290,7 +292,7 @@ pub struct Marker {
     pub name: String,
     /// Index into [`Model::frames`] of the frame in which the marker is fixed and has its coordinates.
     pub frame: usize,
-    /// Source span of the declaration.
+    /// Source span of the name in the declaration.
     pub span: Span,
 }
 
@@ -301,7 +303,7 @@ pub struct Observation {
     pub name: String,
     /// Observed position, a vector with components in the inertial frame, m.
     pub value: Expr,
-    /// Source span of the declaration.
+    /// Source span of the name in the declaration.
     pub span: Span,
 }
 
@@ -311,7 +313,7 @@ pub struct Observation {
 pub struct Clock {
     /// Seconds of true time per second of recorded time, dimensionless.
     pub value: Expr,
-    /// Source span of the declaration.
+    /// Source span of the `clock` statement.
     pub span: Span,
     /// Index into [`Model::effects`] of the effect (named change to the model) that added this declaration or replaced
     /// it; `None` for an unchanged declaration of the model's file.
@@ -327,7 +329,8 @@ pub struct ValidityLimit {
     pub bound: f64,
     /// Reason why the model is invalid where `value` does not exceed `bound`, for messages.
     pub reason: String,
-    /// Source span of the declaration.
+    /// Source span of the `limit` statement; for a limit that the checker added ([`Model::is_automatic`]), of the name
+    /// of a frame.
     pub span: Span,
 }
 
@@ -342,7 +345,7 @@ pub struct CheckCase {
     pub settings: Vec<(Target, f64)>,
     /// Results to compare, with expected values and tolerances.
     pub expectations: Vec<Expectation>,
-    /// Source span of the declaration.
+    /// Source span of the keyword `check`.
     pub span: Span,
 }
 
@@ -463,7 +466,8 @@ pub enum ExprKind {
     Div(Box<Expr>, Box<Expr>),
     /// Guarded quotient `ratio(a, b, otherwise)`: `a / b`, or `otherwise` if `b` is 0.
     Ratio(Box<[Expr; 3]>),
-    /// Power `a ^ (n/2)`; the integer `n` is the second field.
+    /// Power `a ^ (n/2)`; the integer `n` is the second field. If `n` is odd: 0 with derivative 0 where `a` is 0 or
+    /// less.
     Pow(Box<Expr>, i32),
     /// Scalar product of two vectors.
     Dot(Box<Expr>, Box<Expr>),
@@ -471,8 +475,8 @@ pub enum ExprKind {
     Cross(Box<Expr>, Box<Expr>),
     /// Euclidean norm of a vector; 0 with derivative 0 at the zero vector.
     Norm(Box<Expr>),
-    /// Unit vector along the vector of the first field. At the zero vector, its value is the second field, or the zero
-    /// vector if that is `None`.
+    /// Unit vector along the vector of the first field. Where that is the zero vector, value and derivative are those
+    /// of the second field, or 0 if the second field is `None`.
     Direction(Box<Expr>, Option<Box<Expr>>),
     /// Component 1, 2 or 3 of a vector, in the frame in the vector's [`Expr::shape`].
     Component(Box<Expr>, u8),
@@ -482,8 +486,8 @@ pub enum ExprKind {
     Call(Function, Box<Expr>),
     /// Arctangent `atan2(y, x)` of y/x in the correct quadrant; 0 with derivative 0 where both arguments are 0.
     Atan2(Box<Expr>, Box<Expr>),
-    /// The smaller of two scalars.
+    /// The smaller of two scalars. Where they are equal, the compiled derivative is that of the second.
     Min(Box<Expr>, Box<Expr>),
-    /// The greater of two scalars.
+    /// The greater of two scalars. Where they are equal, the compiled derivative is that of the second.
     Max(Box<Expr>, Box<Expr>),
 }

@@ -65,11 +65,12 @@ index_type!(
     pub struct ProductId;
 );
 
-/// Candidates for terms that a model lacks: any of `products`, added to any of `channels` (such as the drag).
+/// Library of candidates for terms that a model lacks. A candidate is a coefficient times one of `products`, added to
+/// one of `channels` (such as the drag).
 #[derive(Clone, Debug)]
 pub struct TermLibrary {
-    /// Effect (named change to a model) that declares the variables, and adds to each of `channels` a term with a new
-    /// coefficient.
+    /// Effect (named change to a model) that declares the variables that the model does not have, and adds to each of
+    /// `channels` the term with the constant product 1: the coefficient [`Channel::coefficient`] alone.
     pub loads: EffectTree,
     /// Quantities to which a term can be added: components of forces and moments, or derivatives of states.
     pub channels: IndexVec<ChannelId, Channel>,
@@ -82,15 +83,15 @@ pub struct TermLibrary {
 /// Component of a force or moment (such as drag), or derivative of a state, to which a term can be added.
 #[derive(Clone, Debug)]
 pub struct Channel {
-    /// Name of the coefficient by which the effect (named change to a model) [`TermLibrary::loads`] adds a term to the
-    /// quantity.
+    /// Name of the coefficient that the effect (named change to a model) [`TermLibrary::loads`] adds to the quantity as
+    /// the term with the constant product 1.
     pub coefficient: String,
     /// Name of the quantity in names of terms, such as `drag` in `drag-by-alpha-squared`.
     pub name: String,
-    /// Component of the model that terms added to the quantity change: one of [`SITES`](crate::SITES).
+    /// Component of the model that a term added to this quantity changes: one of [`SITES`](crate::SITES).
     pub site: String,
     /// Effect (named change to a model) that adds a term to the quantity; it contains the placeholders `NAME` for the
-    /// name of the effect and `TERM` for the product of variables.
+    /// name of the effect and `TERM` for the term, a coefficient times a product of variables.
     template: Effect,
 }
 
@@ -257,8 +258,8 @@ impl TermLibrary {
         })
     }
 
-    /// Iterates over all terms of the library: every product of variables (`products`) as an addition to the first
-    /// force or moment (`channels`), then to the second, and so on.
+    /// Iterates over all terms of the library: every product of variables, added to the first of `channels` (component
+    /// of a force or moment, or derivative of a state), then every product added to the second, and so on.
     pub fn terms(&self) -> impl Iterator<Item = Term> + '_ {
         self.channels.indices().flat_map(|channel| {
             let products = self.products.indices();

@@ -20,7 +20,8 @@ use crate::{Answer, output};
 const MIN_FLIGHTS: usize = 5;
 
 /// Runs `hyzer bootstrap`: fits the model, and refits it to flights drawn with replacement. Only the refits that the
-/// output folder does not hold yet are computed. Prints the distribution of the estimates over all refits.
+/// output folder does not hold yet are computed. Prints the distribution of the estimates over all refits. Returns
+/// `Answer::No` if this run completes the refits and the fit to the original flights is not reliable.
 pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
     let inputs = &options.inputs;
     let (fixed, priors) = (held(&inputs.hold)?, priors(&inputs.prior)?);

@@ -6,7 +6,7 @@ use crate::cli::Effects;
 use crate::{Answer, output};
 
 /// Runs `hyzer effects`: writes the effects (optional extensions) of a model, or all built-in effects, as Markdown to a
-/// file or standard output.
+/// file or standard output. Always returns `Answer::Yes`.
 pub fn run(options: &Effects) -> anyhow::Result<Answer> {
     let model = options.model.as_deref();
     let effects = listed(model)?;

@@ -25,7 +25,8 @@ pub fn run(options: &Generate) -> anyhow::Result<Answer> {
     }
 }
 
-/// Generates one Rust module per model in the folder that the option `--out` names.
+/// Generates one Rust module per model in the folder `out` (option `--out`) and lists the files that changed. With
+/// `--check`, writes nothing and returns `Answer::No` if a file in the folder differs from the generated one.
 fn generate_modules(options: &Generate, out: &Path) -> anyhow::Result<Answer> {
     let files = modules(options)?;
     let folder = out.display().to_string();
@@ -62,7 +63,8 @@ fn modules(options: &Generate) -> anyhow::Result<Vec<SourceFile>> {
     Ok(files)
 }
 
-/// Generates the sources of the crate `generated` of this repository.
+/// Generates the sources of the crate `generated` of this repository and lists the files that changed. With `--check`,
+/// writes nothing and returns `Answer::No` if a file of the crate differs from the generated one.
 fn generate_crate(options: &Generate) -> anyhow::Result<Answer> {
     let root = match &options.root {
         Some(root) => root.clone(),

@@ -27,7 +27,8 @@ use crate::cli::Simulate;
 use crate::{Answer, output};
 
 /// Runs `hyzer simulate`: simulates the flight from the launch conditions (release), prints a summary, and writes the
-/// result files if an output folder is given.
+/// result files if an output folder is given. Returns `Answer::No` only if all throws of a launch monitor's file are
+/// requested and one of them could not be simulated.
 pub fn run(options: &Simulate) -> anyhow::Result<Answer> {
     if options.list {
         for (name, text) in BUILT_IN {
@@ -211,8 +212,8 @@ fn released_in_wind(
     Ok((Model::clone(&model), release))
 }
 
-/// Applies an assignment `NAME=VALUE` of the option `--set` to a parameter, coefficient or initial state of the release
-/// (launch conditions).
+/// Applies an assignment `NAME=VALUE` of the option `--set` (value in SI units) to a parameter, coefficient or initial
+/// state of the release (launch conditions).
 pub(super) fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> {
     let (name, value) = set
         .split_once('=')

@@ -16,7 +16,8 @@ use crate::{Answer, output};
 const BUILT_IN: (&str, &str) = ("backhands", include_str!("sweep/backhands.toml"));
 
 /// Runs `hyzer sweep`: simulates the flights of the sweep plan and prints the summary. If only a share of the flights
-/// is simulated, prints which work remains instead.
+/// is simulated, prints instead where its results are and how to join them with those of the other shares. Always
+/// returns `Answer::Yes`.
 pub fn run(options: &Sweep) -> anyhow::Result<Answer> {
     if options.example {
         output::print(BUILT_IN.1)?;

@@ -14,7 +14,7 @@ use crate::cli::Synthesize;
 use crate::{Answer, output, progress};
 
 /// Runs `hyzer synthesize`: simulates flights from releases (launch conditions), writes the dataset and the file
-/// `truth.toml` with the true values, and prints a summary.
+/// `truth.toml` with the true values, and prints a summary. Always returns `Answer::Yes`.
 pub fn run(options: &Synthesize) -> anyhow::Result<Answer> {
     output::new_folder(&options.out)?;
     let (model, releases) = prepare(options)?;

@@ -102,8 +102,8 @@ fn is_same(model: &Model) -> bool {
     SAME.contains(&model.name.as_str())
 }
 
-/// Writes a certificate (record of the verification checks of models) to `path`. Writes nothing if `refused`, the names
-/// of the models whose text has errors, is not empty.
+/// Writes a certificate (record of the verification checks of models) to `path`. If `refused`, the names of the models
+/// whose text has errors, is not empty, writes no file, says so on standard error and returns `Ok`.
 fn write(path: &Path, certificate: &Certificate, refused: &[&str]) -> anyhow::Result<()> {
     if !refused.is_empty() {
         eprintln!("no certificate is written: {} refused", refused.join(", "));

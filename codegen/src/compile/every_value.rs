@@ -7,7 +7,8 @@ use model_spec::layout::Layout;
 use model_spec::model::Model;
 
 /// Program of all values of a model. Its outputs are the time derivatives of the states, the observed marker position,
-/// the left-hand sides of the limits of validity and the auxiliary variables, in this order.
+/// the left-hand sides `EXPR` of the limits of validity (statements `limit EXPR > bound`) and the auxiliary variables,
+/// in this order.
 #[derive(Clone, Debug)]
 pub struct EveryValue {
     /// Names and order of the states and parameters.
@@ -18,14 +19,15 @@ pub struct EveryValue {
     /// Number of outputs that are components of the observed marker position: 3, or 0 if the model has no measurement
     /// equation.
     pub observed: usize,
-    /// Number of outputs that are left-hand sides of limits of validity.
+    /// Number of outputs that are left-hand sides `EXPR` of limits of validity (statements `limit EXPR > bound`).
     pub limits: usize,
-    /// Number of components of each auxiliary variable: 1 or 3.
+    /// Number of components of each auxiliary variable, 1 or 3, in the order of declaration, which is also the order of
+    /// the outputs.
     pub lets: Vec<usize>,
 }
 
-/// Compiles a program that computes the state derivatives, the observed marker position, the left-hand sides of the
-/// limits of validity and all auxiliary variables of a model, without Jacobians.
+/// Compiles a program that computes the state derivatives, the observed marker position, the left-hand sides `EXPR` of
+/// the limits of validity (statements `limit EXPR > bound`) and all auxiliary variables of a model, without Jacobians.
 pub fn compile_every_value(model: &Model) -> EveryValue {
     let Lowered {
         mut graph,

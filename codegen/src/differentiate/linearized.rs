@@ -86,7 +86,9 @@ impl LinearizedGraph {
         });
     }
 
-    /// Restricts the graph to the first `columns` independent symbols.
+    /// Restricts the graph to derivatives with respect to the first `columns` independent symbols: removes the edges to
+    /// the other independent symbols, and disconnects the intermediate vertices from which none of the remaining ones
+    /// can be reached.
     pub fn towards_first(mut self, columns: usize) -> LinearizedGraph {
         let beyond: Vec<bool> = self
             .vertices
@@ -103,8 +105,8 @@ impl LinearizedGraph {
     }
 
     /// Calls `keep` for each edge with the index of the operand's vertex and the partial derivative, which `keep` may
-    /// replace. Removes the edges for which `keep` returns false, then the vertices from which no independent symbol
-    /// can be reached.
+    /// replace. Removes the edges for which `keep` returns false, then disconnects the intermediate vertices from which
+    /// no independent symbol can be reached.
     fn retain_edges(&mut self, mut keep: impl FnMut(usize, &mut NodeId) -> bool) {
         let mut dropped = Vec::new();
         for (from, vertex) in self.vertices.iter_mut().enumerate() {
@@ -122,7 +124,9 @@ impl LinearizedGraph {
         self.prune();
     }
 
-    /// Removes the vertices from which no independent symbol can be reached.
+    /// Disconnects the intermediate vertices from which no independent symbol can be reached, by removal of all edges
+    /// to them. The vertices stay in the list, so that indices remain valid; vertices of results are never
+    /// disconnected.
     fn prune(&mut self) {
         let (vertices, roots) = (&mut self.vertices, self.rows.len());
         loop {

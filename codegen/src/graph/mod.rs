@@ -48,8 +48,8 @@ pub enum Node {
     Number(Number),
     /// Leaf: state, parameter, time or another symbol.
     Symbol(Symbol),
-    /// Sum Σ coefficient · node + constant, ordered by node. The sum has at least one term, and either two summands,
-    /// the constant included, or a coefficient other than 1.
+    /// Sum Σ coefficient · node + constant: the pairs (coefficient, node), ordered by node, and the constant. There is
+    /// at least one pair. If there is only one, the constant is nonzero or the coefficient is not 1.
     Sum(Box<[(Number, NodeId)]>, Number),
     /// Product of (base, *doubled* exponent) pairs, ordered by node; an odd number stands for a half-integer power. A
     /// factor with a negative exponent has the value 0 where its base is 0.
@@ -66,7 +66,8 @@ pub enum Node {
     IfZero(NodeId, NodeId, NodeId),
 }
 
-/// Value facts of an expression: whether the value is constant during a flight, nonnegative, nonzero.
+/// Known properties of the value of an expression: whether it is constant during a flight, nonnegative, nonzero. A
+/// field is `false` if the property is not known to hold.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ValueFacts {
     /// Whether the value is constant during a flight, because it depends on constants and parameters only.
@@ -144,7 +145,7 @@ impl ExprGraph {
         &self.nodes[id.index()]
     }
 
-    /// Value facts of a node: constant during a flight, nonnegative, nonzero.
+    /// Known properties of the value of a node: whether it is constant during a flight, nonnegative, nonzero.
     pub fn facts(&self, id: NodeId) -> ValueFacts {
         self.facts[id.index()]
     }
@@ -389,8 +390,8 @@ impl ExprGraph {
         }
     }
 
-    /// Node of an expression of another graph, simplified anew; `image` maps the operands of the expression to nodes of
-    /// this graph.
+    /// Adds the expression `node` of another graph to this graph, simplified anew, and returns the resulting node.
+    /// `image` maps each direct operand of `node` to the node of this graph that takes its place.
     pub fn rebuilt(&mut self, node: &Node, image: &dyn Fn(NodeId) -> NodeId) -> NodeId {
         match *node {
             Node::Number(number) => self.number(number),

@@ -29,7 +29,8 @@ impl ExprGraph {
         }
     }
 
-    /// Node of the quotient `a / b`; returns `a` unchanged if `b` is the constant 1.
+    /// Node of the quotient `a / b`; 0 where `b` = 0, unless `b` is known to be nonzero. Returns `a` unchanged if `b`
+    /// is the constant 1.
     pub fn over(&mut self, a: NodeId, b: NodeId) -> NodeId {
         if self.is_one(b) { a } else { self.div(a, b) }
     }

@@ -206,7 +206,8 @@ impl ExprGraph {
     }
 }
 
-/// Quotient of the monomials `factors` and `divisor`; `None` unless `factors` contains all factors of the divisor.
+/// Quotient of the monomials `factors` and `divisor`, each a list of (base, twice the exponent); `None` unless
+/// `factors` contains all factors of the divisor.
 pub(super) fn divide(
     factors: &[(NodeId, i32)],
     divisor: &[(NodeId, i32)],
@@ -224,8 +225,8 @@ pub(super) fn divide(
     Some(quotient)
 }
 
-/// Product of two monomials, sorted by base. Factors with exponent 0 are not removed, since the result is only compared
-/// with other monomials.
+/// Product of two monomials, each a list of (base, twice the exponent), sorted by base. Factors with exponent 0 are not
+/// removed, since the result is only compared with other monomials.
 fn multiply(a: &[(NodeId, i32)], b: &[(NodeId, i32)]) -> Vec<(NodeId, i32)> {
     let mut product = a.to_vec();
     for &(base, exponent) in b {

@@ -184,8 +184,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// Angular velocity of the body relative to the inertial frame, rad/s; components in the model's angular-velocity
-    /// frame. Zero if the model has no rotating body.
+    /// Angular velocity of the body relative to the inertial frame, rad/s; components in the frame
+    /// `Rotation::angular_velocity_frame`. Zero if the model has no rotating body.
     pub(crate) fn spin(&mut self) -> Vector {
         let model = self.model;
         match model.body.as_ref().and_then(|body| body.rotation.as_ref()) {

@@ -128,8 +128,8 @@ pub fn turn(graph: &mut ExprGraph, model: &Model, v: Vector, frame: usize, up: b
     }
 }
 
-/// Rotation matrix of a unit quaternion (scalar first), which transforms components from the rotated frame to its
-/// parent.
+/// Rotation matrix, by row, of a unit quaternion; it transforms components from the rotated frame to its parent.
+/// `states` contains the state indices of the components of the quaternion, scalar first.
 fn quaternion_matrix(graph: &mut ExprGraph, states: [usize; 4]) -> [Vector; 3] {
     let q = states.map(|state| graph.symbol(Symbol::State(state as u32)));
     let two = Number::whole(2);

@@ -10,22 +10,23 @@ use model_spec::model::{FrameKind, Model, Rotation};
 /// Symmetric 3×3 matrix of nodes, by row.
 type Matrix = [Vector; 3];
 
-/// Inertia tensor transformed from the frame in which it is constant to the frame of the angular velocity.
+/// Inertia tensor transformed from the frame in which it is constant, `Rotation::inertia_frame`, to the frame of the
+/// components of the angular velocity, `Rotation::angular_velocity_frame`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Turned {
-    /// Complete inertia tensor, kg m², in the frame of the angular velocity.
+    /// Complete inertia tensor, kg m², in the frame of the components of the angular velocity.
     pub whole: Matrix,
     /// Part of the inertia tensor, kg m², that is not symmetric about the rotation axis between the two frames, and
-    /// therefore varies in the frame of the angular velocity.
+    /// therefore varies in the frame of the components of the angular velocity; components in the latter frame.
     rest: Matrix,
     /// Angular velocity, rad/s, of the frame in which the inertia tensor is constant, relative to the frame of the
-    /// angular velocity.
+    /// components of the angular velocity; components in the latter frame.
     relative: Vector,
 }
 
 impl Lowering<'_> {
-    /// Transforms the inertia tensor `given`, kg m², from the frame in which it is constant to the frame of the angular
-    /// velocity.
+    /// Transforms the inertia tensor `given`, kg m², from the frame in which it is constant to the frame of the
+    /// components of the angular velocity.
     pub(super) fn turned_inertia(&mut self, rotation: &Rotation, given: Matrix) -> Turned {
         let model = self.model;
         let (from, to) = (rotation.inertia_frame, rotation.angular_velocity_frame);

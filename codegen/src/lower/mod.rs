@@ -44,7 +44,7 @@ pub struct Lowered {
     /// measurement equation.
     pub observation: Option<Vector>,
     /// Name and node of each component of the auxiliary variables, in order of declaration; auxiliary variables that
-    /// depend on the marker are omitted.
+    /// depend on the marker, the specific force or the angular acceleration are omitted.
     pub quantities: Vec<(String, NodeId)>,
     /// Left-hand sides of the limits of validity, in order of declaration; the model is valid while each exceeds its
     /// bound.
@@ -67,9 +67,9 @@ pub(crate) struct Lowering<'a> {
     pub(crate) graph: ExprGraph,
     pub(crate) layout: Layout,
     pub(crate) lets: Vec<Value>,
-    /// Time derivatives, rad/s², of the components of the body's angular velocity in the model's angular-velocity
-    /// frame, and the angular velocity, rad/s, of that frame; both with components in that frame. `None` until the
-    /// rotational equations are lowered.
+    /// Two vectors with components in the frame `Rotation::angular_velocity_frame`: the time derivatives, rad/s², of
+    /// the components of the body's angular velocity, and the angular velocity, rad/s, of the frame itself relative to
+    /// the inertial frame. `None` until the rotational equations are lowered.
     pub(crate) component_rates: Option<(Vector, Vector)>,
     pub(crate) provenance: Vec<Provenance>,
     /// Names of the nodes whose source location is already in `provenance`.
@@ -165,7 +165,8 @@ pub fn lower(model: &Model) -> Lowered {
 impl Lowered {
     /// Returns the nodes of all outputs: state derivatives, limits of validity, observed marker position and auxiliary
     /// variables. Nodes may occur twice, because two fields contain auxiliary variables:
-    /// [`quantities`](Lowered::quantities) and [`lets`](Lowered::lets).
+    /// [`quantities`](Lowered::quantities) and [`lets`](Lowered::lets). The method changes nothing, but
+    /// needs `&mut self` because it visits the nodes by [`Lowered::replace_nodes`].
     pub(crate) fn nodes(&mut self) -> Vec<NodeId> {
         let mut nodes = Vec::new();
         self.replace_nodes(|node| {

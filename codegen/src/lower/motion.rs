@@ -49,8 +49,8 @@ impl Lowering<'_> {
     }
 
     /// Lowers the translational equations: `der(x) = v` in the inertial frame, and `m (der(v) + ω × v) = Σ F` in the
-    /// frame of the velocity, where ω is the angular velocity of that frame. Writes the derivatives of position and
-    /// velocity to `dx`.
+    /// frame of the velocity components (`Body::velocity_frame`), where ω is the angular velocity of that frame. Writes
+    /// the derivatives of position and velocity to `dx`.
     fn newton(&mut self, body: &Body, dx: &mut [NodeId]) {
         let model = self.model;
         let velocity = body
@@ -77,8 +77,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// Specific force: sum of all forces except the weight, divided by the mass, m/s²; components in the frame of the
-    /// velocity.
+    /// Specific force: sum of all forces except the weight, divided by the mass, m/s²; components in the frame in which
+    /// the model declares the velocity components (`Body::velocity_frame`). Zero if the model has no body.
     pub(crate) fn specific_force(&mut self) -> Vector {
         let model = self.model;
         let Some(body) = &model.body else {
@@ -91,8 +91,9 @@ impl Lowering<'_> {
         force.map(|component| self.graph.distribute(component, lightness))
     }
 
-    /// Derivative of the angular velocity with respect to time in the inertial frame, rad/s²; components in the frame
-    /// of the angular velocity.
+    /// Derivative of the angular velocity with respect to time in the inertial frame, rad/s²; components in
+    /// `Rotation::angular_velocity_frame`, the frame of the components of the angular velocity. Zero if no rotational
+    /// equations have been lowered.
     pub(crate) fn angular_acceleration(&mut self) -> Vector {
         let Some((rates, turning)) = self.component_rates else {
             return frames::zero(&mut self.graph);
@@ -163,9 +164,10 @@ impl Lowering<'_> {
         }
     }
 
-    /// Lowers the rotational equations: `I der(ω) + ω_F × I ω = Σ M` in the frame F of the angular velocity. If the
-    /// inertia tensor is not constant in F, the term `(dI/dt) ω` is subtracted from Σ M, with the time derivative of I
-    /// as seen in F. Writes the derivatives of the angular velocity or of the angle rates to `dx`.
+    /// Lowers the rotational equations: `I der(ω) + ω_F × I ω = Σ M`. All components are in the frame F,
+    /// `Rotation::angular_velocity_frame`, and ω_F is the angular velocity of F. If the inertia tensor is not constant
+    /// in F, the term `(dI/dt) ω` is subtracted from Σ M, with the time derivative of I as seen in F. Writes the
+    /// derivatives of the angular velocity or of the angle rates to `dx`.
     fn euler(&mut self, rotation: &Rotation, dx: &mut [NodeId]) {
         let model = self.model;
         let frame = rotation.angular_velocity_frame;
@@ -212,8 +214,9 @@ impl Lowering<'_> {
         }
     }
 
-    /// Solves for the second derivatives of the rotation angles, rad/s², given the angular acceleration `acceleration`,
-    /// and writes them to `dx`.
+    /// Solves for the second derivatives of the rotation angles, rad/s², and writes them to `dx`. `spin` contains the
+    /// components of the body's angular velocity in `Rotation::angular_velocity_frame`, and `acceleration` the time
+    /// derivatives of these components.
     fn rates(
         &mut self,
         rotation: &Rotation,

@@ -23,7 +23,9 @@ pub(super) fn module_ident(model: &str) -> Ident {
         .unwrap_or_else(|_| ident(&format!("{stem}_")))
 }
 
-/// File stem of a model's module: the model's name with only letters, digits and underscores.
+/// File stem of a model's module: the model's name, with underscores in place of all characters other than letters and
+/// digits. An underscore is prepended if the stem would not start with a letter or underscore, and `_model` is appended
+/// to a stem that cannot be a raw identifier, such as `self`.
 pub(super) fn file_stem(model: &str) -> String {
     let letters = model.chars();
     let mut stem: String = letters

@@ -30,7 +30,8 @@ struct Order<'a> {
     /// Clock cycle in which the operands of each statement are available; `None` while unknown, and after the statement
     /// is issued.
     ready: Vec<Option<u32>>,
-    /// Indices of the statements whose ready cycle is known and that are not yet issued.
+    /// Indices of the statements that are not yet issued and for which the clock cycle in which their operands are
+    /// available is known.
     waiting: Vec<usize>,
     /// For each angle of which both sine and cosine are computed, the indices (sine, cosine) of the two statements,
     /// stored under both indices.

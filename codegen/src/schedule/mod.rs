@@ -352,8 +352,8 @@ impl Schedule<'_> {
         self.in_turn(start, steps, id)
     }
 
-    /// Emits statements that apply the operations `steps` to `value`, one after the other; the last statement computes
-    /// the definition `id`.
+    /// Emits statements that apply the operations `steps`, each with its right operand, to `value`, one after the
+    /// other; the last statement computes the definition `id`. Returns its result.
     fn in_turn(&mut self, mut value: Operand, steps: Vec<(Binary, Operand)>, id: DefId) -> Operand {
         let many = steps.len();
         for (k, (binary, operand)) in steps.into_iter().enumerate() {

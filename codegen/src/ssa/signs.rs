@@ -182,7 +182,9 @@ fn distinct(touched: &[SignLocation]) -> Vec<SignLocation> {
     places
 }
 
-/// Number of negations, 0 or 1, that the sign at the location `place` requires.
+/// Number of negations, 0 or 1, that the signs at the location `place` require: 1 for a sum that has neither a positive
+/// term nor a constant to begin with, and for a negated function argument or requested result; else 0. The negation of
+/// a result that depends on parameters only is not counted.
 fn price(ssa: &Ssa, place: SignLocation) -> i64 {
     let sum = |terms: &[(bool, DefId)]| -> i64 {
         let plus = terms

@@ -11,8 +11,9 @@ pub struct PiecewiseCubic {
 }
 
 impl PiecewiseCubic {
-    /// Builds a piecewise cubic function from its knots and from the coefficients of its cubics, of which there must be
-    /// one more than knots.
+    /// Builds a piecewise cubic function from its knots, in increasing order, and its cubics, of which there must be
+    /// one more than knots. Each cubic is given by the coefficients of the powers 0 to 3 of the distance from the knot
+    /// at the lower end of its interval; the first cubic applies below the first knot and has that knot as origin.
     pub fn new(knots: Vec<f64>, cubics: Vec<[f64; 4]>) -> PiecewiseCubic {
         PiecewiseCubic { knots, cubics }
     }

@@ -4,8 +4,8 @@ use super::steps::{Step, Steps, Value};
 use super::{Instruction, Run, Tape};
 use crate::program::{Operand, Program};
 
-/// Step index that is recorded as the last use of each program output, so that outputs stay live after the last step:
-/// greater than every step index.
+/// Step index that is recorded as the last use of each input, constant and program output, so that these values keep
+/// their registers after the last step: greater than every step index.
 const END: usize = usize::MAX;
 
 /// Compiles a program to a tape.

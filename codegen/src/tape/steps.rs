@@ -221,8 +221,9 @@ impl Ready {
     }
 }
 
-/// Operation code of the next run: the one after which the code must still change most often. Ties are resolved in
-/// favour of the code with more ready steps, then of the smallest code. `None` if no step is ready.
+/// Operation code of the steps to execute next: the code whose ready steps must be followed by the most changes of
+/// operation code ([`Ready::changes`]). Ties are resolved in favour of the code with more ready steps, then of the
+/// smallest code. `None` if no step is ready.
 fn next(ready: &BTreeMap<Opcode, Ready>) -> Option<Opcode> {
     let any = ready.iter().filter(|(_, ready)| !ready.steps.is_empty());
     let next =

@@ -30,7 +30,8 @@ pub struct Scatter {
     /// Standard deviations of quantities of the throw, such as its speed: (index in [`FIELDS`], the list of these
     /// quantities; value in the unit that [`FIELDS`] states).
     pub release: Vec<(usize, f64)>,
-    /// Standard deviations of the components x, y, z of a constant wind, m/s.
+    /// Standard deviations of the components x, y, z of the wind, m/s, in the frame in which the model declares its
+    /// input `wind`. The wind is constant during a flight.
     pub wind: [f64; 3],
     /// Standard deviations of parameters and coefficients of the model: (index among the parameters of the compiled
     /// model, value in the parameter's unit).
@@ -100,13 +101,16 @@ impl Bounds {
         }
     }
 
-    /// Returns the bounds with the minimum and maximum of the quantity of a throw called `name` replaced.
+    /// Returns the bounds with the minimum and maximum of the quantity of a throw called `name`, such as `speed`,
+    /// replaced. They are in the unit given in [`FIELDS`], and ignored if a throw of the body does not have this
+    /// quantity.
     pub fn with(mut self, name: &str, least: f64, greatest: f64) -> Bounds {
         self.set(name, least, greatest);
         self
     }
 
-    /// The entries of `ranges` that the search for a throw may vary: those whose minimum is less than the maximum.
+    /// The entries (index in [`FIELDS`], minimum, maximum) of `ranges` that the search for a throw may vary: those
+    /// whose minimum is less than the maximum.
     pub fn free(&self) -> impl Iterator<Item = &(usize, f64, f64)> {
         self.ranges
             .iter()

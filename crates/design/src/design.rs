@@ -47,21 +47,24 @@ impl Default for SearchOptions {
 pub struct Design {
     /// Goal of the throw for which the search was made.
     pub goal: Goal,
-    /// Whether the throw meets the constraints of the goal to a millimetre: the path reaches the target point and
-    /// avoids the obstacle.
+    /// Whether the throw meets the constraints of the goal: the path reaches the target point, avoids the obstacle and,
+    /// for a flare, is level at the target point. The root sum square of the violations, in m and for a flare also in
+    /// m/s, must be below 1e-3.
     pub feasible: bool,
     /// The throw that was found; if no throw meets the constraints, the one that violates them least.
     pub throw: Throw,
-    /// Minimum distance between the path and the goal's target point, m; 0 for a goal without a point.
+    /// Minimum distance between the path and the goal's target point, m. For a point on the ground, the horizontal
+    /// distance between the point and the landing; 0 for a goal without a point.
     pub miss: f64,
     /// Vertical velocity at the goal's target point, m/s, upwards positive: the remaining error of a flare (level
     /// flight at the point). `None` for other goals.
     pub vertical_speed: Option<f64>,
-    /// Minimum distance between path and obstacle, m, negative inside the obstacle; `None` without an obstacle.
+    /// Minimum lateral distance, m, of the path from the surface of the obstacle on the side `side`; negative if the
+    /// path enters the obstacle or passes it on the opposite side. `None` without an obstacle.
     pub clearance: Option<f64>,
-    /// Side on which the path passes the obstacle; `None` without an obstacle.
+    /// Side on which the path is required to pass the obstacle; `None` without an obstacle.
     pub side: Option<Side>,
-    /// Position of the mass centre at landing, m.
+    /// Position of the mass centre at landing, m, in the inertial frame: x = y = 0 at release, z upwards.
     pub landing: Vector3<f64>,
     /// Duration of the flight, s.
     pub time: f64,
@@ -108,7 +111,8 @@ pub enum DesignError {
     Flight(#[from] ThrowFlightError),
 }
 
-/// Maximum constraint violation (m, or m/s for a flare) at which a throw counts as feasible.
+/// Limit on the root sum square of the constraint violations, in m and for a flare (level flight at a point) also in
+/// m/s, below which a throw counts as feasible.
 const SERVES: f64 = 1e-3;
 /// Relative tolerances of the integration of flights: for the starting throws, for the descents, and for the final
 /// flight.
@@ -212,7 +216,8 @@ struct Task<'t> {
 struct Start {
     /// Point in the unit box, whose coordinates are the free quantities scaled linearly from their ranges to [0, 1].
     at: DVector<f64>,
-    /// Constraint violation and objective of the throw for each side of the obstacle on which the path may pass.
+    /// (Constraint violation, objective) of the throw for each side of the obstacle on which the path may pass, left
+    /// before right; a single pair without an obstacle.
     of_sides: Vec<(f64, f64)>,
 }
 
@@ -265,8 +270,9 @@ impl Task<'_> {
             .values(path, obstacle.and_then(|obstacle| Some((obstacle, side?))))
     }
 
-    /// Starting points of the descents for one side of the obstacle, at most `count`, the best first. Points within
-    /// [`APART`] of a better one are skipped. `side` is the index of the side in [`Start::of_sides`].
+    /// Starting points of the descents, in the unit box, for the obstacle side with the index `side` in
+    /// [`Start::of_sides`]: at most `count`, in order of constraint violation, then of objective. Points within
+    /// [`APART`] of a better one are skipped.
     fn chosen(&self, starts: &[Start], side: usize, count: usize) -> Vec<DVector<f64>> {
         let mut order: Vec<&Start> = starts.iter().collect();
         // The sort is stable: equal points stay in the order of the starts.
@@ -300,9 +306,10 @@ impl Task<'_> {
         self.goal.target().is_some() || side.is_some()
     }
 
-    /// Changes a starting throw, by Gauss–Newton steps, until it meets the constraints (with the obstacle passed on
-    /// `side`; `None` without an obstacle) or violates them as little as the bounds allow. `accuracy` is an index into
-    /// [`TOLERANCES`]. `None` if one of the evaluated throws cannot be flown.
+    /// Changes the starting throw `from`, a point of the unit box, by Gauss–Newton steps until it meets the constraints
+    /// (with the obstacle passed on `side`; `None` without an obstacle) or violates them as little as the bounds allow.
+    /// `accuracy` is an index into [`TOLERANCES`]. `None` if the starting throw cannot be flown, or if the objective of
+    /// the final throw cannot be computed.
     fn met(&self, side: Option<Side>, from: &DVector<f64>, accuracy: usize) -> Option<Arrival> {
         let near = RefCell::new(None);
         if !self.is_constrained(side) {
@@ -319,8 +326,8 @@ impl Task<'_> {
         Some(arrival)
     }
 
-    /// Minimizes the objective among throws that meet the constraints with the obstacle, if any, passed on `side`;
-    /// starts from such a throw. `None` if the starting throw cannot be flown.
+    /// Minimizes the objective among throws that meet the constraints with the obstacle, if any, passed on `side`. The
+    /// starting throw `from`, a point of the unit box, must meet them. `None` if the starting throw cannot be flown.
     fn least(&self, side: Option<Side>, from: &DVector<f64>) -> Option<Arrival> {
         let near = RefCell::new(None);
         let problem =
@@ -328,8 +335,9 @@ impl Task<'_> {
         descend(&problem, from)
     }
 
-    /// Minimizes the constraint violation if the constraints cannot be met. Unlike [`Task::met`], this method accounts
-    /// for the curvature of the constraints, which matters when the remaining violation is large.
+    /// Minimizes the constraint violation from `from`, a point of the unit box at which [`Task::met`] ended without
+    /// meeting the constraints. Unlike [`Task::met`], this method accounts for the curvature of the constraints, which
+    /// matters when the remaining violation is large. `None` if the throw at `from` cannot be flown.
     fn nearest(&self, side: Option<Side>, from: &DVector<f64>) -> Option<Arrival> {
         let near = RefCell::new(None);
         let problem = |at: &DVector<f64>, _: bool| {
@@ -419,7 +427,8 @@ impl Task<'_> {
     }
 
     /// Root mean square distance of landings from their mean, m, to first order in the scatter of release, wind and
-    /// parameters. `near` is the release state of a similar throw. `None` if the throw cannot be flown.
+    /// parameters ([`Bounds::scatter`]). `near` is the release state of a similar throw, which speeds up the search for
+    /// the release state of `throw`. `None` if the throw cannot be flown.
     fn rms_spread(
         &self,
         throw: &Throw,
@@ -480,8 +489,8 @@ fn radical_inverse(mut index: u64, base: u64) -> f64 {
     value
 }
 
-/// Names and values of the quantities of a throw that have a value, in the order of [`FIELDS`], the list of all
-/// quantities of a throw.
+/// Names and values of the quantities of a throw that have a value, in the order and units of [`FIELDS`], the list of
+/// all quantities of a throw.
 pub fn numbers(throw: &Throw) -> impl Iterator<Item = (&'static str, f64)> {
     FIELDS
         .iter()

@@ -169,9 +169,10 @@ fn room(at: &DVector<f64>, trust: f64) -> (DVector<f64>, DVector<f64>) {
     )
 }
 
-/// Minimizes the objective from a point that satisfies the constraints. Each iteration steps along the constraints by a
-/// quadratic model of the Lagrangian and then moves back until they are satisfied. The point reached is accepted only
-/// if the objective there is smaller. `None` if the problem has no finite values at the start.
+/// Minimizes the objective from the point `from`, which must satisfy the constraints. Each iteration steps along the
+/// constraints by a quadratic model of the Lagrangian and then moves back until they are satisfied. The new point is
+/// accepted only if its objective is smaller than that of the last accepted point. Returns the last accepted point,
+/// which is `from` if no step is accepted; `None` if the problem has no finite values at `from`.
 pub fn descend(problem: Problem<'_>, from: &DVector<f64>) -> Option<Arrival> {
     let values = problem(from, true).filter(Values::is_finite)?;
     let mut now = Arrival {
@@ -261,7 +262,9 @@ fn along(
     step
 }
 
-/// Least-squares Lagrange multipliers of the equality constraints and of the active inequality constraints.
+/// Least-squares Lagrange multipliers of the constraints, in the order of the rows of [`stacked`]: equality
+/// constraints, then inequality constraints, 0 for inactive ones. They make the gradient computed by [`lagrangian`] as
+/// small as possible.
 fn multipliers(values: &Values) -> DVector<f64> {
     let rows = stacked(values);
     if rows.nrows() == 0 {
@@ -288,7 +291,8 @@ fn stacked(values: &Values) -> DMatrix<f64> {
     })
 }
 
-/// Gradient of the Lagrangian with respect to the variables.
+/// Gradient of the Lagrangian with respect to the variables. The Lagrangian is the objective plus the sum of the
+/// equality constraints and active inequality constraints, each times its multiplier.
 fn lagrangian(values: &Values, multipliers: &DVector<f64>) -> DVector<f64> {
     &values.gradient + stacked(values).tr_mul(multipliers)
 }

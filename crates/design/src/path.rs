@@ -20,8 +20,8 @@ const MAX_STEPS: usize = 40;
 pub struct Path<'f> {
     flights: &'f ThrowFlights<'f>,
     layout: Option<SensitivityLayout>,
-    /// Integrated trajectory; if derivatives were requested, each state vector is followed by the sensitivity matrix S,
-    /// the derivatives of the states.
+    /// Integrated trajectory. If derivatives were requested, each state vector is followed by the sensitivity matrix S,
+    /// the derivatives of the states, row by row and with padding (see [`SensitivityLayout`]).
     pub trajectory: Trajectory,
     /// For each quantity with respect to which the path is differentiated, its column of the sensitivity matrix S, the
     /// derivatives of the states.
@@ -95,8 +95,9 @@ impl<'f> Path<'f> {
         }
     }
 
-    /// Times at which the distance between the path and the point `to` has a local minimum, including minima at the
-    /// ends of the flight. If `horizontally`, the distance is that to the vertical line through the point.
+    /// Times, s since release, at which the distance between the path and the point `to` (m) has a local minimum,
+    /// including minima at the ends of the flight. If `horizontally`, the distance is that to the vertical line through
+    /// the point.
     pub fn nearest_times(&self, to: Vector3<f64>, horizontally: bool) -> Vec<f64> {
         let flat = |v: Vector3<f64>| {
             if horizontally {

@@ -88,8 +88,9 @@ impl<'t> BoundsReader<'t> {
         Some(field)
     }
 
-    /// Minimum and maximum of a quantity of a throw, from a list of two numbers or a single number, which fixes the
-    /// quantity. `None` after reporting a fault.
+    /// Minimum and maximum of a quantity of a throw, in the unit that [`FIELDS`] states for it; `field` is the index of
+    /// the quantity in this list. `value` is a list of two numbers, or a single number, which fixes the quantity.
+    /// `None` after reporting a fault.
     fn range(&mut self, value: &Value<'t>, field: usize) -> Option<(f64, f64)> {
         let (name, unit, ..) = FIELDS[field];
         let (least, greatest) = match value.get_ref().as_array() {

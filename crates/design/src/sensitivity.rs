@@ -24,7 +24,8 @@ pub struct Sensitivity {
     pub one_unit: [Option<OneUnit>; 2],
 }
 
-/// Change of the flight of a throw if one of its quantities changes by one unit.
+/// Change of the flight of a throw if one quantity of the throw changes by one unit: the unit that [`FIELDS`] states
+/// for the quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OneUnit {
     /// Change of the landing position that the change of the quantity causes, m.

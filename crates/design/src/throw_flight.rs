@@ -58,8 +58,8 @@ impl ThrownBody {
     /// Compiles a model.
     ///
     /// # Errors
-    /// [`ThrowFlightError::Throw`] if the model has no body; [`ThrowFlightError::NoPosition`] if three of its states
-    /// are not the position of the mass centre.
+    /// [`ThrowFlightError::Throw`] if the model has no body; [`ThrowFlightError::NoPosition`] if the coordinates of the
+    /// mass centre are not states of the model.
     pub fn new(model: Model) -> Result<ThrownBody, ThrowFlightError> {
         let (compiled, thrown) = (CompiledModel::new(&model), ThrownModel::new(&model)?);
         let layout = compiled.layout();
@@ -125,8 +125,8 @@ pub struct ThrowFlights<'b> {
 }
 
 impl ThrowFlights<'_> {
-    /// State at release at which the motion is that of the throw. `near` is the release state of a similar throw, which
-    /// speeds up the search.
+    /// Finds the state of the model at release for which the body has the motion of the throw. `near` is the release
+    /// state of a similar throw, which speeds up the search.
     ///
     /// # Errors
     /// [`ThrowError`] if no state has the motion of the throw.

@@ -107,7 +107,7 @@ struct Discordant {
 }
 
 /// Repeats a diagnosis without the discordant flights, which contradict the missing effects that explain the other
-/// flights; `None` if the repeated diagnosis finds no explanation either.
+/// flights; `None` if the repeated diagnosis finds no missing effects that explain the remaining flights.
 fn without_discordant<R: Send>(
     context: Context<'_>,
     discordant: &Discordant,
@@ -256,8 +256,8 @@ impl<'a> Analysis<'a> {
         self.search.accepted = select_by_bic(&self.model, accepted, stepwise, free);
     }
 
-    /// The fitted model with library terms (products of variables added to loads); `None` unless its BIC is near the
-    /// smallest BIC of the accepted hypotheses (sets of missing effects).
+    /// The fitted model with library terms (products of variables added to loads); `None` unless there are accepted
+    /// hypotheses (sets of missing effects) to which the terms are an alternative by BIC (see [`are_alternative`]).
     fn alternative_terms(&self) -> Option<&FittedTerms> {
         let hypotheses = &self.search.accepted;
         let terms = self.stepwise.as_ref().filter(|_| !hypotheses.is_empty());

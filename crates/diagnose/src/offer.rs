@@ -32,8 +32,8 @@ pub(crate) struct MeasuredExtension<R> {
     fit: Fit,
     gain: Option<PredictiveGain>,
     chi2_decrease: f64,
-    /// Indices of the held-out flights that are predicted without the added effects, because their first samples
-    /// contradict these effects.
+    /// Indices, in the dataset, of the held-out flights that are predicted without the added effects, because the first
+    /// samples of these flights contradict the effects.
     not_applied: Vec<usize>,
     /// Result of the caller's function `on_extension` for the extended model.
     callback_result: R,
@@ -111,7 +111,8 @@ pub(crate) fn measure<R: Send>(
 }
 
 impl<R> MeasuredExtension<R> {
-    /// Whether the model under test and the extended model make practically the same predictions.
+    /// Whether the model under test and the extended model make practically the same predictions, by the criterion of
+    /// `PredictiveGain::changes_nothing`; false if the out-of-sample gain was not measured.
     pub fn changes_nothing(&self) -> bool {
         let gain = self.gain.as_ref();
         gain.is_some_and(PredictiveGain::changes_nothing)

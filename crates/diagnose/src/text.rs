@@ -1,6 +1,8 @@
 //! Formatting of numbers in sentences.
 
-/// Formats a number with three or four significant figures, in exponential notation if very small or large.
+/// Formats a number with about three significant figures: no decimal from 100 on, two decimals from 1 on, four decimals
+/// below 1. Absolute values below 0.001 (other than 0) and from 10 000 on are in exponential notation with two
+/// decimals.
 pub(crate) fn three_figures(value: f64) -> String {
     if value != 0.0 && (value.abs() < 1e-3 || value.abs() >= 1e4) {
         format!("{value:.2e}")

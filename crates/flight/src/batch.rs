@@ -47,8 +47,10 @@ pub fn each_on<R: Send>(threads: usize, count: usize, task: impl Fn(usize) -> R 
     results.collect()
 }
 
-/// Runs `task` on one of `threads` threads, which [`each_on`] then uses for the batches that `task` runs. A batch
-/// starts sooner there than on a thread outside the pool, which has to wake another thread and wait for it.
+/// Runs `task` on a thread of the pool with `threads` threads that [`each_on`] uses. Calls of [`each_on`] in `task`
+/// with the same number of threads thus start sooner: a thread outside the pool has to wake a thread of the pool and
+/// wait for it. Runs `task` on the calling thread if `threads` is at most 1 or the calling thread already belongs to a
+/// pool.
 ///
 /// # Panics
 /// If `task` panics.

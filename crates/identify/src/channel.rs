@@ -28,7 +28,8 @@ pub struct Channel {
     pub kind: ChannelKind,
     /// Position of the marker or sensor in the frame in which the markers are fixed (usually the body frame), m.
     pub position: [f64; 3],
-    /// Number of components of a measured value: 3 for a vector, 1 for a speed.
+    /// Number of components of a measured value: 3 for a vector (position, rotation vector of an attitude, or reading
+    /// of an instrument), 1 for a speed.
     pub components: usize,
     /// Index of the noise group of the channel. All channels of a group share the parameters of one noise process.
     pub group: usize,

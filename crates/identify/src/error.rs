@@ -20,13 +20,14 @@ pub enum FlightError {
         /// Number of unknowns (free directions) of the initial state.
         unknowns: usize,
     },
-    /// The dataset gives a known value under a name that the model does not have.
+    /// The dataset gives, for one flight, the known value of a quantity (such as the wind) under a name that the model
+    /// does not have.
     #[error(
         "{name} is given as known, and the model {model} has the vectors and numbers {}",
         available.join(", ")
     )]
     UnknownKnownValue {
-        /// Name of the known value in the dataset.
+        /// Name under which the dataset gives the value.
         name: String,
         /// Name of the model.
         model: String,
@@ -119,7 +120,8 @@ pub enum NameSource {
     DatasetParameters,
     /// The name is in the option `FitOptions::fixed`, the coefficients that are not estimated.
     Fixed,
-    /// The name is in the option `FitOptions::free`, the constants and inputs that are estimated in addition.
+    /// The name is in the option `FitOptions::free`, the constants and components of inputs that are estimated in
+    /// addition to the coefficients.
     Free,
     /// The name is in the option `FitOptions::priors`, the Gaussian priors of parameters.
     Prior,
@@ -162,10 +164,10 @@ pub enum FitError {
         name: String,
         /// Name of the model.
         model: String,
-        /// Names that are allowed in this section or option.
+        /// Names that are allowed in the section or option `given_in`.
         available: Vec<String>,
     },
-    /// A prior or a profile is requested for a parameter that is not estimated.
+    /// A prior or a profile likelihood is requested for a parameter that is not estimated.
     #[error("{} {name}, which is not estimated", given_in.phrase())]
     NotEstimated {
         /// Option that names the parameter: [`NameSource::Prior`] or [`NameSource::Profile`].
@@ -224,8 +226,8 @@ pub enum FitError {
         /// Required number of initial-state values for each fitted flight.
         states: Vec<usize>,
     },
-    /// The known values of a flight do not match the model, or the flight cannot be predicted from given values of the
-    /// unknowns.
+    /// The values that the dataset gives for quantities of one flight, such as the wind, do not match the model, or the
+    /// flight cannot be predicted from given values of the unknowns.
     #[error("{file}: {reason}")]
     Flight {
         /// File name of the flight.

@@ -12,9 +12,9 @@ pub struct InputError {
     pub file: PathBuf,
     /// Line and column of the error, both counted from 1; `None` if the error concerns the whole file.
     pub place: Option<(usize, usize)>,
-    /// Description of the text or value found at this location.
+    /// Description of the text or value found at the location of the error.
     pub found: String,
-    /// Description of what was expected instead.
+    /// Description of what was expected at the location of the error.
     pub expected: String,
 }
 

@@ -7,7 +7,8 @@ use std::ops::{Deref, DerefMut};
 #[derive(Clone, Debug, PartialEq)]
 pub struct NoiseModel {
     groups: Vec<AxesNoise>,
-    /// Group of each channel, by channel index; a channel without an entry belongs to group 0.
+    /// Noise group of each channel, by channel index. The channels of a group share one noise process, whose index in
+    /// `groups` is the number of the group. A channel without an entry belongs to group 0.
     group_of: Vec<usize>,
 }
 
@@ -42,7 +43,8 @@ impl NoiseModel {
         AxesNoise::white(sigma, interval).into()
     }
 
-    /// Creates the noise model from the noise of each group and the group of each channel.
+    /// Creates the noise model from the noise process of each noise group, and the index of the group to which each
+    /// channel belongs, by channel index.
     ///
     /// # Panics
     /// Panics if `groups` is empty.
@@ -151,8 +153,8 @@ impl AxesNoise {
     }
 }
 
-/// Sums of squares and products of residuals, from which the noise of a group is estimated. Sums of several flights can
-/// be added.
+/// Sums of squares and products of the residuals of one noise group (channels with the same noise process), from which
+/// its noise is estimated. Sums of several flights can be added.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Moments {
     /// Sum of squared residuals along each axis, m².

@@ -131,7 +131,8 @@ impl Observations {
         Some(observations)
     }
 
-    /// Measured positions, m, of the points from which the pose is determined, in one sample.
+    /// Measured positions, in one sample, of the points from which the pose is determined, in the order of
+    /// [`FitProblem::markers`]; inertial frame, m. `None` for a point that is not measured; outliers are included.
     pub fn points(&self, sample: usize) -> &[Option<[f64; 3]>] {
         match self.stand_ins.is_empty() {
             true => &self.measured[sample * self.channels..][..self.markers],
@@ -139,7 +140,8 @@ impl Observations {
         }
     }
 
-    /// Pose in each sample, `None` where the measured markers do not determine it; empty for a point mass.
+    /// Pose in each sample, `None` where the measured points (markers, or body-fixed points whose positions are
+    /// computed from the reading of a pose sensor) do not determine it; empty for a point mass.
     pub(crate) fn poses(&self, problem: &FitProblem) -> Vec<Option<Pose>> {
         let samples = 0..self.times.len() * usize::from(problem.has_attitude);
         let each = samples.map(|sample| pose(&problem.markers, self.points(sample)));
@@ -151,12 +153,15 @@ impl Observations {
         self.outlier[sample * self.channels + channel]
     }
 
-    /// Measured value of a channel in a sample; `None` if it is missing.
+    /// Measured value of a channel in a sample: position in the inertial frame, m; rotation vector of an attitude, rad;
+    /// or reading of an instrument in its unit. A scalar reading is repeated three times. `None` if the value is
+    /// missing.
     pub fn value(&self, sample: usize, channel: usize) -> Option<[f64; 3]> {
         self.measured[sample * self.channels + channel]
     }
 
-    /// Measured value of a channel in a sample; `None` if it is missing or an outlier.
+    /// Measured value of a channel in a sample, in the form that [`value`](Self::value) returns; `None` if it is
+    /// missing or an outlier.
     pub fn inlier(&self, sample: usize, channel: usize) -> Option<[f64; 3]> {
         let value = self.value(sample, channel);
         value.filter(|_| !self.is_outlier(sample, channel))

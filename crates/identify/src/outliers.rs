@@ -16,8 +16,9 @@ const MIN_POINTS: usize = 5;
 pub type Residuals = [Vec<Option<[f64; 3]>>];
 
 /// Local-linear residuals as `[channel][sample]`, m: the difference of each residual from the line through its
-/// neighbours, scaled to the standard deviation of a residual. The line is a least-squares line, or a Theil–Sen line
-/// for possible outliers.
+/// neighbours, scaled so that its standard deviation is that of one residual. The line is a least-squares line, or a
+/// Theil–Sen line for possible outliers. `None` for a missing value and for channels with fewer than `MIN_POINTS`
+/// values.
 pub fn local_residuals(times: &[f64], residuals: &Residuals) -> Vec<Vec<Option<[f64; 3]>>> {
     let all: Vec<Series> = residuals
         .iter()
@@ -60,8 +61,9 @@ impl Series {
         Self(seen)
     }
 
-    /// Differences of the values from least-squares lines through their neighbours, m, scaled to the standard deviation
-    /// of a value, by sample index. `None` for missing values.
+    /// Differences of the values from least-squares lines through their neighbours, m, by sample index. Each is scaled
+    /// so that its standard deviation is that of one value. `None` for missing values, and for all values if there are
+    /// fewer than `MIN_POINTS`.
     fn local_residuals(&self, samples: usize) -> Vec<Option<[f64; 3]>> {
         let mut local_residuals = vec![None; samples];
         if self.0.len() < MIN_POINTS {
@@ -91,8 +93,8 @@ impl Series {
         seen[first..index].iter().chain(&seen[index + 1..last])
     }
 
-    /// Difference of one value from the Theil–Sen line through its neighbours along one axis, m, scaled to the standard
-    /// deviation of a value. `space` is scratch memory.
+    /// Difference of one value from the Theil–Sen line through its neighbours along one axis, m, scaled so that its
+    /// standard deviation is that of one value. `space` is scratch memory.
     fn local_residual(&self, index: usize, axis: usize, space: &mut Vec<f64>) -> f64 {
         let (time, _, value) = self.0[index];
         let mut points = [(0.0, 0.0); 2 * SIDE];
@@ -125,8 +127,9 @@ struct Line {
 const SAME_TIME: f64 = 1e-9;
 
 impl Line {
-    /// Computes the weights of the neighbours of a value at time 0, given their times relative to it. Only the first 2
-    /// × `SIDE` neighbours are used.
+    /// Computes the weights of the neighbours of a value at time 0, whose weighted sum is the value at time 0 of the
+    /// least-squares line through the neighbours. `times` are the times of the neighbours relative to the value, s;
+    /// only the first 2 × `SIDE` are used. The weights are kept if the times have not changed.
     fn through(&mut self, times: impl Iterator<Item = f64> + Clone) {
         let near = |(time, drawn): (f64, &f64)| (time - drawn).abs() <= SAME_TIME * drawn.abs();
         if times.clone().count() == self.count && times.clone().zip(&self.times).all(near) {
@@ -147,8 +150,8 @@ impl Line {
         self.spread = (1.0 + 1.0 / count + middle * part).sqrt();
     }
 
-    /// Weight of each neighbour of a value in the ordinate, at the time of that value, of the least-squares line
-    /// through the neighbours.
+    /// Weights of the values of the neighbours. Their weighted sum is the value of the least-squares line through the
+    /// neighbours at time 0, the time of the value to be tested.
     fn weights(&self) -> &[f64] {
         &self.weights[..self.count]
     }

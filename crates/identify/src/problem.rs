@@ -20,7 +20,7 @@ use crate::pose;
 use crate::tolerance::FINE_TOLERANCE;
 pub use global_parameters::GlobalParameter;
 
-/// Standard deviation of one coordinate, m, assumed initially if the samples do not determine it.
+/// Standard deviation of the noise of one measured coordinate, m, assumed initially if the samples do not determine it.
 const DEFAULT_SIGMA0: f64 = 1e-3;
 
 /// Ratio of the standard deviation of the residuals to the initial noise estimate `sigma0`, above which the model is
@@ -53,9 +53,9 @@ pub struct FitProblem {
     pub globals: Vec<GlobalParameter>,
     /// Names and values (SI) of the coefficients that are not estimated.
     pub fixed: Vec<(String, f64)>,
-    /// Standard deviation of one measured coordinate, m; `None` if the dataset does not give it.
+    /// Standard deviation of the noise of one measured coordinate, m; `None` if the dataset does not give it.
     pub sigma: Option<f64>,
-    /// Initial estimate, from the samples alone, of the standard deviation of one measured coordinate, m.
+    /// Initial estimate, from the samples alone, of the standard deviation of the noise of one measured coordinate, m.
     pub sigma0: f64,
     /// Integration tolerance for computing whitened residuals, in units of the initial noise estimate `sigma0`.
     pub tolerance: f64,

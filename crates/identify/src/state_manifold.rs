@@ -45,8 +45,9 @@ impl StateManifold {
         self.states
     }
 
-    /// Nonzero entries (state index, direction index, value) of the derivative of the state with respect to the
-    /// directions in which it may vary, at `state`.
+    /// Entries (state index, direction index, value), all others being zero, of the derivative of the state with
+    /// respect to the directions in which it may vary, at `state`. The directions of a quaternion are the components of
+    /// a small rotation vector, rad, in the axes of the frame that the quaternion orients.
     pub fn tangent(&self, state: &[f64]) -> Vec<(usize, usize, f64)> {
         let direct = self.direct.iter().enumerate();
         direct
@@ -55,8 +56,10 @@ impl StateManifold {
             .collect()
     }
 
-    /// Nonzero entries (state index, direction index, value) of the derivative of the state with respect to the
-    /// directions in which it may vary, for the states that are components of quaternions.
+    /// Entries (state index, direction index, value), all others being zero, of the derivative of the state with
+    /// respect to the directions in which it may vary, at `state`, for the states that are components of
+    /// quaternions. The three directions of a quaternion are the components of a small rotation vector, rad, in the
+    /// axes of the frame that it orients.
     fn quaternion_tangent(&self, state: &[f64]) -> impl Iterator<Item = (usize, usize, f64)> {
         let each = self.quaternions.iter().enumerate();
         each.flat_map(move |(index, &components)| {
@@ -82,8 +85,10 @@ impl StateManifold {
         Some(StateId::new(*state))
     }
 
-    /// Returns the state after a step along the directions (the retraction of the manifold), with its quaternions
-    /// normalised.
+    /// Returns the state after a step along the directions in which it may vary (the retraction of the manifold).
+    /// `step` has one element per direction: first the changes of the free states, SI, then for each quaternion the
+    /// three components of a rotation vector, rad, in the axes of the frame that the quaternion orients. A quaternion
+    /// is changed to first order in its rotation vector and then normalised.
     pub fn plus(&self, state: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
         let mut moved = state.clone();
         for (&row, step) in self.direct.iter().zip(step.iter()) {

@@ -36,7 +36,8 @@ const UNKNOWN: f64 = 0.1;
 /// A model and a dataset in which sensor positions, origin and vertical direction count as known: where the original
 /// dataset declares them unknown, effects (model extensions) with estimated coefficients represent them.
 pub struct Resolved<'d> {
-    /// The model, with the quantity that each kind of instrument in the dataset measures, and with an effect (model
+    /// The model, with two kinds of additions: a definition of the quantity that each kind of instrument in the dataset
+    /// measures, such as the angular velocity for a gyroscope, unless the model defines it; and an effect (model
     /// extension) for each sensor position, origin or vertical direction that the dataset declares unknown.
     pub model: Model,
     /// The dataset, with all sensor positions, the origin and the vertical direction marked as known. What it declared

@@ -14,8 +14,8 @@ pub trait Kernel {
     fn run<T: Lanes>(self) -> Self::Output;
 }
 
-/// A computation on single numbers (one lane), which [`dispatch_scalar`](crate::dispatch_scalar) runs as compiled for
-/// the widest supported instruction set.
+/// A computation on single numbers (one lane). [`dispatch_scalar`](crate::dispatch_scalar) runs it, compiled for the
+/// widest supported instruction set that is not wider than [`Isa::best`](crate::Isa::best).
 ///
 /// `run` and its callees should be `#[inline(always)]`; otherwise they are compiled for the baseline processor.
 pub trait ScalarKernel {

@@ -42,8 +42,10 @@ impl ElementaryFunction {
 /// bit-identical among all fusing types and among all non-fusing types; results of a fusing and a non-fusing type
 /// differ by rounding.
 ///
-/// NaN propagates, with unspecified sign. NaN does not satisfy the condition "0 or less" in the descriptions of the
-/// methods.
+/// NaN propagates, with unspecified sign, except through the methods that only compare: [`min`](Real::min) and
+/// [`max`](Real::max) with a NaN return `other`, [`sign`](Real::sign) and [`heaviside`](Real::heaviside) of NaN are 0,
+/// and [`if_zero`](Real::if_zero) of NaN selects `otherwise`. NaN does not satisfy the condition "0 or less" in the
+/// descriptions of the methods.
 pub trait Real:
     Copy
     + Add<Output = Self>

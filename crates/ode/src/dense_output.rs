@@ -6,6 +6,7 @@ use crate::rhs::StateVector;
 use std::ops::Range;
 
 /// Dense output of one step: x(t + s h) = Σ weight(s) · row over the coefficient vectors `rows`, with s from 0 to 1.
+/// The weights are polynomials in s that [`Method::weights`] computes.
 #[derive(Clone, Copy)]
 pub(crate) struct DenseOutput<'a> {
     pub method: Method,

@@ -103,7 +103,9 @@ impl<'a, X: StateVector> Event<'a, X> {
         }
     }
 
-    /// Whether the event function is past its zero at the initial state, or is 0 there and moves past 0.
+    /// Whether the event function is negative at the initial state `x`; `dx` is the derivative there. The value 0
+    /// counts as negative if the event function is that of a decreasing state component, or if the event is a
+    /// limit of validity.
     pub(crate) fn is_past<D: OdeRhs<State = X>>(
         &mut self,
         rhs: &mut D,

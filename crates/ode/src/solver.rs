@@ -340,7 +340,8 @@ impl EventLog {
         Ok(None)
     }
 
-    /// Locates all events in a step, in order of time.
+    /// Locates all events in a step and stores them in `in_step`, in order of time. `like` is a state vector of the
+    /// right length, whose values do not matter.
     fn locate<D: OdeRhs>(
         &mut self,
         rhs: &mut D,
@@ -359,7 +360,8 @@ impl EventLog {
     }
 }
 
-/// Returns an error if the initial state is past a terminal event or a limit of validity.
+/// Returns an error if the initial state is past a terminal event or a limit of validity, that is on the negative side
+/// of the zero of its event function; `Event::is_past` decides the case of a zero value.
 fn check_initial_events<D: OdeRhs>(
     rhs: &mut D,
     t: f64,

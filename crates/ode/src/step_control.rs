@@ -121,13 +121,16 @@ pub(crate) fn first_step(state_norm: f64, rate_norm: f64, max_step: f64) -> f64 
     .min(max_step)
 }
 
-/// Inputs of the initial step size: size of the trial Euler step, and norms of the first and second time derivatives of
-/// the state.
+/// Quantities from which the initial step size is computed: size of the trial Euler step, and norms of the first and
+/// second time derivatives of the state. A norm is the root mean square of the components, each divided by its error
+/// tolerance.
 pub(crate) struct InitialNorms {
     pub euler_step: f64,
-    /// Norm of the first derivative of the state.
+    /// Norm of the first time derivative of the state, per unit of time: root mean square of the components, each
+    /// divided by its error tolerance.
     pub rate: f64,
-    /// Norm of the second derivative of the state.
+    /// Norm of the second time derivative of the state, per squared unit of time: root mean square of the components,
+    /// each divided by its error tolerance.
     pub second_derivative: f64,
 }
 

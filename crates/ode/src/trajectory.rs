@@ -15,7 +15,8 @@ pub struct Trajectory {
     pub(crate) method: Method,
     pub(crate) states: usize,
     pub(crate) steps: Vec<(f64, f64)>,
-    /// Dense-output coefficients of all steps, concatenated in the order of the steps.
+    /// Dense-output coefficients of all steps, concatenated in the order of the steps. Each step has `ROWS`
+    /// coefficient vectors of the length of the state vector.
     pub(crate) rows: Vec<f64>,
     /// Initial time, in the time unit of the right-hand side.
     pub start: f64,

@@ -48,13 +48,13 @@ pub struct Chart {
 /// components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PhysicalRate {
-    /// Rate of the position: velocity, m/s.
+    /// Rate of the position, that is the velocity of the mass centre, in inertial components, m/s.
     pub velocity: Vector3<f64>,
-    /// Acceleration of the mass centre, m/s².
+    /// Acceleration of the mass centre in inertial components, m/s².
     pub acceleration: Vector3<f64>,
-    /// Angular velocity computed from the rate of the attitude, rad/s.
+    /// Angular velocity computed from the rate of the attitude, in inertial components, rad/s.
     pub angular_velocity: Vector3<f64>,
-    /// Angular acceleration, rad/s².
+    /// Angular acceleration of the body in inertial components, rad/s².
     pub angular_acceleration: Vector3<f64>,
 }
 
@@ -284,8 +284,8 @@ impl Chart {
         Some(out)
     }
 
-    /// Attitude and angular velocity of the frames reached from the inertial frame after 0, 1, … rotations of `steps`.
-    /// Quaternion rotations add no angular velocity.
+    /// Attitude and angular velocity of the frames reached from the inertial frame after 0, 1, … rotations of `steps`;
+    /// angular velocities are in inertial components, rad/s. Quaternion rotations add no angular velocity.
     fn attitudes_along<T: Real>(&self, states: &[T]) -> Vec<(Quaternion<T>, Vector3<T>)> {
         let mut placed = vec![(Quaternion::identity(), Vector3::zeros())];
         for (k, step) in self.steps.iter().enumerate() {

@@ -18,11 +18,11 @@ use nalgebra::{Matrix3, Vector3};
 pub struct ClaimedBody<T> {
     /// Mass, kg.
     pub mass: T,
-    /// Position of the mass centre, m.
+    /// Position of the mass centre in inertial components, m.
     pub position: Vector3<T>,
-    /// Velocity of the mass centre, m/s.
+    /// Velocity of the mass centre in inertial components, m/s.
     pub velocity: Vector3<T>,
-    /// Sum of the forces on the body, N.
+    /// Sum of the forces on the body in inertial components, N.
     pub force: Vector3<T>,
     /// Rotational motion; `None` for a point mass.
     pub turning: Option<Turning<T>>,
@@ -37,11 +37,11 @@ pub struct Turning<T> {
     pub axes: Matrix3<T>,
     /// Axis of revolution (1, 2 or 3) if only this axis moves with the body; `None` if the whole frame does.
     pub axis: Option<u8>,
-    /// Inertia tensor, kg·m².
+    /// Inertia tensor about the mass centre in inertial components, kg·m².
     pub inertia: Matrix3<T>,
-    /// Angular velocity, rad/s.
+    /// Angular velocity of the body in inertial components, rad/s.
     pub angular_velocity: Vector3<T>,
-    /// Sum of the moments on the body about its mass centre, N·m.
+    /// Sum of the moments on the body about its mass centre, in inertial components, N·m.
     pub moment: Vector3<T>,
 }
 
@@ -96,12 +96,12 @@ impl<T: Real> ClaimedBody<T> {
         })
     }
 
-    /// Momentum of the body, kg·m/s.
+    /// Momentum of the body in inertial components, kg·m/s.
     pub fn momentum(&self) -> Vector3<T> {
         self.velocity * self.mass
     }
 
-    /// Angular momentum about the mass centre, kg·m²/s; zero for a point mass.
+    /// Angular momentum about the mass centre in inertial components, kg·m²/s; zero for a point mass.
     pub fn angular_momentum(&self) -> Vector3<T> {
         let turning = self.turning.as_ref();
         turning.map_or_else(Vector3::zeros, |t| t.inertia * t.angular_velocity)

@@ -28,10 +28,10 @@ pub struct ClaimedRates {
     /// measurements); `None` if the laws do not determine it.
     pub rates: Vec<Option<ErrorBound>>,
     /// Laws of motion that no rates of the states satisfy. Each comes with its residual, divided by the sum of the
-    /// absolute values of the law's terms.
+    /// absolute values of the law's terms; of the components of a law, the greatest ratio counts.
     pub unsatisfied: Vec<(BalanceLaw, f64)>,
-    /// Whether every component of a law that no rates satisfy contains no rate of a state. `rates` then satisfy all
-    /// other components of the laws.
+    /// Whether `rates` satisfy every component of the laws of motion in which the rate of a state occurs. If false,
+    /// some of these components contradict each other, and `rates` satisfy them in the least-squares sense only.
     pub solves_the_others: bool,
 }
 
@@ -48,7 +48,7 @@ pub fn claimed_rates(
 }
 
 /// The laws of motion as a linear system for the rates of the states: `a` · rates = `b`, one row per component of a
-/// law; `laws` contains the law of each row.
+/// law; `laws` contains the law of each row. Rows of zeros are appended until there are as many rows as states.
 struct System {
     a: Vec<Vec<ErrorBound>>,
     b: Vec<ErrorBound>,

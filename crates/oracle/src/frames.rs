@@ -17,9 +17,9 @@ pub struct PlacedFrame<T> {
 /// Rotation of a frame about one axis of its parent frame; vectors are in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ElementaryRotation<T> {
-    /// Axis of rotation, a unit vector.
+    /// Axis of rotation, a unit vector in inertial components.
     pub axis: Vector3<T>,
-    /// Angular velocity of the parent frame, rad/s.
+    /// Angular velocity of the parent frame in inertial components, rad/s.
     pub parent_angular_velocity: Vector3<T>,
     /// Index of the state that is the rate of the rotation angle, rad/s.
     pub rate: usize,
@@ -76,13 +76,15 @@ pub fn place_frames<T: Field>(
     placed
 }
 
-/// Computes the axes and angular velocities of all frames of a model, for real-valued states.
+/// Computes the axes and angular velocities of all frames of a model. The scalar type must have sine and cosine
+/// (`Real`), in contrast to `place_frames`, which takes them from a function.
 pub fn place_real<T: Real>(model: &Model, states: &[T]) -> Vec<PlacedFrame<T>> {
     place_frames(model, states, |i| (states[i].sin(), states[i].cos()))
 }
 
-/// Elementary rotations from the inertial frame to `frame`, outermost first; `None` if one of them is a quaternion
-/// rotation or a rate is undefined.
+/// Elementary rotations that lead from the inertial frame to `frame`, in this order; `placed` contains the axes and
+/// angular velocities of all frames of the model. `None` if one of the rotations is given by a quaternion, or the rate
+/// of its angle or the angular velocity of a parent frame is undefined.
 pub fn elementary_rotations<T: Field>(
     model: &Model,
     placed: &[PlacedFrame<T>],

@@ -10,20 +10,21 @@ use nalgebra::{Matrix3, Vector3};
 pub struct MassProperties<T> {
     /// Mass, kg.
     pub mass: T,
-    /// Inertia tensor in the frame of its declaration, kg·m²; `None` for a point mass.
+    /// Inertia tensor about the mass centre, kg·m²; `None` for a point mass. Its components are in the frame in which
+    /// the model declares the inertia, or in the body frame for a reference law.
     pub inertia: Option<Matrix3<T>>,
 }
 
 /// Physical state of a body: position, velocity, attitude and angular velocity. All vectors are in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Physical<T> {
-    /// Position of the mass centre, m.
+    /// Position of the mass centre in inertial components, m.
     pub position: Vector3<T>,
-    /// Velocity of the mass centre, m/s.
+    /// Velocity of the mass centre in inertial components, m/s.
     pub velocity: Vector3<T>,
     /// Attitude of the body frame relative to the inertial frame.
     pub attitude: Quaternion<T>,
-    /// Angular velocity of the body, rad/s.
+    /// Angular velocity of the body in inertial components, rad/s.
     pub angular_velocity: Vector3<T>,
 }
 
@@ -72,13 +73,13 @@ impl<T: Field> Load<T> {
 /// Forces and moments on a body, and the accelerations of the body; all vectors are in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion<T> {
-    /// Sum of the forces on the body, N.
+    /// Sum of the forces on the body in inertial components, N.
     pub force: Vector3<T>,
-    /// Sum of the moments on the body about its mass centre, N·m.
+    /// Sum of the moments on the body about its mass centre, in inertial components, N·m.
     pub moment: Vector3<T>,
-    /// Acceleration of the mass centre, m/s².
+    /// Acceleration of the mass centre in inertial components, m/s².
     pub acceleration: Vector3<T>,
-    /// Angular acceleration of the body, rad/s².
+    /// Angular acceleration of the body in inertial components, rad/s².
     pub angular_acceleration: Vector3<T>,
 }
 

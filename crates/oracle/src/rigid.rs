@@ -18,8 +18,8 @@ pub fn inertia_in_n<T: Field>(axes: &Matrix3<T>, inertia: &Matrix3<T>) -> Matrix
     axes * inertia * axes.transpose()
 }
 
-/// Angular acceleration dω/dt of a body under a moment. Its inertia is constant in a frame of angular velocity
-/// `frame_rate`: dH/dt = I dω/dt + frame_rate × I ω − I (frame_rate × ω).
+/// Angular acceleration dω/dt of a body under a moment about its mass centre, all in inertial components. The inertia
+/// is constant in a frame of angular velocity `frame_rate`: dH/dt = I dω/dt + frame_rate × I ω − I (frame_rate × ω).
 pub fn angular_acceleration<T: Field>(
     inertia: &Matrix3<T>,
     frame_rate: &Vector3<T>,

@@ -12,8 +12,9 @@ use nalgebra::{DMatrix, DVector};
 pub struct PredictionBand {
     /// File name of the held-out flight.
     pub file: String,
-    /// `std_error[sample][marker]`: standard error of the predicted position along each axis, m, from the covariances
-    /// of the coefficients and of the initial state. Measurement noise is not included.
+    /// `std_error[sample][marker]`: standard error of the predicted position along each axis of the inertial frame, m,
+    /// from the covariances of the coefficients and of the initial state; NaN where the marker was not measured.
+    /// Measurement noise is not included.
     pub std_error: Vec<Vec<[f64; 3]>>,
     /// Index of the first predicted sample of the flight; the initial state is fitted to the samples before it.
     pub first: usize,
@@ -29,8 +30,8 @@ pub(crate) fn std_error(coefficient: &Coefficient) -> f64 {
     }
 }
 
-/// Covariance matrix of the coefficients `names`, from their standard errors and correlations; entries are 0 if
-/// unknown or if a coefficient is fixed.
+/// Covariance matrix of the estimates of the coefficients `names`, in this order and in SI units, from their standard
+/// errors and correlations; entries are 0 if unknown or if a coefficient is fixed.
 pub(crate) fn covariance(report: &FitReport, names: &[&str]) -> DMatrix<f64> {
     let known: &BTreeMap<String, Coefficient> = &report.coefficients;
     let error = |name: &str| known.get(name).map(std_error).filter(|e| e.is_finite());

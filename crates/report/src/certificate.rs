@@ -14,12 +14,13 @@ pub struct CertificateNote {
     /// Outcome of the verification that the certificate records for the model: `verified`, `not verified` or `refuted`;
     /// `None` if the certificate does not cover the model.
     pub outcome: Option<String>,
-    /// Names of the inputs recorded in the certificate of the verification, such as model source, options or versions,
-    /// that have changed since it was written.
+    /// Descriptions of the reasons why the certificate is not valid, such as `generated Rust code changed`: changes of
+    /// the model or of the verifying program since it was written, a model that it does not cover, or an unreadable
+    /// file. Empty if the certificate is valid.
     pub changes: Vec<String>,
 }
 
-/// Maximum number of changed inputs of the verification that [`CertificateNote::sentence`] lists.
+/// Maximum number of reasons for an invalid certificate that [`CertificateNote::sentence`] lists.
 const LISTED: usize = 3;
 
 impl CertificateNote {
@@ -28,8 +29,8 @@ impl CertificateNote {
         Self::default()
     }
 
-    /// Note for a certificate (record of the verification checks of a model) that is valid and records the given
-    /// outcome.
+    /// Note for a certificate (record of the verification checks of a model) that is valid. `outcome` is the outcome of
+    /// the verification that it records: `verified`, `not verified` or `refuted`.
     pub fn stands(file: String, outcome: String) -> Self {
         Self {
             file: Some(file),
@@ -39,8 +40,9 @@ impl CertificateNote {
         }
     }
 
-    /// Note for a certificate (record of the verification checks of a model) that is not valid, because the inputs in
-    /// `changes` have changed since it was written.
+    /// Note for a certificate (record of the verification checks of a model) that is not valid; `changes` describes the
+    /// reasons, such as `generated Rust code changed`. `outcome` is the outcome of the verification that it records:
+    /// `verified`, `not verified` or `refuted`; `None` if the certificate does not cover the model or is unreadable.
     pub fn changed(file: String, outcome: Option<String>, changes: Vec<String>) -> Self {
         Self {
             file: Some(file),

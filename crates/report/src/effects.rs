@@ -15,15 +15,17 @@ pub struct Listed {
     pub name: String,
     /// First sentence of the documentation of the effect (optional model extension).
     pub says: String,
-    /// Quantity of the model (site) that the effect changes: a force, moment or measurement.
+    /// Component of the model that the effect changes, such as `lift`, `pitch` or `clock`: one of [`SITES`].
     pub site: String,
-    /// Names of the variables of the model on which the effect depends.
+    /// Kinds of variables on which the magnitude of the effect depends, such as `alpha` or `speed`: elements of
+    /// `model_spec::VARIABLES`.
     pub variables: Vec<String>,
     /// Coefficients that the effect adds to a model, followed by the states that it adds.
     pub parts: Vec<Part>,
     /// Literature reference for the effect, as text.
     pub source: String,
-    /// Names of the models for which a diagnosis tests the effect.
+    /// Names of the models, among those for which the list is made, for which a diagnosis tests the effect. Empty if
+    /// more specific effects replace this effect for all of them.
     pub models: Vec<String>,
     /// Quantities that a model must define for the effect to be applied, with their units.
     pub needs: Vec<String>,
@@ -166,8 +168,8 @@ fn of(model: &Model, effect: &AppliedEffect, known: &KnownEffect) -> Listed {
     }
 }
 
-/// Formats a number without a unit, because it is dimensionless or its unit is shown elsewhere. The format is that of
-/// model summaries.
+/// Formats a number without a unit, because it is dimensionless or its unit is shown elsewhere. The text has as many
+/// digits as needed to read the same number back, in exponential notation for magnitudes below 10⁻³.
 fn plain(value: f64) -> String {
     with_unit(value, "1")
 }

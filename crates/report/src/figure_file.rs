@@ -11,7 +11,8 @@ use thiserror::Error;
 
 /// Number of pixels of a PNG figure for each SVG unit.
 const SCALE: f32 = 2.0;
-/// Font family that the style sheet of the figures names.
+/// Family of the fonts included in this crate, which the style sheet of the figures names. It also replaces the family
+/// `sans-serif`, and is the default for text without a family.
 const FAMILY: &str = "DejaVu Sans";
 
 /// Format of a figure file, in addition to SVG.
@@ -55,7 +56,7 @@ impl FigureKind {
     /// Renders a figure, given as SVG text, and returns the contents of the file.
     ///
     /// # Errors
-    /// [`FigureError`] if the SVG cannot be parsed or the file cannot be created.
+    /// [`FigureError`] if the SVG cannot be parsed, or cannot be converted to the format.
     pub fn draw(self, svg: &str) -> Result<Vec<u8>, FigureError> {
         let tree = Tree::from_str(svg, &options())?;
         match self {

@@ -123,7 +123,8 @@ impl View {
     }
 }
 
-/// Shape with which the body of a model is drawn: a disc if its first two moments of inertia are the same expression.
+/// Shape with which the body of a model is drawn: a ball for a point mass (no moments of inertia), a disc for a rigid
+/// body whose first two moments of inertia are the same expression, three lines along the axes for any other.
 fn shape(model: &Model) -> Shape {
     let inertia: Option<&[[Expr; 3]; 3]> = match (&model.body, &model.claim) {
         (Some(body), _) => body.rotation.as_ref().map(|r| &r.inertia),

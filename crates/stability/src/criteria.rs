@@ -25,7 +25,8 @@ pub struct AxisDerivatives {
     /// dynamic pressure q, the area A, the mass m and the airspeed V.
     pub lift: f64,
     /// Decay rate δ of the angular rates normal to the body axis due to aerodynamic damping, 1/s: −q A d C_Mq/I_d with
-    /// the dynamic pressure q, the area A, the diameter d and the diametral moment of inertia I_d.
+    /// the dynamic pressure q, the area A, the diameter d, the damping coefficient C_Mq (s) and the diametral moment of
+    /// inertia I_d.
     pub damping: f64,
     /// Angular acceleration κ due to the pitching moment, per rad of the angle of attack, 1/s²: −q A d C_Ma/I_d with
     /// the dynamic pressure q, the area A, the diameter d and the diametral moment of inertia I_d. It is positive if
@@ -62,13 +63,15 @@ pub struct Criteria {
     /// Decay rate of the nutation, δ − κ (a − δ)/(2 ν²), 1/s. The symbols are the fields of [`AxisDerivatives`]: a
     /// `lift`, δ `damping`, κ `pitching`, ν `gyroscopic`.
     pub nutation_decay: f64,
-    /// Rate at which the body axis tilts sideways (roll), −M/(I_a r), rad/s, with the moment M about the left axis d2,
-    /// the axial moment of inertia I_a and the spin r: closed form of Crowther and Potts for straight flight.
+    /// Rate at which the body axis tilts sideways (roll), rad/s, positive if it tilts to the right. It is −M/(I_a r),
+    /// with the aerodynamic moment M about the left axis d2 (positive nose down) at the state about which the motion is
+    /// linearised, the axial moment of inertia I_a and the spin r: closed form of Crowther and Potts for straight
+    /// flight.
     pub roll_rate: f64,
 }
 
 impl AxisDerivatives {
-    /// Computes the derivatives of a linearised motion in air with the velocity `wind`, m/s.
+    /// Computes the derivatives of a linearised motion in air with the velocity `wind`, m/s, in inertial axes.
     pub fn of(linearised: &Linearised, wind: Vector3<f64>) -> AxisDerivatives {
         let n = linearised.axis;
         let velocity = linearised.motion.velocity - wind;

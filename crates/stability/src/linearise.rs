@@ -89,19 +89,19 @@ pub struct BoundBody<'b> {
 pub struct Linearised {
     /// Position, velocity and attitude of the body at the state about which the motion is linearised.
     pub motion: Motion,
-    /// Third axis of the body at this state (the symmetry axis of a disc), unit vector.
+    /// Third axis of the body at this state (the symmetry axis of a disc), as a unit vector in inertial axes.
     pub axis: Vector3<f64>,
-    /// Angular velocity of the body at this state, rad/s.
+    /// Angular velocity of the body at this state, rad/s, in inertial axes.
     pub rates: Vector3<f64>,
-    /// Acceleration of the mass centre at this state, m/s².
+    /// Acceleration of the mass centre at this state, m/s², in inertial axes.
     pub acceleration: Vector3<f64>,
-    /// Angular acceleration of the body at this state, rad/s².
+    /// Angular acceleration of the body at this state, rad/s², in inertial axes.
     pub angular_acceleration: Vector3<f64>,
     /// Moment of inertia about the third body axis, and mean of the moments of inertia about the axes normal to it, kg
     /// m².
     pub inertia: (f64, f64),
     /// 12 × 12 matrix A of the linear system ẋ = A x with x = (displacement, change of velocity, small rotation, change
-    /// of angular velocity).
+    /// of angular velocity), each in inertial axes, SI.
     pub matrix: DMatrix<f64>,
 }
 

@@ -56,8 +56,9 @@ pub struct Mode {
     pub value: Complex<f64>,
     /// Kind of the mode, by the variables that change most in it.
     pub kind: ModeKind,
-    /// Fractions of the motion of the mode that are changes of body axis, direction of flight, speed and spin, in this
-    /// order; they sum to 1.
+    /// Fractions of the squared amplitude of the mode that are, in this order, tilt of the body axis, change of the
+    /// direction of flight, relative change of speed and relative change of spin; they sum to 1. Changes of a spin
+    /// below 1 rad/s are taken relative to 1 rad/s.
     pub shares: [f64; 4],
 }
 

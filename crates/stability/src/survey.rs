@@ -87,7 +87,7 @@ pub fn map(body: &BoundBody<'_>, throw: &Throw, speeds: &[f64], spins: &[f64]) -
 }
 
 impl BoundBody<'_> {
-    /// Wind velocity, m/s, given by the model's input `wind`; zero if the model has no such input.
+    /// Wind velocity, m/s, in inertial axes, given by the model's input `wind`; zero if the model has no such input.
     pub fn wind(&self) -> Vector3<f64> {
         let components = self.body.compiled.layout().components("wind");
         let values = components

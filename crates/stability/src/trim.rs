@@ -73,9 +73,11 @@ fn motion(of: &DVector<f64>, spin: f64) -> Motion {
     }
 }
 
-/// Residuals of the condition that the motion `motion(of, spin)` is a steady flight: accelerations of the body minus
-/// those of the steady flight, in units of 10 m/s² and 10 rad/s². Also returns the state with this motion. `None` if no
-/// state has the motion or a residual is not finite.
+/// Residuals of the condition that a motion is a steady flight: three components of the acceleration and two of the
+/// angular acceleration (normal to the body axis) minus those of the steady flight, in units of 10 m/s² and 10 rad/s².
+/// The motion has the given spin, rad/s; the elements of `of` are speed (m/s), climb angle, nose angle, hyzer angle
+/// (rad) and rate of change of the heading (rad/s). Also returns the state with this motion. `None` if no state has the
+/// motion or a residual is not finite.
 fn residual(
     body: &BoundBody<'_>,
     of: &DVector<f64>,

@@ -34,12 +34,13 @@ pub enum StudyError {
         /// Description of the part that is missing in `file`.
         expected: String,
     },
-    /// A built-in model, effect or collection does not contain an expected name.
+    /// An expected name is missing in a model (such as a coefficient), in a fit, or in a list (such as that of the
+    /// built-in releases).
     #[error("the built-in {of} has no {name}")]
     Name {
-        /// Model or collection in which the name was looked up.
+        /// Description of the model, fit or list in which the name was looked up.
         of: &'static str,
-        /// Name that was not found in `of`.
+        /// Name that was not found, such as the name of a coefficient or a scenario.
         name: String,
     },
     /// A model, or an effect (optional model extension), cannot be loaded.

@@ -175,7 +175,8 @@ fn cut_section(datasets: u64, threads: usize) -> CutSection {
 }
 
 /// Executes the runs (diagnoses of simulated datasets) of all selected rows of the discovery study's table. Prints a
-/// line for each run if `--details` is given.
+/// line for each run if `--details` is given. Returns the page, and the output file given as `--out`; `None` means that
+/// the page is to be printed.
 fn discovery(options: cli::Discovery) -> anyhow::Result<(Page, Option<PathBuf>)> {
     let cli::Discovery {
         runs: options,

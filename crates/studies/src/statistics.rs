@@ -7,7 +7,8 @@ pub(crate) fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
     (!finite.is_empty()).then(|| identify::median(&mut finite))
 }
 
-/// Mean and sample standard deviation of `values`.
+/// Mean and sample standard deviation (divisor n − 1) of `values`. The standard deviation of fewer than two values, and
+/// the mean of none, are 0.
 pub(crate) fn mean_and_deviation(values: &[f64]) -> (f64, f64) {
     let count = values.len().max(1) as f64;
     let mean = values.iter().sum::<f64>() / count;

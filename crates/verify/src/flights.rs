@@ -169,8 +169,10 @@ fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     })
 }
 
-/// Draws a release (initial state of a flight): 12 ± 3 m/s forward, nearly level, spin −40 ± 10 rad/s, with default
-/// constants and random inputs. `None` if the meaning of the states is unknown.
+/// Draws a release (initial state of a flight), with default constants and random inputs. The velocity along the first
+/// inertial axis is uniformly distributed in 12 ± 3 m/s, the spin about the third body axis in −40 ± 10 rad/s. The
+/// other components of velocity and spin and the tilt angles of the body are small. `None` if the meaning of the states
+/// is unknown.
 fn any_release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     let chart = subject.chart.as_ref()?;
     let mut point = Point::defaults(subject.model);
@@ -323,8 +325,9 @@ fn conserved(
     })
 }
 
-/// Force (N), moment (N·m) and mass properties in the body frame at a point, from the reference law or, without one,
-/// from the model's body. `None` if the model has neither.
+/// Force (N) and moment (N·m) on the body in inertial components, and its mass properties in the body frame, at a
+/// point. They are taken from the reference law or, without one, from the model's body. `None` if the model has
+/// neither.
 fn loads(
     subject: &Subject<'_>,
     point: &Point<f64>,

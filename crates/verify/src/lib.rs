@@ -75,7 +75,9 @@ impl Default for Options {
 /// incomplete vectors are tested.
 const BACKEND_POINTS: usize = 37;
 
-/// Maximum allowed error, relative to the sum of the magnitudes of the terms of a value.
+/// Maximum error, relative to the sum of the magnitudes of the terms of a value, that counts as rounding in a
+/// comparison of f64 values. Checks with larger numerical errors, such as those of flights, have tolerances of their
+/// own.
 pub const TOLERANCE: f64 = 1e-12;
 
 /// Runs every check of a loaded model. Diagnostics of the language checker are reported as faults. The numerical checks

@@ -105,9 +105,10 @@ fn is_finite(body: &ClaimedBody<f64>) -> bool {
     all.chain(of_turning).all(|v| v.is_finite())
 }
 
-/// Body that the model claims to describe, at a point whose states change at the given rates, and recorded time at
-/// `time_rate`, with derivatives with respect to true time. The error bounds of the numbers are not used; other checks
-/// evaluate the model with the same type of numbers, so that it is compiled only once.
+/// Quantities, at a point, of the body that the model claims to describe, with their derivatives with respect to true
+/// time. `rates` are the derivatives of the states with respect to true time; `time_rate` is the recorded time, s, per
+/// second of true time. `None` if the body cannot be evaluated. The error bounds in [`Bounded`] are not used: the type
+/// is chosen because other checks also use it, so that the evaluation code is compiled only once.
 fn along(
     model: &Model,
     point: &Point<f64>,

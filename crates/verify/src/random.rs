@@ -2,7 +2,8 @@
 
 use oracle::scalar::Prime;
 
-/// SplitMix64 generator. Its sequence depends only on the seed, on every machine.
+/// SplitMix64 pseudo-random number generator. Its sequence is determined by the seed and the stream name and is the
+/// same on every machine.
 #[derive(Clone, Debug)]
 pub struct Random(u64);
 

@@ -63,7 +63,7 @@ impl Report {
     }
 
     /// Combined outcome of all checks: refuted if any check is refuted, otherwise not verified if any check is
-    /// unverified, otherwise verified.
+    /// unverified or the report contains no check, otherwise verified.
     pub fn outcome(&self) -> Outcome {
         Outcome::of(self.rows.iter().map(|row| row.verdict))
     }

@@ -18,7 +18,8 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// Verdict of a check that was carried out for the whole model.
+    /// Verdict of a check that was carried out for the whole model: [`Self::Holds`] if `holds`, otherwise
+    /// [`Self::Refuted`].
     pub fn of(holds: bool) -> Self {
         if holds { Self::Holds } else { Self::Refuted }
     }
@@ -44,7 +45,8 @@ pub enum Measure {
 pub struct Row {
     /// Name of the check in reports.
     pub check: &'static str,
-    /// Number of points or cases that were tested.
+    /// Number of tested points or, for a check that does not draw points, of other tested items, such as flights or the
+    /// check cases in the model file.
     pub cases: usize,
     /// Maximum error over all tested points or cases, in the unit given by `measure`.
     pub worst: f64,
@@ -54,7 +56,8 @@ pub struct Row {
     pub tolerance: f64,
     /// Whether the check holds, is refuted, does not apply or could not be carried out.
     pub verdict: Verdict,
-    /// Point or item with the maximum error, or the reason why the check was skipped; may have several lines.
+    /// Where the maximum error occurred, which faults were found, or why the check was skipped or could not be carried
+    /// out; may have several lines.
     pub detail: String,
     /// What the check does not cover for this model, printed below the table; `None` if there is none.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -104,7 +104,7 @@ fn accelerations(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row {
 }
 
 /// Relative differences of velocity, acceleration, angular velocity and angular acceleration between two bodies, each
-/// with the name of the quantity.
+/// with the name of the quantity. The norm of the difference is divided by the sum of both norms and 1, in SI units.
 pub(crate) fn rate_differences(a: &PhysicalRate, b: &PhysicalRate) -> [(&'static str, f64); 4] {
     let turning = (a.angular_acceleration, b.angular_acceleration);
     [

@@ -9,8 +9,8 @@ use oracle::{Point, Tree};
 /// Maximum number of draws of a point within the validity limits. If none succeeds, the distance between the default
 /// point and the last point drawn is halved until the result is within the limits, see [`HALVINGS`].
 const MAX_DRAWS: usize = 1000;
-/// Limit of the number of halvings of the distance between the default point and a drawn point outside the validity
-/// limits. At most `HALVINGS` − 1 halvings are tried; then the default point is used.
+/// One more than the maximum number of times that the distance between the default point and a drawn point outside the
+/// validity limits is halved. If the point is still outside after `HALVINGS` − 1 halvings, the default point is used.
 const HALVINGS: i32 = 20;
 
 /// Draws a point (values of a model's states, parameters and other variables) within the validity limits. States have

@@ -73,9 +73,11 @@ impl<'a> Subject<'a> {
         rates.into_iter().map(|rate| rate / pace).collect()
     }
 
-    /// Converts a point of this model to a point of the model `other`. Both points have the same physical state, time
-    /// and marker position, and the same values of parameters, coefficients and inputs of equal names. `None` if one of
-    /// the models has no [`Chart`], or if the chart cannot represent the attitude.
+    /// Converts a point of this model to a point of the model `other`. Both points have the same physical state of the
+    /// body, time and marker position. Parameters, coefficients, inputs and states that do not belong to the body are
+    /// copied if both models have the name; otherwise they have their default values. `None` if one of the models has
+    /// no [`Chart`] (conversion between states and physical quantities), or if the chart of `other` cannot represent
+    /// the attitude.
     pub fn corresponding_point(
         &self,
         other: &Subject<'_>,
@@ -106,8 +108,8 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// Index and null value of each coefficient of an effect (optional model extension); at its null value, it does not
-    /// change the equations.
+    /// Coefficients of all effects (optional model extensions) of the model: index among the model's coefficients, and
+    /// null value, at which the coefficient does not change the equations.
     fn of_effects(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         let coefficients = self.model.effects.iter().flat_map(|e| &e.coefficients);
         coefficients.map(|c| (c.index, c.null_value))
@@ -156,9 +158,10 @@ impl<'a> Subject<'a> {
         Row::unverified(check, "which state stands for what is not known")
     }
 
-    /// Returns the point with the coefficients that the reference law does not contain at their null values, at which
-    /// they change nothing. All states that are not states of the body, such as those of effects (optional model
-    /// extensions), are set to their default values.
+    /// Sets each coefficient that the reference law does not contain to its null value, at which it does not change the
+    /// equations, and returns the point. Without a reference law, these are the coefficients of effects (optional model
+    /// extensions). All states that are not states of the body, such as those of effects, are set to their default
+    /// values.
     pub fn without_extras(&self, point: Point<f64>) -> Point<f64> {
         self.of_body_alone(point, self.extras())
     }
@@ -180,9 +183,9 @@ impl<'a> Subject<'a> {
     }
 }
 
-/// Sets the parameters, coefficients and inputs of `there`, a point of the model `other`, to the values of equal names
-/// in `here`, a point of `model`. Values whose names `model` lacks are not changed. Returns whether `model` has all
-/// names.
+/// Copies parameters, coefficients and inputs by name from `here`, a point of `model`, to `there`, a point of the model
+/// `other`. A value of `there` whose name does not occur in `model` is not changed. Returns true if every name in
+/// `other` occurs in `model`.
 pub(crate) fn carry_by_name(
     model: &Model,
     here: &Point<f64>,
@@ -228,7 +231,8 @@ impl Equations for Interpreted<'_> {
 
 /// Equations of motion whose Jacobians can be evaluated at a point.
 pub trait Differentiable: Equations {
-    /// State derivatives and observation, with their dense Jacobian with respect to all variables.
+    /// State derivatives and observation, with their dense Jacobian with respect to states, parameters, coefficients
+    /// and inputs.
     fn derivatives(&self, point: &Point<f64>) -> Derivatives;
     /// State derivatives with their dense Jacobian with respect to the states only, computed by the compiled function
     /// `f_jac`.
@@ -236,7 +240,8 @@ pub trait Differentiable: Equations {
 }
 
 /// Values and dense Jacobian of a model's scalar results. Rows: state derivatives, then observation components.
-/// Columns: states, parameters, coefficients, components of inputs.
+/// Columns: states, parameters, coefficients, components of inputs. [`Differentiable::by_state`] returns only the rows
+/// of the state derivatives and the columns of the states.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Derivatives {
     /// Values of the state derivatives, then of the observation components.

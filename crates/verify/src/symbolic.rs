@@ -24,9 +24,9 @@ thread_local! {
     static CONTEXT: RefCell<Context> = RefCell::new(Context::default());
 }
 
-/// Evaluates `task`, which computes with [`Symbolic`] numbers. Sines and cosines of `angles` and of their small integer
-/// multiples follow from the given (sine, cosine). `None` if the task takes a square root of a non-square of the prime
-/// field.
+/// Evaluates `task`, which computes with [`Symbolic`] numbers. Each entry of `angles` consists of an angle and its
+/// (sine, cosine); these determine the sines and cosines of the angle and of its small integer multiples in the task.
+/// `None` if the task takes a square root of a non-square of the prime field.
 pub fn evaluate<R>(angles: Vec<Angle>, task: impl FnOnce() -> R) -> Option<R> {
     let fresh = Context {
         angles,

@@ -21,8 +21,8 @@ struct Module {
     file: PathBuf,
     /// Paths of the items that the code of the file mentions or that its non-public `use` declarations import.
     named: BTreeSet<Vec<String>>,
-    /// For each `use` declaration of the file, maps the name that it introduces (`b` in `use a::b`) to the path of the
-    /// imported item.
+    /// Maps each name that a `use` declaration of the file introduces (`b` in `use a::b`), whether public or not, to
+    /// the path of the imported item.
     exports: BTreeMap<String, Vec<String>>,
     /// Paths of the modules from which the file imports all public names, as in `use a::*`.
     globs: Vec<Vec<String>>,

@@ -6,9 +6,10 @@ use crate::layout::{depends, depends_on_accelerations, is_acceleration};
 use crate::model::Expr;
 
 impl Checker<'_> {
-    /// Reports forces, moments, equations `der(STATE) = …`, validity limits, clock rates and statements of the `claim`
-    /// block that depend on the specific force or the angular acceleration. Such a dependency is not permitted, because
-    /// these two quantities are computed from the forces and moments.
+    /// Reports forces, moments, equations `der(STATE) = …`, validity limits, clock rates (rates of true time relative
+    /// to recorded time) and statements of the `claim` block that depend on the specific force or the angular
+    /// acceleration. Such a dependency is not permitted, because these two quantities are computed from the forces and
+    /// moments.
     pub fn after_motion(&mut self) {
         let model = &self.model;
         let known = depends_on_accelerations(model);

@@ -188,9 +188,9 @@ impl<'a> Checker<'a> {
         self.lacking("the body", "the body", &body.name, &needed);
     }
 
-    /// Reports the required statements that are missing from the block of the body, or from the `claim` block, with the
-    /// name `name`. `needed` pairs each required statement with whether it is missing. The message calls `name` by the
-    /// description `what`, and its block by `owner`.
+    /// Reports the required statements that are missing from the block `name`, which declares the body or is a `claim`
+    /// block. `needed` pairs each required statement with whether it is missing. In the message, `what` precedes the
+    /// name (as in "the body"), and `owner` denotes the block to which the statements must be added.
     pub fn lacking(&mut self, what: &str, owner: &str, name: &Name, needed: &[(&str, bool)]) {
         let missing: Vec<&str> = needed.iter().filter(|n| n.1).map(|n| n.0).collect();
         if missing.is_empty() {

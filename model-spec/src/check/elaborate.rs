@@ -193,8 +193,9 @@ impl Checker<'_> {
         self.in_range(a.times_power(&b, power), span)
     }
 
-    /// Converts the computed unit `term` to [`UnitOf::Term`]. If `term` is `None` or an exponent is out of range,
-    /// reports an error and returns [`UnitOf::Faulty`].
+    /// Converts the computed unit `term` to [`UnitOf::Term`]. If an exponent is out of range or `term` is `None` (an
+    /// exponent or the number of unknowns exceeded its limit in the computation), reports an error and returns
+    /// [`UnitOf::Faulty`].
     pub fn in_range(&mut self, term: Option<Term>, span: Span) -> UnitOf {
         match term {
             Some(term) if term.has_unknowns() || term.unit().is_some() => UnitOf::Term(term),

@@ -145,8 +145,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Checks all forces, moments, equations `der(STATE) = …`, the clock rate and the measurement equation, and adds
-    /// them to the model.
+    /// Checks all forces, moments, equations `der(STATE) = …`, the clock rate (seconds of true time per second of
+    /// recorded time) and the measurement equation, and adds them to the model.
     pub fn equations(&mut self) {
         let file = self.file;
         let mut loads: HashMap<(bool, &str), Span> = HashMap::new();

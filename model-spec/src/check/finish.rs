@@ -103,8 +103,9 @@ fn bare_zero(e: &Expr) -> bool {
     matches!(e.kind, ExprKind::Number { value: 0.0, .. }) && e.unit == Unit::ONE
 }
 
-/// Units of the known constants, coefficients, inputs, states, tables and auxiliary variables of a model, each by its
-/// index in the corresponding vector of [`crate::model::Model`].
+/// Units of the parameters (known constants), coefficients, inputs, states, tables and auxiliary variables of a model.
+/// The indices are those of the vectors of the same names in [`crate::model::Model`]; `lets` corresponds to
+/// `aux_variables`.
 struct Tables {
     params: Vec<Unit>,
     coefficients: Vec<Unit>,

@@ -120,7 +120,7 @@ impl Typed {
     }
 }
 
-/// Result of checking the definition of an auxiliary variable.
+/// Result of checking a definition: a `let`, or the right-hand side of an equation referenced as `der(STATE)`.
 #[derive(Clone, Debug)]
 enum Definition {
     /// The definition is not yet checked, or has an error.
@@ -138,8 +138,8 @@ struct Checker<'a> {
     units: Units,
     scope: Scope,
     model: Model,
-    /// Units of the known constants, by index into [`Model::params`]. A unit to be inferred (`[?]`) is represented by
-    /// an unknown unit.
+    /// Units of the parameters (known constants), by index into [`Model::params`]. A unit to be inferred (`[?]`) is a
+    /// term with one unknown, for which the unit inference solves.
     params: Vec<Term>,
     coefficients: Vec<Term>,
     inputs: Vec<Term>,

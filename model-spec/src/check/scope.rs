@@ -188,10 +188,11 @@ fn declared_twice(what: &str, first: Span, again: Span) -> Diagnostic {
         .help("rename one of them, or remove it")
 }
 
-/// Maximum number of names that a message lists.
+/// Maximum number of names that a message lists; further names are only counted.
 const MAX_LISTED: usize = 8;
 
-/// Formats names as a quoted list for a sentence, such as "`a`, `b` and `c`".
+/// Formats names as a quoted list for a sentence, such as "`a`, `b` and `c`". If there are more than `MAX_LISTED`
+/// names, the list ends with the number of further names, as in "and 3 more".
 pub(super) fn listed(names: &[impl AsRef<str>]) -> String {
     let quoted: Vec<String> = names
         .iter()

@@ -81,8 +81,9 @@ impl Checker<'_> {
 }
 
 impl Sizes {
-    /// Error for a model that has become too large with the statement `name` of the given size; `None` if the model is
-    /// not too large.
+    /// Error if the statement `name` has more than [`MAX_FACTORS`] factors, or if the model has more than
+    /// [`MAX_OPERATIONS`] operations up to and including this statement; `None` otherwise. `size` is the size of the
+    /// statement.
     fn fault(&self, size: Size, name: &str, span: Span) -> Option<Diagnostic> {
         let help =
             "a name that is used twice in the definition of the next doubles the size each time";

@@ -27,7 +27,8 @@ pub(super) struct Unitless {
 }
 
 impl Unitless {
-    /// Creates an empty record for a run of the checker that infers the unit of every declaration without one.
+    /// Creates an empty record of declarations without a unit, for a checker that infers the units of these
+    /// declarations.
     pub fn inferred() -> Unitless {
         Unitless {
             infers: true,
@@ -102,8 +103,9 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Appends to `names` the declarations without a unit, and to `variables` the auxiliary variables, that an
-    /// expression uses directly.
+    /// Collects the operands of an expression. Appends to `names` the source span of the declared name of each
+    /// declaration without a unit that the expression uses directly, and to `variables` the index into
+    /// `Model::aux_variables` of each auxiliary variable that it uses directly.
     fn unitless_operands(&self, e: &Expr, variables: &mut Vec<usize>, names: &mut Vec<Span>) {
         let model = &self.model;
         let name = match &e.kind {
@@ -125,8 +127,9 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Adds to each unit error the declarations without a unit that may have caused it, with the units that they would
-    /// need. `inferring` is a run of the checker that has inferred these units.
+    /// Adds to each unit error, as labels and help text, the declarations without a unit that may have caused it, with
+    /// the units that they would need. `inferring` is a second checker, which has checked the same model and inferred
+    /// these units; an error that it reports too is left unchanged.
     pub fn suggest_units(&mut self, inferring: &Checker<'_>) {
         let remaining: Vec<Span> = inferring
             .diagnostics
@@ -234,7 +237,8 @@ impl<'a> Declared<'a> {
     }
 }
 
-/// Unit expression for model files: one derived symbol if there is one, otherwise powers of the base units.
+/// Unit expression for model files: the symbol of the unit if it has one, such as `N`, otherwise a product of powers of
+/// the base units.
 fn written(unit: Unit) -> UnitExpr {
     let span = Span::default();
     let factor = |symbol: &str, doubled: i8| UnitFactor {

@@ -19,11 +19,11 @@ const ANGULAR_VELOCITY: &str = "angular_velocity";
 const SPECIFIC_FORCE: &str = "specific_force";
 const ANGULAR_ACCELERATION: &str = "angular_acceleration";
 
-/// Text in messages for what a model without a body lacks if an effect (named change to a model) uses the mass,
-/// position, velocity or specific force.
+/// Message text for the unmet requirement if a model has no body, but an effect (named change to a model) adds a force
+/// or moment, or uses the mass, position, velocity or specific force.
 const BODY: &str = "a body or a point";
-/// Text in messages for what a model without a rotating body lacks if an effect (named change to a model) uses moments,
-/// angular rates or the body-fixed frame.
+/// Message text for the unmet requirement if a model has no rotating body, but an effect (named change to a model) adds
+/// a moment, or uses moments of inertia, the angular velocity or acceleration, or the body-fixed frame.
 const TURNING: &str = "a body that turns";
 
 /// Reason why an effect (named change to a model) cannot be applied to a model: a requirement of the effect that the

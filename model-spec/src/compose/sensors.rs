@@ -73,8 +73,9 @@ impl Model {
         ModelTree::of(self).with_instruments(instruments)?.check()
     }
 
-    /// Returns the model with an auxiliary variable for each instrument whose default definition is valid for the
-    /// model; the other instruments are omitted. For a point mass, only [`Instrument::Speed`] remains.
+    /// Returns the model with an auxiliary variable for each instrument. If the model does not declare this variable, a
+    /// default definition of it is added; an instrument whose default definition is invalid for the model is omitted. A
+    /// point mass gets a default definition only for [`Instrument::Speed`].
     pub fn with_every_instrument(&self) -> Model {
         let all = Instrument::ALL.into_iter();
         all.fold(self.clone(), |model, instrument| {

@@ -197,7 +197,9 @@ pub(crate) fn description(kind: &ItemKind) -> String {
     }
 }
 
-/// Whether the statement `new` of a `replace` statement replaces the statement `old` of a model.
+/// Whether a `replace` statement of an effect (named change to a model), with the replacement `new`, replaces the
+/// statement `old` of a model. Both must be of the same kind and have the same name: for an equation, that of the
+/// state; a clock has none, and an observation without a name replaces any observation.
 pub(crate) fn replaces(new: &ItemKind, old: &ItemKind) -> bool {
     match (new, old) {
         (ItemKind::Let(a), ItemKind::Let(b)) => a.name.text == b.name.text,

@@ -33,7 +33,9 @@ pub struct ClaimedRotation {
     pub attitude: ClaimedAttitude,
     /// Index into [`Model::frames`](super::Model::frames) of the frame in which the inertia tensor is constant.
     pub inertia_frame: usize,
-    /// Inertia tensor, kg m², symmetric; entries depend on parameters and coefficients alone.
+    /// Inertia tensor about the centre of mass, kg m², symmetric, with components in
+    /// [`ClaimedRotation::inertia_frame`]. Off-diagonal entries are those of the tensor, such as -∫ x y dm. All entries
+    /// depend on parameters and coefficients alone.
     pub inertia: [[Expr; 3]; 3],
     /// Angular velocity of the body relative to the inertial frame, a vector in any frame, rad/s.
     pub angular_velocity: Expr,

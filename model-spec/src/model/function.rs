@@ -10,9 +10,9 @@ pub enum Function {
     Cos,
     /// Tangent.
     Tan,
-    /// Arcsine, the argument clamped to -1 .. 1; derivative 0 outside.
+    /// Arcsine, the argument clamped to -1 .. 1; derivative 0 where the argument is at most -1 or at least 1.
     Asin,
-    /// Arccosine, the argument clamped to -1 .. 1; derivative 0 outside.
+    /// Arccosine, the argument clamped to -1 .. 1; derivative 0 where the argument is at most -1 or at least 1.
     Acos,
     /// Arctangent.
     Atan,

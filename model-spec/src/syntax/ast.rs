@@ -50,6 +50,7 @@ pub struct Applied {
     pub decreases: String,
     /// Smallest effect sizes of interest, as stated by `negligible`: name of a coefficient or state of the effect, and
     /// the smallest difference from its null value (the value at which the effect is absent) that matters in practice.
+    /// A difference without a unit is dimensionless.
     pub negligible: Vec<(Name, Quantity)>,
     /// Quantities of the model that the effect (named change to the model) needs, without quantities that a fallback
     /// expression replaces.
@@ -274,7 +275,7 @@ pub enum FrameKind {
         parent: Name,
         /// Name of the state that is the rotation angle.
         angle: Name,
-        /// Number of the rotation axis: 1, 2 or 3.
+        /// Number of the rotation axis: axis 1, 2 or 3 of the parent frame, which the rotation leaves unchanged.
         axis: u8,
     },
     /// Parent frame rotated by a unit quaternion.
@@ -359,7 +360,7 @@ pub struct Observe {
 pub struct Limit {
     /// Scalar expression that must exceed the bound.
     pub value: Expr,
-    /// Lower bound of the expression.
+    /// Exclusive lower bound of the expression; without a unit it is dimensionless, but 0 is valid for every unit.
     pub bound: Quantity,
     /// Reason why the model is invalid where the expression does not exceed the bound, for messages.
     pub reason: String,
@@ -379,11 +380,12 @@ pub struct Check {
 pub enum CheckPart {
     /// Sets a value: `set NAME = value;`
     Set {
-        /// Name of a parameter, coefficient, state or input, or of a component of an input.
+        /// Name of a parameter, coefficient, state, input or marker (observed point), or of a component of an input.
         name: Name,
-        /// One literal, or three literals for the components of an input.
+        /// One literal, or three literals for the components of an input or of the marker.
         value: Vec<Number>,
-        /// Unit of the literals; `None` if none is written.
+        /// Unit of the literals. `None` if none is written: the literals are then dimensionless, but zeros are valid
+        /// for every unit.
         unit: Option<UnitExpr>,
         /// Source span of the statement.
         span: Span,
@@ -394,7 +396,7 @@ pub enum CheckPart {
         name: Name,
         /// Whether the compared result is the derivative `der(NAME)`.
         derivative: bool,
-        /// Expected value of the result.
+        /// Expected value of the result; without a unit it is dimensionless, but 0 is valid for every unit.
         value: Quantity,
         /// Absolute tolerance of the comparison; without a unit it has the unit of the expected value.
         within: Quantity,

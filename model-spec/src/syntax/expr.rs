@@ -120,7 +120,8 @@ impl Parser<'_> {
         Ok(tree)
     }
 
-    /// Parses the number of an axis or component: 1, 2 or 3. `what` describes the expected number in error messages.
+    /// Parses the number of an axis or component and returns it: 1, 2 or 3. `what` describes the expected number in
+    /// error messages.
     pub fn axis(&mut self, what: &str) -> Read<u8> {
         match (self.peek(), self.raw()) {
             (Token::Number, raw @ ("1" | "2" | "3")) => {

@@ -28,8 +28,9 @@ pub(super) struct Lexed {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Splits a text into tokens. Each run of invalid characters becomes one [`Token::Bad`], and is reported unless an
-/// error on the same line has been reported before.
+/// Splits a text into tokens, documentation lines and errors; other comments are dropped. Each run of invalid
+/// characters becomes one [`Token::Bad`], and is reported unless an error on the same line has been reported before.
+/// `source` is the `Span::source` of the spans of the errors.
 pub(super) fn lex(text: &str, source: u16) -> Lexed {
     let mut lexer = Lexer {
         text,

@@ -231,7 +231,8 @@ impl<'a> Parser<'a> {
         words.iter().copied().filter(move |_| is_shown)
     }
 
-    /// Reports that `what` was expected and suggests the nearest of the keywords `words`. Always returns `Err`.
+    /// Reports at the next token that `what` was expected. If that token is a name, suggests the keyword in `words`
+    /// with the most similar spelling, if one is similar. Always returns `Err`.
     pub fn expected_word<T>(&mut self, what: &str, words: &[&str]) -> Read<T> {
         let near = match self.peek() {
             Token::Name => suggest::nearest(self.raw(), self.suggestions(words)),

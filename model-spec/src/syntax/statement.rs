@@ -209,7 +209,7 @@ impl Parser<'_> {
         self.binding_rest(name).map(ItemKind::Let)
     }
 
-    /// Parses the rest of a `let` statement after its name.
+    /// Parses the rest of a `let` statement after its name: `: unit = …;`, where `: unit` is optional.
     pub fn binding_rest(&mut self, name: Name) -> Read<Let> {
         let unit = self.unit_behind_colon()?;
         self.need(Token::Equals, &format!("`=` after `{}`", name.text))?;

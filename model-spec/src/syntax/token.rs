@@ -83,7 +83,8 @@ fn begins_name(c: char) -> bool {
         || matches!(c, '_' | '°' | 'µ' | 'ż' | 'ġ' | '\u{0370}'..='\u{03FF}' | '\u{1E00}'..='\u{1EFF}')
 }
 
-/// Whether a character may follow in a name: also digits and combining dots.
+/// Whether a character may occur in a name after the first character: any character with which a name may begin except
+/// `°`, a digit 0 to 9, or a combining dot or pair of dots above.
 fn continues_name(c: char) -> bool {
     c != '°' && begins_name(c) || c.is_ascii_digit() || matches!(c, '\u{0307}' | '\u{0308}')
 }
@@ -137,8 +138,8 @@ pub(super) fn first_token(text: &str) -> Option<(Token, usize)> {
     Some((*token, spelling.len()))
 }
 
-/// Length in bytes of the decimal number that a text begins with. A decimal point must be followed by a digit, so that
-/// `0..1` is a range; an exponent must have digits.
+/// Length in bytes of the decimal number that a text begins with; the first character of the text must be a digit. A
+/// decimal point must be followed by a digit, so that `0..1` is a range; an exponent must have digits.
 fn number(text: &str) -> usize {
     let digits = |text: &str| prefix_length(text, |c| c.is_ascii_digit());
     let mut end = digits(text);

@@ -22,7 +22,8 @@ use crate::cli::Design as Options;
 use crate::{Answer, output};
 
 /// Runs `hyzer design`: searches for the throw that serves a goal best, prints it, and writes the result files if an
-/// output folder is given.
+/// output folder is given. Returns `Answer::No` if this throw violates a constraint of the goal, such as hitting the
+/// target.
 pub fn run(options: &Options) -> anyhow::Result<Answer> {
     let out = output::folder(options.out.as_deref())?;
     let mut model = model_spec::load::load(&options.model, &super::names(&options.with))?;

@@ -308,7 +308,8 @@ fn circle(place: Vector2<f64>, radius: f64) -> Vec<Vector2<f64>> {
         .collect()
 }
 
-/// Cosine and sine of evenly spaced angles over a full circle, as points of the unit circle.
+/// Points (cosine, sine) of the unit circle at `POINTS / 2` evenly spaced angles. The first point is repeated at the
+/// end, so that a line through the points is closed.
 fn round() -> impl Iterator<Item = (f64, f64)> {
     (0..=POINTS / 2).map(|k| {
         let (s, c) = (std::f64::consts::TAU * k as f64 / (POINTS / 2) as f64).sin_cos();

@@ -31,7 +31,7 @@ const CODE: &str = "extended";
 const CASES: usize = 12;
 
 /// Runs `hyzer diagnose`: tests a model for missing effects, prints a summary, and writes the result files if an output
-/// folder is given.
+/// folder is given. Returns `Answer::No` if there are reasons not to rely on the diagnosis.
 pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     let (hold, priors) = (held(&options.inputs.hold)?, priors(&options.inputs.prior)?);
     let out = output::folder(options.out.as_deref())?;
@@ -226,7 +226,7 @@ fn results(
     Ok(files)
 }
 
-/// One file for each effect whose text the diagnosis generated itself, with this text, named after the effect.
+/// Files with the texts of the effects that the diagnosis generated itself, one file `NAME.hyz` per effect.
 fn written_effects(extension: &ExtendedModel) -> Vec<ResultFile> {
     let each = extension.written.iter().filter_map(|effect| {
         let declares = |name: &&String| effect.contains(&format!("effect {name} "));

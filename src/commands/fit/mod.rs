@@ -34,7 +34,7 @@ pub(super) const FLIGHTS: &str = "flights.html";
 const FIGURE_DATA: &str = "figure-data";
 
 /// Runs `hyzer fit`: fits a model to a dataset, prints a summary, and writes the result files if an output folder is
-/// given.
+/// given. Returns `Answer::No` if the estimates are not reliable.
 pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     let inputs = &options.inputs;
     let (hold, priors) = (held(&inputs.hold)?, priors(&inputs.prior)?);
@@ -218,7 +218,8 @@ pub(super) fn deadline(seconds: Option<f64>) -> anyhow::Result<Option<Instant>> 
     Ok(Instant::now().checked_add(limit))
 }
 
-/// Parses the values of the option `--hold`, each `NAME` or `NAME=VALUE`; value in SI units.
+/// Parses the values of the option `--hold`, each `NAME` or `NAME=VALUE`; value in SI units. The value is `None` if
+/// only the name is given; the coefficient is then held fixed at the model's value.
 pub(super) fn held(texts: &[String]) -> anyhow::Result<Vec<(String, Option<f64>)>> {
     texts.iter().map(|text| one_held(text)).collect()
 }

@@ -187,8 +187,8 @@ fn coefficients(model: &Model, report: &FitReport) -> Table {
     table
 }
 
-/// Number of decimals with which a number shows two significant digits of its standard error; 6 if the standard error
-/// is 0.
+/// Number of decimals, at least 0, with which a number shows two significant digits of its standard error; 6 if the
+/// standard error is 0.
 pub fn digits(std_error: f64) -> i32 {
     if std_error > 0.0 {
         (1 - std_error.log10().floor() as i32).max(0)
@@ -197,8 +197,8 @@ pub fn digits(std_error: f64) -> i32 {
     }
 }
 
-/// Formats a number with the given number of decimals. Nonzero magnitudes below 1e-3 are written with an exponent,
-/// rounded to the same decimal place.
+/// Formats a number with `digits` decimals; a negative number of decimals counts as 0, one above 8 as 8. Nonzero
+/// magnitudes below 1e-3 are written with an exponent, rounded to the same decimal place.
 pub fn written(value: f64, digits: i32) -> String {
     if value != 0.0 && value.abs() < 1e-3 {
         let size = value.abs().log10().floor() as i32;

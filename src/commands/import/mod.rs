@@ -40,7 +40,7 @@ struct Found {
 }
 
 /// Runs `hyzer import`: reads the recordings, extracts the free flight of each throw, writes the dataset, and prints
-/// the choices made, such as units and axes.
+/// the choices made, such as units and axes. Always returns `Answer::Yes`; an error if no throw is found.
 pub fn run(options: &Import) -> anyhow::Result<Answer> {
     output::new_folder(&options.out)?;
     let mut labels = labels(&options.label)?;
@@ -292,8 +292,8 @@ fn add(
     Ok(())
 }
 
-/// Replaces the marker positions of a flight by the poses of the tracked body `followed` in the samples `samples` of
-/// the recording `take`.
+/// Replaces the marker positions of a flight by poses: position and attitude of the tracked body in `followed`, in the
+/// samples `samples` of the recording `take`. All poses are missing if `followed` selects points instead of a body.
 fn of_poses(flight: Flight, samples: &Range<usize>, followed: &Followed, take: &Take) -> Flight {
     let readings = samples
         .clone()
@@ -327,7 +327,7 @@ fn no_throw() -> String {
 }
 
 /// Axis of the recording `take` that points up, and whether it is specified by the option `--up` instead of in the
-/// file.
+/// file. An error if neither specifies it, or if the value of the option is not an axis.
 fn up_of(take: &Take, file: &Path, options: &Import) -> anyhow::Result<(Axis, bool)> {
     let stated = match &options.up {
         Some(text) => match Axis::parse(text) {
@@ -350,8 +350,8 @@ fn is_downwards([x, y, z]: [f64; 3]) -> bool {
     -z > 0.5 * x.hypot(y)
 }
 
-/// An axis with which, taken as the upward axis instead of `up`, throws are found in the recording `take`; `None` if
-/// there is none.
+/// Tries the axes other than `up` as the upward axis of the recording `take`. Returns the first axis with which throws
+/// are found; `None` if there is none.
 fn other_up(take: &Take, labels: &[&str], left_handed: bool, up: Axis) -> Option<Axis> {
     let all = ["+z", "+y", "+x", "-z", "-y", "-x"]
         .into_iter()

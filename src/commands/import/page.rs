@@ -42,8 +42,9 @@ impl Shown<'_> {
         }
     }
 
-    /// Reduces a time window (s) to the interval from the first to the last sample of the recording in the window in
-    /// which the motion of the body is known.
+    /// Shrinks a time window (s): its start becomes the time of the first sample in the window at which the motion of
+    /// the body is known, and its end the time of the last. A window without such a sample is returned unchanged; with
+    /// only one such sample, the end is unchanged.
     fn seen(&self, (from, to): (f64, f64)) -> (f64, f64) {
         let times = self.motion.map_or(&[][..], |motion| &motion.times);
         let mut inside = times.iter().filter(|time| from <= **time && **time <= to);

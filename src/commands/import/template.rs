@@ -18,7 +18,7 @@ pub struct Template {
     pub model: Option<String>,
     /// Known parameters of the body or its environment, by name, SI.
     pub parameters: BTreeMap<String, f64>,
-    /// Markers and their positions on the body, m.
+    /// Names of the markers and their positions in the model's marker frame (usually the body frame), m.
     pub markers: Vec<Marker>,
 }
 
@@ -28,8 +28,8 @@ pub enum Followed {
     /// For each marker of the template (declared markers of the thrown body), in its order, the index of a point of the
     /// recording.
     Points(Vec<usize>),
-    /// Index of a tracked body of the recording, and the positions, m, of the declared markers (the template) on this
-    /// body.
+    /// Index of a tracked body of the recording, and the positions of the declared markers (the template) in the frame
+    /// of this tracked body, m.
     Pose(usize, Vec<[f64; 3]>),
 }
 
@@ -160,8 +160,8 @@ impl Followed {
         }
     }
 
-    /// Positions of the declared markers (the template) in a sample of the recording `take`, m; `None` for a marker
-    /// that was not seen.
+    /// Positions of the declared markers (the template) in a sample of the recording `take`, along the axes of the
+    /// recording, m; `None` for a marker that was not seen.
     pub fn positions(&self, take: &Take, sample: usize) -> Vec<Option<[f64; 3]>> {
         match self {
             Self::Points(points) => points

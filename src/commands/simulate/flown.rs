@@ -30,7 +30,7 @@ pub struct Flown {
     pub apex: (f64, f64),
     /// Maximum speed over the ground, m/s.
     pub top_speed: f64,
-    /// Position of the mass centre at the end of the flight, m.
+    /// Position of the mass centre at the end of the flight: x and y in the inertial frame, and height, m.
     pub landing: [f64; 3],
     /// Motion of the body at release, expressed in the quantities of a throw (speed, angles, spin, height).
     pub release: Throw,

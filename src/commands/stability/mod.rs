@@ -39,7 +39,7 @@ pub struct Found {
 }
 
 /// Runs `hyzer stability`: computes modes and stability criteria, prints them, and writes the result files if an output
-/// folder is given.
+/// folder is given. Always returns `Answer::Yes`, whether the flight is stable or not.
 pub fn run(options: &Options) -> anyhow::Result<Answer> {
     let out = output::folder(options.out.as_deref())?;
     if options.throw.techdisc.is_some() {

@@ -49,8 +49,10 @@ pub struct Band {
     pub height: [f64; 3],
 }
 
-/// Integrates flights whose releases are drawn from their scatter, as many as `options` state. The height bands are
-/// quantiles along the line from the release to `target`, m. `None` if fewer than three flights land.
+/// Draws throws and parameters from the distribution `scattered` about those of `throw` and `flights`, as many as
+/// `options` states, and integrates the flights. The quantile bands of the paths are computed along the line from the
+/// release to `target` (x, y in m), the mean landing that linear propagation gives. `None` if fewer than three flights
+/// land.
 pub(super) fn sampled(
     flights: &ThrowFlights<'_>,
     throw: &Throw,

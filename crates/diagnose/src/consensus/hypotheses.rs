@@ -16,7 +16,8 @@ use crate::selection::{Hypothesis, Search};
 /// lack) if its p-value is below this level.
 const ALPHA_AGREE: f64 = 0.01;
 
-/// Familywise significance level at which the flights' agreement on a further candidate effect rejects a hypothesis.
+/// Familywise significance level of the sign-flip test by which a hypothesis (a missing effect) is rejected: the
+/// flights still agree on a further candidate effect or library term once the effect of the hypothesis is included.
 const ALPHA_REJECT: f64 = 0.002;
 
 /// Minimum number of flights for a test of whether they agree on an effect; with fewer flights the sign-flip test
@@ -35,8 +36,8 @@ const MIN_CONCORDANT: f64 = 0.5;
 /// Result of the search for effects that the model may lack and on which the flights agree.
 pub(crate) struct Consensus {
     /// Hypotheses of one missing effect that explain at least half of the excess χ² of all flights, best fit first.
-    /// Empty if only flights outside `discordant` support a hypothesis: it explains at least half of the excess χ² of
-    /// these flights, but no hypothesis explains half of that of all flights.
+    /// Empty if there are none, but a hypothesis explains at least half of the excess χ² of the concordant flights,
+    /// which are those not in `discordant`.
     pub hypotheses: Vec<Hypothesis>,
     /// Fraction, 0 … 1, of the excess χ² that the best hypothesis explains, over all flights, or over the concordant
     /// flights if `hypotheses` is empty. The excess χ² is the weighted sum of squares minus its expectation for pure
@@ -131,10 +132,10 @@ fn agreed_hypotheses(
     Ok(agreed)
 }
 
-/// Finds the hypothesis in `agreed` that explains most once the flights that contradict it are excluded: the largest
-/// fraction of the excess χ² (misfit beyond noise) of the remaining, concordant flights. The list of hypotheses in the
-/// result is empty. Considers only hypotheses whose effect has one coefficient. `None` if no fraction reaches
-/// [`MIN_EXPLAINED`], or too few flights are concordant.
+/// Finds the hypothesis in `agreed` that best explains the concordant flights, those that do not contradict it. The
+/// best hypothesis explains the largest fraction of the excess χ² (misfit beyond noise) of its concordant flights.
+/// Considers only hypotheses whose effect has one coefficient. The list of hypotheses in the result is empty. `None` if
+/// no fraction reaches [`MIN_EXPLAINED`], or too few flights are concordant.
 fn explained_without_discordant(
     model: &ScoreTestModel<'_>,
     test: &SignFlipTest,

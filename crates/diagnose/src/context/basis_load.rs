@@ -14,9 +14,9 @@ use ode::DifferentiableRhs;
 pub(crate) struct BasisLoads<'a, B> {
     motion: DifferentiableModelRhs<'a>,
     pattern: Vec<(usize, usize)>,
-    /// For each entry that the basis functions add to the parameter Jacobian: index of the model's entry that is the
-    /// derivative with respect to the load coefficient, and index of the basis function by which this entry is
-    /// multiplied.
+    /// For each nonzero entry that the basis functions add to the parameter Jacobian: position in `pattern` of the
+    /// model's entry that is the derivative with respect to the load coefficient, and index of the basis function by
+    /// which this entry is multiplied.
     sources: Vec<(usize, usize)>,
     own_entries: usize,
     basis: B,

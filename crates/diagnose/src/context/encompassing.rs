@@ -30,7 +30,7 @@ impl EncompassingModel {
     /// switched on, effects named in `without`, and general effects that duplicate an effect specific to the model.
     ///
     /// # Errors
-    /// [`LoadError`] if the model without candidates cannot be checked.
+    /// [`LoadError`] if the model with the loads of the term library, but without candidates, is invalid.
     pub fn new(model: &Model, without: &[String]) -> Result<Self, LoadError> {
         let effects = candidate_effects(model, without);
         let (library, base) = match TermLibrary::for_model(model) {

@@ -31,8 +31,8 @@ pub(crate) struct LibraryTerms {
 }
 
 impl LibraryTerms {
-    /// Finds the load coefficients and the variables of a term library in a model, whose indices `layout` contains;
-    /// `None` if one of them is missing.
+    /// Creates the terms of the library `library` for the model with the index layout `layout`; `None` if the model
+    /// lacks a load coefficient or a variable of the library.
     pub fn new(library: Arc<TermLibrary>, layout: &Layout) -> Option<Self> {
         let loads = library.channels.iter();
         let loads = loads.map(|channel| layout.parameter(&channel.coefficient));
@@ -75,7 +75,8 @@ impl LibraryTerms {
         )
     }
 
-    /// Factors of the product of variables of a library term: pairs of a variable's index and its power.
+    /// Factors of the product of variables of a library term: pairs of the index of a variable in the library and the
+    /// exponent of the variable.
     fn factors(&self, term: Term) -> Vec<(usize, i32)> {
         let factors = self.library.factors(term).iter();
         factors

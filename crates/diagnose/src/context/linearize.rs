@@ -83,8 +83,9 @@ impl ScoreTestModel<'_> {
         })
     }
 
-    /// Calls `each` with every residual of a flight and its derivatives with respect to all unknowns: the tangent
-    /// directions of the flight's initial state, the global parameters and the coefficients of the library terms.
+    /// Calls `each` with every residual of a flight, predicted − measured, in m and not whitened, and the derivatives
+    /// of this residual with respect to all unknowns. Their order is: tangent directions of the flight's initial state,
+    /// global parameters, coefficients of the library terms (products of variables added to loads).
     ///
     /// # Errors
     /// [`FitError::Flight`] if the trajectory cannot be integrated.

@@ -2,7 +2,8 @@
 //! design.
 
 /// Number of subdiagonals of the Gram matrix of a B-spline design. A whitened row of the design combines the splines of
-/// two successive samples.
+/// two successive samples, which are at most 5 knot intervals apart and thus cover at most 9 splines. Samples farther
+/// apart are not combined: their noise counts as independent.
 pub(super) const BANDWIDTH: usize = 8;
 
 /// Minimum pivot of the Cholesky factor, relative to the diagonal of the Gram matrix; a column with a smaller pivot

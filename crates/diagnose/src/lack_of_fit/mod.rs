@@ -70,8 +70,9 @@ pub struct LackOfFit {
     /// Root mean square of the residuals in excess of the noise, m: √(mean square of the residuals − noise variance),
     /// or 0 if the difference is negative.
     pub beyond_noise_m: f64,
-    /// Excess χ²: sum of squares that splines remove from the residuals, divided by the noise variance, minus the
-    /// expectation of this ratio for pure noise.
+    /// Excess χ² of all tested flights together: sum of squares that splines remove from the residuals, divided by the
+    /// noise variance, minus the expectation of this ratio for pure noise. The larger of the values for slow and for
+    /// fast deviations of the residuals from zero, at least 0.
     #[serde(skip)]
     pub(crate) excess_chi2: f64,
     /// Estimated noise model: the noise floor of the residuals.
@@ -302,7 +303,8 @@ fn empty_series(channels: usize, count: usize) -> Vec<[Series; 3]> {
 }
 
 /// Characteristic frequency of the predicted marker motion, 1/s, by Rice's formula: root mean square of the jerk over
-/// the root mean square of the acceleration's fluctuations, over 2π.
+/// the root mean square of the acceleration's fluctuations, over 2π. `predicted[sample][marker]` is a position, m;
+/// `interval` is the sampling interval, s. 0 if the acceleration does not change.
 fn frequency(predicted: &[Vec<[f64; 3]>], interval: f64) -> f64 {
     let (mut of_jerk, mut of_acceleration) = (0.0, f64::MIN_POSITIVE);
     let markers = predicted.first().map_or(0, Vec::len);

@@ -21,7 +21,8 @@ const GOLDEN_STEPS: usize = 10;
 /// Step of the lag-1 autocorrelation in the finite difference that gives the curvature of the restricted deviance.
 const CURVATURE_STEP: f64 = 0.03;
 
-/// Number of residuals of one axis after which no further flight is used to estimate the autocorrelation.
+/// Number of residuals of one axis after which no further flight is used to estimate the noise, that is, its
+/// autocorrelation and standard deviation.
 const MAX_RESIDUALS: usize = 40_000;
 
 /// Residuals of one flight by measurement channel (a marker position or one quantity of a sensor) and axis, and the
@@ -39,7 +40,8 @@ pub(super) struct NoiseFloor {
     /// Noise model: standard deviation and lag-1 autocorrelation for each axis of each noise group. A noise group
     /// consists of the measurement channels (marker positions or sensor quantities) with common noise parameters.
     pub noise: NoiseModel,
-    /// `ar1_std_error[group][axis]`: standard error of the lag-1 autocorrelation of a noise group.
+    /// `ar1_std_error[group][axis]`: standard error of the lag-1 autocorrelation of a noise group (the measurement
+    /// channels with common noise parameters).
     pub ar1_std_error: Vec<[f64; 3]>,
 }
 
@@ -159,9 +161,10 @@ fn of_axis(
     Some((ar1, std_error, sigma))
 }
 
-/// Restricted likelihood, along one axis and at the lag-1 autocorrelation `ar1`, of the residuals of the measurement
-/// channels in the group with index `group`. `group_of` is the group index of each channel; `interval` is the sampling
-/// interval, s.
+/// Restricted likelihood of the residuals of one noise group along one axis, for noise with the lag-1 autocorrelation
+/// `ar1`. A noise group consists of the measurement channels with common noise parameters: here those whose entry in
+/// `group_of` is `group`. `interval` is the sampling interval, s. All fields of the result are 0 if every flight has
+/// too few residuals for its splines.
 fn likelihood(
     flights: &[&FlightSeries],
     (group, group_of): (usize, &[usize]),

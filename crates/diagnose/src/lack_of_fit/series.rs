@@ -10,7 +10,7 @@ use super::spline_basis::{SUPPORT, SplineBasis};
 /// the sample times of the inliers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Series {
-    /// Sample times of the inliers, s.
+    /// Sample times of the inliers, s after the first sample of the flight.
     pub times: Vec<f64>,
     /// `sides[sample * count + k]`: residual, m, for `k = 0`; for larger `k`, derivative of the residual with respect
     /// to local parameter `k − 1` of the flight (tangent direction of the initial state).
@@ -20,7 +20,8 @@ pub(super) struct Series {
     pub count: usize,
 }
 
-/// Products of the whitened values of a series (residual and derivatives), and their projections on a spline basis.
+/// Whitened residuals and derivatives of a series in the form that least squares needs: their Gram matrix, and their
+/// projections on a spline basis.
 #[derive(Clone, Debug)]
 pub(super) struct WhitenedProducts {
     /// Gram matrix of the whitened values (residual first, then derivatives), row by row.

@@ -31,12 +31,13 @@ struct Projection {
     /// Sum of squares of the residuals' projection on the splines.
     squares: f64,
     rank: usize,
-    /// Gram matrix of the local columns after projecting out the splines; `left_gradient` contains the products of the
-    /// projected columns with the residuals.
+    /// Gram matrix of the derivatives of the residuals with respect to the flight's initial state, after the splines
+    /// are projected out. `left_gradient` contains the products of these projected derivatives with the residuals.
     left: DMatrix<f64>,
     left_gradient: DVector<f64>,
-    /// Sum of squares of the residuals before the splines are projected out. `local` (Gram matrix of the local columns)
-    /// and `gradient` (products of these columns with the residuals) are also values before this projection.
+    /// Sum of squares of the residuals before the splines are projected out. `local` (Gram matrix of the derivatives of
+    /// the residuals with respect to the flight's initial state) and `gradient` (products of these derivatives with the
+    /// residuals) are also values before this projection.
     total: f64,
     local: DMatrix<f64>,
     gradient: DVector<f64>,
@@ -44,9 +45,9 @@ struct Projection {
 }
 
 impl FlightMisfit {
-    /// Tests the residuals of a flight against the noise floor; `None` if the flight has too few samples. The ratio of
-    /// the flight's noise to the noise floor is assumed to be at least `least_ratio`, because integration errors also
-    /// contribute to the residuals.
+    /// Tests the residuals of a flight against the noise floor; `None` if the flight has too few samples. The standard
+    /// deviation of the flight's noise is assumed to be at least `least_ratio` times that of the noise floor, because
+    /// integration errors also contribute to the residuals.
     pub fn new(
         flight: &FlightSeries,
         slow: &SplineBasis,
@@ -91,8 +92,9 @@ impl FlightMisfit {
     }
 }
 
-/// Bonferroni-corrected p-value of the more significant of two tests. `relative_error` is the relative standard error
-/// of the noise variance at low frequencies; it widens the null distribution of either statistic.
+/// Bonferroni-corrected p-value of the more significant of two tests: of slow deviations of the residuals from zero
+/// (`slow`), and of fast ones (`fine`). `relative_error` is the relative standard error of the noise variance at low
+/// frequencies; it widens the null distributions of both statistics.
 pub(super) fn least_p(slow: ScaledStatistic, fine: ScaledStatistic, relative_error: f64) -> f64 {
     let p = [slow, fine].map(|mut statistic| {
         statistic.noise_variance += (statistic.dof * relative_error).powi(2);

@@ -12,7 +12,8 @@ pub(super) struct SplineBasis {
 }
 
 impl SplineBasis {
-    /// Creates the basis over the interval `start` … `end`, s, with knots at most `knot_interval` seconds apart.
+    /// Creates the basis over the interval `start` … `end`, s, with knots at most `knot_interval` seconds apart, or
+    /// with [`MAX_INTERVALS`] knot intervals if more would be needed.
     pub fn new((start, end): (f64, f64), knot_interval: f64) -> Self {
         let span = (end - start).max(f64::MIN_POSITIVE);
         let intervals = (span / knot_interval).ceil().clamp(1.0, MAX_INTERVALS);

@@ -26,15 +26,16 @@ const MAX_KNOTS: usize = 9;
 const MAX_FLIGHTS: usize = 12;
 
 /// Initial value, in the expectation maximization, of two standard deviations of the random walk of a load (force or
-/// moment component): that of its coefficient at the first knot, and that of the increments between knots.
+/// moment component): that of its dimensionless coefficient at the first knot, and that of the increments of the
+/// coefficient between knots.
 const INITIAL_SIGMA: f64 = 0.03;
 
 /// Number of iterations of the expectation maximization that estimates the standard deviations of the load
 /// coefficients' random walks.
 const EM_ITERATIONS: usize = 40;
 
-/// Minimum standard deviation of the first value and of the increments of a load coefficient's random walk; prevents
-/// division by 0.
+/// Minimum standard deviation of the first value and of the increments of the random walk of a load coefficient, which
+/// is dimensionless; prevents division by 0.
 const MIN_SIGMA: f64 = 1e-7;
 
 /// Time history, in one flight, of the coefficient of a load (a force or moment component) that the model lacks.
@@ -44,8 +45,8 @@ pub struct LoadHistory {
     pub file: String,
     /// Times of the knots at which the load coefficient is estimated, s after the first sample.
     pub t: Vec<f64>,
-    /// Estimated coefficient of the missing load at each knot; near 0 at times at which the loads (force and moment
-    /// components) of the model are complete.
+    /// Estimated dimensionless coefficient of the missing load at each knot; near 0 at times at which the loads (force
+    /// and moment components) of the model are complete.
     pub value: Vec<f64>,
     /// Standard errors of `value`, one for each knot.
     pub std_error: Vec<f64>,

@@ -48,11 +48,12 @@ pub struct NextThrow {
     pub launch: f64,
     /// Nose angle: angle of attack at release, positive nose up, rad.
     pub nose: f64,
-    /// Hyzer angle: tilt of the disc about the velocity, rad.
+    /// Hyzer angle: tilt of the disc about the velocity, rad; positive if the right edge, seen from behind, is the
+    /// lower one.
     pub hyzer: f64,
     /// Spin rate about the axis of symmetry, rad/s; negative for a right-handed backhand.
     pub spin: f64,
-    /// Heading of the velocity in the horizontal plane, measured from the x axis, rad.
+    /// Heading of the velocity in the horizontal plane, measured from the x axis towards the y axis, rad.
     pub heading: f64,
     /// Expected separation, after the throw, of the two hypotheses (sets of missing effects) with the closest
     /// predictions, in standard deviations.

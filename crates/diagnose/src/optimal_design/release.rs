@@ -15,11 +15,12 @@ pub(super) struct Release {
     pub launch: f64,
     /// Nose angle: angle of attack at release, positive nose up, rad.
     pub nose: f64,
-    /// Hyzer angle: tilt of the body about the velocity, rad.
+    /// Hyzer angle: tilt of the body about the velocity, rad; positive if the right edge, seen from behind, is the
+    /// lower one.
     pub hyzer: f64,
     /// Spin rate about the axis of symmetry, rad/s; the sign is that of the rotation about the third body axis.
     pub spin: f64,
-    /// Heading of the velocity in the horizontal plane, measured from the x axis, rad.
+    /// Heading of the velocity in the horizontal plane, measured from the x axis towards the y axis, rad.
     pub heading: f64,
 }
 

@@ -104,7 +104,8 @@ pub(crate) fn use_clustered_errors(report: &mut Report, after: &Fit) {
     }
 }
 
-/// Adds a note on the held-out flights that are predicted without the added effects; `flights` are their indices.
+/// Adds a note on the held-out flights that are predicted without the added effects. `flights` contains the indices of
+/// these flights in the dataset.
 pub(crate) fn note_not_applied(report: &mut Report, flights: &[usize]) {
     if flights.is_empty() {
         return;

@@ -125,8 +125,9 @@ pub struct Cause {
     /// test.
     #[serde(rename = "gain")]
     pub chi2_decrease: f64,
-    /// Fraction, 0 … 1, of the excess χ² (misfit beyond noise that a smooth motion could remove) that this explanation
-    /// accounts for.
+    /// Fraction, 0 … 1, of the excess χ² that this explanation accounts for; 0 if there is no lack-of-fit test. The
+    /// excess χ² is that of this test: the sum of squares that splines remove from the residuals of the model under
+    /// test, divided by the noise variance, minus the expectation of this ratio for pure noise.
     #[serde(default)]
     pub explained: f64,
     /// Root mean square of the residuals in excess of the noise, m, of the model that includes the effects of this
@@ -155,7 +156,9 @@ pub struct CauseEffect {
     /// Display name, with hyphens, of the candidate effect or of the effect created from library terms (products of
     /// variables added to loads).
     pub name: String,
-    /// Description of the effect; for candidates, according to the sign of the estimate.
+    /// Description of the effect. For a candidate effect, the text depends on whether the estimate of its first
+    /// coefficient is above or below the null value; for an effect created from library terms (products of variables
+    /// added to loads), it is the doc comment in the model language.
     pub doc: String,
     /// Site of the effect: the load (force or moment component) or the equation of the model that it changes.
     pub site: String,
@@ -298,8 +301,8 @@ pub struct Unattributed {
     pub terms: Vec<StepwiseTerm>,
 }
 
-/// Agreement of the flights on the accepted explanations (missing effects). The explanations leave part of the misfit
-/// unexplained, and this part differs from flight to flight.
+/// Agreement of the flights on the accepted explanations (sets of missing effects). Reported if the explanations leave
+/// part of the misfit unexplained, which differs from flight to flight, or if discordant flights are excluded.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Consensus {
     /// Number of fitted flights on whose agreement the explanations are based; flights that contradict these are not

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::context::{Partition, select, select_vector};
 
-/// Returns 1/√value, or 1 if the value is 0 or negative.
+/// Returns 1/√value, or 1 if the value is below about 1e-300, negative or not a number.
 pub(super) fn inverse_sqrt(value: f64) -> f64 {
     let root = value.max(0.0).sqrt();
     if root > 1e-150 { 1.0 / root } else { 1.0 }

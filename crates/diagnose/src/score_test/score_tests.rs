@@ -40,9 +40,11 @@ pub(crate) struct ScoreTests {
     /// eliminating the local parameters (initial states of the flights).
     pub scale: Vec<f64>,
     /// Coefficients of the projection of the Jacobian columns of the tested unknowns on those of the nuisance
-    /// parameters.
+    /// parameters: one row for each nuisance parameter, one column for each tested unknown, in the order of
+    /// `partition`. Each column is multiplied by the unknown's entry in `scale`.
     pub nuisance_projection: DMatrix<f64>,
-    /// Information matrix of the nuisance parameters.
+    /// Information matrix of the nuisance parameters, in the order of `partition`, after eliminating the local
+    /// parameters (initial states of the flights). Includes the priors; `scale` is not applied.
     pub nuisance_information: DMatrix<f64>,
     /// For each tested unknown: squared norm of its Jacobian column before and after elimination of the local
     /// parameters (initial states of the flights).
@@ -59,10 +61,10 @@ pub(crate) struct ScoreTests {
 /// Squared norms of one column of the whitened Jacobian, before and after elimination of the flights' initial states.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ColumnNorms {
-    /// Squared norm of the column, over all flights.
+    /// Squared norm of the column before the elimination, over all flights.
     pub total: f64,
-    /// Squared norm of the column after projection orthogonal to the derivatives with respect to each flight's initial
-    /// state.
+    /// Squared norm of the column of the whitened Jacobian after projection orthogonal to the derivatives with respect
+    /// to each flight's initial state, plus the precision 1/σ² of the parameter's prior if it has one.
     pub locals_eliminated: f64,
 }
 

@@ -12,11 +12,11 @@ const MAX_BIC_DIFFERENCE: f64 = 12.0;
 /// the smallest BIC of the hypotheses (sets of missing effects) while the hypotheses are still preferred.
 const TERM_BIC_MARGIN: f64 = 1.0;
 
-/// Returns the hypotheses whose BIC is near the smallest, without changing their order. Hypotheses with at most `free`
-/// unknowns are retained whatever their BIC. The result is empty if the library terms in `terms` are adequate (no other
-/// term or candidate effect remains significant) and their BIC is smaller by more than [`TERM_BIC_MARGIN`]. Unknowns
-/// are penalized because several effects together, or an effect with a separate value for each flight, can fit almost
-/// any data.
+/// Returns the hypotheses whose BIC exceeds the smallest by less than [`MAX_BIC_DIFFERENCE`], and all hypotheses with
+/// at most `free` unknowns, without changing their order. The library terms in `terms` take part in the comparison if
+/// they are adequate (no other term or candidate effect remains significant). If their BIC is smaller than that of
+/// every hypothesis by more than [`TERM_BIC_MARGIN`], the result is empty. Unknowns are penalized because several
+/// effects together, or an effect with a separate value for each flight, can fit almost any data.
 pub(crate) fn select_by_bic(
     model: &ScoreTestModel<'_>,
     hypotheses: Vec<Hypothesis>,
@@ -34,9 +34,9 @@ pub(crate) fn select_by_bic(
     each.filter(|(_, keep)| *keep).map(|(h, _)| h).collect()
 }
 
-/// Whether the library terms (products of variables added to loads) `terms` are an alternative to `hypotheses`, none of
-/// which is a single effect. They are if no other term or candidate effect remains significant with them, and their BIC
-/// is near the smallest of the hypotheses.
+/// Whether the library terms (products of variables added to loads) `terms` are an alternative to `hypotheses`. They
+/// are if every hypothesis combines several effects, no other term or candidate effect remains significant with the
+/// terms, and their BIC exceeds the smallest of the hypotheses by less than [`MAX_BIC_DIFFERENCE`].
 pub(crate) fn are_alternative(
     model: &ScoreTestModel<'_>,
     hypotheses: &[Hypothesis],
@@ -67,7 +67,8 @@ fn bic_of_terms(model: &ScoreTestModel<'_>, terms: &StepwiseModel) -> f64 {
 /// Returns for each hypothesis (set of missing effects), given by (BIC, number of unknowns), whether it is retained. No
 /// hypothesis is retained if the BIC of the library terms (products of variables added to loads), `of_terms`, is
 /// smaller than the BIC of every hypothesis by more than [`TERM_BIC_MARGIN`]. Otherwise a hypothesis is retained if it
-/// has at most `free` unknowns, or its BIC is near the smallest of the hypotheses and the library terms.
+/// has at most `free` unknowns, or its BIC exceeds the smallest of the hypotheses and the library terms by less than
+/// [`MAX_BIC_DIFFERENCE`].
 fn near_least(scored: &[(f64, usize)], of_terms: f64, free: usize) -> Vec<bool> {
     let least = scored.iter().map(|s| s.0).fold(f64::INFINITY, f64::min);
     if of_terms < least - TERM_BIC_MARGIN {

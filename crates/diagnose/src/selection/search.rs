@@ -13,8 +13,8 @@ use crate::score_test::{ScoreTest, ScoreTests};
 /// [`CHI2_MARGIN_RELATIVE`], for linearization error.
 const CHI2_MARGIN: f64 = 30.0;
 
-/// Part of the margin within which a hypothesis (set of missing effects) is fitted, as a fraction of the largest
-/// expected decrease of the sum of squares. It allows for linearization error and is added to [`CHI2_MARGIN`].
+/// Allowance for linearization error that is added to the margin [`CHI2_MARGIN`], as a fraction of the decrease of the
+/// sum of squares, χ², from the model that is to be extended to its best extension.
 const CHI2_MARGIN_RELATIVE: f64 = 0.25;
 
 /// Maximum number of hypotheses fitted in one round of the search; all of them have the same number of effects.
@@ -288,9 +288,9 @@ impl Search {
         Ok(())
     }
 
-    /// Considers the strongest remaining candidate if exactly one hypothesis is accepted. If the candidate is nearly
-    /// significant, the hypothesis extended by it is also accepted, because the flights do not decide whether the
-    /// model lacks it too.
+    /// Considers the strongest remaining candidate if exactly one hypothesis is accepted. If the candidate's p-value
+    /// times the number of candidates is below [`ALPHA_UNDECIDED`], the hypothesis extended by it is also accepted,
+    /// because the flights do not decide whether the model lacks it too.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if the caller cancelled.
@@ -350,8 +350,9 @@ fn penalized(test: &ScoreTest) -> f64 {
     test.statistic - 2.0 * test.dof as f64
 }
 
-/// Hypotheses of a single candidate effect that are worth fitting: those whose score statistic, minus 2 for each degree
-/// of freedom, is near the largest. In descending order of this value; at most [`MAX_REFITS`].
+/// Hypotheses of a single candidate effect that are worth fitting, in descending order of the penalized score statistic
+/// (score statistic minus 2 for each degree of freedom); at most [`MAX_REFITS`]. Omits effects whose value is below the
+/// largest by [`CHI2_MARGIN`] plus the fraction [`CHI2_MARGIN_RELATIVE`] of the largest, or more.
 fn strongest_singles(tests: &ScoreTests) -> Vec<Vec<CandidateId>> {
     let each = tests.candidates.iter_enumerated();
     let mut decreases: Vec<(CandidateId, f64)> = each
@@ -367,9 +368,10 @@ fn strongest_singles(tests: &ScoreTests) -> Vec<Vec<CandidateId>> {
     near.take(MAX_REFITS).map(|(id, _)| vec![id]).collect()
 }
 
-/// Rejected hypotheses extended by one effect to `count` effects: at most [`MAX_REFITS`] extensions, with expected sums
-/// of squares near the smallest, in ascending order of this sum. Each is a pair: the effects, and the index in
-/// `rejected` of the hypothesis that is extended.
+/// Extensions, worth fitting, of the best rejected hypotheses by one effect to `count` effects, in ascending order of
+/// the expected sum of squares; at most [`MAX_REFITS`]. Each is a pair: the effects, and the index in `rejected` of the
+/// hypothesis that is extended. Omits extensions whose sum exceeds the smallest by [`CHI2_MARGIN`] plus the fraction
+/// [`CHI2_MARGIN_RELATIVE`] of the decrease from `rejected[0]` to the smallest, or more.
 fn strongest_additions(rejected: &[Hypothesis], count: usize) -> Vec<(Vec<CandidateId>, usize)> {
     let mut all: Vec<(Vec<CandidateId>, usize, f64)> = Vec::new();
     for (parent, hypothesis) in rejected.iter().enumerate().take(MAX_PARENTS) {

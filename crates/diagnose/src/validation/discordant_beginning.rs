@@ -76,9 +76,10 @@ fn contradicted(before: &Fit, after: &Fit) -> Vec<usize> {
     worse(&segments.collect::<Vec<_>>())
 }
 
-/// Indices of the flights whose weighted sum of squares in the conditioning segment (first 30 % of the samples)
-/// increases significantly with the added effects. Each tuple contains a flight's index and its sums of squares without
-/// and with these effects. The noise variance is estimated from the smaller of the two sums of each flight.
+/// Dataset indices of the flights that contradict the added effects: their weighted sum of squares in the conditioning
+/// segment (first 30 % of the samples) is increased by more than [`MAX_CHI2_INCREASE`]. Each tuple contains a flight's
+/// index and its sums of squares without and with these effects. The noise variance of each axis is estimated over all
+/// flights, from the smaller of the two sums of each flight.
 fn worse(segments: &[(usize, SegmentSquares, SegmentSquares)]) -> Vec<usize> {
     let mut noise = SegmentSquares::default();
     for (_, before, after) in segments {

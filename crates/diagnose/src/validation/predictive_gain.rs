@@ -78,9 +78,9 @@ impl PredictiveGain {
 /// which the models count as making the same predictions.
 const SAME_ERROR: f64 = 1e-3;
 
-/// Factor of the limit above which a flight is set apart (excluded from the statistics, because neither model predicts
-/// it). The error compared with the limit is the smaller of the flight's RMS errors without and with the extension. The
-/// limit is this factor times the larger of two values: the median of this error over the flights, and the noise.
+/// A flight is set apart (excluded from the statistics, because neither model predicts it) if its error exceeds this
+/// factor times the larger of two values: the median error over the flights, and the noise standard deviation. The
+/// error is the smaller of the flight's RMS errors without and with the extension.
 const SET_APART: f64 = 6.0;
 
 /// Minimum number of predicted flights; with fewer flights, no flight is set apart.
@@ -197,9 +197,10 @@ pub(super) fn summarize(
     })
 }
 
-/// Splits the flights into those set apart and all others. A flight is set apart if the smaller of its two RMS errors
-/// is far above the median of this error over the flights and above the noise. If this holds for more than a quarter of
-/// the flights, no flight is set apart.
+/// Splits the flights into those set apart, first, and all others. A flight is set apart if the smaller of its two RMS
+/// errors is not a number, or exceeds [`SET_APART`] times the larger of the median of this error over the flights and
+/// `noise_floor_m`, the noise standard deviation of one coordinate, m. No flight is set apart if this holds for more
+/// than a quarter of the flights, or if there are fewer than [`MIN_FLIGHTS`] flights.
 fn without_set_apart(
     flights: Vec<FlightErrors>,
     noise_floor_m: f64,

@@ -48,7 +48,7 @@ pub(super) enum WindError {
     /// model itself.
     #[error("found a wind by height or gusts, and no model that could fly in it")]
     NoModel,
-    /// The wind cannot be added to the model.
+    /// The wind cannot be added to the model `name`, for the reason `source`.
     #[error("the model {name} cannot fly in this wind: {source}")]
     Model { name: String, source: LoadError },
 }

@@ -106,7 +106,7 @@ pub struct Vocabulary {
     pub optional: Vec<(usize, f64)>,
     /// Names of the inputs: vectors that are known for each flight, such as the wind.
     pub inputs: Vec<String>,
-    /// State indices of the four components of each unit quaternion.
+    /// State indices of the four components of each unit quaternion, scalar part first.
     pub quaternions: Vec<[usize; 4]>,
     /// The model, from whose body the states of a throw are derived; without it a release file must not contain
     /// `[throw]`.

@@ -294,8 +294,8 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Entries of a table of the document, as key, span of the key and value; empty if the table is absent or has the
-    /// wrong type.
+    /// Entries of the table `key` of the document, each as key, span of the key, and value. Empty if the table is
+    /// absent; also if `key` is not a table, which is recorded as a fault.
     pub fn table<'d>(
         &mut self,
         document: &'d DeTable<'t>,
@@ -337,8 +337,8 @@ impl<'t> Reader<'t> {
     }
 
     /// Parses the table `key` of the document, either `parameters` or `coefficients`, and returns its names and values.
-    /// `names` are the names that are valid in this table. `others` are the names that are valid in the table of these
-    /// two that is not `key`; they are used in error messages.
+    /// `names` are the names that are valid in this table. `others` are the names that are valid in the other of the
+    /// two tables; the error message on such a name refers to that table.
     fn constants(
         &mut self,
         document: &DeTable<'t>,

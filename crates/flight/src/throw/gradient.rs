@@ -139,7 +139,8 @@ impl BoundMotion<'_> {
     }
 }
 
-/// A small change of each vector of a motion: position, velocity, body axes and angular velocity.
+/// Small change of a motion, or its derivative with respect to a field of a throw: position (m), velocity (m/s), the
+/// three body axes (unit vectors) and angular velocity (rad/s), all by their components in the inertial frame.
 #[derive(Default)]
 struct Change {
     position: Vector3<f64>,

@@ -86,7 +86,8 @@ pub enum ThrowError {
         /// Name of the model, which describes a point mass.
         model: String,
     },
-    /// A wobble (angle between axis and angular momentum) is stated without a spin, so that the axis describes no cone.
+    /// The throw has a wobble (angle between the body's axis and its angular momentum) other than 0, but no spin or a
+    /// spin of 0. Without spin the axis does not move along a cone.
     #[error(
         "found wobble without spin; expected a spin other than 0, about which the axis can turn"
     )]

@@ -164,8 +164,9 @@ impl<'m> NearThrows<'m> {
         (is_there && is_turned && self.is_within_limits(state)).then_some(())
     }
 
-    /// Changes the attitude states so that the body has the given axes, by Newton's method with slight damping; `None`
-    /// if the equations are singular.
+    /// Changes the attitude states in `state` so that the body axes are the columns of `axes`, in the inertial frame,
+    /// by Newton's method with slight damping. Whether the method converged is not checked. `None` if the equations are
+    /// singular.
     fn turn(&mut self, axes: &Matrix3<f64>, state: &mut [f64]) -> Option<()> {
         let n = self.attitude.len();
         for _ in 0..MAX_STEPS {
@@ -258,8 +259,9 @@ fn axes_of(at: &Vectors) -> Matrix3<f64> {
     Matrix3::from_columns(&at.0[2..5])
 }
 
-/// Angular velocity of the body in the inertial frame, rad/s, for the spin and wobble of a throw; `axes` are the axes
-/// of the body, and `at` contains the inertia tensor. `None` if the inertia tensor is singular.
+/// Angular velocity of the body in the inertial frame, rad/s, for the spin and wobble of a throw. `axes` contains the
+/// body axes as columns, in the inertial frame; `at` contains the inertia tensor. `None` if there is a wobble and the
+/// inertia tensor is singular.
 fn rates(throw: &Throw, axes: &Matrix3<f64>, at: &Vectors) -> Option<Vector3<f64>> {
     let spin = -throw.spin.unwrap_or(0.0) * RPM;
     let wobble = throw.wobble.unwrap_or(0.0).to_radians();
@@ -274,8 +276,9 @@ fn rates(throw: &Throw, axes: &Matrix3<f64>, at: &Vectors) -> Option<Vector3<f64
     Some(along * (spin / along.dot(&axis)))
 }
 
-/// Solves `n` linear equations, whose right-hand sides are in the last column, by Gaussian elimination with pivoting;
-/// `None` if they are singular.
+/// Solves `n` linear equations by Gaussian elimination with pivoting; `None` if they are singular. The first `n` rows
+/// of `system` are the equations: coefficients in the first `n` columns, right-hand side in column `UNKNOWNS`. They are
+/// overwritten. The solution is in the first `n` entries of the result.
 fn solve(system: &mut [[f64; UNKNOWNS + 1]; UNKNOWNS], n: usize) -> Option<[f64; UNKNOWNS]> {
     for k in 0..n {
         let rows = k..n;

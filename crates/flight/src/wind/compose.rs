@@ -84,7 +84,8 @@ struct MeanWind<'a> {
 }
 
 impl MeanWind<'_> {
-    /// Expression of the mean wind at a height.
+    /// Expression of the velocity vector of the mean wind at a height; the zero vector if there is neither an input nor
+    /// a profile.
     fn at(&self, height: &Expr) -> Expr {
         let input = || call("in_inertial", vec![name("wind")]);
         let of_profile = self.profile.map(|profile| {

@@ -12,7 +12,7 @@ pub const GUST_TERMS: usize = 24;
 /// scale of the gusts.
 const BAND: (f64, f64) = (0.1, 20.0);
 
-/// Components of the gusts: u along the flight, v across it, w upwards.
+/// Components of the gusts: u along the horizontal direction of flight, v across it to the left, w upwards.
 pub(super) const COMPONENTS: [&str; 3] = ["u", "v", "w"];
 
 /// Sinusoids of a gust component with variance 1, as pairs of wavenumber (times the length scale L) and amplitude;

@@ -10,7 +10,8 @@ use super::nodes::{add_let, add_table, call, inertial_vector, name};
 const COMPONENTS: [&str; 3] = ["wind_table_1", "wind_table_2", "wind_table_3"];
 
 /// Statements of the model language that define the height `wind_height` and, from a table over this height, the wind
-/// velocity `wind_of_profile`. `rows` contain height (m, increasing) and the three components of the velocity (m/s).
+/// velocity `wind_of_profile`. Each of `rows` contains a height (m, increasing) and the three components of the wind
+/// velocity in the inertial frame (m/s).
 pub(super) fn statements(rows: &[[f64; 4]]) -> Vec<EffectPart> {
     let height = Expr {
         kind: ExprKind::Part(Box::new(name("position")), 3),
@@ -27,8 +28,8 @@ pub(super) fn statements(rows: &[[f64; 4]]) -> Vec<EffectPart> {
     parts
 }
 
-/// Knots for a table of the model language, which requires at least three: if there are two, their mean is inserted
-/// between them.
+/// Knots (height in m, component of the wind velocity in m/s) for a table of the model language, which requires at
+/// least three: if there are two, their mean is inserted between them.
 fn knots_of(mut knots: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     if let [(low, first), (high, last)] = knots[..] {
         knots.insert(1, (0.5 * (low + high), 0.5 * (first + last)));

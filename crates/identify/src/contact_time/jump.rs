@@ -18,8 +18,9 @@ const MAX_SAMPLES_AFTER: usize = 40;
 const DISPLACEMENT_SIGMA: f64 = 0.3;
 
 /// Threshold of the decrease of the whitened sum of squares by a velocity jump. Each jump is first tested with all
-/// later samples in reach; if every decrease is below the threshold, no jump is tested with fewer samples. It is far
-/// below the decrease by a contact with the ground, which samples after the contact increase further.
+/// later samples, at most `MAX_SAMPLES_AFTER`. If every decrease is below the threshold, no jump is tested with fewer
+/// samples. The threshold is far below the decrease by a contact with the ground, which samples after the contact
+/// increase further.
 const MIN_ROUGH_GAIN: f64 = 30.0;
 
 /// Result of the comparison of free motion (without contact) with motion whose velocities jump just before a sample.
@@ -36,12 +37,12 @@ pub struct Comparison {
 pub struct Jumps {
     /// Index of the first sample for which a jump in the preceding interval is tested.
     tried: usize,
-    /// For each sample before which a jump is tested, free motion fitted to all earlier samples; then free motion
-    /// fitted to all samples.
+    /// `free[i]` is the free motion (without contact) fitted to all samples before the sample `tried + i`. The last
+    /// entry is the free motion fitted to all samples.
     free: Vec<Minimum>,
     /// `comparisons[i][k]` tests a jump just before sample `tried + i`, with the samples up to `tried + i + k`. The
-    /// outer vector is empty if no jump, tested with all samples in reach, decreases the sum of squares by more than
-    /// `MIN_ROUGH_GAIN`.
+    /// outer vector is empty if no jump decreases the sum of squares by more than `MIN_ROUGH_GAIN` when it is tested
+    /// with all later samples, at most `MAX_SAMPLES_AFTER`.
     comparisons: Vec<Vec<Comparison>>,
 }
 

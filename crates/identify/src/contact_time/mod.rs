@@ -47,10 +47,10 @@ const MIN_GROWTH: f64 = 4.0;
 /// this value, the 90 % quantile of χ² with one degree of freedom. If the contact with the ground is dated too late,
 /// disturbed samples remain in the data; this is worse than the loss of undisturbed samples if it is dated too early.
 const UNDECIDED_GAIN: f64 = 2.71;
-/// Two numbers for confirming a contact with the ground or an object by later samples. The velocity jump is tested
-/// again with this number of additional samples (first value). If its gain (decrease of the sum of squares) increased
-/// abruptly before (see `OUTLIER_GAIN`), the additional samples must increase the gain by this factor (second value).
-/// They do not increase a gain that an outlier causes.
+/// Requirements for later samples to confirm a contact with the ground or an object: number of additional samples with
+/// which the velocity jump is tested again, and factor by which they must increase the gain of the jump (decrease of
+/// the sum of squares) if the gain increased abruptly before (see `OUTLIER_GAIN`). Otherwise, any increase suffices.
+/// Additional samples do not increase a gain that an outlier causes.
 const CONFIRMING: (usize, f64) = (2, 1.2);
 /// Maximum increase of the gain (decrease of the sum of squares by a velocity jump) due to one additional sample. If
 /// the increase is greater, that sample is considered to contain an outlier, unless the following samples confirm a
@@ -72,7 +72,7 @@ pub struct Onset {
 
 /// Finds the first contact with the ground or an object within the range `tried` of samples, as a deviation from the
 /// flight that is predicted from `unknowns`, the global parameters and the fitted initial state. `None` if no contact
-/// is found or the trajectory cannot be computed. Uses `threads` threads.
+/// is found or the trajectory cannot be computed. All channels of `problem` must be markers. Uses `threads` threads.
 pub fn contact_time(
     problem: &FitProblem,
     observations: &Observations,

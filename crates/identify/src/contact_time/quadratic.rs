@@ -48,13 +48,15 @@ impl Quadratic {
 #[derive(Clone, Debug)]
 pub struct Minimum {
     factor: Cholesky<f64, Dyn>,
-    /// L⁻¹ Jᵀr, where L is the Cholesky factor. Its square is the decrease of the sum of squares to its minimum.
+    /// L⁻¹ Jᵀr, where L is the Cholesky factor of the normal matrix JᵀJ. The squared norm of this vector is the
+    /// decrease of the sum of squares from its value for unknowns equal to 0 to its minimum.
     pub reduced: DVector<f64>,
 }
 
 impl Minimum {
-    /// Factorises the matrix `normal` after adding `RIDGE` × `diagonal(i)` to its diagonal entry `i`, or 1 if
-    /// `diagonal(i)` is 0; `None` if the matrix is singular.
+    /// Factorises the normal matrix `normal`, and solves for the right-hand side `right`. The diagonal entry `i` of the
+    /// matrix is first increased by `RIDGE` × `diagonal(i)`, or by 1 if `diagonal(i)` is 0. `None` if the matrix is
+    /// singular.
     pub fn new(
         mut normal: DMatrix<f64>,
         diagonal: impl Fn(usize) -> f64,
@@ -80,9 +82,9 @@ impl Minimum {
     }
 
     /// Minimises a sum of squares over the unknowns of `self` (Schur complement). The sum also depends on other
-    /// unknowns: `others` are its terms with these alone, and `cross` is the block of the normal matrix that couples
-    /// the unknowns of `self` (rows) with the others (columns). Returns the minimum as a function of the other
-    /// unknowns.
+    /// unknowns: `others` contains the terms that depend on the other unknowns alone, and `cross` is the block of the
+    /// normal matrix that couples the unknowns of `self` (rows) with the other unknowns (columns). Returns the minimum
+    /// as a function of the other unknowns.
     pub fn eliminated(&self, cross: &DMatrix<f64>, others: &Quadratic) -> Quadratic {
         let mut solved = cross.clone();
         let lower = self.factor.l_dirty();

@@ -120,8 +120,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Reads the standard deviation of a sensor's noise under the key `key`; `None` if the key is absent, an error if
-    /// the value is not positive.
+    /// Reads the standard deviation of a sensor's noise under the key `key`, in the unit of the sensor's readings
+    /// (`sigma`) or in rad (`sigma_angle`). `None` if the key is absent, an error if the value is not positive.
     fn deviation(&self, table: &DeTable<'_>, key: &str) -> Result<Option<f64>, InputError> {
         let Some(value) = table.get(key) else {
             return Ok(None);

@@ -294,7 +294,8 @@ pub fn table_text(flight: &Flight, markers: &[Marker], sensors: &[Sensor]) -> St
     text
 }
 
-/// The text of `dataset.toml` with a comment line inserted above the position of each marker.
+/// The text of `dataset.toml` with a comment line inserted above the position of each marker. `comments` contains the
+/// comments without `#`, in the order of the markers.
 fn commented(text: &str, comments: &[String]) -> String {
     let mut comments = comments.iter();
     let mut made = String::new();

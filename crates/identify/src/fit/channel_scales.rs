@@ -59,7 +59,8 @@ fn noise(flight: &Observations, channel: usize, is_attitude: bool) -> Option<f64
 }
 
 /// Standard deviation of the noise of an attitude about one axis, rad, estimated from the rotation between each
-/// attitude and the interpolation of its neighbours.
+/// attitude and the interpolation of its neighbours. `values` contains, for each measured attitude, its time, s, and
+/// its rotation vector, rad.
 fn attitude_noise(values: &[(f64, Vector3<f64>)]) -> f64 {
     let turn = |value: &Vector3<f64>| UnitQuaternion::from_scaled_axis(*value);
     let mut sizes = Vec::new();

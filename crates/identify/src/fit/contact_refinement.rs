@@ -220,8 +220,9 @@ impl Search<'_> {
     }
 
     /// Restores the whole length of a flight that was truncated at a supposed ground contact. `whole` are the
-    /// observations without the truncation; their initial state is fitted from the initial guess `local`. `None` if the
-    /// fitted model does not predict all samples.
+    /// observations without the truncation; their initial state is fitted from the initial guess `local`. `None` if
+    /// this fit fails, or if the residual scale (robust standard deviation of the residuals) exceeds `LEFT_OUT_RATIO`
+    /// times `self.usual`, the residual scale that is typical of the fitted flights.
     fn restored(&self, whole: Observations, local: &DVector<f64>) -> Option<Retruncated> {
         let local = self.fitted(&whole, whole.times.len(), local)?;
         let moved = Retruncated {
@@ -232,8 +233,8 @@ impl Search<'_> {
     }
 
     /// Truncates an excluded flight at its ground contact. The flight was excluded because no fit predicts its whole
-    /// length. `None` if no contact is found or if the residuals before the contact are larger than those of the fitted
-    /// flights.
+    /// length. `None` if no contact is found, if the velocity jump at the contact is not upward, or if the residuals
+    /// before the contact are far larger than those of the fitted flights.
     fn excluded_until_contact(&self, flight: &Flight) -> Option<Retruncated> {
         let whole = Observations::new(self.at.problem, flight).ok()?;
         let guesses = refined_guesses(self.at, &whole).ok()?;

@@ -24,8 +24,9 @@ use crate::report::{FlightOutcome, FlightReport};
 pub const CONDITIONING_FRACTION: f64 = 0.3;
 
 /// Fits the initial states of held-out flights to their conditioning segments (the first samples of each flight), and
-/// predicts the later samples. `contacts` are the results of the search for ground contacts in the flights of the
-/// dataset; empty if there was none.
+/// predicts the later samples. `contacts` contains, by index of the flight in the dataset, the results of an earlier
+/// search for ground contacts; empty if there was none. Returns one result for each of `flights`, in this order. A
+/// flight that cannot be predicted is reported as excluded.
 ///
 /// # Errors
 /// [`FitError::Interrupted`] if the work is cancelled.
@@ -106,7 +107,8 @@ fn predict(
 }
 
 /// Root mean square residual of one position coordinate, over all measured positions in the samples from `first` to the
-/// end of the flight, outliers excluded, m; `None` if there are no residuals.
+/// end of the flight, outliers excluded, m; `None` if there are no residuals. If no positions are measured, the
+/// residuals of all channels are used, each multiplied by the scale of its channel.
 fn rms_from(
     problem: &FitProblem,
     observations: &Observations,

@@ -19,8 +19,8 @@ const FIRST_HORIZON: f64 = 0.4;
 /// one.
 const HORIZON_GROWTH: f64 = 2.5;
 
-/// Minimum ratio of the duration of the longest flight to a time horizon (the initial part of each flight that is
-/// fitted) for this horizon to be fitted; if the ratio is smaller, whole flights are fitted instead.
+/// A time horizon (duration of the initial part of each flight that is fitted) is used only if the longest flight is
+/// longer than the horizon by more than this factor; otherwise, whole flights are fitted.
 const MIN_REMAINING_GROWTH: f64 = 1.2;
 
 /// Number of least-squares steps of a fit to the initial part of the flights, above which poor initial guesses are
@@ -57,7 +57,7 @@ const MAX_GROWTH: f64 = 1.1;
 /// local minima that short ones do not have.
 ///
 /// A flight that cannot be integrated to the horizon from the present unknowns is used up to a time before the failure
-/// of its integration.
+/// of its integration. Returns the residuals of the whole flights for the final values of the unknowns in `state`.
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.

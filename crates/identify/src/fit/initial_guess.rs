@@ -21,7 +21,8 @@ use crate::vertical;
 /// Duration of the first segment of a flight, to which the guess of its initial state is fitted, s.
 const FIRST_SEGMENT: f64 = 0.15;
 
-/// Minimum number of samples in the first segment of a flight.
+/// Minimum number of samples in the first segment of a flight, to which the guess of its initial state is fitted. For a
+/// flight with fewer samples, the segment is the whole flight.
 const MIN_FIRST_SAMPLES: usize = 12;
 
 /// Minimum initial estimate of the noise of one coordinate, m, to which smaller estimates are raised. It is about the
@@ -180,7 +181,8 @@ pub fn spin_note(turns: i32) -> String {
 }
 
 /// Observations of a flight, truncated at its first ground contact, with the pose in each sample if the body has an
-/// attitude. The contact is searched for unless `search` contains the result of an earlier search.
+/// attitude. The contact is searched for unless `search` contains the result of an earlier search; without such a
+/// result, the flight is not truncated if the vertical is unknown.
 ///
 /// # Errors
 /// The errors of [`Observations::new`]; [`FlightError::TooFewCoordinates`] if the samples do not determine the initial
@@ -209,8 +211,9 @@ pub fn observations_and_poses(
 }
 
 /// Returns guesses of the initial state of a flight, refined by a fit to the first segment of the flight, each with its
-/// sum of squares after the fit; the guess with the slowest spin is first. After the deadline set in the fit options,
-/// guesses are returned without refinement.
+/// sum of squares after the fit; the guess with the slowest spin is first. If no positions are measured, returns only
+/// the guess with the smallest sum of squares. After the deadline set in the fit options, guesses are returned without
+/// refinement, with an infinite sum of squares.
 ///
 /// # Errors
 /// [`FlightError`] if no guess can be found or refined.

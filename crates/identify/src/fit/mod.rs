@@ -75,7 +75,7 @@ pub struct Fit {
     excluded: Vec<ExcludedFlight>,
 }
 
-/// A fitted or held-out flight.
+/// Observations and estimated initial state of a fitted or held-out flight.
 #[derive(Clone)]
 struct FittedFlight {
     observations: Observations,

@@ -110,8 +110,9 @@ fn without_effect(state: &State<'_>) -> Vec<(usize, f64)> {
     hidden.take(MAX_HIDDEN).flatten().collect()
 }
 
-/// Fits arcs of increasing length (parts of flights with separate initial states) and then whole flights; `None` if too
-/// few arcs can be fitted.
+/// Fits arcs of increasing length (parts of flights with separate initial states) and then whole flights. `changed`
+/// contains initial values that replace those of the model, as (index of the global parameter, value). Returns the
+/// residuals after the fit of the whole flights; `None` if too few arcs can be fitted.
 fn shoot(
     state: &mut State<'_>,
     changed: &[(usize, f64)],

@@ -77,7 +77,8 @@ fn reference_scale(scales: &[f64], sigma0: f64) -> f64 {
 }
 
 /// Better initial state of a flight at the present global parameters, with a note for the report; `None` if no initial
-/// guess leads to a residual scale (robust standard deviation of the residuals) clearly below `before`, m.
+/// guess leads to a residual scale (robust standard deviation of the residuals) clearly below `before`, m. `flight` is
+/// an index among the fitted flights.
 fn restart(state: &State<'_>, flight: usize, before: f64) -> Option<(DVector<f64>, String)> {
     let best = fly_to_the_end(state.fixed_global(), &state.flights[flight]);
     let (scale, local, turns) = best.filter(|(scale, ..)| *scale < ACCEPTED_RATIO * before)?;
@@ -117,7 +118,8 @@ pub fn fly_to_the_end(
 }
 
 /// Fits the initial state of one flight to a short initial segment of the flight, whose number of samples is then
-/// doubled for each further fit, up to the whole flight; `None` if a fit fails.
+/// doubled for each further fit, up to the whole flight. Returns the initial state fitted to the whole flight; `None`
+/// if a fit fails.
 fn continue_horizon(
     at: FixedGlobal<'_>,
     observations: &Observations,

@@ -28,11 +28,11 @@ pub struct PostFit {
 /// channel: the factor `Channel::scale` is not applied.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ChannelSum {
-    /// Sum of squared residuals over all components, outliers excluded.
+    /// Sum of squared residuals over all components, outliers excluded, in the square of the channel's unit.
     pub squares: f64,
-    /// Number of measured values of the channel, outliers excluded.
+    /// Number of measured values of the channel, outliers excluded. A vector counts as one value.
     pub count: usize,
-    /// Number of measured values of the channel that are excluded as outliers.
+    /// Number of measured values of the channel that are excluded as outliers. A vector counts as one value.
     pub outliers: usize,
 }
 

@@ -24,10 +24,10 @@ struct CachedFlight {
 
 /// Trajectory and residuals of one flight.
 pub struct Path {
-    /// States of the model along the trajectory, one vector of states for each sample up to which the flight was
-    /// integrated, concatenated.
+    /// States of the model at the samples over which the flight was integrated, concatenated sample by sample.
     pub states: Vec<f64>,
-    /// Residuals of the measured values in these samples, predicted − measured, m.
+    /// Residuals of the values measured in the samples over which the flight was integrated, (predicted − measured) ×
+    /// scale of the channel, m.
     pub residuals: Residuals,
 }
 
@@ -41,8 +41,8 @@ impl State<'_> {
 }
 
 impl ResidualCache {
-    /// Integrates each fitted flight over its first samples, whose number `samples` contains for each flight, and
-    /// computes their residuals.
+    /// Integrates each fitted flight over its first samples and computes the residuals in these samples.
+    /// `samples[flight]` is the number of samples of a flight that are used.
     pub fn new(state: &State<'_>, samples: &[usize]) -> Self {
         let (problem, options) = (state.problem, state.options);
         let count = state.flights.len();
@@ -128,7 +128,7 @@ impl ResidualCache {
     }
 }
 
-/// Robust standard deviation of one flight's residuals, m; `None` if it has none.
+/// Robust standard deviation of one flight's residuals, m; `None` if there are no residuals.
 pub fn robust_scale(residuals: &Residuals) -> Option<f64> {
     let all = residuals.iter().flatten().flatten().flatten();
     let mut sizes = Vec::with_capacity(3 * residuals.iter().map(Vec::len).sum::<usize>());

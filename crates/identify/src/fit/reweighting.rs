@@ -49,8 +49,9 @@ pub struct Reweighted {
 }
 
 /// Alternates noise estimates and least squares until the noise estimated from the residuals equals the noise by which
-/// they were weighted. `cache` contains the residuals for the present values of the unknowns in `state`, of which every
-/// flight can be predicted. Flights whose samples do not determine their initial state are excluded.
+/// they were weighted. `cache` contains the residuals for the present values of the unknowns in `state`; it must
+/// contain no flight whose trajectory could not be computed. Flights whose samples do not determine their initial state
+/// are excluded.
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
@@ -206,12 +207,12 @@ pub fn estimate_noise(
 /// Possible outliers of one flight, found from local residuals. A local residual is the difference of a residual from
 /// the line through the residuals of the neighbouring samples.
 struct FlightOutliers {
-    /// Robust standard deviation of the local residuals of the flight, for each noise group (channels that share one
-    /// noise process) along each axis, m.
+    /// Robust standard deviation of the flight's local residuals (deviations of the residuals from the line through the
+    /// neighbouring ones), for each noise group (channels that share one noise process) along each axis, m.
     scales: Vec<[f64; 3]>,
-    /// Index and local residual, m, of each value that is an outlier for the standard deviations `scales`. The index
-    /// counts the values of all channels, sample by sample. For larger standard deviations, no other value is an
-    /// outlier.
+    /// Index and local residual (deviation of the residual from the line through the neighbouring ones), m, of each
+    /// value that is an outlier for the standard deviations `scales`. The index counts the values of all channels,
+    /// sample by sample. Larger standard deviations make no further value an outlier.
     candidates: Vec<(usize, [f64; 3])>,
 }
 

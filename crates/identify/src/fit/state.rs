@@ -9,8 +9,8 @@ use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 
-/// Fraction of the time between the first sample and the failure of the integration of a flight that is used for the
-/// fit.
+/// If the integration of a flight fails, the fit uses the flight up to this fraction of the time between its first
+/// sample and the failure.
 const FLYABLE_PART: f64 = 0.7;
 
 /// A fit in progress: the flights that are fitted, with the values of all unknowns, and excluded flights.

@@ -13,7 +13,8 @@ use crate::predict::Loss;
 impl Fit {
     /// Minimises the sum of squared residuals, whitened by `noise`, over the fitted flights, starting from the given
     /// global parameters (in the order of [`FitProblem::globals`]) and initial states of the fitted flights (in the
-    /// order of the dataset). Outliers of this fit remain excluded.
+    /// order of the dataset). Outliers of this fit remain excluded. Returns the least-squares solution; `self` does not
+    /// change.
     ///
     /// [`FitProblem::globals`]: crate::FitProblem::globals
     ///

@@ -7,8 +7,9 @@ use super::motion::Point;
 /// Maximum number of points (samples with a pose) within which a hand stops a body, counted from an interval in which a
 /// contact with the ground is suspected. A disc that slides on the ground takes longer to stop.
 const WITHIN: usize = 24;
-/// Number of points (samples with a pose) from which the final speed of the body is computed. They are the last of the
-/// `WITHIN` points after a suspected ground contact, in which a hand that catches the body must stop it.
+/// Number of points (samples with a pose) from which the final speed of the body is computed: the last ones of the
+/// `WITHIN` points that follow a suspected ground contact. A hand that catches the body must stop it within these
+/// `WITHIN` points.
 const LAST: usize = 3;
 /// Maximum ratio of the final speed to the speed before the suspected ground contact for a body to be considered at
 /// rest. The limit allows for noise and for samples that end shortly before a caught body is at rest.

@@ -123,9 +123,9 @@ struct Kink {
     /// Velocity change that acceleration alone would cause within the interval that is tested for an impact, m/s. The
     /// larger one of the accelerations before and after the interval is used.
     impulse: f64,
-    /// Residual variance of the two parabolas, or the noise variance if that is greater, m². The next field, `smooth`,
-    /// is the residual variance of a single polynomial through the points of both parabolas, m².
+    /// Residual variance of the two parabolas, or the noise variance if that is greater, m².
     squares: f64,
+    /// Residual variance of a single polynomial fitted to the points of both parabolas, m².
     smooth: f64,
 }
 

@@ -65,7 +65,7 @@ pub struct ContactSearch {
 
 impl ContactSearch {
     /// The search result restricted to one part of the flight: the `samples` samples that follow its first `unseen`
-    /// samples.
+    /// samples. The index of the contact counts from the start of this part; it is 0 for an earlier contact.
     pub fn of_part(&self, unseen: usize, samples: usize) -> Self {
         let poses = self
             .poses

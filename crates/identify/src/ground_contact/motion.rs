@@ -14,8 +14,8 @@ pub const SCALE: f64 = 0.1;
 const SNAP: f64 = 300.0;
 /// Prior standard deviation, m, of the amplitudes of the sine and cosine terms with the wobble rate in the position.
 const WOBBLE: f64 = 0.002;
-/// Prior standard deviation of the cubic coefficient of the polynomial in time / `SCALE` that describes the drift of
-/// the axis (a unit vector); dimensionless.
+/// Prior standard deviation, dimensionless, of the cubic coefficient of the polynomial that describes the drift of the
+/// most steady body axis (a unit vector). The variable of the polynomial is time / `SCALE`.
 const BEND: f64 = 0.02;
 /// Minimum variance by which gains are divided, as a fraction of the residual variance of motion that may change within
 /// the tested interval. A gain is the decrease of the sum of squared residuals by such a change. The minimum prevents
@@ -27,7 +27,7 @@ const LOCAL_PART: f64 = 0.25;
 pub struct Point {
     /// Index of the sample.
     pub sample: usize,
-    /// Time of the sample, s.
+    /// Time of the sample, s; its origin is arbitrary, but the same for all points of a flight.
     pub time: f64,
     /// Position of the body's origin in the inertial frame, m.
     pub position: Vector3<f64>,
@@ -63,8 +63,9 @@ pub struct Comparison {
     /// Sum of the squared residuals of the position and of the body axis for motion that changes within the tested
     /// interval, each in units of its noise variance.
     pub remaining: f64,
-    /// Velocity just before the change of the motion, m/s. The next field, `jump`, is the change of the velocity, m/s.
+    /// Velocity of the body's origin in inertial components, just before it changes within the tested interval, m/s.
     pub velocity: Vector3<f64>,
+    /// Change of the velocity of the body's origin within the tested interval, in inertial components, m/s.
     pub jump: Vector3<f64>,
 }
 
@@ -117,9 +118,9 @@ impl Character {
         [0, 1].map(|part| self.noise[part].powi(2).max(LOCAL_PART * variances[part]))
     }
 
-    /// Converts the gains of the test `of` to the noise of `self`. A gain is the decrease of a sum of squared
-    /// residuals, divided by a variance. The gains were computed with the variances that `units` gives for `other`;
-    /// these are replaced by those for `self`.
+    /// Gains of the test `of` for the position and the direction of the body axis, converted from the noise of `other`
+    /// to that of `self`. A gain is the decrease of the sum of squared residuals, divided by the variance that
+    /// [`units`](Self::units) returns. The test was made with the variances of `other`.
     pub fn gains(&self, of: &Comparison, other: &Character) -> [f64; 2] {
         let (here, there) = (self.units(of.variances), other.units(of.variances));
         [0, 1].map(|part| of.gains[part] * there[part] / here[part])

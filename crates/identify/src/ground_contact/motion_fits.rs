@@ -20,8 +20,9 @@ const MIN_SIDES: (usize, usize) = (8, 4);
 /// Maximum number of points (samples with a pose) around an interval tested for a ground contact that are excluded as
 /// outliers.
 const MAX_OUTLIERS: usize = 2;
-/// Threshold above which a point (sample with a pose) is an outlier: sum of the squared residuals of its position and
-/// of the direction of its body axis, each divided by its noise variance.
+/// Threshold above which a point (sample with a pose) is an outlier. It applies to the decrease of the sum of squared
+/// residuals if the point is removed: that of the position plus that of the direction of the body axis, each divided by
+/// its noise variance.
 const OUTLIER: f64 = 40.0;
 
 /// Motion without a ground contact that is fitted to the poses in some samples (points).
@@ -169,7 +170,7 @@ impl MotionFits {
 
     /// Tests the interval before point `index` (a sample with a pose) for a ground contact: compares free motion with
     /// motion whose velocity and wobble change at the time `at`, s; for `None`, in the middle of the interval. Returns
-    /// `None` if there are too few points.
+    /// `None` if there are too few points, or if they do not determine the motion.
     pub fn compare(
         &mut self,
         points: &[Point],

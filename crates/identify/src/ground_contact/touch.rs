@@ -19,17 +19,17 @@ const MIN_BEFORE: usize = 32;
 /// Minimum number of points (samples with a pose) after an interval that is tested for a ground contact; the motion
 /// after a contact is fitted to them. Intervals nearer to the end of the flight are not tested.
 const MIN_AFTER: usize = 4;
-/// Lower limits to which smaller usual gains of position and axis are raised. A gain is the decrease of the sum of
-/// squared residuals if a ground contact is assumed in an interval; the usual gain is typical of intervals of the
-/// flight without a contact. The limits differ because a contact adds different numbers of coefficients to position and
-/// axis.
+/// Minimum usual gains of the position and of the direction of the most steady body axis; smaller usual gains are
+/// raised to these values. The gain of an interval is the decrease of the sum of squared residuals if a ground contact
+/// is assumed in it. The usual gain is typical of the intervals of the flight without a contact. The minima differ
+/// because a contact adds different numbers of coefficients to the position and to the axis.
 const MIN_USUAL: [f64; 2] = [8.0, 12.0];
 /// Minimum number of earlier intervals for the usual gain (see `MIN_USUAL`) to be the median of the gains of these
 /// intervals. With fewer, the usual gain is the lower quartile over the whole flight.
 const EARLIER: usize = 8;
-/// Minimum gains (decreases of the sum of squared residuals) of a ground contact, relative to their usual values
-/// without a contact. The first value applies to the gain of the position and to that of the axis, the second value to
-/// the geometric mean of the two.
+/// Minimum gains (decreases of the sum of squared residuals) of a ground contact, as multiples of the usual gains of
+/// intervals without a contact. The first value applies to the gain of the position and to that of the direction of the
+/// most steady body axis, the second value to the geometric mean of the two gains.
 const MIN_GAINS: (f64, f64) = (3.5, 5.5);
 /// Minimum upward velocity jump, m/s, of a ground contact that is detected from both the position and the most steady
 /// body axis (see `MIN_GAINS`).
@@ -53,7 +53,7 @@ const ROUGH_STEP: usize = 2;
 /// A contact of a body with the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touch {
-    /// Index of the first sample after the contact with the ground.
+    /// Index of the first sample after the contact with the ground, numbered as in `PathPoint::sample`.
     pub sample: usize,
     /// Upward component of the velocity jump at the contact with the ground, fitted to the samples before and after it,
     /// m/s.

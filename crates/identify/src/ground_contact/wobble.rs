@@ -62,7 +62,8 @@ pub fn points_with_axis(posed: &[Posed<'_>]) -> Option<Vec<Point>> {
     Some(each.collect())
 }
 
-/// Body axis whose direction in space changes least between successive samples; `None` if the body tumbles.
+/// Body axis whose direction in space changes least between successive samples, as a unit vector in body components;
+/// `None` if the body tumbles, or if no two poses are in successive samples.
 fn steadiest_axis(posed: &[Posed<'_>]) -> Option<Vector3<f64>> {
     let neighbours = posed
         .windows(2)

@@ -226,6 +226,9 @@ impl Parabola {
 
 /// Angular velocity in inertial components, rad/s: median over pairs of successive poses, which is robust to nutation
 /// and outliers.
+///
+/// # Errors
+/// [`FlightError::NoNeighbouringPoses`] if no two successive poses are near enough in time.
 fn rates(seen: &[MeasuredFrame], observations: &Observations) -> Result<Vector3<f64>, FlightError> {
     let usual = observations.interval().unwrap_or(f64::INFINITY);
     let pairs: Vec<Vector3<f64>> = seen

@@ -51,8 +51,8 @@ pub fn constrained_step(
     Some((step, reduction))
 }
 
-/// Bound that a step reaches first, as (index of the parameter, value of the bound); `None` if the step remains within
-/// all bounds.
+/// Bound that the step of a free parameter reaches first, as (index among all global parameters, value of the bound);
+/// `None` if the step remains within all bounds.
 fn first_bound(
     free: &[usize],
     values: &DVector<f64>,

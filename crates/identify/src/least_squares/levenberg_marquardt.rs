@@ -82,8 +82,8 @@ pub fn solve_after(
 }
 
 /// Minimises the sum of squares of `problem` from an iterate that is already evaluated. `previous` is the reduction of
-/// the sum of squares that was predicted for the step before it, if damping did not shorten that step; `None`
-/// otherwise.
+/// the sum of squares that was predicted for the step that led to this iterate; `None` if there was no such step, or if
+/// damping shortened it.
 ///
 /// # Errors
 /// [`SolveError::Cancelled`] if the iteration is cancelled.

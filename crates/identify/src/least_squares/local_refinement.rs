@@ -29,12 +29,14 @@ impl Backoff {
         is_due
     }
 
-    /// Records that a refinement of the local parameters decreased the sum of squares.
+    /// Records that a refinement of the local parameters decreased the sum of squares. The next rejected step is then
+    /// followed by another attempt.
     pub fn succeeded(&mut self) {
         *self = Self::default();
     }
 
-    /// Records that a refinement of the local parameters did not decrease the sum of squares.
+    /// Records that a refinement of the local parameters did not decrease the sum of squares. Doubles the number of
+    /// rejected steps before the next attempt; after the first failure, this number is 1.
     pub fn failed(&mut self) {
         self.pause = (2 * self.pause).max(1);
         self.wait = self.pause;

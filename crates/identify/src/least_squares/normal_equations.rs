@@ -25,7 +25,7 @@ pub struct NormalBlock {
     pub global_gradient: DVector<f64>,
     /// Sum of the squared residuals of the flight.
     pub squares: f64,
-    /// Number of residuals of the flight.
+    /// Number of residuals of the flight; a vector counts as one residual per component.
     pub count: usize,
 }
 

@@ -20,9 +20,10 @@ pub trait LeastSquaresProblem: Sync {
     /// Number of flights.
     fn flights(&self) -> usize;
 
-    /// Normal equations of a flight's residuals at the values `unknowns` of the global parameters and of the flight's
-    /// local parameters (initial state), for the parameters that `by` selects; for the local parameters alone if the
-    /// problem fixes the global ones.
+    /// Normal equations of a flight's residuals. `unknowns` contains the values of the global parameters and of the
+    /// flight's local parameters (initial state) at which they are evaluated. `by` selects the parameters with respect
+    /// to which the residuals are differentiated. A problem with fixed global parameters differentiates with respect to
+    /// the local parameters only.
     ///
     /// # Errors
     /// [`FlightError`] if the flight cannot be predicted from these values.

@@ -51,13 +51,15 @@ impl ScaledCholesky {
         (matrix.nrows() == 0 || least * least > MIN_SQUARED_PIVOT).then_some(factor)
     }
 
-    /// Solves A x = right for a vector x, where A is the factored matrix.
+    /// Solves A x = right for a vector x. A is the unscaled matrix from which the factor was created, with `damping` ×
+    /// its diagonal added.
     pub fn solve(&self, right: &DVector<f64>) -> DVector<f64> {
         let scaled = right.component_mul(&self.scale);
         self.cholesky.solve(&scaled).component_mul(&self.scale)
     }
 
-    /// Solves A X = right for a matrix X, where A is the factored matrix.
+    /// Solves A X = right for a matrix X. A is the unscaled matrix from which the factor was created, with `damping` ×
+    /// its diagonal added.
     pub fn solve_matrix(&self, right: &DMatrix<f64>) -> DMatrix<f64> {
         let mut solved = right.clone();
         self.scale_rows(&mut solved);
@@ -72,7 +74,7 @@ impl ScaledCholesky {
         }
     }
 
-    /// Inverse of the factored matrix.
+    /// Inverse of A, the unscaled matrix from which the factor was created, with `damping` × its diagonal added.
     pub fn inverse(&self) -> DMatrix<f64> {
         scaled(&self.cholesky.inverse(), &self.scale)
     }

@@ -26,8 +26,9 @@ pub(super) struct JacobianColumns<'p> {
 }
 
 impl<'p> JacobianColumns<'p> {
-    /// Assigns a column to each direction and parameter of a flight. `pattern` contains the (row, column) indices of
-    /// the nonzero entries of ∂f/∂x, where f is the derivative of the state x with respect to time.
+    /// Assigns a Jacobian column to each free direction of the flight's initial state and to each of `parameters`.
+    /// `pattern` contains the (row, column) indices of the nonzero entries of ∂f/∂x, where f is the derivative of the
+    /// state x with respect to time.
     pub fn new(
         observations: &Observations,
         pattern: &[(usize, usize)],

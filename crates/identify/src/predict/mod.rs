@@ -65,8 +65,8 @@ pub fn linearise(
 }
 
 /// Normal equations of the first `samples` samples of a flight at the given global and local parameters (initial
-/// state). The equations of motion are those in `by`. Derivatives are with respect to the local parameters and to the
-/// model parameters listed in `by`.
+/// state). `by` contains the equations of motion and the indices of model parameters. Derivatives are with respect to
+/// the local parameters, followed by these model parameters.
 ///
 /// The first call with a `cache` stores the trajectory in it. Later calls reuse the trajectory; only the loss and the
 /// outliers may change between calls.
@@ -164,7 +164,7 @@ pub fn each_residual(
 /// Residual of one channel in one sample, with its derivatives.
 #[derive(Clone, Copy, Debug)]
 pub struct PointResidual<'r> {
-    /// Index of the channel.
+    /// Index of the measurement channel in `FitProblem::channels`.
     pub channel: usize,
     /// Index of the sample.
     pub sample: usize,

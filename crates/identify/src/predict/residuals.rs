@@ -36,7 +36,8 @@ pub fn states(
     Ok(states)
 }
 
-/// Residuals at the first `samples` samples of a flight, predicted − measured, m.
+/// Residuals `[channel][sample]` at the first `samples` samples of a flight, (predicted − measured) × scale of the
+/// channel, m. `None` for a missing value; outliers are included.
 ///
 /// # Errors
 /// [`FlightError::Integration`] if the trajectory cannot be computed.
@@ -50,8 +51,9 @@ pub fn residuals(
     Ok(residuals_of(problem, observations, unknowns.0, &states))
 }
 
-/// Residuals at the first samples of a flight, given the model states at these samples, concatenated sample by sample,
-/// in `trajectory`.
+/// Residuals `[channel][sample]` at the first samples of a flight, (predicted − measured) × scale of the channel, m.
+/// `trajectory` contains the model states at these samples, concatenated sample by sample. `None` for a missing value;
+/// outliers are included.
 pub fn residuals_of(
     problem: &FitProblem,
     observations: &Observations,

@@ -52,7 +52,7 @@ pub(super) struct TrajectoryPass<'a> {
     pub with_outliers: bool,
 }
 
-/// A measured value on the trajectory, with its residual.
+/// Residual of one measured value, and derivatives of this residual, evaluated on the integrated trajectory.
 pub(super) struct ObservedPoint<'r> {
     pub channel: usize,
     pub sample: usize,

@@ -15,8 +15,8 @@ pub(super) struct WeightedRows<'a> {
     /// For each channel and axis: autocorrelation of the noise over one sampling interval, and weight of the innovation
     /// (residual minus its prediction from the previous one), 1/m. Empty for a robust loss.
     one_interval: Vec<[(f64, f64); 3]>,
-    /// Time (s) of the previous measured value of each channel, and the derivatives and residual of that value; `None`
-    /// before the first value.
+    /// Time (s) of the previous measured value of each channel, and its Jacobian rows, one per axis: derivatives of the
+    /// residual, and the residual itself in the column `accumulator.residual()`. `None` before the first value.
     previous: Vec<Option<(f64, [Vec<f64>; 3])>>,
 }
 

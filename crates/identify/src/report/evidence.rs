@@ -45,17 +45,20 @@ pub struct SensorEvidence {
     pub unit: String,
     /// Number of components of the measured quantity; the value of a scalar is repeated three times in the arrays.
     pub components: usize,
-    /// Measured value by sample, as a rotation vector for an attitude; `None` for a missing value.
+    /// Measured value by sample, in the unit `unit`; for an attitude, the rotation vector of the rotation from body to
+    /// inertial components. A scalar is repeated three times. `None` for a missing value.
     pub measured: Vec<Option<[f64; 3]>>,
     /// Whether the measured value is excluded as an outlier, by sample.
     pub outlier: Vec<bool>,
-    /// Residual by sample, measured − predicted; for an attitude, the rotation vector from the predicted to the
-    /// measured attitude, rad, in the inertial frame. `None` for a missing value.
+    /// Residual by sample, measured − predicted, in the unit `unit`; for an attitude, the rotation vector from the
+    /// predicted to the measured attitude in the inertial frame. A scalar is repeated three times. `None` for a missing
+    /// value; outliers are included.
     pub residuals: Vec<Option<[f64; 3]>>,
 }
 
 impl FlightEvidence {
-    /// Residual of a marker in a sample, measured − predicted, m; `None` for a missing value or an outlier.
+    /// Residual of a marker or pose sensor in a sample, measured − predicted, m, inertial frame; `None` for a missing
+    /// value or an outlier. `marker` is an index into `markers`.
     pub fn residual(&self, sample: usize, marker: usize) -> Option<[f64; 3]> {
         let seen = self.measured[sample][marker].filter(|_| !self.outlier[sample][marker])?;
         let predicted = self.predicted[sample][marker];

@@ -26,7 +26,8 @@ pub struct FitReport {
     pub model: String,
     /// Names of the effects (optional extensions) that the model includes.
     pub effects: Vec<String>,
-    /// Whether the estimates and their standard errors are reliable.
+    /// Whether the estimates and their standard errors are reliable: the fit converged, few flights are excluded, the
+    /// residuals are near the noise floor, and neither the fitted data nor the marker positions have faults.
     pub reliable: bool,
     /// Reasons why the fit is not reliable; empty if it is.
     pub why: Vec<String>,
@@ -91,7 +92,7 @@ pub struct SensorReport {
     pub name: String,
     /// Quantity that the channel measures: `position`, `attitude`, `gyroscope`, `accelerometer` or `speed`.
     pub measures: String,
-    /// Unit of one component.
+    /// Unit of one component of the measured quantity.
     pub unit: String,
     /// Root mean square residual of one component over the fitted flights, outliers excluded, in the unit of the
     /// channel.
@@ -101,9 +102,9 @@ pub struct SensorReport {
     pub sigma: f64,
     /// Lag-1 autocorrelation of the noise, mean over the components.
     pub ar1: f64,
-    /// Number of measured values, including outliers.
+    /// Number of measured values in the fitted flights, including outliers.
     pub points: usize,
-    /// Number of values excluded as outliers.
+    /// Number of measured values in the fitted flights that are excluded as outliers.
     pub outliers: usize,
 }
 
@@ -122,7 +123,7 @@ pub struct NoiseReport {
     pub interval_s: f64,
     /// Number of measured values (for markers: positions) in the fitted flights, including outliers.
     pub points: usize,
-    /// Number of measured values excluded as outliers.
+    /// Number of measured values in the fitted flights that are excluded as outliers.
     pub outliers: usize,
     /// Fraction of measured values excluded as outliers: `outliers / points`.
     pub outlier_fraction: f64,

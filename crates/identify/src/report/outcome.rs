@@ -24,11 +24,12 @@ pub enum FlightOutcome {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FitStatus {
-    /// The last least-squares iteration converged, and the noise model agrees with its residuals.
+    /// The last least-squares minimisation converged, and the noise model agrees with its residuals.
     Converged,
-    /// The last least-squares iteration reached its maximum number of steps, or was stopped because of slow progress.
+    /// The last least-squares minimisation reached its maximum number of steps, or was stopped because of slow
+    /// progress.
     MaxSteps,
-    /// The last least-squares iteration found no step that decreases the sum of squares.
+    /// The last least-squares minimisation ended at a point from which no step decreases the sum of squares.
     NoDescent,
     /// The deadline passed; the result is the best one found before.
     Deadline,
@@ -37,8 +38,8 @@ pub enum FitStatus {
 }
 
 impl FitStatus {
-    /// Status after a least-squares iteration, given the reason why the iteration stopped. `noise_agrees` states
-    /// whether the noise model agrees with the residuals of that iteration.
+    /// Status after a least-squares minimisation, given the reason why it stopped. `noise_agrees` states whether the
+    /// noise model agrees with the residuals at the end of the minimisation.
     pub(crate) fn of(least_squares: StopReason, noise_agrees: bool) -> Self {
         match least_squares {
             StopReason::MaxSteps | StopReason::GivenUp => Self::MaxSteps,
@@ -64,7 +65,7 @@ pub struct Iterations {
     pub rounds: usize,
     /// Whether `status` is [`FitStatus::Converged`].
     pub converged: bool,
-    /// Convergence status: reason why the last least-squares iteration, or the repeated noise estimation, ended.
+    /// Convergence status: reason why the last least-squares minimisation, or the repeated noise estimation, ended.
     pub status: FitStatus,
 }
 

@@ -32,8 +32,8 @@ pub struct ResidualPool {
 
 #[derive(Clone, Debug)]
 struct Axis {
-    /// For each lag, in samples: sum (m²) and number of the products of two residuals of a channel separated by that
-    /// lag.
+    /// For each lag, from 0 up to `LAGS` - 1 samples: sum (m²) and number of the products of two residuals that are
+    /// separated by that lag in the series of one measurement channel (the position of a marker or of a pose sensor).
     raw: Vec<(f64, usize)>,
     whitened: Vec<(f64, usize)>,
     /// Histogram of the whitened residuals: number of values per bin.
@@ -55,8 +55,9 @@ impl Default for ResidualPool {
 }
 
 impl ResidualPool {
-    /// Adds the residuals (m) of one channel of a flight at `times` (s) to the sums and histograms; `None` marks a
-    /// missing value. `noise` is used for whitening.
+    /// Adds the residuals (x, y and z, m) of one measurement channel of a flight, such as a marker, at `times` (s) to
+    /// the sums and histograms; `None` marks a missing value. `noise` is the noise model of the channel, with which the
+    /// residuals are whitened.
     pub fn add(&mut self, times: &[f64], residuals: &[Option<[f64; 3]>], noise: &AxesNoise) {
         self.points += residuals.iter().flatten().count();
         for (k, axis) in self.axes.iter_mut().enumerate() {
@@ -194,8 +195,9 @@ fn quantiles(bins: &[u32]) -> Vec<[f64; 2]> {
     each.collect()
 }
 
-/// Quantile of the values counted in the histogram `bins`: the value below which the number `wanted` of them lies.
-/// Quantiles are requested in increasing order, so the search resumes at `from` (bin, number of values below the bin).
+/// Quantile of the whitened residuals counted in the histogram `bins`, in standard deviations: `wanted` residuals are
+/// less than the returned value, which is interpolated within its bin. Quantiles are requested in increasing order, so
+/// the search resumes at `from` (bin, number of values below the bin).
 fn binned_quantile(bins: &[u32], wanted: f64, from: &mut (usize, f64)) -> f64 {
     let width = 2.0 * HISTOGRAM_LIMIT / BINS as f64;
     for (index, &count) in bins.iter().enumerate().skip(from.0) {

@@ -195,7 +195,8 @@ impl<'a> FreeFall<'a> {
     }
 
     /// Fault of the unit of length or of the times, if the fitted constant acceleration is directed downwards but is
-    /// `ratio` times gravity: kind, description and instruction for correcting it.
+    /// `ratio` times gravity: kind, description and instruction for correcting it. `free` is the regression in which
+    /// the constant acceleration is fitted.
     fn scale(&self, ratio: f64, free: &Regression) -> (FaultKind, String, String) {
         let detail = format!("in all flights free fall is {ratio:.3} times as fast as gravity");
         let length = unit(ratio).or_else(|| {
@@ -223,7 +224,8 @@ impl<'a> FreeFall<'a> {
 
     /// Whether a wrong unit of length explains an acceleration of `ratio` times gravity better than wrong times do.
     /// This follows from the fitted drag coefficient (1/m), which depends on the unit of length but not on that of
-    /// time. `None` if the drag of the model is unknown or the fitted drag is not positive.
+    /// time. `free` is the regression with a fitted constant acceleration. `None` if the drag of the model is unknown,
+    /// or if the drag of the model or the fitted drag is not positive.
     fn drag_suggests_lengths(&self, ratio: f64, free: &Regression) -> Option<bool> {
         let expected = super::gravity::drag(self.problem)?;
         let found = -*free.coefficients.first()?;
@@ -234,8 +236,9 @@ impl<'a> FreeFall<'a> {
         })
     }
 
-    /// Data faults of single flights. The accelerations of such a flight, minus the aerodynamic loads fitted to all
-    /// flights, deviate from gravity, and a correction of units, times or axes removes the deviation.
+    /// Data faults of single flights. `fixed` is the regression of the accelerations of all flights on aerodynamic
+    /// loads, with the constant acceleration fixed at gravity. A flight is faulty if its accelerations, minus these
+    /// loads, deviate from gravity, and a correction of units, times or axes removes the deviation.
     fn single_faults(&self, fixed: &Regression) -> Vec<DataFault> {
         let g = self.gravity.norm();
         let misfit = |rows: &[Row]| self.misfit(fixed, rows);
@@ -266,7 +269,8 @@ impl<'a> FreeFall<'a> {
     /// Data fault of the flight with the index `index`, if the body is upside down in this flight alone and the flight
     /// appears mirrored. Upside down: the normal of the plane of its markers points up and that of all other flights
     /// down, or vice versa. Mirrored: the misfit (deviation of the accelerations from gravity) of its mirror image is
-    /// clearly smaller than `before`, m/s², the misfit of the recorded flight.
+    /// clearly smaller than `before`, m/s², the misfit of the recorded flight. `fixed` is the regression over all
+    /// flights with the constant acceleration fixed at gravity; its aerodynamic loads are subtracted for the misfit.
     fn turned_over(&self, fixed: &Regression, index: usize, before: f64) -> Option<DataFault> {
         let own = self.upright[index]?;
         let others = self
@@ -286,9 +290,10 @@ impl<'a> FreeFall<'a> {
         (after < TURNED_MISFIT * before).then(|| DataFault::new(flight, FaultKind::Mirrored, "unlike in the other flights, the markers show the body turned over, and it flies as its mirror image: the axes seem left-handed, or labels are exchanged", super::mirror::MEND))
     }
 
-    /// Misfit of a flight, m/s²: how much its accelerations, after subtraction of the aerodynamic loads fitted to all
-    /// flights, deviate from gravity. It is the deviation of the median over the time windows plus [`SCATTER_PART`]
-    /// times the scatter of the accelerations about this median; `None` without windows.
+    /// Misfit of a flight, m/s²: how much its accelerations in the time windows `rows`, after subtraction of the
+    /// aerodynamic loads fitted to all flights, deviate from gravity. It is the deviation of the median over the
+    /// windows plus [`SCATTER_PART`] times the median distance of the accelerations from this median; `None` without
+    /// windows. The loads are those of the regression `fixed`, in which the constant acceleration is fixed at gravity.
     fn misfit(&self, fixed: &Regression, rows: &[Row]) -> Option<f64> {
         let rest = rows.iter().map(|row| fixed.without_loads(row));
         misfit(&rest.collect::<Vec<_>>(), self.gravity)
@@ -402,8 +407,8 @@ pub fn upright(problem: &FitProblem, track: &Track) -> Option<f64> {
     median_of(each)
 }
 
-/// Distance of the component-wise median of accelerations from gravity, plus [`SCATTER_PART`] times their scatter,
-/// m/s²; `None` for an empty slice.
+/// Distance of the component-wise median of accelerations from gravity, plus [`SCATTER_PART`] times their scatter (the
+/// median distance of the accelerations from their component-wise median), m/s²; `None` for an empty slice.
 fn misfit(accelerations: &[Vector3<f64>], gravity: Vector3<f64>) -> Option<f64> {
     let middle = median_vector(accelerations)?;
     let scatter = median_of(accelerations.iter().map(|a| (a - middle).norm()))?;
@@ -411,7 +416,8 @@ fn misfit(accelerations: &[Vector3<f64>], gravity: Vector3<f64>) -> Option<f64> 
 }
 
 /// Known angular velocity, in one flight, of a body modelled as a point mass, rad/s: the value of the first vector
-/// input of the model whose unit is that of an angular velocity. `None` if the model has no such input.
+/// input of the model whose unit is that of an angular velocity, in the frame in which the model declares this input.
+/// `None` if the model has no such input.
 fn omega(problem: &FitProblem, flight: &Flight) -> Option<Vector3<f64>> {
     let inputs = problem.model.inputs.iter();
     let rates = inputs.filter(|input| input.unit == model_spec::unit::Unit::RATE);

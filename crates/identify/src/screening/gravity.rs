@@ -17,8 +17,9 @@ const MAX_DIFFERENCE: f64 = 1e-2;
 /// rad, and coordinates by up to 3 m times its value.
 const VARIATIONS: [f64; 3] = [0.0, 0.4, -0.9];
 
-/// Acceleration of the body's origin from rest in still air, m/s². `None` if the acceleration is zero or depends on
-/// position or attitude, as for a body that is held, driven or not under gravity.
+/// Acceleration of gravity in the model, m/s², inertial frame: the acceleration of the body's origin after a release at
+/// rest in still air. `None` if the acceleration is at most 0.1 m/s² or depends on position or attitude, as for a body
+/// that is held, driven or not under gravity, and if a simulation fails.
 pub fn gravity(problem: &FitProblem) -> Option<Vector3<f64>> {
     let falls = VARIATIONS.map(|variation| fall(problem, variation));
     let [first, others @ ..] = falls;
@@ -55,9 +56,9 @@ pub fn drag(problem: &FitProblem) -> Option<f64> {
     Some((moving - still).norm() / (SPEED * SPEED))
 }
 
-/// Acceleration of the body's origin, m/s², when it is released at rest. Its position and attitude are the default
-/// state, shifted by up to 3 `variation` (m) and turned by up to `variation` (rad) about each axis; `variation` is an
-/// entry of [`VARIATIONS`]. `None` if the simulation fails.
+/// Acceleration of the body's origin, m/s², inertial frame, when the body is released at rest. Its position and
+/// attitude are those of the default state, shifted by up to 3 `variation` (m) and turned by up to `variation` (rad)
+/// about each axis; `variation` is an entry of [`VARIATIONS`]. `None` if the simulation fails.
 fn fall(problem: &FitProblem, variation: f64) -> Option<Vector3<f64>> {
     let model = &problem.model;
     let mut state = problem.body.layout().default_states();
@@ -80,8 +81,8 @@ fn fall(problem: &FitProblem, variation: f64) -> Option<Vector3<f64>> {
     acceleration(problem, &state)
 }
 
-/// Acceleration of the body's origin, m/s², when the simulation starts at the state `state`, computed by a second
-/// difference of a short simulation; `None` if the simulation fails.
+/// Acceleration of the body's origin, m/s², inertial frame, when the simulation starts at the state `state`. It is
+/// computed by a second difference of the positions in a short simulation; `None` if the simulation fails.
 pub fn acceleration(problem: &FitProblem, state: &[f64]) -> Option<Vector3<f64>> {
     let conditions = problem.body.bind(problem.parameters.clone());
     let times = [0.0, HALF_DURATION, 2.0 * HALF_DURATION];

@@ -22,7 +22,8 @@ const REPETITIONS: usize = 6;
 pub struct Row {
     /// Velocity and acceleration of the body's origin in the time window.
     pub motion: Parabola,
-    /// Regressor of each aerodynamic load: the acceleration per unit of the load's coefficient, m²/s².
+    /// Regressor of each aerodynamic load: the acceleration per unit of the load's coefficient, m²/s²; m/s² for the
+    /// lift caused by the spin of a point mass.
     pub loads: Vec<Vector3<f64>>,
 }
 
@@ -33,14 +34,15 @@ pub struct Regression {
     pub gravity: Vector3<f64>,
     /// Covariance of the constant acceleration (gravity), m²/s⁴; zero if the constant was fixed by the caller.
     pub covariance: Matrix3<f64>,
-    /// Coefficients of the aerodynamic loads, in the order of [`Row::loads`], 1/m.
+    /// Coefficients of the aerodynamic loads, in the order of [`Row::loads`], 1/m; dimensionless for the lift caused by
+    /// the spin of a point mass.
     pub coefficients: Vec<f64>,
     /// Median magnitude, over the time windows, of the accelerations that the regression does not explain, m/s².
     pub remaining: f64,
 }
 
 /// Divides the path of a body (`track`) into time windows and computes the regression data of each. `omega` is the
-/// angular velocity of a body modelled as a point mass, rad/s; `None` if it is unknown.
+/// angular velocity of a body modelled as a point mass, rad/s, in the axes of the path; `None` if it is unknown.
 pub fn rows(track: &Track, omega: Option<Vector3<f64>>) -> Vec<Row> {
     let each = track.windows().into_iter();
     each.map(|(range, motion)| Row {
@@ -50,9 +52,11 @@ pub fn rows(track: &Track, omega: Option<Vector3<f64>>) -> Vec<Row> {
     .collect()
 }
 
-/// Regressors of the aerodynamic loads in a time window, averaged over the points in the window. For a body with an
-/// attitude: drag, and for each body axis four forces that depend on the direction of this axis relative to the
-/// velocity. For a point mass: drag and, if its angular velocity `omega` (rad/s) is known, lift caused by spin.
+/// Regressors of the aerodynamic loads in a time window, with the speed v and the direction u of the velocity. For a
+/// body with an attitude: drag, v² u, and for each body axis a with c = a · u the four vectors v² a, v² c a, v² a × u
+/// and v² c² u, averaged over the points in the window, m²/s². For a point mass: drag and, if its angular velocity
+/// `omega` (rad/s, in the axes of the path) is known, lift caused by spin: the vector product of `omega` and the
+/// velocity, m/s².
 fn loads(
     motion: &Parabola,
     points: &[PathPoint],

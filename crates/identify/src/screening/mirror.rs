@@ -35,7 +35,8 @@ pub fn is_decided_by(markers: &[[f64; 3]]) -> bool {
     sizes.min().max(0.0).sqrt() > THICKNESS * sizes.max().sqrt()
 }
 
-/// Normal of the best-fitting plane of the markers, in body components.
+/// Unit normal of the best-fitting plane of the markers, in body components. Its sign is arbitrary, but the same for
+/// the same marker positions.
 pub fn normal(markers: &[[f64; 3]]) -> Vector3<f64> {
     let eigen = scatter(markers).symmetric_eigen();
     eigen.eigenvectors.column(eigen.eigenvalues.imin()).into()

@@ -92,8 +92,9 @@ impl Track {
     }
 
     /// Divides the path into consecutive time windows and fits a parabola to each. The noisier the path, the longer the
-    /// windows, so that the acceleration has a standard error of about `WINDOW_ERROR`. Returns the range of points and
-    /// the parabola of each window.
+    /// windows, so that the standard error of the acceleration is about `WINDOW_ERROR` times the mean acceleration of
+    /// the flight. Returns the range of points (indices into `points`) and the parabola of each window; empty if no
+    /// parabola can be fitted to the path.
     pub fn windows(&self) -> Vec<(std::ops::Range<usize>, Parabola)> {
         let count = self.points.len();
         let Some(whole) = parabola(&self.points, self.noise) else {

@@ -77,7 +77,8 @@ impl Covariance {
         self.clustered.as_ref().map(standard_errors)
     }
 
-    /// Correlation matrix of the estimated global parameters.
+    /// Correlation matrix of the estimated global parameters, computed from the Cramér–Rao covariance; 0 between
+    /// parameters of which one has zero variance.
     pub fn correlations(&self) -> DMatrix<f64> {
         let errors = self.errors();
         DMatrix::from_fn(errors.len(), errors.len(), |i, j| {

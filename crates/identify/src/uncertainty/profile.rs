@@ -59,8 +59,9 @@ pub fn profile(
 }
 
 /// End of the 95 % interval on one side of the estimate `best`: the parameter value at which the deviance reaches its
-/// 95 % quantile, above the estimate if `direction` is 1, below it if −1. `None` if the deviance does not reach the
-/// quantile. The square root of the deviance, which is nearly linear, is interpolated.
+/// 95 % quantile, above the estimate if `direction` is 1, below it if −1. Each of the `points` is (parameter value,
+/// deviance). `None` if the deviance does not reach the quantile at these points. Between them, the square root of the
+/// deviance, which is nearly linear, is interpolated.
 fn crossing(points: &[[f64; 2]], best: f64, direction: f64) -> Option<f64> {
     let mut side: Vec<[f64; 2]> = points
         .iter()

@@ -115,7 +115,7 @@ impl Control {
         }
     }
 
-    /// Whether the flight in a SIMD lane has made the maximum number of steps.
+    /// Whether the flight in a SIMD lane has made the maximum number of steps, accepted and rejected steps together.
     #[inline(always)]
     pub(crate) fn is_exhausted(&self, lane: usize) -> bool {
         self.steps[lane] + self.rejected[lane] >= self.max_steps

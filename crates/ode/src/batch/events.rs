@@ -24,7 +24,8 @@ pub(crate) struct HeightEnds {
 }
 
 impl HeightEnds {
-    /// Whether the cubic interpolant of the height falls to 0 within the step.
+    /// Whether the cubic interpolant of the height falls to 0 within the step. If the values and slopes at its ends do
+    /// not decide this, the cubic is evaluated at quarters of the step, so that a short dip may be missed.
     #[inline(always)]
     pub(crate) fn may_land(&self) -> bool {
         let (a, b) = (self.start, self.end);
@@ -89,9 +90,9 @@ pub(crate) struct HeightStep {
 }
 
 impl HeightStep {
-    /// Returns three values: the degree of the interpolant as a polynomial in the fraction `s` of the step; the factor
-    /// at odd levels of the nested products (`s` for Tsit5, `1 - s` for DOP853); and the derivative of that factor with
-    /// respect to `s`.
+    /// Returns three values for the evaluation of the dense output, whose nested products are described at
+    /// [`HeightStep`]: the degree of the polynomial in the fraction `s` of the step; the factor at odd levels of the
+    /// nested products (`s` for Tsit5, `1 - s` for DOP853); and the derivative of that factor with respect to `s`.
     #[inline(always)]
     fn factors(&self, s: f64) -> (usize, f64, f64) {
         match self.method {

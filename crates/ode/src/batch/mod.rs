@@ -78,7 +78,8 @@ pub enum FlightOutcome {
     Ground,
     /// The final time [`FlightSpan::t_end`] was reached.
     Time,
-    /// The limit of validity with this index was crossed, or the initial state was already beyond it.
+    /// A limit of validity was crossed, or the initial state was already beyond it. Contains the index of the limit
+    /// among the margins that [`LaneRhs::limits`] writes.
     Limit(usize),
     /// The maximum number of steps was reached.
     TooManySteps,
@@ -111,7 +112,7 @@ pub struct FlightEnd<'a> {
 /// Conditions that end a flight, and whether its maximum height is located. All flights start at time 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FlightSpan {
-    /// Final time, at which a flight ends if no event has ended it before.
+    /// Final time, in the time unit of the right-hand side, at which a flight ends if no event has ended it before.
     pub t_end: f64,
     /// Index of the state component that is the height above the ground; `None` if there is no such component.
     pub height: Option<usize>,
@@ -201,8 +202,9 @@ pub fn fly_on<R: LaneRhs>(
 }
 
 /// Integrates all flights of a queue on the SIMD lanes of the instruction set `isa`, and returns the number of vector
-/// evaluations of the right-hand side. Is compiled only for the widest instruction sets of the architecture (see
-/// [`lanes::dispatch_widest`]). `None` for other instruction sets, and if the processor does not support `isa`.
+/// evaluations of the right-hand side. The integration is compiled only for the widest instruction sets of the
+/// architecture (see [`lanes::dispatch_widest`]). Returns `None` if `isa` is not one of these, or if the processor does
+/// not support it.
 ///
 /// # Panics
 /// Under the same conditions as [`fly`].

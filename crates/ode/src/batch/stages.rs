@@ -46,7 +46,7 @@ impl<T: Lanes> Stages<T> {
     }
 
     /// [`BLOCK`] consecutive components, from component `start` on, of the weighted sum of the stage derivatives with
-    /// the weights `row`.
+    /// the weights `row`. The state must have at least `start + BLOCK` components.
     #[inline(always)]
     pub(crate) fn block(&self, row: Row, start: usize) -> [T; BLOCK] {
         let mut sums = [T::splat(0.0); BLOCK];

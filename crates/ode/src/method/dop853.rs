@@ -179,7 +179,8 @@ fn append_row<X: StateVector, const M: usize>(
     }));
 }
 
-/// Weights of the order-7 interpolant at the fraction `s` of the step: alternating products of `s` and `1 - s`.
+/// Weights of the coefficient vectors of the order-7 interpolant at the fraction `s` of the step: 1, s, s (1 - s),
+/// s² (1 - s), s² (1 - s)², … Each weight is the preceding one times `s` and `1 - s` in turn.
 pub(crate) fn weights(s: f64) -> [f64; ROWS] {
     let r = 1.0 - s;
     let sr = s * r;

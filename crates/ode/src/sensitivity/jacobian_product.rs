@@ -4,7 +4,8 @@ use super::PADDING;
 use lanes::{Kernel, Lanes};
 use std::ops::Range;
 
-/// Maximum number of rows of J in a block, small enough that the sums of all rows of a block stay in registers.
+/// Maximum number of rows in a block, that is a set of rows of the Jacobian J with equal column indices. It is small
+/// enough that the sums of all rows of a block stay in registers.
 const MAX_BLOCK_ROWS: usize = 3;
 
 /// Sparsity pattern of the Jacobian J, grouped into blocks of rows with equal column indices, for the product J S with
@@ -17,7 +18,7 @@ pub(super) struct JacobianProduct {
     /// predictor learns the loop lengths.
     blocks: Vec<Block>,
     /// Column indices of all blocks, concatenated. Column j multiplies row j of the sensitivity matrix S. It is stored
-    /// as `j * groups_per_row`, the index of the first group of elements of that row.
+    /// as `j * groups_per_row`, the index of the first [`Group`] (array of consecutive elements) of that row.
     columns: Vec<usize>,
     /// Number of lines (`PADDING` consecutive elements of a row of the sensitivity matrix S) in a group; the sums of
     /// one group of a row of J S are accumulated together.
@@ -31,8 +32,8 @@ pub(super) struct JacobianProduct {
 /// the block.
 struct Block {
     count: usize,
-    /// For each row of the block, the index of the first group of the corresponding row of the product J S; the product
-    /// is divided into groups as the sensitivity matrix S is.
+    /// For each row of the block, the index of the first [`Group`] (array of consecutive elements) of the corresponding
+    /// row of the product J S.
     rows: [usize; MAX_BLOCK_ROWS],
     /// For each row of the block, the index of the row's first entry among the entries of the Jacobian J; the other
     /// entries of the row follow directly.
@@ -42,8 +43,9 @@ struct Block {
 }
 
 impl JacobianProduct {
-    /// Groups the rows of the Jacobian J, given by its sparsity pattern in row order, into blocks. `stride` is the
-    /// length of a row of the sensitivity matrix S in elements, a multiple of `PADDING`.
+    /// Combines rows of the Jacobian J with equal column indices into blocks. `pattern` is the sparsity pattern of J in
+    /// row order, `states` the number of rows of J, and `stride` the length of a row of the sensitivity matrix S in
+    /// elements, a multiple of `PADDING`.
     pub fn new(pattern: &[(usize, usize)], states: usize, stride: usize) -> Self {
         let lines_per_row = stride / PADDING;
         let lines = [4, 3, 2]
@@ -86,7 +88,8 @@ impl JacobianProduct {
     }
 
     /// Computes the product J S of the Jacobian and the sensitivity matrix. `values` contains the entries of J in the
-    /// order of its pattern, `s` the elements of S; the result is written to `ds`.
+    /// order of its pattern, `s` the elements of S; the result is written to `ds`. Both matrices are stored row by row,
+    /// each row padded to the `stride` given to [`new`](Self::new).
     pub fn write(&self, values: &[f64], s: &[f64], ds: &mut [f64]) {
         match self.lines_per_group {
             4 => self.write_in::<4>(values, s, ds),
@@ -124,8 +127,8 @@ struct Sums<'a, const LINES: usize> {
 }
 
 impl<const LINES: usize> Sums<'_, LINES> {
-    /// Computes part of the product J S of the Jacobian and the sensitivity matrix: the group with the index `group` in
-    /// each of the `ROWS` rows of a block.
+    /// Computes one [`Group`] (array of consecutive elements) in each of the `ROWS` rows of the product J S that belong
+    /// to a block, and writes it to `ds`. `group` is the index of the group within a row.
     #[inline(always)]
     fn sum<T: Lanes, const ROWS: usize>(&mut self, block: &Block, group: usize) {
         let columns = &self.columns[block.columns.clone()];

@@ -38,7 +38,7 @@ pub(super) enum Air {
 
 impl Air {
     /// Velocity that this effect (optional addition to a model) adds to the wind of the model, m/s, in inertial
-    /// components; 0 for an effect on density or gravity.
+    /// components; 0 for an effect on density or gravity. `values` are those of the effect's coefficients and states.
     pub fn velocity<T: Real>(self, values: &[T], at: &Physical<T>) -> Vector3<T> {
         let along = match self {
             Self::Wind => T::one(),
@@ -49,7 +49,8 @@ impl Air {
     }
 
     /// Name of the model's constant that this effect (optional addition to a model) scales, `rho` (air density) or `g`
-    /// (gravity), and the scale factor. `None` for an effect on the wind.
+    /// (gravity), and the scale factor. `None` for an effect on the wind. `values` are those of the effect's
+    /// coefficients and states.
     pub fn factor<T: Real>(self, values: &[T]) -> Option<(&'static str, T)> {
         let name = match self {
             Self::Density => "rho",

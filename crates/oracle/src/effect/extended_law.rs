@@ -26,7 +26,7 @@ pub struct ExtendedLaw<T> {
     pub constants: Vec<T>,
     /// Wind velocity in inertial components, m/s.
     pub wind: Vector3<T>,
-    /// Measured angular velocity of a ball, rad/s; 0 for bodies whose attitude is a state.
+    /// Measured angular velocity of a ball in inertial components, rad/s; 0 for bodies whose attitude is a state.
     pub omega: Vector3<T>,
     /// Effects that the model contains, each with the values of its coefficients and states.
     pub effects: Vec<ActiveEffect<T>>,
@@ -143,7 +143,8 @@ impl<T: Real> ExtendedLaw<T> {
 }
 
 impl<T: Real> ActiveEffect<T> {
-    /// Force and moment that this effect adds to those of the law of motion. They do not depend on other effects.
+    /// Force, N, and moment about the mass centre, N·m, that this effect adds to those of the law of motion, in
+    /// inertial components. They do not depend on other effects. The force of the added mass is not included.
     fn load(&self, flow: &Flow<'_, T>) -> Load<T> {
         let values = self.values.as_slice();
         match self.effect.kind {

@@ -87,7 +87,9 @@ impl ExtendedReference {
         rates.into_iter().map(|rate| rate * clock_rate).collect()
     }
 
-    /// Position of the marker as the measurement reports it, m, including effects on the observation.
+    /// Position, m, that the measurement reports for the marker with the body-frame coordinates [`Point::marker`],
+    /// including effects on the observation. The components are along the measurement axes, which are the inertial axes
+    /// unless an effect rotates them.
     pub fn observation<T: Real>(&self, point: &Point<T>) -> Vector3<T> {
         let at = self.reference.chart.physical(&point.states);
         let which = self.input(self.marker_is, point);

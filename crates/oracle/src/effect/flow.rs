@@ -14,7 +14,7 @@ pub struct Flow<'a, T> {
     pub at: &'a Physical<T>,
     /// Time since release, s.
     pub time: T,
-    /// Measured angular velocity of a ball, rad/s; 0 for bodies whose attitude is a state.
+    /// Measured angular velocity of a ball in inertial components, rad/s; 0 for bodies whose attitude is a state.
     pub omega: Vector3<T>,
     pub(super) stream: Stream<T>,
 }
@@ -90,25 +90,27 @@ impl<'a, T: Real> Flow<'a, T> {
         rim / self.speed()
     }
 
-    /// Force q A C along `direction`, N, where q is the dynamic pressure, A the area of the body and C the coefficient.
+    /// Force q A C along the unit vector `direction`, N, where q is the dynamic pressure, A the area of the body and C
+    /// the given coefficient. Vectors are in inertial components.
     pub fn pressure_force(&self, coefficient: T, direction: Vector3<T>) -> Vector3<T> {
         let half = self.constant("rho") * self.constant("A") / T::lit(2.0);
         direction * (half * coefficient * self.speed() * self.speed())
     }
 
-    /// Moment q A d C about `axis`, N·m, where q is the dynamic pressure, A the area and d the diameter of the body,
-    /// and C the given coefficient.
+    /// Moment q A d C about the unit vector `axis`, N·m, where q is the dynamic pressure, A the area and d the diameter
+    /// of the body, and C the given coefficient. Vectors are in inertial components.
     pub fn pressure_moment(&self, coefficient: T, axis: Vector3<T>) -> Vector3<T> {
         self.pressure_force(coefficient, axis) * self.constant("d")
     }
 
-    /// Lift force for a lift coefficient, N, along v × d2. Here v is the velocity relative to the air, and d2 the unit
-    /// vector to the left, normal to the axis of symmetry.
+    /// Lift force for the lift coefficient `coefficient`, N, in inertial components. It acts along v × d2, where v is
+    /// the velocity relative to the air, and d2 the unit vector to the left, normal to the axis of symmetry and to v.
     pub fn lift(&self, coefficient: T) -> Vector3<T> {
         self.pressure_force(coefficient, self.across_flow(self.stream.d2))
     }
 
-    /// Drag force for a drag coefficient, N, against the velocity relative to the air.
+    /// Drag force for the drag coefficient `coefficient`, N, in inertial components; it acts against the velocity
+    /// relative to the air.
     pub fn drag(&self, coefficient: T) -> Vector3<T> {
         let half = self.constant("rho") * self.constant("A") / T::lit(2.0);
         -self.through_air() * (half * coefficient * self.speed())

@@ -39,7 +39,7 @@ pub(super) enum Inertia {
 
 impl Inertia {
     /// Inertia tensor that this effect (optional addition to a model) adds to that of the disc, in the body frame,
-    /// kg·m².
+    /// kg·m²; 0 for the added mass. `values` are those of the effect's coefficients and states.
     pub fn added<T: Real>(self, values: &[T]) -> Matrix3<T> {
         let mut inertia = Matrix3::zeros();
         match self {

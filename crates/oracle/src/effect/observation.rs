@@ -94,8 +94,10 @@ impl Observation {
         }
     }
 
-    /// Displacement of a marker by the motion of the body during the delay with which the marker is sampled, m; `arm`
-    /// points from the mass centre to the marker.
+    /// Displacement of a marker by the motion of the body during the delay with which the marker is sampled, m; 0 for
+    /// effects other than a delay. `arm` points from the mass centre to the marker; vectors are in inertial components.
+    /// `values` are those of the effect's coefficients and states; `which` has a 1 at the index of the observed
+    /// marker.
     pub fn motion_until_sampled<T: Real>(
         self,
         values: &[T],
@@ -113,7 +115,8 @@ impl Observation {
         (at.velocity + omega.cross(&arm)) * later + centripetal * (later * later / T::lit(2.0))
     }
 
-    /// Converts the true position of a marker to the position that a measurement with this effect reports, m.
+    /// Converts the true position of a marker, m, in inertial components, to the position that a measurement with this
+    /// effect reports. `values` are those of the effect's coefficients and states.
     pub fn reported<T: Real>(self, values: &[T], position: Vector3<T>) -> Vector3<T> {
         match self {
             Self::Tilted => {

@@ -19,8 +19,12 @@ fn states<const N: usize>(
     Ok(indices)
 }
 
-/// Coordinate chart (meaning of the states) of a body with attitude: the angles phi, theta and gamma, or a quaternion
-/// from the inertial frame to the body frame.
+/// Coordinate chart (meaning of the states) of a body with attitude. The attitude is a quaternion if the model has a
+/// state `q0`. Otherwise it consists of the angles phi, theta and gamma about the axes 1, 2 and 3, with the rates
+/// phidot, thetadot and gammadot; the velocity components u, v and w are in the frame after the first two rotations.
+///
+/// # Errors
+/// [`BindError::MissingState`] if the model lacks one of the states of the chart.
 pub(super) fn with_attitude(model: &Model) -> Result<Chart, BindError> {
     if model.states.iter().any(|s| s.name == "q0") {
         return quaternion(model);
@@ -39,8 +43,11 @@ pub(super) fn with_attitude(model: &Model) -> Result<Chart, BindError> {
     })
 }
 
-/// Coordinate chart (meaning of the states) of a body with an attitude quaternion. The velocity is in inertial
-/// components, the angular velocity in components of the body frame.
+/// Coordinate chart (meaning of the states) of a body with the attitude quaternion q0, q1, q2, q3. The velocity
+/// vx, vy, vz is in inertial components, the angular velocity p, q, r in components of the body frame.
+///
+/// # Errors
+/// [`BindError::MissingState`] if the model lacks one of these states or of the position x, y, z.
 fn quaternion(model: &Model) -> Result<Chart, BindError> {
     Ok(Chart {
         steps: vec![Step::Quaternion(states(model, ["q0", "q1", "q2", "q3"])?)],

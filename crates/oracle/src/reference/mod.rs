@@ -211,7 +211,8 @@ impl Reference {
         self.chart.derivatives(&point.states, &self.motion(point))
     }
 
-    /// Position of the body-fixed marker in inertial components, m.
+    /// Position, in inertial components, m, of the body-fixed marker whose body-frame coordinates are in
+    /// [`Point::marker`].
     pub fn observation<T: Real>(&self, point: &Point<T>) -> Vector3<T> {
         let physical = self.chart.physical(&point.states);
         physical.position + physical.attitude.carry(point.marker)

@@ -11,7 +11,7 @@ use nalgebra::{Matrix3, Vector3};
 
 /// Motion of a body of revolution relative to the air, in inertial components.
 pub(crate) struct Stream<T> {
-    /// Velocity relative to the air, m/s.
+    /// Velocity of the body relative to the air in inertial components, m/s.
     pub through_air: Vector3<T>,
     /// Airspeed, m/s.
     pub speed: T,
@@ -19,16 +19,17 @@ pub(crate) struct Stream<T> {
     pub in_plane: T,
     /// Component of the velocity relative to the air along the axis of the body, m/s.
     pub axial_velocity: T,
-    /// Axis of symmetry, unit vector.
+    /// Unit vector along the axis of symmetry (axis 3 of the body frame), in inertial components.
     pub normal: Vector3<T>,
-    /// Unit vector d1: direction of the velocity relative to the air, projected onto the plane normal to the axis of
-    /// symmetry; 0 if the projection is 0.
+    /// Unit vector d1, in inertial components: direction of the velocity relative to the air, projected onto the plane
+    /// normal to the axis of symmetry; 0 if the projection is 0.
     pub d1: Vector3<T>,
-    /// Unit vector d2 = n × d1, to the left of d1, with the axis of symmetry n; 0 if `d1` is 0.
+    /// Unit vector d2 = n × d1, to the left of d1, with the axis of symmetry n, in inertial components; 0 if `d1` is 0.
     pub d2: Vector3<T>,
     /// Spin: component of the angular velocity along the axis of symmetry, rad/s.
     pub spin: T,
-    /// Angular velocity without its component along the axis of symmetry (the spin), rad/s; 0 if `d1` is 0.
+    /// Angular velocity without its component along the axis of symmetry (the spin), in inertial components, rad/s; 0
+    /// if `d1` is 0.
     pub transverse_rate: Vector3<T>,
 }
 
@@ -37,12 +38,15 @@ pub(crate) struct Stream<T> {
 pub(super) struct Coefficients<T> {
     pub lift: T,
     pub drag: T,
-    /// Coefficient of the rolling moment about d1, the forward direction normal to the axis of symmetry.
+    /// Coefficient of the rolling moment about d1, the forward direction normal to the axis of symmetry. The moment is
+    /// the coefficient times dynamic pressure × area × diameter.
     pub roll: T,
     pub pitch: T,
-    /// Coefficient of the damping moment per rad/s of the angular velocity normal to the body axis, s.
+    /// Coefficient of the damping moment per rad/s of the angular velocity normal to the body axis, s; negative if the
+    /// moment damps. The moment is coefficient × angular velocity × dynamic pressure × area × diameter.
     pub damping: T,
-    /// Moment about the body axis per rad/s of spin, N·m·s; independent of the airspeed.
+    /// Moment about the body axis per rad/s of spin, N·m·s; negative if the moment slows the spin. It does not depend
+    /// on the airspeed.
     pub spin_down: T,
 }
 

@@ -60,7 +60,8 @@ impl Elementary {
         }
     }
 
-    /// The function with this name in the model language, if it is elementary.
+    /// The elementary function with this name in the model language. `None` for all other names, including those of
+    /// functions that are composed of elementary ones, such as `tan`.
     pub fn named(name: &str) -> Option<Elementary> {
         Self::ALL
             .into_iter()
@@ -120,6 +121,9 @@ impl Elementary {
 }
 
 /// Value of a function of the model language at `x`.
+///
+/// # Panics
+/// If `function` is a table.
 pub(crate) fn call<T: Real>(function: Function, x: T) -> T {
     let elementary = |function| x.elementary(function);
     match function {

@@ -24,8 +24,8 @@ pub(super) struct Explanation {
     /// Fraction of the misfit beyond noise that the hypothesis explains, and RMS of the remaining residuals in excess
     /// of the noise, both formatted; `None` if not computed.
     explained: Option<[String; 2]>,
-    /// Name and formatted p-value of the candidate effect that remains most significant after the hypothesis; `None` if
-    /// no other candidate can be tested.
+    /// The most significant of the candidate effects outside the hypothesis, tested in the model that includes the
+    /// effects of the hypothesis: name and formatted p-value. `None` if no such candidate can be tested.
     rival: Option<[String; 2]>,
     effects: Vec<Effect>,
     /// Table rows of the coefficients of the effects that the hypothesis adds to the model.

@@ -116,7 +116,8 @@ pub(super) struct Flight {
     held_out: bool,
     before: String,
     after: String,
-    /// Decrease of the RMS residual by the effects added to the model; `–` if none were added.
+    /// Decrease of the RMS residual by the effects added to the model, formatted with its unit, mm; negative if the
+    /// residual increases; `–` if no effects were added or the flight has no RMS residual.
     gain: String,
     /// Whether the RMS residual of the flight is larger with the effects added to the model than without.
     worse: bool,

@@ -154,7 +154,8 @@ pub(super) fn gained(gain: &PredictiveGain) -> String {
     }
 }
 
-/// Readable name of the site (force, moment or measurement) that an effect changes.
+/// Readable name of a site (component of the model that an effect changes, such as a force, a moment or a clock); the
+/// name in the model language if it has no other.
 pub(super) fn site(site: &str) -> &str {
     match site {
         "side" => "side force",
@@ -197,7 +198,8 @@ pub(super) fn probability_of_ln(ln_p: f64) -> String {
     format!("10{}", raised(power.round() as i32))
 }
 
-/// Formats the standard normal quantile (z) that is equivalent to the p-value of a test.
+/// Formats a standard normal quantile z, such as the one that is equivalent to the p-value of a test: with one decimal
+/// below 99.95, without decimals above.
 pub(super) fn equivalent_z(value: f64) -> String {
     plain(value, usize::from(value.abs() < 99.95))
 }

@@ -36,8 +36,9 @@ impl Panel {
         }
     }
 
-    /// Draws the events that have only a time as vertical lines behind the data, labelled above the plot area. `width`
-    /// is the width of the figure, `letter` that of one character, SVG units.
+    /// Draws the marks of the panel (labelled events and limits) whose y is not finite: as vertical lines behind the
+    /// data, labelled above the plot area. A label without space is omitted. `width` is the width of the figure,
+    /// `letter` that of one character, SVG units.
     pub(super) fn draw_marks(&self, svg: &mut Svg, scale: &Scale, width: f64, letter: f64) {
         let title = self.title.chars().count() as f64;
         let mut free = (14.0 + 1.1 * letter * title).max(scale.left - 20.0);
@@ -54,8 +55,9 @@ impl Panel {
         }
     }
 
-    /// Draws the events that have a position as dots, each with its label at that corner of the dot where it covers the
-    /// fewest points of lines. `width` is the width of the figure, `letter` that of one character, SVG units.
+    /// Draws the marks of the panel (labelled events and limits) whose y is finite: as dots, each with its label at
+    /// that corner of the dot where it covers the fewest other labels and points of lines. `width` is the width of the
+    /// figure, `letter` that of one character, SVG units.
     pub(super) fn draw_places(&self, svg: &mut Svg, scale: &Scale, width: f64, letter: f64) {
         let places = self.lines.iter().flat_map(|line| &line.points);
         let places: Vec<(f64, f64)> = places.map(|(x, y)| (scale.x(*x), scale.y(*y))).collect();

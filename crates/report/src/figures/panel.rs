@@ -51,8 +51,8 @@ pub struct Bar {
 }
 
 impl Bar {
-    /// Bars at the points (x, height), in ascending order of x. Each bar extends to the midpoints between its x and the
-    /// neighbouring values of x.
+    /// Bars at the points (x, height), which are in ascending order of x. Each bar extends to the midpoints between its
+    /// x and the neighbouring values of x. The first bar begins and the last bar ends at its own x.
     pub(crate) fn between_midpoints(points: &[(f64, f64)]) -> Vec<Bar> {
         let middle = |i: usize| 0.5 * (points[i].0 + points[i + 1].0);
         let bar = |(i, &(x, height)): (usize, &(f64, f64))| Bar {

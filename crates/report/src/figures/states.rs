@@ -11,7 +11,8 @@ pub struct StateLabel<'a> {
     pub unit: &'a str,
 }
 
-/// Name of the physical quantity that a unit measures, such as `Angle` for rad.
+/// Name of the physical quantity that a unit measures, such as `Angle` for rad; `State` for any unit other than m, m/s,
+/// rad and rad/s.
 fn what(unit: &str) -> &'static str {
     match unit {
         "m" => "Position",
@@ -22,9 +23,9 @@ fn what(unit: &str) -> &'static str {
     }
 }
 
-/// Divides states, given by index, into groups, each to be drawn in one panel. The states of a group have equal units
-/// and, unless the unit is m or m/s, peak magnitudes in `rows` (samples of all states) that differ at most by the
-/// factor `apart`. A group has at most four states.
+/// Divides states into groups, each to be drawn in one panel; returns the indices of the states of each group. The
+/// states of a group have equal units and, unless the unit is m or m/s, peak magnitudes that differ at most by the
+/// factor `apart`. A group has at most four states. `rows[sample][state]` are the values of the states.
 fn groups(states: &[StateLabel<'_>], rows: &[Vec<f64>], apart: f64) -> Vec<Vec<usize>> {
     let reach = |i: usize| rows.iter().map(|row| row[i].abs()).fold(0.0, f64::max);
     let mut groups: Vec<Vec<usize>> = Vec::new();
@@ -47,9 +48,10 @@ fn groups(states: &[StateLabel<'_>], rows: &[Vec<f64>], apart: f64) -> Vec<Vec<u
     groups
 }
 
-/// Panels of the states over time, one for each group of states with equal units and peak magnitudes (in `rows`,
-/// samples of all states) that differ at most by the factor `apart`. `points` returns the pairs of time (s) and value of
-/// the state with the given index.
+/// Panels of the states over time, one for each group of at most four states with equal units and, unless the unit is m
+/// or m/s, peak magnitudes that differ at most by the factor `apart`. `rows[sample][state]` are the values from which
+/// the peak magnitudes are computed. `points` returns the pairs of time (s) and value of the state with the given
+/// index.
 pub(crate) fn panels_of_states(
     states: &[StateLabel<'_>],
     rows: &[Vec<f64>],
@@ -79,7 +81,8 @@ pub(crate) fn panels_of_states(
     groups.into_iter().map(panel).collect()
 }
 
-/// Symbol of a state in the notation of Hubbard & Hummel (2000), such as `α̇` for `alphadot`.
+/// Symbol of a state in the notation of Hubbard & Hummel (2000), such as `α̇` for `alphadot`. A name without a symbol
+/// is returned unchanged, except that the suffix `dot` becomes a dot above its last letter.
 pub(crate) fn symbol(name: &str) -> String {
     let (base, dot) = match name.strip_suffix("dot") {
         Some(base) if !base.is_empty() => (base, "\u{307}"),

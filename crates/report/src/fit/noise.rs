@@ -5,7 +5,8 @@ use serde::Serialize;
 
 use super::numbers::{millimetres, plain};
 
-/// Estimated measurement noise along one axis, with all values formatted as text.
+/// Table row of the estimated measurement noise along one axis, or along all axes together, with all values formatted
+/// as text.
 #[derive(Serialize)]
 pub(super) struct Row {
     axis: String,

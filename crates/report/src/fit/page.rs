@@ -197,7 +197,8 @@ fn encoded(text: &str) -> String {
     encoded
 }
 
-/// Truncates a text to the maximum length of a note in a report, and ends it with a full stop.
+/// Truncates a text to 300 characters (the maximum length of a note in a report), and appends a full stop unless the
+/// text ends with a punctuation mark that ends a sentence. A colon at the end is removed.
 pub(crate) fn sentence(text: &str) -> String {
     let text = flights::short(text.trim_end().trim_end_matches(':'));
     if text.ends_with(['.', '…', '!', '?']) {

@@ -23,8 +23,8 @@ pub struct ImportedTake {
     pub decisions: Vec<(String, String)>,
     /// Notes on parts of the recording that were excluded or are uncertain.
     pub notes: Vec<String>,
-    /// Height of the tracked body during the whole recording: pairs of time, s, and height, m; the height is not finite
-    /// at times at which the body was not tracked.
+    /// Height of the tracked body during the whole recording: pairs of time on the time axis of the recording, s, and
+    /// height, m; the height is not finite at times at which the body was not tracked.
     pub heights: Vec<(f64, f64)>,
     /// Free flights that were extracted from the recording.
     pub flights: Vec<ImportedFlight>,
@@ -41,9 +41,11 @@ pub struct ImportedFlight {
     pub release: Edge,
     /// End of the flight, with the reason why it was placed there.
     pub end: Edge,
-    /// Times of the first and the last sample of the flight, s since the start of the recording.
+    /// Times of the first and the last sample of the flight, s, on the time axis of the recording, which need not start
+    /// at 0.
     pub span: (f64, f64),
-    /// Gaps in which no marker of the body was measured: pairs of begin and end, s on the time axis of the recording.
+    /// Gaps in which no marker of the body was measured: pairs of the times of the last sample before and the first
+    /// sample after the gap, s, on the time axis of the recording.
     pub gaps: Vec<(f64, f64)>,
     /// Markers with missing samples: pairs of marker name and number of missing samples.
     pub missing: Vec<(String, usize)>,
@@ -57,7 +59,7 @@ pub struct ImportedFlight {
 /// Begin or end of a flight in a recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edge {
-    /// Time at which the flight begins or ends, s since the start of the recording.
+    /// Time at which the flight begins or ends, s, on the time axis of the recording, which need not start at 0.
     pub time: f64,
     /// Reason why the flight begins or ends at this time, as text.
     pub reason: String,
@@ -68,7 +70,7 @@ pub struct Edge {
 pub struct Curve {
     /// Name of the quantity, with its unit.
     pub title: String,
-    /// Pairs of time, s, and value; the value is not finite where it is missing.
+    /// Pairs of time on the time axis of the recording, s, and value; the value is not finite where it is missing.
     pub points: Vec<(f64, f64)>,
 }
 
@@ -79,8 +81,8 @@ pub struct Distance {
     pub name: String,
     /// Distance between the two markers on the body, according to the declared marker positions, m.
     pub template: f64,
-    /// Pairs of time, s, and measured distance, m, during the flight and shortly before and after it; the distance is
-    /// not finite where a marker is missing.
+    /// Pairs of time on the time axis of the recording, s, and measured distance, m, during the flight and shortly
+    /// before and after it; the distance is not finite where a marker is missing.
     pub points: Vec<(f64, f64)>,
 }
 

@@ -31,13 +31,14 @@ pub(super) struct Flight {
     /// Rotation matrix, stored row by row, from the body frame to the inertial frame at each of `times`; `None` for a
     /// body modelled as a point mass.
     attitude: Option<Vec<[f64; 9]>>,
-    /// Measured positions of the markers, m, as `measured[time][marker]`; `None` if missing.
+    /// Measured positions of the markers in the inertial frame, m, as `measured[i][marker]` at the time `times[i]`;
+    /// `None` if missing.
     measured: Vec<Vec<Option<[f64; 3]>>>,
-    /// Predicted positions of the markers, m, as `predicted[time][marker]`.
+    /// Predicted positions of the markers in the inertial frame, m, as `predicted[i][marker]` at the time `times[i]`.
     predicted: Vec<Vec<[f64; 3]>>,
     /// Times at which all markers are measured, s; the viewer marks their mean position at these times.
     trail_times: Vec<f64>,
-    /// Mean of the measured positions of all markers, m, at each of `trail_times`.
+    /// Mean of the measured positions of all markers in the inertial frame, m, at each of `trail_times`.
     trail: Vec<[f64; 3]>,
     arrows: Vec<Arrow>,
     numbers: Vec<Number>,
@@ -112,9 +113,10 @@ impl<'m> FlightModel<'m> {
         (flight, kept)
     }
 
-    /// Position and attitude of the body at a state, from the measurement equation applied to the origin and the axes
-    /// of the body frame. A model without a measurement equation uses its states `x`, `y`, `z`. `None` if a value is
-    /// missing or not finite.
+    /// Position of the origin of the body frame in the inertial frame, m, and rotation matrix from the body frame to
+    /// the inertial frame, stored row by row, at a state. Both are computed from the measurement equation applied to
+    /// the origin and the axes of the body frame. For a model without a measurement equation, the position consists of
+    /// its states `x`, `y`, `z`, and the matrix is zero. `None` if a value is missing or not finite.
     fn pose(&self, bound: &BoundModel<'_>, t: f64, state: &[f64]) -> Option<([f64; 3], [f64; 9])> {
         if self.model.observation.is_none() {
             let layout = self.body.layout();

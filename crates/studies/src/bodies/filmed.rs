@@ -20,12 +20,14 @@ use crate::real_data::{
 pub struct Filmed {
     /// Number of the throw in the published data.
     pub number: u32,
-    /// Horizontal position (x, y), m, of the last measured point of the filmed path.
+    /// Horizontal position (x, y), m, of the last measured point of the filmed path, in the axes of the published data.
+    /// The simulated throw starts at their origin.
     pub track_end: [f64; 2],
     /// Simulated horizontal position (x, y), m, at the time of the last measured point of the filmed path; the landing
     /// position if the simulated flight ends earlier.
     pub flight_end: [f64; 2],
-    /// Horizontal distance between `track_end` and `flight_end`, m.
+    /// Horizontal distance, m, between the last measured point of the filmed path and the simulated position at that
+    /// time (the landing position if the simulated flight ends earlier).
     pub miss: f64,
     /// RMS difference, per coordinate, between simulated and measured positions at the measured points of the filmed
     /// path, m.

@@ -12,7 +12,8 @@ use crate::error::StudyError;
 const SAMPLES: usize = 1000;
 
 /// Turn (drift to the right) and fade (later drift to the left) of one disc in a simulated flight down to the ground.
-/// The launch angle is 10°, the hyzer and nose angles are zero.
+/// The launch angle is 10°, the hyzer and nose angles are zero. Right and left are those of a right-handed backhand;
+/// they are not exchanged for the opposite spin.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct TurnAndFade {
     /// Name of the built-in model of the disc.

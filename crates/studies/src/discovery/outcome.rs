@@ -65,10 +65,10 @@ pub struct Discordant {
 /// RMS prediction errors, m, of three fitted models on the held-out flights of a simulated dataset.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldOutErrors {
-    /// RMS prediction error of the model without any added effect, m.
+    /// RMS prediction error, m, of the model without any added effect; NaN if the diagnosis failed.
     pub before: f64,
-    /// RMS prediction error, m, of the model extended by the effects that the diagnosis found; equal to `before` if it
-    /// found no effect.
+    /// RMS prediction error, m, of the model extended by the effects that the diagnosis found. Equal to that of the
+    /// model without added effects if the diagnosis found no effect; NaN if the diagnosis failed.
     pub after: f64,
     /// RMS prediction error, m, of the model with the effects that were added to the simulated flights; `None` if there
     /// is no such model or its fit failed.

@@ -11,7 +11,8 @@ const TABLES: [&str; 3] = [
     "## No effect is seeded",
 ];
 
-/// Builds the section with the results of other programs from the text of docs/discovery-peers.md; `None` if a table is
+/// Builds the section with the results of other programs (pysindy, stepwise regression) from the text of
+/// docs/discovery-peers.md. `None` if one of the three tables to be copied (strong effect, weak effect, no effect) is
 /// missing in that text.
 pub fn peer_section(peers: &str) -> Option<String> {
     let mut text = include_str!("peers.md").to_owned();

@@ -56,8 +56,8 @@ const SEVERAL_SEED: u64 = 23;
 /// model without the effect is badly wrong.
 const SEVERE: [&str; 3] = ["stall", "zero_lift_drag_angle", "cubic_pitching_moment"];
 
-/// Names of pairs: an effect that is added to simulated flights, and another cause with the same influence on flights.
-/// The flights alone do not allow the diagnosis to distinguish the two.
+/// Pairs of names: first an effect that is added to simulated flights, then another cause with the same influence on
+/// flights. The flights alone do not allow the diagnosis to distinguish the two.
 const CONFOUNDED: [(&str, &str); 7] = [
     ("gravity", "clock_rate"),
     ("clock_rate", "gravity"),

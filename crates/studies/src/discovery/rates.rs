@@ -36,12 +36,13 @@ pub(super) const MIN_IN_SET_SEVERAL: [(usize, f64); 2] = [(2, 0.95), (3, 0.85)];
 /// An effect counts as strong if its size is at least this multiple of the minimum detectable size.
 pub(super) const STRONG: f64 = 5.0;
 
-/// Number of runs that have a certain property, and number of runs examined.
+/// A proportion of runs, such as the runs with a right diagnosis: number of runs examined, and number of those that
+/// satisfy the criterion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub(super) struct Count {
-    /// Number of runs that were examined for the property.
+    /// Number of runs examined (denominator of the proportion).
     pub(super) total: usize,
-    /// Number of the examined runs that have the property.
+    /// Number of the examined runs that satisfy the criterion (numerator of the proportion).
     pub(super) count: usize,
 }
 
@@ -53,7 +54,7 @@ impl Count {
         })
     }
 
-    /// Fraction of the examined runs that have the property; `None` if no run was examined.
+    /// Proportion of the examined runs that satisfy the criterion; `None` if no run was examined.
     pub(super) fn fraction(&self) -> Option<f64> {
         (self.total > 0).then(|| self.count as f64 / self.total as f64)
     }
@@ -120,8 +121,8 @@ pub(super) struct RowRates {
 }
 
 impl RowRates {
-    /// Computes the statistics of the outcomes of runs. `site` is the quantity of the model on which their added effect
-    /// acts, if it is outside the built-in effects catalogue.
+    /// Computes the statistics of the outcomes of the runs of one row. `site` is the quantity of the model on which the
+    /// added effect acts if this effect is outside the built-in effects catalogue, otherwise empty.
     pub(super) fn of(outcomes: &[Outcome], site: &str) -> Self {
         let count = |has: &dyn Fn(&Outcome) -> bool| outcomes.iter().filter(|o| has(o)).count();
         let detected = outcomes.iter().filter(|o| o.is_detected());

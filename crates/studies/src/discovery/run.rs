@@ -50,8 +50,9 @@ pub fn run_rows(rows: &[Row], at_a_time: usize, progress: Progress<'_>) -> Vec<R
 }
 
 /// Repeats the diagnosis of each run that detected a deviation from the model but missed a detectable effect, with a
-/// model that contains the effects added to the simulated flights. Returns texts indexed by row and run; `None` for a
-/// run whose diagnosis is not repeated or has no result.
+/// model that contains the effects added to the simulated flights. Returns one text per row and run: verdict,
+/// hypotheses and first-ranked candidate effect of the repeated diagnosis. `None` for a run whose diagnosis is not
+/// repeated or has no result.
 pub fn rejections(results: &[RowResult]) -> Vec<Vec<Option<String>>> {
     let models = Models::default();
     let all: Vec<&Outcome> = results.iter().flat_map(|result| &result.outcomes).collect();
@@ -67,7 +68,8 @@ pub fn rejections(results: &[RowResult]) -> Vec<Vec<Option<String>>> {
     rows.collect()
 }
 
-/// Cache of the built-in models, each extended by a set of effects, so that each combination is loaded once.
+/// Cache of the built-in models, each extended by a set of effects, so that each combination is loaded once. The keys
+/// are the name of the model and the names of the effects, separated by spaces.
 #[derive(Default)]
 struct Models(Mutex<BTreeMap<String, Model>>);
 

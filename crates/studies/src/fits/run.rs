@@ -24,9 +24,10 @@ pub struct FitOutcome {
     /// RMS residual / the RMS residual expected of the true model, which is the RMS noise corrected for the degrees of
     /// freedom. `None` if the fit ended with an error.
     pub ratio: Option<f64>,
-    /// Fraction of the measured marker positions that the fit classified as outliers.
+    /// Fraction of the measured marker positions that the fit classified as outliers; 0 if the fit ended with an error.
     pub outliers: f64,
-    /// Number of flights that the fit excluded, and number of flights that it truncated.
+    /// Number of flights that the fit excluded, and number of flights that it truncated; both 0 if the fit ended with
+    /// an error.
     pub lost: [usize; 2],
     /// Reason why the iteration of the fit ended; `None` if the fit ended with an error.
     pub status: Option<FitStatus>,
@@ -45,8 +46,8 @@ impl FitOutcome {
     }
 }
 
-/// Fits one dataset with randomly drawn effects for each of `seeds`, `threads` fits in parallel, which share the
-/// processors equally. Calls `progress` after each fit with the numbers of finished fits and of all fits.
+/// For each of `seeds`, simulates one dataset with randomly drawn effects and fits it. `threads` fits run in parallel
+/// and share the processors equally. Calls `progress` after each fit with the numbers of finished fits and of all fits.
 pub fn fits(seeds: &[u64], threads: usize, progress: Progress<'_>) -> Vec<FitOutcome> {
     let of_fit = threads_of_each_run(threads);
     each_run(threads, seeds.len(), progress, |index| {

@@ -20,19 +20,20 @@ const SIGMA: f64 = 0.0014;
 pub struct Scenario {
     /// Description of the fitted flights and of the noise added to them.
     pub name: &'static str,
-    /// Estimates (SI), indexed by coefficient (in the order of the model's coefficients) and by noise seed.
+    /// Estimates (SI), indexed by coefficient (in the order of the model's coefficients) and by noise seed. Seeds for
+    /// which the fit failed are left out.
     pub estimates: Vec<Vec<f64>>,
     /// Number of noise seeds for which the fit gives a physically implausible estimate, such as negative drag.
     pub implausible: usize,
-    /// For each coefficient, the number of noise seeds for which the fit report names it as practically
-    /// non-identifiable.
+    /// For each coefficient, in the order of the model's coefficients, the number of noise seeds for which the fit
+    /// report names it as practically non-identifiable.
     pub non_identifiable: Vec<usize>,
     /// Number of noise seeds for which the fit report names any coefficient as practically non-identifiable.
     pub any_non_identifiable: usize,
     /// Number of noise seeds for which the fit failed.
     pub failed: usize,
-    /// Explanations of the non-identifiable combinations of coefficients, from the report of the fit with the first
-    /// noise seed.
+    /// Explanations of the non-identifiable combinations of coefficients, from the report of the first successful fit
+    /// in the order of the noise seeds.
     pub messages: Vec<String>,
 }
 
@@ -52,8 +53,8 @@ pub struct PaperFits {
     pub truth: Vec<(String, f64)>,
     /// Number of noise seeds, and thus of fits, in each scenario.
     pub seeds: usize,
-    /// Scenarios (sets of fitted flights): each of the two flights alone, both flights together, and last the twelve
-    /// random throws.
+    /// Scenarios (sets of fitted flights under one noise): the flights fssh3 and bffl8 of Hubbard & Hummel (2000) alone
+    /// and the first half second of bffl8, then both flights together, and last the twelve random throws.
     pub scenarios: Vec<Scenario>,
 }
 

@@ -33,8 +33,8 @@ impl CurveCoefficients {
     }
 
     /// Sets the coefficients so that the model's lift, drag and pitching-moment curves take the values `lift`, `drag`
-    /// and `moment` at the angle of attack `alpha` (rad). The model's moment is proportional to the angle, so it is set
-    /// to 0 at small angles.
+    /// and `moment` (positive nose down) at the angle of attack `alpha` (rad). The model's moment is proportional to
+    /// the angle of attack, so it is set to 0 at small angles.
     pub(crate) fn set(
         &self,
         constants: &mut Point<f64>,

@@ -117,7 +117,8 @@ pub(crate) fn sample_times(duration: (f64, f64), rate: f64, random: &mut impl Rn
     even_times(duration.0 + fraction * (duration.1 - duration.0), rate)
 }
 
-/// Sample times from 0 to `duration` (s) at `rate` (Hz).
+/// Sample times, s, from 0 to `duration` (s) at `rate` (Hz), both ends included. The number of sample intervals is
+/// rounded, so the last time can differ from `duration` by half an interval.
 pub(crate) fn even_times(duration: f64, rate: f64) -> Vec<f64> {
     let count = (duration * rate).round() as usize;
     (0..=count).map(|k| k as f64 / rate).collect()

@@ -5,8 +5,9 @@ use std::cell::RefCell;
 use nalgebra::Vector3;
 use oracle::{Motion, Physical, Point, Quaternion, Reference};
 
-/// Maximum step size, s, in tests that compare flights to the last digits. With it, the relative error of a nutation of
-/// 100 rad/s stays below 1e-9 for a second.
+/// Default maximum step size, s, of the Runge–Kutta integration of simulated flights; small enough for tests that
+/// compare flights to the last digits. With this step, the relative error of a nutation of 100 rad/s stays below 1e-9
+/// over one second of flight.
 pub(super) const SMALL_STEP: f64 = 4e-4;
 
 /// Integrates a motion under the law of motion `reference` from the state `start` at time 0, with constant parameters
@@ -52,7 +53,7 @@ pub fn integrate_with_constants(
 /// Time derivatives of body state and internal state that a law of motion gives at one time.
 #[derive(Clone, Copy, Debug)]
 pub struct Derivatives {
-    /// Linear (m/s²) and angular (rad/s²) acceleration of the body.
+    /// Acceleration of the mass centre (m/s²) and angular acceleration of the body (rad/s²), in inertial axes.
     pub motion: Motion<f64>,
     /// Rate of change of the law's internal state, in that state's unit per second.
     pub internal_rate: f64,

@@ -13,7 +13,7 @@ pub struct Throws {
     pub launch: (f64, f64),
     /// Range of the angle of attack at release, positive nose up, rad.
     pub nose: (f64, f64),
-    /// Range of the hyzer angle (tilt of the disc about its velocity), rad.
+    /// Range of the hyzer angle (tilt of the disc about its velocity), rad; positive if the right side is lower.
     pub hyzer: (f64, f64),
     /// Range of the magnitude of the disc's spin at release, rad/s.
     pub spin: (f64, f64),

@@ -57,14 +57,14 @@ pub struct RateInFlight {
     pub state: String,
     /// Unit of the state; the rates are in this unit per second.
     pub unit: String,
-    /// Maximum magnitude, along the flight, of the state's rate of change as given by the simulator's equations, in
-    /// `unit` per second.
+    /// Maximum magnitude, along the flight, of the state's rate of change as given by the simulator's equations, in the
+    /// state's unit per second.
     pub stated: f64,
-    /// Maximum magnitude, along the flight, of the state's rate of change as implied by the laws of motion, in `unit`
-    /// per second.
+    /// Maximum magnitude, along the flight, of the state's rate of change as implied by the laws of motion, in the
+    /// state's unit per second.
     pub implied: f64,
     /// Maximum magnitude, along the flight, of the difference between the rate according to the simulator's equations
-    /// and the rate implied by the laws of motion, in `unit` per second.
+    /// and the rate implied by the laws of motion, in the state's unit per second.
     pub difference: f64,
 }
 
@@ -77,7 +77,7 @@ pub struct Stage {
     /// Violations of balance laws that `hyzer verify` reports for the body that the model describes, one line each;
     /// empty if the equations obey every law.
     pub broken: Vec<String>,
-    /// Whether none of the checks of `hyzer verify` refutes these equations.
+    /// Whether none of the checks of `hyzer verify` refutes the equations of this stage (as published or corrected).
     pub holds: bool,
     /// States whose rates of change in these equations differ from those before the last correction, along the flight
     /// simulated before that correction. For each: name, maximum magnitude of the earlier rate, maximum magnitude of

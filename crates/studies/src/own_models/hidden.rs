@@ -34,8 +34,8 @@ pub(super) enum Action {
     Rate(&'static str, AddedRate),
     /// The time stamps of the measurements run faster than true time, by a fraction equal to the size of the effect.
     Clock,
-    /// Displacement (m) of a marker's measured position, as a function of the body's motion, the marker's position and
-    /// the marker's index.
+    /// Displacement (m) of a marker's measured position, as a function of the body's motion, the marker's undisplaced
+    /// position (m) and the marker's index (from 0). Both vectors are in inertial axes.
     Observation(fn(&Scene, Vector3<f64>, usize) -> Vector3<f64>),
 }
 

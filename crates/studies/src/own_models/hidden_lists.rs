@@ -59,8 +59,8 @@ fn up(at: &Scene) -> Vector3<f64> {
     along(at).cross(&left(at))
 }
 
-/// Quantities of a model that count as correct if the diagnosis names one of them for an added force that is not
-/// specific to one quantity.
+/// Quantities of a model that are accepted as a correct diagnosis of an added force. They apply to forces that cannot
+/// be attributed to one quantity alone.
 const FORCES: &[&str] = &[
     "drag", "lift", "side", "wind", "gravity", "vertical", "unknown",
 ];
@@ -108,8 +108,8 @@ const TURNING: &[Hidden] = &[
     hide("moment_by_speed", MOMENTS, [0.5, 5.0], Action::Moment(|at| at.axes.column(0).cross(&left(at)) * speed(at).powi(2))),
 ];
 
-/// Quantities of a model that count as correct if the diagnosis names one of them for a term added to one of the
-/// model's differential equations: the equation itself, or a quantity that enters it.
+/// Quantities of a model that are accepted as a correct diagnosis of a term added to one of the model's differential
+/// equations: the equation itself, or a quantity that enters it.
 const RATES: &[&str] = &[
     "equation", "unknown", "drag", "lift", "wind", "gravity", "vertical",
 ];

@@ -20,8 +20,9 @@ use crate::progress::{Progress, each_run, threads_of_each_run};
 /// Limit of the computing time of a diagnosis or a fit.
 const LIMIT: Duration = Duration::from_secs(60);
 
-/// Approximate square root of the χ² that a diagnosis detects with power 0.9: the threshold 4.4 (in standard
-/// deviations) for about thirty candidates, plus the 0.9 quantile 1.3 of the standard normal distribution.
+/// Approximate square root of the χ² misfit that a diagnosis detects with power 0.9. It is the sum of the detection
+/// threshold if about thirty candidate effects are tested, 4.4 standard deviations, and of the 0.9 quantile of the
+/// standard normal distribution, 1.3.
 const DETECTABLE: f64 = 5.7;
 
 /// Settings of one run of the study, that is of one simulated and diagnosed dataset.
@@ -78,7 +79,8 @@ impl Outcome {
             .is_ok_and(|verdict| *verdict != Verdict::None)
     }
 
-    /// Whether the effect added to the simulated flights has at least `times` times the minimum detectable size.
+    /// Whether the effect added to the simulated flights has at least `times` times the minimum detectable size; false
+    /// if no effect is added or its detectability could not be computed.
     pub fn is_detectable(&self, times: f64) -> bool {
         self.detectability.is_some_and(|ratio| ratio >= times)
     }

@@ -113,7 +113,8 @@ impl Subject {
     }
 }
 
-/// Draws the velocity of a throw (m/s, inertial axes) from a range of speeds (m/s) and of launch angles (rad).
+/// Draws the velocity of a throw, m/s, in inertial axes with z up. `speed` (m/s) and `launch` (angle of the velocity
+/// above the horizontal, rad) are ranges (minimum, maximum). The heading lies within 0.6 rad of the x axis.
 fn velocity(uniform: Uniform<'_>, speed: (f64, f64), launch: (f64, f64)) -> [f64; 3] {
     let (speed, launch) = (uniform(speed.0, speed.1), uniform(launch.0, launch.1));
     let heading = uniform(-0.6, 0.6);

@@ -92,8 +92,8 @@ pub(super) fn dataset(
 }
 
 impl World<'_> {
-    /// Simulated measurements of the marker positions, indexed by sample and marker, at `times` (s). These are time
-    /// stamps of the measurements, which may run at another rate than true time.
+    /// Simulated measurements of the marker positions, m, inertial axes, indexed `[sample][marker]`, without noise.
+    /// `times` (s) are time stamps of the measurements, which may run at another rate than true time.
     fn observed(
         &self,
         start: Vec<f64>,
@@ -146,8 +146,8 @@ impl World<'_> {
         })
     }
 
-    /// Measured position of the marker with the index `index`, m, without noise. Includes the change by an added effect
-    /// that acts on measured positions.
+    /// Measured position of the marker with the index `index`, m, inertial axes, without noise. Includes the change by
+    /// an added effect that acts on measured positions.
     fn position(
         &self,
         states: &[f64],

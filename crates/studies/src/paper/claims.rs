@@ -36,7 +36,7 @@ pub(super) fn all() -> Vec<Claim> {
 /// refer to the end of the simulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
-    /// Displacement along x between release and end, m.
+    /// Displacement along the horizontal inertial axis x from release to end, m.
     pub delta_x: f64,
     /// Height gained, m; negative if the flight ends below its start.
     pub delta_z: f64,

@@ -38,7 +38,8 @@ pub(super) fn interchanges(order: Columns) -> usize {
 }
 
 /// Describes how an order of the four lift and drag columns differs from the printed one; `None` if it does not. Two
-/// interchanged columns are written `C_L0 ↔ C_La`, a longer cycle `C_L0 from C_D0`.
+/// interchanged columns are written `C_L0 ↔ C_La`. In a longer cycle, `C_L0 from C_D0` means that the values of C_L0
+/// are in the column printed as C_D0.
 pub(super) fn describe(order: Columns) -> Option<String> {
     let names = ["C_L0", "C_La", "C_D0", "C_Da"];
     let mut changes = Vec::new();

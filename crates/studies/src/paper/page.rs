@@ -53,8 +53,8 @@ struct ReadingRow {
 }
 
 /// One hypothesis of the best-ranked interpretation of Table 1 of Hubbard & Hummel (2000), with the best (lowest) score
-/// among the interpretations without this hypothesis. The score shows how much the hypothesis contributes to the
-/// agreement.
+/// among the interpretations without this hypothesis. The score is the misfit plus a penalty for each hypothesis. Its
+/// increase shows how much the hypothesis contributes to the agreement with the publication.
 #[derive(Serialize)]
 struct HypothesisRow {
     description: &'static str,
@@ -63,8 +63,9 @@ struct HypothesisRow {
     loss: f64,
 }
 
-/// An interpretation of Table 1 of Hubbard & Hummel (2000) that differs from the best-ranked one in a single
-/// hypothesis. The outcomes that the publication states cannot distinguish the two.
+/// An interpretation of Table 1 of Hubbard & Hummel (2000) that differs from the best-ranked one in a single hypothesis
+/// on signs or units, or only in the order of columns. The outcomes that the publication states cannot distinguish the
+/// two.
 #[derive(Serialize)]
 struct Alternative {
     best_has: String,

@@ -36,8 +36,10 @@ impl Reading {
         columns + self.conventions.hypotheses().len()
     }
 
-    /// Descriptions (of `self`, of `other`) of the one hypothesis in which two interpretations of Table 1 of Hubbard &
-    /// Hummel (2000) differ; `None` if they differ in more than one hypothesis.
+    /// Descriptions (of `self`, of `other`) of the difference between two interpretations of Table 1 of Hubbard &
+    /// Hummel (2000). If they differ only in signs and units, each description is the one hypothesis that the other
+    /// interpretation lacks, or "as printed" if there is none. If they differ only in the order of columns, it
+    /// describes the order. `None` if they differ in both, or if one has several hypotheses that the other lacks.
     pub(super) fn difference(&self, other: &Self) -> Option<(String, String)> {
         let columns = |reading: &Self| {
             let reading = Self {

@@ -11,7 +11,8 @@ use super::effects::SeededEffects;
 use super::world::SeededWorld;
 use crate::oracle_flights::file_name;
 
-/// Seed and index of a flight in a dataset, which determine its random stream.
+/// Identifies a flight within a simulated dataset. The seed and the index determine its random stream; the index and
+/// the number of flights determine whether it is held out.
 #[derive(Clone, Copy)]
 pub(super) struct FlightPlace {
     /// Seed of the dataset.

@@ -6,11 +6,11 @@
 pub struct Strength {
     /// Name of the effect in the built-in effects catalogue.
     pub effect: &'static str,
-    /// Values of a weak effect: coefficients and standard deviations of states near the smallest that are met in
-    /// practice, SI.
+    /// Values of a weak effect, each about the smallest that occurs in practice, SI. The coefficients come first, then
+    /// the standard deviations of the states over the flights.
     pub weak: &'static [f64],
-    /// Values of a strong effect: coefficients and standard deviations of states near the largest that are met in
-    /// practice, SI.
+    /// Values of a strong effect, each about the largest that occurs in practice, SI. The coefficients come first, then
+    /// the standard deviations of the states over the flights.
     pub strong: &'static [f64],
 }
 

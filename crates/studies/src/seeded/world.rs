@@ -48,8 +48,8 @@ impl SeededWorld {
         }
     }
 
-    /// Simulated marker positions, m, indexed `[sample][marker]`, at `times` (s). These are time stamps of the
-    /// measurements, which may run at another rate than true time. The positions contain no noise.
+    /// Simulated measurements of the marker positions, m, inertial axes, indexed `[sample][marker]`, without noise.
+    /// `times` (s) are time stamps of the measurements, which may run at another rate than true time.
     pub(super) fn observe(
         &self,
         start: Physical<f64>,

@@ -31,7 +31,7 @@ pub struct Observed {
 /// Standard deviations of the white noise that is added to each simulated measurement.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct SensorNoise {
-    /// Standard deviation of the noise of each position component, m.
+    /// Standard deviation of the noise of each coordinate of a measured marker position or pose, m.
     pub position: f64,
     /// Standard deviation of the noise of an attitude about each axis, rad.
     pub attitude: f64,
@@ -39,7 +39,7 @@ pub struct SensorNoise {
     pub rate: f64,
     /// Standard deviation of the noise of each component of an accelerometer reading, m/s².
     pub force: f64,
-    /// Standard deviation of the noise of a measured speed, m/s.
+    /// Standard deviation of the noise of a measured speed over the ground (magnitude of the inertial velocity), m/s.
     pub speed: f64,
 }
 

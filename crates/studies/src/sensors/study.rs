@@ -70,8 +70,9 @@ fn sets() -> Vec<(&'static str, bool, Vec<Sensor>)> {
     ]
 }
 
-/// Fits `seeds` datasets of each sensor set, and diagnoses `diagnosed` datasets with and without a displaced
-/// accelerometer. Calls `done` with a description of each finished step.
+/// Fits `seeds` datasets of each sensor set, and returns the results of each set. Also diagnoses `diagnosed` datasets
+/// of each set and, if the set contains an accelerometer, as many with a displaced accelerometer. Calls `done` with a
+/// description of each finished step.
 pub fn sensors(
     seeds: u64,
     diagnosed: u64,

@@ -9,8 +9,8 @@ use rand_distr::StandardNormal;
 use super::kinematics::{Row, centre, moved, turned, velocity};
 use crate::cuts::bouncing_flight;
 
-/// Function that introduces a mistake into a flight. The second argument is the preceding flight of the dataset, the
-/// third a random generator.
+/// Function that introduces a mistake into a flight. The second argument is the preceding flight of the unchanged
+/// dataset (for the first flight, the last one), the third a random generator.
 pub(super) type FlightHarm = fn(&mut Flight, &Flight, &mut ChaCha12Rng);
 
 /// How a mistake in a recording, introduced on purpose, changes the data of a dataset.
@@ -146,8 +146,8 @@ pub(super) fn random(flight: &mut Flight, _: &Flight, random: &mut ChaCha12Rng) 
     each_point(flight, |_| std::array::from_fn(|_| random.random::<f64>()));
 }
 
-/// Inserts samples of marker positions before the first or after the last sample of a flight, with noise of 1.5 mm, and
-/// renumbers the times at a constant interval.
+/// Inserts the marker positions `rows` (m) with white noise of 1.5 mm before the first sample of a flight if `at_start`
+/// is true, otherwise after the last one. All sample times are replaced by equally spaced ones.
 fn add(flight: &mut Flight, rows: Vec<Row>, at_start: bool, random: &mut ChaCha12Rng) {
     let noisy = rows.into_iter().map(|row| {
         let each = row.into_iter().map(|point| {

@@ -36,8 +36,8 @@ struct Row {
     says: String,
 }
 
-/// Renders docs/spoiled.md from the fits of datasets with recording mistakes. `cuts` is the section on truncation;
-/// `None` if that study was not run.
+/// Renders docs/spoiled.md from the fits of datasets with recording mistakes. `cuts` is the section on the truncation
+/// of flights at the ground; `None` if the study of truncation was not run.
 ///
 /// # Errors
 /// [`StudyError::Page`] if the template cannot be rendered with the results.

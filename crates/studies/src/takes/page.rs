@@ -26,16 +26,18 @@ struct Results {
     flights: usize,
     missed: usize,
     false_throws: usize,
-    /// Fraction of the sessions in which the detected release and end of every flight are right (within [`CUT`]
-    /// samples).
+    /// Fraction of the simulated recording sessions in which the detected release and end of every flight are right
+    /// (within [`CUT`] samples). A session without a result counts as wrong.
     cut_sessions: f64,
-    /// Fraction of all flights whose detected release and end are right (within [`CUT`] samples).
+    /// Fraction of the flights, over all sessions with a result, whose detected release and end are right (within
+    /// [`CUT`] samples).
     cut_flights: f64,
-    /// Fraction of the sessions in which all estimated marker positions are within 1 mm of the true ones, perpendicular
-    /// to the disc's axis.
+    /// Fraction of the simulated recording sessions in which all estimated marker positions are within 1 mm of the true
+    /// ones, perpendicular to the disc's axis. A session without a result counts as wrong.
     across: f64,
-    /// Fraction of the sessions in which all estimated marker positions are within 1 mm of the true ones along the
-    /// disc's axis, after the mean error over the markers is subtracted.
+    /// Fraction of the simulated recording sessions in which all estimated marker positions are within 1 mm of the true
+    /// ones along the disc's axis, after the mean error over the markers is subtracted from each marker's error. A
+    /// session without a result counts as wrong.
     along: f64,
     greatest_across: f64,
     /// Statistics of the estimated height of the centre of mass: estimated from flights with the detected releases and
@@ -161,8 +163,8 @@ pub fn takes_page(sessions: &[Session]) -> Result<Page, StudyError> {
     Page::without_figures(include_str!("page.md"), all)
 }
 
-/// Error of the height of the centre of mass in an estimated marker template, and its standard error, m; `None` if the
-/// height was not estimated.
+/// Error (estimated − true) of the height of the centre of mass in an estimated marker template, and the standard error
+/// of this height, m; `None` if the height was not estimated.
 fn of_template(errors: TemplateErrors) -> Option<(f64, f64)> {
     Some((errors.height, errors.height_std_error?))
 }
@@ -179,8 +181,9 @@ fn heights(estimated: impl Iterator<Item = (f64, f64)>) -> HeightRow {
     }
 }
 
-/// Errors of the estimated coefficients in all fits with one combination of releases and ends of the flights (detected
-/// or true) and marker template (estimated or true). `kind` is the index of the combination in `GIVEN`.
+/// Errors of all estimated coefficients, in standard errors, from the successful fits with one combination of releases
+/// and ends of the flights (detected or true) and marker template (estimated or true). `kind` is the index of the
+/// combination in `GIVEN`.
 fn errors<'r>(
     kind: usize,
     results: &'r [&'r SessionResult],
@@ -228,7 +231,8 @@ fn formats(sessions: &[Session]) -> Vec<FormatRow> {
     names.into_iter().map(row).collect()
 }
 
-/// Describes sessions that ended with an error or in which a fit failed, with the error; at most [`MAX_EXAMPLES`].
+/// Describes the simulated recording sessions that ended with an error or in which a fit failed: one text with settings
+/// and error for each, at most [`MAX_EXAMPLES`].
 fn examples(sessions: &[Session]) -> Vec<String> {
     let each = sessions.iter().filter_map(|session| {
         let why = match &session.result {

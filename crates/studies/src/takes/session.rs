@@ -40,7 +40,8 @@ pub(super) type Rows = Vec<Vec<Option<[f64; 3]>>>;
 
 /// Simulated recordings of one session, with the true markers and flights.
 pub(super) struct Filmed {
-    /// Positions of the markers in the body frame, m.
+    /// True positions of the markers in the body frame, m: the origin is the centre of mass, and the third axis is the
+    /// axis of the disc.
     pub markers: Vec<[f64; 3]>,
     /// Frame rate of the simulated cameras, Hz.
     pub rate: f64,
@@ -166,8 +167,9 @@ fn add_throw(
         .extend((0..fetched).map(|_| vec![None; markers.len()]));
 }
 
-/// Draws a time interval (start, end), s after the release, in which the whole disc is occluded from the cameras. A
-/// third of the flights on average have such an interval; `None` for the rest.
+/// Draws a time interval (start, end), s after the release, in which the whole disc is occluded from the cameras during
+/// a flight that ends `end` seconds after the release. A third of the flights on average have such an interval; `None`
+/// for the rest.
 fn hidden(end: f64, r: &mut ChaCha12Rng) -> Option<(f64, f64)> {
     let (from, to) = (IN_SIGHT, end - 2.0 * IN_SIGHT);
     let length = r.random_range(0.02..0.06);

@@ -40,7 +40,8 @@ fn count(rows: &Rows) -> usize {
     rows.first().map_or(0, Vec::len)
 }
 
-/// Converts a position from metres with the z axis up to millimetres with the y axis up.
+/// Converts a position from metres with the z axis up to millimetres with the y axis up, by a rotation about the x
+/// axis: (x, y, z) becomes (x, z, −y).
 fn in_mm([x, y, z]: [f64; 3]) -> [f64; 3] {
     [1e3 * x, 1e3 * z, -1e3 * y]
 }

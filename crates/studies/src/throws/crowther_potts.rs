@@ -26,7 +26,8 @@ pub struct Launches {
     pub level: (f64, f64),
     /// Results of horizontal launches as a function of the tilt of the disc (hyzer angle).
     pub tilts: Tilts,
-    /// Pairs of an advance ratio and the mean curvature of the path's horizontal projection at this advance ratio, 1/m.
+    /// Pairs of an advance ratio and the mean curvature of the path's horizontal projection at this advance ratio
+    /// (absolute value, whether the path turns to the left or to the right), rad/m.
     pub curvature: Vec<(f64, f64)>,
 }
 
@@ -34,13 +35,14 @@ pub struct Launches {
 #[derive(Clone, Debug, Serialize)]
 pub struct Tilts {
     /// Tilt (hyzer angle), deg, of the flight whose maximum lateral displacement is the smallest, and that
-    /// displacement, m.
+    /// displacement (absolute value), m. The tilt is positive if the left edge, seen from behind, is the lower one.
     pub straightest: (f64, f64),
     /// Tilt (hyzer angle), deg, with which the disc lands on the line of launch, interpolated between the simulated
-    /// flights; `None` if no two successive flights land on opposite sides of the line.
+    /// flights; positive if the left edge, seen from behind, is the lower one. `None` if no two successive flights land
+    /// on opposite sides of the line.
     pub on_line: Option<f64>,
-    /// Landing points: hyzer angle, deg, and horizontal position, m: x along the launch direction, y perpendicular to
-    /// it.
+    /// Landing points: hyzer angle, deg (positive if the left edge, seen from behind, is the lower one), and horizontal
+    /// position, m: x along the launch direction, y to the left of it.
     pub landings: Vec<(f64, f64, f64)>,
     /// Number of inflections of the curve through the landing points, ordered by hyzer angle; an S-shaped curve has 1.
     pub inflections: usize,
@@ -240,8 +242,8 @@ fn flown<'f>(flights: &'f ThrowFlights<'f>, throw: &Throw) -> Option<Path<'f>> {
         .ok()
 }
 
-/// Mean curvature of the horizontal projection of the path in the first two seconds: angle by which the horizontal
-/// direction of motion changes / length of the projection, rad/m.
+/// Absolute value of the mean curvature of the horizontal projection of the path in the first two seconds, rad/m: net
+/// angle by which the horizontal direction of motion changes / length of the projection.
 fn turned(path: &Path<'_>) -> f64 {
     let end = path.duration().min(2.0);
     let (steps, mut angle, mut length) = (200, 0.0, 0.0);

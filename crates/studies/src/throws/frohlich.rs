@@ -15,15 +15,21 @@ pub struct Winds {
     pub range: f64,
     /// Launch angle of the longest discus throw in this wind, deg.
     pub launch: f64,
-    /// Nose angle at release of the longest discus throw in this wind, deg.
+    /// Nose angle at release of the longest discus throw in this wind, deg: angle of attack with respect to the
+    /// velocity relative to the ground, positive nose-up.
     pub nose: f64,
-    /// Hyzer angle at release of the longest discus throw in this wind, deg.
+    /// Hyzer angle (tilt about the velocity) at release of the longest discus throw in this wind, deg; positive if the
+    /// left edge, seen from behind, is the lower one.
     pub hyzer: f64,
     /// Maximum range, in this wind, of discus throws with zero hyzer angle at release, m.
     pub upright: f64,
 }
 
-/// Finds the longest discus throws at 25 m/s and 420 rpm in winds from -20 to 20 m/s along the throw.
+/// Finds the longest discus throws with a release speed of 25 m/s and a spin of 420 rpm, in winds along the throw from
+/// -20 m/s (headwind) to 20 m/s (tailwind).
+///
+/// # Errors
+/// [`StudyError`] if the model cannot be loaded or a search finds no throw.
 pub fn winds() -> Result<Vec<Winds>, StudyError> {
     let body = ThrownBody::new(model_spec::load::load("discus", &[])?)?;
     let layout = body.compiled.layout();

@@ -23,8 +23,9 @@ pub(super) struct FitAxes {
 /// Reads the table `[fit]` of a sweep plan: `report`, the path of a fit's `report.json` relative to the plan, and
 /// optionally `coefficients`, the names of the coefficients to vary (default: all).
 ///
-/// Coefficients already in `varied` are skipped. Coefficients at a bound or without a standard error do not vary; the
-/// second result lists their names and estimates.
+/// Returns the coefficients to vary with their correlations, and the names and estimates of the coefficients that do
+/// not vary because they are at a bound or have no standard error. Coefficients already in `varied` are in neither
+/// result. Both results are empty if the plan has no table `[fit]`. Faults are reported to `reader`.
 pub(super) fn read<'t>(
     reader: &mut Reader<'t>,
     document: &DeTable<'t>,

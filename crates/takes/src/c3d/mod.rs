@@ -307,8 +307,9 @@ fn storage(
     }
 }
 
-/// Value specified in the parameter `name`, in the header, or in both (0 in the header means absent). If both specify
-/// it, they must agree within the relative tolerance `within`; otherwise the result is an error at the offset `byte`.
+/// Value specified in the parameter `name`, in the header, or in both (0 in the header means absent); 0 if neither
+/// specifies it. If both specify it, they must agree within the relative tolerance `within`; otherwise the result is an
+/// error at the offset `byte`.
 fn agreed(
     byte: usize,
     name: &str,

@@ -163,8 +163,9 @@ enum Fixed {
     Time,
 }
 
-/// Columns of a Qualisys table that precede those of the first point or body; `tracks` is the number of columns of all
-/// points or bodies.
+/// Contents, in order, of the columns of a Qualisys table that precede those of the first point or body. They are taken
+/// from the column titles `titles` or, if there are none, from the number of cells in the current row; `tracks` is the
+/// number of columns of all points or bodies.
 fn fixed_columns(
     sheet: &Sheet<'_>,
     titles: Option<&[String]>,

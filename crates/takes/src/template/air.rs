@@ -17,9 +17,9 @@ const MIN_SINE: f64 = 0.2;
 /// spin axis. It is a fraction of the product of lift acceleration and wobble angle (rad).
 const UNKNOWN: f64 = 0.5;
 
-/// Displacements of the centre of mass by aerodynamic forces that change with the wobble of the spin axis, m, one row
-/// per sample. `known` is the computed displacement, `unknown` the assumed magnitude of the part that cannot be
-/// computed.
+/// Displacements of the centre of mass by aerodynamic forces that change with the wobble of the spin axis, m: one row
+/// per sample, one column per axis of the room. `known` is the computed displacement, `unknown` the assumed magnitude
+/// of the part that cannot be computed.
 pub(super) struct AirMotion {
     pub known: DMatrix<f64>,
     pub unknown: DMatrix<f64>,

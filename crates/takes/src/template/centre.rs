@@ -34,15 +34,20 @@ const UPWARDS: f64 = 0.2;
 
 /// Spin axis and centre of mass of a body, in the body-fixed axes of [`Shape`] (marker positions on the body).
 pub(super) struct Centre {
-    /// Unit vector along the spin axis, in the direction that points upwards at the beginning of most flights.
+    /// Unit vector along the spin axis, in the body-fixed axes of [`Shape`]. Its direction is the one that points
+    /// upwards at the beginning of most flights.
     pub axis: Vector3<f64>,
-    /// Covariance of the components of the unit vector along the spin axis (dimensionless).
+    /// Covariance of the components, in the body-fixed axes of [`Shape`], of the unit vector along the spin axis
+    /// (dimensionless).
     pub axis_covariance: Matrix3<f64>,
-    /// Point of the spin axis at height 0, m; heights are measured along the axis from the mean of the markers.
+    /// Point of the spin axis at height 0, in the body-fixed axes of [`Shape`], m: the centre of mass if its height is
+    /// 0. Heights are measured along the axis from the mean of the markers.
     pub foot: Vector3<f64>,
-    /// Covariance of the point `foot` of the spin axis, m².
+    /// Covariance of the coordinates, in the body-fixed axes of [`Shape`], of the point of the spin axis at height 0
+    /// (field `foot`), m².
     pub foot_covariance: Matrix3<f64>,
-    /// Derivative of `foot` with respect to the height of the centre of mass along the axis (dimensionless).
+    /// Derivative of the point of the spin axis at height 0 (field `foot`) with respect to the height of the centre of
+    /// mass along the axis (dimensionless). A centre of mass at the height h is at `foot + h * (slope + axis)`.
     pub slope: Vector3<f64>,
     /// Estimated height of the centre of mass along the axis, relative to the mean of the markers, and its standard
     /// error, m; `None` if the axis wobbles too little for an estimate.
@@ -70,7 +75,7 @@ struct PoseNoise {
     /// Mean position on the body, in the axes of [`Shape`], of the markers from which the pose is computed, m.
     mean: Vector3<f64>,
     /// Expected square of the cross-product matrix of the rotation error δ of the pose, E([δ]ₓᵀ [δ]ₓ), per unit
-    /// variance of a measured coordinate, 1/m².
+    /// variance of a measured coordinate, 1/m²; δ is expressed in the body-fixed axes of [`Shape`].
     rotation: Matrix3<f64>,
 }
 
@@ -112,8 +117,9 @@ struct Sums {
     /// Degrees of freedom of the residuals of the poses, summed over all flights; the measurement noise is estimated
     /// with them.
     freedom: f64,
-    /// Contribution to the field `right` of the assumed magnitude of the unknown displacement by aerodynamic forces;
-    /// the error of the centre of mass due to this displacement is computed from it.
+    /// Contribution to the right-hand side b of the normal equations (field `right`) of the assumed magnitude of the
+    /// unknown displacement by aerodynamic forces; the error of the centre of mass due to this displacement is computed
+    /// from it.
     unknown: Vector3<f64>,
 }
 
@@ -233,8 +239,10 @@ fn residuals(motions: &[Motion], point: &Vector3<f64>, axis: &Vector3<f64>) -> (
     )
 }
 
-/// Whether the spin axis `axis` points upwards at the beginning of most flights (on average over the flights if as many
-/// begin upwards as downwards). Also returns the numbers of flights with the more frequent and with the less frequent
+/// Whether the spin axis `axis`, a unit vector in body-fixed axes, points upwards at the beginning of most flights.
+/// Flights that begin with an elevation of the axis whose sine is at most [`UPWARDS`] in magnitude are not counted. If
+/// as many flights begin with the axis upwards as downwards, the mean over all flights of the sine of the elevation
+/// decides. The second result contains the numbers of flights with the more frequent and with the less frequent
 /// direction; `None` if these numbers are equal.
 fn side(motions: &[Motion], axis: &Vector3<f64>) -> (bool, Option<UpVote>) {
     let heights = motions.iter().map(|motion| {
@@ -297,7 +305,8 @@ impl Motion {
         Smooth::new(&self.times, &self.weights(point), self.degree)
     }
 
-    /// Trajectory of a point of the body, m, one row per sample.
+    /// Trajectory of a point of the body along the axes of the room, m, one row per sample; `point` has the coordinates
+    /// of the body point in the body-fixed axes.
     fn path(&self, point: &Vector3<f64>) -> DMatrix<f64> {
         &self.centres + self.directions(point)
     }
@@ -309,9 +318,10 @@ impl Motion {
         })
     }
 
-    /// Adds the terms of this flight to the normal equations in `to`. `point` is the present estimate of the centre of
-    /// mass, m, and determines the weights; `variance` is the variance of a measured coordinate, m². If `axis` is
-    /// given, the known displacement by aerodynamic forces is first subtracted from the trajectory.
+    /// Adds the terms of this flight to `to`, the normal equations whose solution is the centre of mass. `point` is the
+    /// present estimate of the centre of mass, m, and determines the weights; `variance` is the variance of a measured
+    /// coordinate, m². If `axis`, the unit vector of the spin axis, is given, the known displacement by aerodynamic
+    /// forces is first subtracted from the trajectory. `point` and `axis` are in body-fixed axes.
     fn add(&self, point: &Vector3<f64>, axis: Option<&Vector3<f64>>, variance: f64, to: &mut Sums) {
         let weights = self.weights(point);
         let Some(smooth) = Smooth::new(&self.times, &weights, self.degree) else {

@@ -15,8 +15,9 @@ const OFF_AXIS: f64 = 0.005;
 const MORE: usize = 7;
 
 /// Assembles the template (marker positions in the body frame) from the shape (marker positions relative to their mean)
-/// and the centre of mass. `stated` is the height of the centre of mass specified by the user, m. If it is `None`, the
-/// estimated height is used if it is accurate enough, otherwise 0.
+/// and the centre of mass. `stated` is the height of the centre of mass specified by the user: its position along the
+/// spin axis relative to the mean of the markers, m. If it is `None`, the estimated height is used if it is accurate
+/// enough, otherwise 0.
 pub(super) fn template(
     labels: &[String],
     shape: &Shape,
@@ -96,7 +97,8 @@ fn greatest(covariance: &Matrix3<f64>) -> f64 {
 }
 
 /// Index of the marker that the first body axis points to: the first one that is farther than [`OFF_AXIS`] from the
-/// spin axis, or the farthest one if there is none. `height` is that of the centre of mass along the axis, m.
+/// spin axis, or the farthest one if there is none. `height` is that of the centre of mass along the axis, relative to
+/// the mean of the markers, m.
 fn first_marker(shape: &Shape, centre: &Centre, height: f64) -> usize {
     let foot = centre.foot + centre.slope * height;
     let distance = |point: &Vector3<f64>| {
@@ -114,7 +116,8 @@ fn first_marker(shape: &Shape, centre: &Centre, height: f64) -> usize {
 
 /// Marker positions in the body frame whose first axis points to the marker with the index `first`, m. `values`
 /// contains `size` marker coordinates, the point of the spin axis at the mean height of the markers, the direction of
-/// the spin axis, and the height of the centre of mass, in this order.
+/// the spin axis, and the height of the centre of mass above the mean of the markers, in this order. Only the field
+/// `slope` of `centre` is used: the derivative of the point of the spin axis with respect to this height.
 fn placed(values: &DVector<f64>, size: usize, centre: &Centre, first: usize) -> DVector<f64> {
     let vector = |at: usize| Vector3::new(values[at], values[at + 1], values[at + 2]);
     let third = vector(size + 3).normalize();

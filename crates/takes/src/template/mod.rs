@@ -56,7 +56,9 @@ pub struct EstimatedTemplate {
 pub struct EstimatedMarker {
     /// Label of the marker in the recording.
     pub label: String,
-    /// Position of the marker in the body frame, m.
+    /// Position of the marker in the body frame, m. The origin is the centre of mass, the third axis is the spin axis
+    /// (upwards at the beginning of most flights), and the first axis points towards the marker with the index
+    /// [`EstimatedTemplate::first`].
     pub position: [f64; 3],
     /// Standard errors of the marker position along the body axes, m. If the height of the centre of mass was not
     /// estimated, the third value is the error of the marker's height relative to the other markers only.
@@ -179,8 +181,9 @@ const MIN_SAMPLES: usize = 12;
 
 /// Estimates the positions of the labelled markers from free flights of their body.
 ///
-/// `centre_height` is the height of the centre of mass above the mean of the markers along the third axis, m, if it is
-/// known; otherwise it is estimated if the flights determine it.
+/// `centre_height` is the height of the centre of mass above the mean of the markers along the third body axis (the
+/// spin axis, which points upwards at the beginning of most flights), m, if it is known. Otherwise it is estimated if
+/// the flights determine it, or assumed to be 0.
 ///
 /// # Errors
 /// [`TemplateError`] if the flights do not determine the shape or the spin axis.

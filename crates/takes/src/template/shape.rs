@@ -26,9 +26,11 @@ const FLAT: f64 = 0.05;
 
 /// Marker positions on the body (the shape), and the poses of the body in all samples.
 pub(super) struct Shape {
-    /// Positions of the markers on the body relative to their mean, m.
+    /// Positions of the markers on the body relative to their mean, m, in body-fixed axes whose orientation on the body
+    /// is arbitrary; the poses rotate these axes to those of the room.
     pub points: Vec<Vector3<f64>>,
-    /// Covariance of the coordinates of all marker positions on the body, m²; its rank is 3 × number of markers − 6.
+    /// Covariance of the coordinates of all marker positions on the body (field `points`), m². The three coordinates of
+    /// a marker are consecutive; the rank is 3 × number of markers − 6.
     pub covariance: DMatrix<f64>,
     /// Estimated standard deviation of one coordinate of a measured marker position, m.
     pub sigma: f64,

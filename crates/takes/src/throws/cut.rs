@@ -124,8 +124,9 @@ impl<'t> FlightEnd<'t> {
         }
     }
 
-    /// Fits a change of motion (release, impact) for each list of exponents in `hinges` and for several times of the
-    /// change. Returns the fit with the smallest Bayesian information criterion, or `None` if no fit is possible.
+    /// Fits a change of motion (release, impact) for each set of hinge terms in `hinges` and for several times of the
+    /// change. Hinge terms are powers of the time outside the flight, 0 inside; each set is the list of their
+    /// exponents. Returns the fit with the smallest Bayesian information criterion, or `None` if no fit is possible.
     pub fn best(&self, hinges: &[&'static [i32]]) -> Option<Fit> {
         let mut best: Option<Fit> = None;
         for i in self.near.start..self.near.end.saturating_sub(1) {

@@ -23,11 +23,12 @@ const JERK: f64 = 60.0;
 pub(super) enum Stop {
     /// The recording has no further samples in which the body is seen.
     Data,
-    /// The body is not seen between the samples `from` and `to`, and the samples after the gap do not continue the
-    /// flight.
+    /// The body is not seen between the samples with the indices `from` and `to`, neighbours in the track (samples in
+    /// which the body is seen). The gap is longer than [`ThrowOptions::longest_gap`], or the samples after it do not
+    /// continue the flight. If the flight is followed backwards in time, `to` is earlier than `from`.
     Gap { from: usize, to: usize },
-    /// The samples after the one with the index `last` deviate from their prediction. If the flight is followed
-    /// backwards in time, "after" means earlier.
+    /// The samples after the one with the index `last` in the track (samples in which the body is seen) deviate from
+    /// their prediction. If the flight is followed backwards in time, "after" means earlier.
     Deviation { last: usize },
     /// The ground supports the body near the sample `last`, an index in the track (samples in which the body is seen).
     Touch { last: usize },

@@ -26,7 +26,7 @@ use track::Track;
 pub(crate) use track::{centred, fitted};
 use windows::{Window, windows};
 
-/// Standard acceleration of gravity, m/s².
+/// Acceleration of gravity that is assumed for recordings, m/s².
 pub(crate) const GRAVITY: f64 = 9.81;
 /// Lower bound to which an estimated standard deviation of a measured position is raised, m.
 const FINEST: f64 = 5e-5;

@@ -11,9 +11,10 @@ const GAP: f64 = 1.5;
 /// Time series of the motion of a body in a recording; values are not finite where the body is not seen.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Motion {
-    /// Times, s: those of the samples, and one within each gap.
+    /// Times, s: those of the samples in which the body is seen, and the middle of each gap between them, at which the
+    /// other values are NaN.
     pub times: Vec<f64>,
-    /// Height of the centroid of the tracked points at each of `times`, m.
+    /// Height (z coordinate in the recording) of the centroid of the tracked points at each of `times`, m.
     pub heights: Vec<f64>,
     /// Speed of the centroid of the tracked points at each of `times`, m/s.
     pub speeds: Vec<f64>,

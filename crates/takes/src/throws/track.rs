@@ -19,7 +19,8 @@ pub(super) struct Track {
     pub samples: Vec<usize>,
     /// Times of the samples in which the body is seen, s.
     pub times: Vec<f64>,
-    /// Centroid of the tracked points, or position of the tracked body, at each sample, m.
+    /// Centroid of the tracked points, or position of the tracked body, in each sample in which the body is seen, along
+    /// the axes of the room, m.
     pub centres: Vec<[f64; 3]>,
     /// Rotations from the body-fixed axes of the tracked points to the axes of the room, one per sample; empty if the
     /// attitude is not computed.
@@ -139,8 +140,9 @@ impl Track {
             .unwrap_or_else(Matrix3::zeros)
     }
 
-    /// Trajectory of a point of the body, m; `offset` is the position of this point relative to the centroid, in the
-    /// body-fixed axes of the tracked points, m.
+    /// Trajectory of a point of the body along the axes of the room, m, for each sample in which the body is seen.
+    /// `offset` is the position of this point relative to the centroid, in the body-fixed axes of the tracked points,
+    /// m.
     pub fn path(&self, offset: [f64; 3]) -> Vec<[f64; 3]> {
         let offset = Vector3::from(offset);
         let each = self.centres.iter().enumerate();
@@ -189,8 +191,9 @@ fn refined(
     )
 }
 
-/// Least-squares position and rotation (Kabsch 1976) that map the rigid set of points `template` to the measured points
-/// `seen`, from the points that are not `None`; `None` if fewer than 3 points are seen.
+/// Fits a rigid motion that maps the points `template` to the measured points `seen`, by least squares over the points
+/// that are not `None` (Kabsch 1976). Returns (position of the origin of `template`, rotation), such that position +
+/// rotation · template point ≈ measured point; `None` if fewer than 3 points are seen.
 pub(crate) fn fitted(
     template: &[Vector3<f64>],
     seen: &[Option<Vector3<f64>>],

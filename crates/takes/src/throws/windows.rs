@@ -37,7 +37,8 @@ pub(super) struct Window {
     /// Position of the body point that moves smoothly (in free flight the centre of mass) relative to the centroid of
     /// the tracked points of the body, in the body-fixed axes of these points, m.
     pub offset: [f64; 3],
-    /// Standard deviation of the residuals of the quadratic fit on one axis, m.
+    /// Standard deviation of the residuals of the quadratic fit, per coordinate, estimated from all three axes
+    /// together, m.
     pub residual: f64,
     /// Standard error of the fitted acceleration per unit standard deviation of a measured position, 1/s².
     pub spread: f64,
@@ -141,7 +142,7 @@ pub(super) fn noise(windows: &[Option<Window>]) -> f64 {
 
 /// Position of the body point that moves smoothly (in free flight the centre of mass), relative to the centroid of the
 /// tracked points of the body, in the body-fixed axes of these points, m. It is the median of [`Window::offset`] over
-/// the local quadratic fits around the samples in `run`.
+/// the local quadratic fits around the samples in `run`, a range of indices in `windows`.
 pub(super) fn offset(windows: &[Option<Window>], run: &Range<usize>) -> [f64; 3] {
     [0, 1, 2].map(|axis| {
         let each = windows[run.clone()].iter().flatten();

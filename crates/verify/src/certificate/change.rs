@@ -41,8 +41,8 @@ impl Certificate {
     }
 
     /// Lists the changes since the certificate (record of a verification) was created, as found by comparing hashes and
-    /// by repeating the checks. Models for which `same` returns true describe the same motion and are compared with
-    /// each other.
+    /// by repeating the checks. `folder` is the folder of the certificate. Models for which `same` returns true
+    /// describe the same motion and are compared with each other.
     pub fn changes_again(&self, folder: &Path, same: impl Fn(&Model) -> bool) -> Vec<Change> {
         let mut changes = self.changes(folder);
         let options = self.options.options();

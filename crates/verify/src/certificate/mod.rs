@@ -96,7 +96,7 @@ pub struct CertifiedCheck {
     pub check: String,
     /// Verdict of the check, such as holds or refuted.
     pub verdict: Verdict,
-    /// Number of points or cases that were tested.
+    /// Number of tested items: random points, flights, check cases of the model file or others, depending on the check.
     pub cases: usize,
     /// Maximum error found by the check, in the unit given by `measure`; `None` if it is not finite.
     pub worst: Option<f64>,

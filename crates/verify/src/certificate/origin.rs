@@ -15,7 +15,8 @@ pub enum Origin {
 }
 
 impl Origin {
-    /// Classifies a name or path: [`Origin::File`] if a file of that path exists, otherwise [`Origin::Name`].
+    /// Classifies a name or path: [`Origin::File`] if a file of that path exists, otherwise [`Origin::Name`]. The path
+    /// is stored relative to `folder`, the folder of the certificate.
     pub fn of(name_or_path: &str, folder: &Path) -> Self {
         let path = Path::new(name_or_path);
         if path.is_file() {
@@ -27,6 +28,9 @@ impl Origin {
 
     /// Name or full path of a model or of an effect (optional model extension), to be passed to the loader of models.
     /// `folder` is the folder of the certificate.
+    ///
+    /// # Errors
+    /// [`OriginError::Missing`] if the file does not exist.
     pub(super) fn found(&self, folder: &Path) -> Result<String, OriginError> {
         match self {
             Self::Name(name) => Ok(name.clone()),

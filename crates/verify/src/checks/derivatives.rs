@@ -158,9 +158,10 @@ impl Comparison<'_> {
     }
 }
 
-/// Whether the reference implementation has the model's variable with this index, so that derivatives with respect to
-/// it can be compared. It lacks the states and coefficients that the reference law does not contain, such as those of
-/// effects (optional model extensions).
+/// Whether the reference implementation has a variable of the model, so that derivatives with respect to it can be
+/// compared. The reference implementation lacks the states and coefficients that the reference law does not contain,
+/// such as those of effects (optional model extensions). `variable` is the index of the variable in the order of the
+/// Jacobian's columns: states, parameters, coefficients, components of inputs.
 fn has_reference(model: &Model, reference: &Reference, variable: usize) -> bool {
     if model.added_states().contains(&variable) {
         return false;
@@ -171,8 +172,9 @@ fn has_reference(model: &Model, reference: &Reference, variable: usize) -> bool 
         .is_none_or(|index| !reference.unknown.contains(&index))
 }
 
-/// Lifts the point to scalars that carry derivatives with respect to the variable with index `j`; `variable(value,
-/// derivative)` creates such a scalar.
+/// Lifts the point to scalars that carry derivatives with respect to the variable with index `j`, in the order of the
+/// Jacobian's columns: states, parameters, coefficients, components of inputs. `variable(value, derivative)` creates
+/// such a scalar.
 fn seed<T: Real>(
     model: &Model,
     point: &Point<f64>,
@@ -195,10 +197,10 @@ fn seed<T: Real>(
     out
 }
 
-/// Derivative of each state derivative and observation component with respect to the variable with index `j`, computed
-/// from the Jacobian in `got`. For a component of a quaternion, it is taken along the component's axis projected onto
-/// the tangent space of the unit sphere. The magnitude, to which errors are relative, is the sum of the absolute values
-/// of the Jacobian entries that are used.
+/// Derivative of each state derivative and observation component with respect to the variable of the Jacobian's column
+/// `j`, computed from the Jacobian in `got`. For a component of a quaternion, it is taken along the component's axis
+/// projected onto the tangent space of the unit sphere. The `magnitude` of each result, to which errors are relative,
+/// is the sum of the absolute values of the Jacobian entries that are used.
 fn along(got: &Derivatives, model: &Model, point: &Point<f64>, j: usize) -> Vec<ErrorBound> {
     let mut direction = direction(model, &point.states, j);
     direction.resize(got.entries.first().map_or(0, Vec::len), 0.0);
@@ -225,10 +227,10 @@ fn error(expected: f64, magnitude: f64, got: ErrorBound) -> f64 {
     .relative_error(got.value)
 }
 
-/// Divisor that makes the error of a Jacobian entry relative if the derivative of the model's vector expressions has no
-/// nonzero terms. The compiled code computes in another frame, where such an entry may be a sum of terms that cancel up
-/// to rounding. The magnitude of these terms is estimated as the magnitude of the differentiated value, divided by
-/// max(|variable|, 1).
+/// Divisor that makes the error of a Jacobian entry relative if the expected derivative has no nonzero terms in the
+/// model's vector expressions. The compiled code computes in another frame, where such an entry may be a sum of terms
+/// that cancel up to rounding. The magnitude of these terms is estimated as the magnitude of the differentiated
+/// `value`, divided by max(`variable`, 1), where `variable` is the absolute value of the independent variable.
 fn cancelled(value: ErrorBound, variable: f64) -> f64 {
     value.magnitude / variable.max(1.0)
 }

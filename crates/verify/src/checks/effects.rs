@@ -21,8 +21,8 @@ pub const EFFECTS: &str = "effects at null values";
 /// Returns (models with effects, model without effects); effects are optional model extensions. If the loaded model has
 /// effects, it is the only model with effects. Otherwise one model is built for each effect that can be added. A
 /// further model combines all of these effects that are not declared in the model file. Another one combines only the
-/// effects specific to this kind of model, such as a disc, which have reference implementations. `None` if the source
-/// does not load without effects.
+/// built-in effects written for the family of models to which this model belongs, such as flying discs: these effects
+/// have reference implementations. `None` if the source does not load without effects.
 pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
     let source = loaded.sources.first()?;
     let apply = |with: &[&str]| from_text(&source.name, &source.text, with).ok();

@@ -94,7 +94,8 @@ fn in_long_arithmetic(model: &Model, compiled: &Compiled, options: &Options, why
 /// Result of comparing compiled code with the model's vector expressions (the law) at one point of the prime field
 /// (integers modulo 2^61 − 1).
 enum Compared {
-    /// Names of the values and Jacobian entries in which compiled code and law differ; empty if all agree.
+    /// Names of the values and derivatives in which the compiled code and the model's vector expressions differ; empty
+    /// if all agree.
     At(Vec<String>),
     /// The model's vector expressions have no value in the prime field, because the argument of a square root is not a
     /// square there.

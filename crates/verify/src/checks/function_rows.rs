@@ -7,7 +7,8 @@ use oracle::scalar::{Dual, Field, Real};
 use oracle::{Point, Tree, derivatives_of};
 use std::ops::Range;
 
-/// Compiled functions that are compared: state derivatives and observation, each also with its Jacobians.
+/// Compiled functions that are compared with the model's vector expressions: `f`, `f_jac` and `f_jac_par` (state
+/// derivatives, also with their Jacobians), `observe` and `observe_jac` (observation, also with its Jacobians).
 pub(super) fn functions(compiled: &Compiled) -> [&Function; 5] {
     [
         &compiled.f,
@@ -119,8 +120,9 @@ fn sections(
 }
 
 /// Derivative of one scalar result of a compiled function with respect to a variable. It is computed from the Jacobian
-/// entries in `values`, which contains all outputs of the function. `row` is the row of the result in the Jacobians;
-/// `by_state` and `by_parameter` are their names. `None` if the function does not compute the required Jacobian.
+/// entries in `values`, which contains all outputs of the function. `row` is the row of the result in the Jacobians.
+/// `by_state` and `by_parameter` are the names of the groups of outputs that contain the Jacobians with respect to
+/// states and to parameters. `None` if the function does not compute the required Jacobian.
 fn along<T: Field>(
     function: &Function,
     values: &[T],
@@ -153,7 +155,8 @@ fn along<T: Field>(
 }
 
 /// Direction of differentiation in state space: a unit vector, projected onto the tangent space of the unit sphere for
-/// a component of a quaternion; zero for a parameter.
+/// a component of a quaternion; zero for a parameter. `variable` is an index in the list of all states, followed by all
+/// parameters.
 pub(super) fn direction<T: Field>(model: &Model, states: &[T], variable: usize) -> Vec<T> {
     let mut out = vec![T::zero(); states.len()];
     if let Some(component) = out.get_mut(variable) {

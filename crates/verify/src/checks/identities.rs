@@ -109,11 +109,11 @@ fn of_claim(subject: &Subject<'_>, options: &Options) -> Row {
     Row::judged(IDENTITIES, options.cases, &worst, TOLERANCE)
 }
 
-/// Force and moment, and mass properties, at a point. Force and moment are those of the model's body or, without one,
-/// those of the reference law. The mass properties are those of the reference law, so that a wrong mass in the model is
-/// detected. Those of the body are used if there is no reference law. They are also used if `with_own` is true, that
-/// is, if the coefficients added by the model's author are not at their null values. `None` if the required body or
-/// reference law does not exist.
+/// Force (N) and moment (N·m) in inertial components, and mass properties in the body frame, at a point. Force and
+/// moment are those of the model's body or, without one, those of the reference law. The mass properties are those of
+/// the reference law, so that a wrong mass in the model is detected. If there is no reference law, or if `with_own` is
+/// true (coefficients added by the model's author are not at their null values), they are those of the body. `None` if
+/// the required body or reference law does not exist.
 fn loads(
     subject: &Subject<'_>,
     point: &Point<ErrorBound>,

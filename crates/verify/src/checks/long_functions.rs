@@ -23,7 +23,8 @@ const MAX_DRAWS: usize = 30;
 /// f64.
 const TOLERANCE: f64 = 1e-13;
 
-/// A number of 256 bits, with the sum of the magnitudes of the terms that are added to give it.
+/// A floating-point number with a 256-bit mantissa, together with the sum of the magnitudes of the terms of the sum
+/// that yields it, to which its error is relative.
 type Bounded = Lockstep<Big, ErrorBound>;
 
 /// Names of the values and derivatives in which the compiled functions differ from the model's vector expressions;

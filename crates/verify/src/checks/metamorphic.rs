@@ -147,8 +147,9 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     row.with_detail(lines.join("\n").trim().to_owned())
 }
 
-/// Randomly drawn parameters of the transformations under which the motion should be invariant: shift (m), boost (m/s),
-/// angle (rad), delay (s).
+/// Parameters of the transformations under which the motion should be invariant: shift (m), boost (m/s), delay (s) and
+/// angle (rad), which are drawn randomly, and the body's axis of revolution. The angle is that of a rotation about the
+/// vertical or about the axis of revolution.
 struct RandomTransformation {
     shift: Vector3<f64>,
     boost: Vector3<f64>,

@@ -147,8 +147,8 @@ fn field_points(
     (here, there)
 }
 
-/// Returns the point with some parameters set to their values in `defaults`: those for whose index `keep` returns
-/// false. States and the other parameters are not changed.
+/// Returns a copy of `point` in which each parameter with an index k for which `keep(k)` is false has its value from
+/// `defaults`. States and the other parameters are not changed.
 fn unpaired_at<T: Field>(
     point: &Point<T>,
     defaults: &Point<T>,

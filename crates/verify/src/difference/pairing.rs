@@ -305,10 +305,10 @@ impl Effects {
         }
     }
 
-    /// Dissimilarity of two unpaired symbols (states or parameters): that with index `here` of this model and that with
-    /// index `there` of the model `other`. Each model is evaluated with its symbol changed. The dissimilarity is the
-    /// number of values (state derivatives and observation) that then differ between the models; 0 means that the
-    /// symbols may correspond.
+    /// Dissimilarity of two unpaired symbols (states or parameters), one of this model and one of the model `other`.
+    /// `here` and `there` are their indices in the lists of unpaired symbols of these models. Each model is evaluated
+    /// with its symbol changed. The dissimilarity is the number of values (state derivatives and observation, at all
+    /// random points) that then differ between the models; 0 means that the symbols may correspond.
     fn conflicts(&self, here: usize, other: &Self, there: usize) -> usize {
         let differ = |a: &[f64], b: &[f64]| {
             let unequal = a.iter().zip(b).filter(|(a, b)| !is_close(**a, **b));

@@ -12,8 +12,8 @@ pub enum RowKind {
     Position,
     /// Derivative of a velocity component of the body, determined by the forces on it.
     Velocity,
-    /// Derivative of an attitude angle, quaternion component or angular velocity component of the body, determined by
-    /// the moments on it.
+    /// Derivative of an attitude angle, quaternion component or angular velocity component of the body. All of these
+    /// count as depending on the moments, although moments affect only angular accelerations.
     Rotation,
     /// Component of the observation, defined by the measurement equation.
     Observation,

@@ -94,13 +94,15 @@ impl<'a> Everything<'a> {
             .collect()
     }
 
-    /// All values that the program `code` computes at a point, in floating-point arithmetic.
+    /// Values of the model at a point, in floating-point arithmetic: all outputs of the program [`Everything::code`],
+    /// in order.
     pub fn numbers(&self, point: &Point<f64>) -> Vec<f64> {
         evaluated(&self.tape, point)
     }
 
-    /// All values that the program `code` computes at a point of the prime field (integers modulo 2^61 − 1); `None` for
-    /// a value that does not exist in the field, such as the square root of a non-square.
+    /// Values of the model at a point of the prime field (integers modulo 2^61 − 1): all outputs of the program
+    /// [`Everything::code`], in order. `None` for a value that does not exist in the field, such as the square root of
+    /// a non-square.
     pub fn exact(&self, spot: &FieldPoint) -> Vec<Option<Prime>> {
         Machine::new(&spot.point, &spot.circles, true).run(&self.code.program)
     }

@@ -36,7 +36,7 @@ pub struct Original<'a> {
 }
 
 impl<'a> Original<'a> {
-    /// Compiles the original model for comparison.
+    /// Compiles the original model for comparison with its mutants (copies with one deliberate change each).
     pub fn new(subject: &'a Subject<'a>) -> Self {
         let values = Values::of(subject.model);
         let mut interner = Interner::default();

@@ -81,8 +81,8 @@ impl Changes<'_> {
     }
 }
 
-/// Adds to `out` mutations (small deliberate changes) that replace the frame in which an input or a marker is given by
-/// its components. Each other frame of the model is used once.
+/// Adds to `out` mutations (small deliberate changes) of the frame to which the components of an input or a marker
+/// refer. Each mutation replaces it by one of the other frames of the model.
 fn frame_of_components(out: &mut Changes<'_>, frame: &Name, names: &Names) {
     for other in names.other_frames(&frame.text) {
         out.push(

@@ -32,8 +32,9 @@ pub struct Refutation {
     /// Descriptions of the corrections that together make the equation agree with the reference law or the laws of
     /// motion; empty if no such corrections were found.
     pub corrections: Vec<String>,
-    /// Maximum relative difference of the corrected equation, computed like `error`; equal to `error` if there are no
-    /// corrections.
+    /// Maximum difference, over random points, between the right-hand side with all corrections and the derivative
+    /// according to the reference law or the laws of motion. It is relative to the sum of the magnitudes of the terms.
+    /// Equal to `error` if there are no corrections.
     pub error_corrected: f64,
 }
 
@@ -125,8 +126,9 @@ fn implied(model: &Model, point: &Point<ErrorBound>) -> Option<Vec<Option<ErrorB
 }
 
 /// Auxiliary variables that represent the derivative of a state. The model contains such a variable, with the
-/// right-hand side of the state's equation as its expression, if other equations use the derivative. Returns for each
-/// variable its index, and the correct rate of the state, taken from `truth` (rates by state).
+/// right-hand side of the state's equation as its expression, if other equations use the derivative. `truth` contains
+/// the correct rate of each state, `None` if unknown. Returns (index among the model's auxiliary variables, correct
+/// rate) for each variable whose rate is known.
 fn used_derivatives(
     model: &Model,
     truth: &[Option<ErrorBound>],

@@ -71,7 +71,7 @@ pub struct Error {
     /// Group of outputs of the function: `f` (state derivatives), `J`, `Jp` (their Jacobians with respect to states and
     /// parameters), `y` (observation), `dy/dx` or `dy/dp` (its Jacobians).
     pub values: &'static str,
-    /// Number of values of the group that were compared.
+    /// Number of values, over all outputs of the group and all points, that were compared with the exact values.
     pub compared: usize,
     /// Maximum error over the compared values, in units of the spacing of f64 numbers (ulp) at the sum of the
     /// magnitudes of a value's terms.
@@ -89,7 +89,8 @@ pub struct Error {
 pub struct Rounding {
     /// Text that names the unit of the rounding errors in reports.
     pub measure: &'static str,
-    /// Number of random points and number of states along flights at which rounding errors were measured.
+    /// Number of random points and number of states along flights that were drawn to measure rounding errors, including
+    /// those counted in `left_out`.
     pub points: [usize; 2],
     /// Number of points left out because a value is not finite there, or because rounding may change the result of a
     /// branch, such as that of abs, whose argument is close to the branch point.
@@ -227,8 +228,9 @@ pub fn row(rounding: &Rounding) -> Row {
     }
 }
 
-/// Values of the compared functions at a point in 256-bit arithmetic; `None` if a value is not finite, or if rounding
-/// may change the result of a branch, such as that of abs.
+/// Evaluates in 256-bit arithmetic, at one point, the compiled functions whose rounding errors are measured: those of
+/// the state derivatives, the observation and their Jacobians. `None` if a value is not finite, or if rounding may
+/// change the result of a branch, such as that of abs.
 fn exact(compiled: &Compiled, point: &Point<f64>) -> Option<Vec<Exact>> {
     with_numbers(|| {
         let mut bounds: Inputs<ErrorBound> = Inputs::of(point);

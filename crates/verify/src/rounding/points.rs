@@ -12,7 +12,8 @@ const DURATION: f64 = 0.5;
 /// Maximum number of integration steps between two points sampled along a flight. Flights from most random points need
 /// fewer than 300; from a few random points, the motion is so fast that 100,000 do not suffice.
 const MAX_STEPS: usize = 2_000;
-/// Maximum number of random points from which a flight is attempted, until a flight yields at least one point.
+/// Maximum number of random starting points that are tried for each flight. The first start is used from which at least
+/// one point along the flight can be sampled.
 const MAX_STARTS: usize = 4;
 /// Values that a state is set to in order to measure rounding near 0, relative to the state's typical magnitude.
 const NEAR_ZERO: [f64; 2] = [1e-3, 1e-7];
@@ -36,7 +37,8 @@ pub fn flown(
     points
 }
 
-/// At most `count` points, at equal time intervals, along a simulated flight that starts at the point `at`.
+/// Points along a simulated flight that starts at the point `at`, at intervals of `DURATION / count`, without the
+/// start. Fewer than `count` if the integration fails or the flight leaves the model's validity limits.
 fn flight(subject: &Subject<'_>, mut at: Point<f64>, count: usize) -> Vec<Point<f64>> {
     let points = (0..count).map_while(|_| {
         at = flown_on(subject, &at, DURATION / count as f64)?;

@@ -126,8 +126,9 @@ fn unary<T: Real>(program: &Program, op: Unary, a: T) -> T {
 /// change the result of the branch. It is relative to the magnitude of the argument's terms.
 const BRANCH_DISTANCE: f64 = 1e-9;
 
-/// Signed distance of an operation's argument to its branch point, such as 0 for abs; `None` for an operation without
-/// branches. `of` returns the value of an operand.
+/// Quantity that is 0 at the branch point of an operation and has different signs on its two sides: the argument for
+/// abs and similar functions, a − b for the minimum or maximum of a and b, 1 − a² for asin a. `None` for an operation
+/// without branches. `of` returns the value of an operand.
 fn gap<T: Real>(op: Op, of: impl Fn(Operand) -> T) -> Option<T> {
     match op {
         Op::Unary(Unary::RecipOrZero, a) | Op::IfZero(a, ..) => Some(of(a)),

@@ -29,11 +29,12 @@ const MIN_NORM: f64 = 1e-290;
 /// bits.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Loss {
-    /// Name of what the statement declares: an auxiliary variable, a force or moment, or a derivative such as `der(v)`.
+    /// Name of what the statement declares: an auxiliary variable, a force or moment, a derivative such as `der(v)`, an
+    /// observation, `clock`, `mass` or `inertia`.
     pub name: String,
     /// File name of the model or effect, without folders.
     pub source: String,
-    /// Line number of the statement in this file, from 1.
+    /// Line number of the statement in the file `source`, from 1.
     pub line: usize,
     /// Source text of the line with the statement.
     pub text: String,
@@ -95,9 +96,10 @@ pub fn losses(model: &Model, points: &[(String, Point<f64>)]) -> Vec<Loss> {
     losses
 }
 
-/// Rearranges values to the parameter vector of the model built by [`separated`]: parameters, scalar auxiliary
-/// variables, coefficients, inputs, vector auxiliary variables. `all` is the parameter vector of the original model.
-/// `given` are the components of all auxiliary variables in turn; `lets` is the number of components of each variable.
+/// Builds the parameter vector of the model that [`separated`] returns, in which auxiliary variables are inputs. Its
+/// order is: parameters, scalar auxiliary variables, coefficients, inputs, vector auxiliary variables. `all` is the
+/// parameter vector of the original model. `given` contains the components of its auxiliary variables, one variable
+/// after the other; `lets` contains the number of components of each variable, 1 or 3.
 fn rearranged<T: Copy>(model: &Model, lets: &[usize], all: &[T], given: &[T]) -> Vec<T> {
     let (mut scalars, mut vectors, mut rest) = (Vec::new(), Vec::new(), given);
     for &width in lets {

@@ -8,7 +8,8 @@ use crate::table::plain_table;
 const LISTED: usize = 10;
 
 impl Loss {
-    /// Describes in one sentence how many bits the statement loses, and where.
+    /// Describes the loss in one sentence: file, line and name of the statement, how many of the 53 bits of an f64 are
+    /// inaccurate, and at which point.
     pub fn sentence(&self) -> String {
         format!(
             "{}, line {}: `{}` loses {:.0} of 53 bits at {} (median {:.0}): {}",

@@ -63,7 +63,8 @@ pub enum BodyPartKind {
     AngularVelocityIn(Name),
 }
 
-/// Inertia tensor of a body.
+/// Inertia tensor I of a body about its centre of mass, kg m²: the angular momentum is I ω, so the off-diagonal entries
+/// are negative products of inertia, such as `-∫ x y dm`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inertia {
     /// Entries of the tensor, row by row; `None` for the off-diagonal entries of `diag(…)`.

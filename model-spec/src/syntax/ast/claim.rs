@@ -36,7 +36,8 @@ pub enum ClaimPartKind {
     Fixed(Name),
     /// `axis FRAME.k;`: the axis of revolution of a body to which no declared frame is fixed.
     Axis(Expr),
-    /// `position EXPR;`: position of the centre of mass, m.
+    /// `position EXPR;`: position of the centre of mass relative to the origin of the inertial frame, m; a vector with
+    /// components in any frame.
     Position(Expr),
     /// `velocity EXPR;`: velocity of the centre of mass relative to the inertial frame, m/s.
     Velocity(Expr),

@@ -51,13 +51,16 @@ pub enum EffectPart {
     Generalises(Vec<Name>),
     /// `source "…";`: literature reference, with the source span of the statement.
     Citation(String, Span),
-    /// `increases "…";`: sentence that describes the effect (named change to a model) if its first coefficient exceeds
-    /// its null value (the value at which the effect is absent), with the source span of the statement.
+    /// `increases "…";`: sentence with which a diagnosis describes the effect (named change to a model) where the first
+    /// coefficient of the effect is estimated above its null value (the value at which the effect is absent), with the
+    /// source span of the statement.
     Increases(String, Span),
-    /// `decreases "…";`: sentence that describes the effect (named change to a model) if its first coefficient is below
-    /// its null value (the value at which the effect is absent), with the source span of the statement.
+    /// `decreases "…";`: sentence with which a diagnosis describes the effect (named change to a model) where the first
+    /// coefficient of the effect is estimated below its null value (the value at which the effect is absent), with the
+    /// source span of the statement.
     Decreases(String, Span),
-    /// `site NAME;`: the component of the model that the effect (named change to a model) changes.
+    /// `site NAME;`: the component of the model that the effect (named change to a model) changes, such as `drag`; one
+    /// of [`SITES`](crate::SITES).
     Site(Name),
     /// `variables NAME, NAME;`: kinds of variables on which the magnitude of the effect (named change to a model)
     /// depends, from [`VARIABLES`](crate::VARIABLES), with the source span of the statement.

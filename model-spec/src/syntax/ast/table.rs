@@ -5,7 +5,9 @@ use super::{Name, Quantity, UnitExpr};
 /// Method of interpolation between the knots of a table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Interpolation {
-    /// Cubic spline: continuous second derivative. The default.
+    /// Cubic spline: continuous second derivative between the end knots. It is natural (zero second derivative at the
+    /// end knots) with [`Continuation::Linear`] and clamped (zero slope there) with [`Continuation::Constant`]. The
+    /// default.
     #[default]
     Spline,
     /// Piecewise cubic that is monotone between knots (Fritsch and Carlson 1980), so that it does not overshoot the

@@ -13,8 +13,9 @@ use crate::fit::draw::residuals::{FlightsOfRole, flights_of, panel, residual_fig
 /// Maximum number of dots of each series of residuals in the version of a figure for narrow screens.
 const NARROW_DOTS: usize = 400;
 
-/// Draws one figure for the residuals of the fitted flights and one for those of the held-out flights. A figure without
-/// flights is omitted.
+/// Draws one figure for the residuals of the fitted flights and one for those of the held-out flights: grey for the
+/// model under test, blue for the extended model. If the model was not extended, the colours distinguish the markers
+/// instead. A figure without flights is omitted.
 pub(super) fn residuals(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
     let sigma = page.report.noise.sigma_m;
     let figure = |before: FlightsOfRole<'_>| {

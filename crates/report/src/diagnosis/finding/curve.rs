@@ -66,7 +66,7 @@ struct Abscissa<'m> {
     name: &'m str,
     /// SI unit of the variable, as text.
     unit: String,
-    /// Documentation of an auxiliary variable; empty for other variables.
+    /// Documentation of the variable if it is an auxiliary variable; empty for a state and for the time.
     doc: &'m str,
     is_angle: bool,
     column: Column,
@@ -98,9 +98,10 @@ pub(super) fn of<'n>(fits: &Fits<'_>, effects: impl IntoIterator<Item = &'n str>
     })
 }
 
-/// Scalar variable on which the auxiliary variable with index `at` of the extended model depends; `None` if there is
-/// none. Of several such variables, those listed in the declaration of the effect with index `effect` (among the
-/// effects switched on in the extended model) are preferred.
+/// Scalar variable (state, time or auxiliary variable) on which an auxiliary variable of the extended model depends;
+/// `None` if there is none. `at` is the index of the dependent variable in `Model::aux_variables`; `effect` is the
+/// index in `Model::effects` of the effect that adds or replaces it. Of several variables, the first is returned, but
+/// one that the effect lists in its declaration is preferred.
 fn abscissa(after: &Fit, at: usize, effect: usize) -> Option<Abscissa<'_>> {
     let model = &after.problem().model;
     let mut found = Vec::new();
@@ -266,13 +267,14 @@ struct Models<'f> {
     before: &'f Fit,
     after: &'f Fit,
     flights: Vec<(Option<&'f Observations>, Option<&'f Observations>)>,
-    /// Index of the drawn quantity in the model under test (`None` if that model lacks the quantity), and in the
-    /// extended model.
+    /// Index of the drawn quantity among the quantities (components of auxiliary variables) of the compiled model: for
+    /// the model under test (`None` if it lacks the quantity), and for the extended model.
     positions: (Option<usize>, usize),
-    /// Finite-difference step for the derivative with respect to each parameter common to all flights: the standard
-    /// error of the parameter, SI; 0 if it has none.
+    /// Finite-difference step for the derivative with respect to each parameter common to all flights, in the order of
+    /// the fit of the extended model: the standard error of the parameter in this fit, SI; 0 if it has none.
     steps: Vec<f64>,
-    /// Correlation matrix of the parameters common to all flights; 0 for parameters without a standard error.
+    /// Correlation matrix of the estimates of the parameters common to all flights in the fit of the extended model, in
+    /// the order of `steps`; 0 for parameters without a standard error.
     correlations: DMatrix<f64>,
 }
 
@@ -312,7 +314,7 @@ impl<'f> Models<'f> {
     }
 
     /// At a sample: value of the drawn quantity in the model under test, value in the extended model, and standard
-    /// error of the value in the extended model.
+    /// error of the value in the extended model, SI. NaN if the model lacks the quantity or its fit lacks the flight.
     fn values(&self, sample: &Sample<'_>) -> [f64; 3] {
         let (before, after) = self.flights[sample.flight];
         let unextended = match (before, self.positions.0) {

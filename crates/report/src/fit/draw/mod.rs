@@ -46,7 +46,7 @@ struct MeasuredPoint {
     time: f64,
     /// Index of the marker among the markers of the flight.
     marker: usize,
-    /// Measured position, m.
+    /// Measured position, m, in the inertial frame.
     measured: [f64; 3],
     /// Measured − predicted position, mm; NaN if there is no prediction.
     residual: [f64; 3],
@@ -72,7 +72,7 @@ fn points(flight: &FlightEvidence, markers: usize) -> impl Iterator<Item = Measu
     samples(flight).flat_map(move |sample| (0..markers).filter_map(move |k| at(sample, k)))
 }
 
-/// Predicted position of a marker at a sample, m; NaN if there is no prediction.
+/// Predicted position of a marker at a sample, m, in the inertial frame; NaN if there is no prediction.
 fn predicted(flight: &FlightEvidence, sample: usize, marker: usize) -> [f64; 3] {
     let row = flight.predicted[sample].get(marker);
     row.copied().unwrap_or([f64::NAN; 3])

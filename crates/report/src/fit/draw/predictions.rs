@@ -96,7 +96,8 @@ fn figure(
     Drawn::of_panels(name, &flight.file, caption, Layout::SMALL, &panels)
 }
 
-/// Times (s) and prediction errors (mm) of a flight along one axis, for all markers, without outliers.
+/// Times (s) and prediction errors (measured − predicted position, mm) of a flight along one axis of the inertial frame
+/// (0 x, 1 y, 2 z), for all markers. Outliers and errors that are not finite are omitted.
 fn errors(flight: &FlightEvidence, axis: usize) -> Vec<(f64, f64)> {
     let points = points(flight, flight.markers.len()).filter(|point| !point.is_outlier);
     let errors = points.map(|point| (point.time, point.residual[axis]));

@@ -17,9 +17,11 @@ pub(super) struct Lift {
     pub(super) speed: f64,
     /// Unit vector from the first to the last measured position.
     pub(super) direction: Vector3<f64>,
-    /// Lift coefficient as a vector along the axis about which the lift rotates the velocity; dimensionless.
+    /// Lift coefficient as a vector C along the axis about which the lift rotates the velocity v: the lift points along
+    /// C × v. Dimensionless, in the axes of the measured positions; the y component is 0.
     pub(super) turn: Vector3<f64>,
-    /// Spin vector ω that the data state, made dimensionless: ball radius × ω / speed.
+    /// Spin vector ω that the data state, made dimensionless: ball radius × ω / speed. In the axes of the measured
+    /// positions.
     pub(super) spin: Vector3<f64>,
     /// RMS residual of the fitted path along y, the direction of flight, m.
     pub(super) residual_along: f64,

@@ -2,8 +2,9 @@
 
 use identify::dataset::Dataset;
 
-/// First and last file number of each part of the recording in which every lift agrees with the spin that the data
-/// state.
+/// First and last file number (both included) of each part of the recording in which every lift agrees with the spin ω
+/// that the data state, that is, points to the side of ω × v for the velocity v. The parts were chosen by the computed
+/// cosines between lift and ω × v.
 pub(super) const AGREEING: [(u32, u32); 2] = [(2, 54), (139, 213)];
 
 /// Number formed by the digits in the file name of a flight; 0 if it has none.

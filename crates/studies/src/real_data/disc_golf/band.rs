@@ -22,8 +22,9 @@ pub(super) struct Band {
     pub(super) within: f64,
 }
 
-/// Simulates `draws` random launches of a throw, drawn from normal distributions about its published launch quantities
-/// with their published uncertainties.
+/// Simulates `draws` random launches of a throw, and summarises their last positions and their agreement with the
+/// measured track. Each launch quantity is drawn from a normal distribution with its published value as mean and its
+/// published uncertainty as standard deviation.
 pub(super) fn band(simulator: &Simulator<'_>, throw: &Throw, draws: usize, seed: u64) -> Band {
     let points = throw.points();
     let times: Vec<f64> = points.iter().map(|(time, _)| *time).collect();

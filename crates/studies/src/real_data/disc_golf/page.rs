@@ -23,7 +23,7 @@ struct Section {
 #[derive(Serialize)]
 struct ThrowRow {
     number: u32,
-    /// Horizontal position (x, y) of the last point of the measured track, m.
+    /// Horizontal position (x, y) of the last point of the measured track relative to the release, m.
     end: [f64; 2],
     stated_rms: Option<f64>,
     mean: [f64; 2],
@@ -45,7 +45,8 @@ struct FactorRow {
     /// Fitted factors by which the tabulated lift, drag and pitching moment are multiplied, each with its standard
     /// error.
     factors: [(f64, f64); 3],
-    /// Maximum, over the launch quantities, of the change by the fit, in units of the quantity's published uncertainty.
+    /// Maximum, over the launch quantities, of the absolute change by the fit, in units of the quantity's published
+    /// uncertainty.
     greatest_change: f64,
 }
 

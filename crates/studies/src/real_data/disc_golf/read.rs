@@ -76,8 +76,8 @@ pub(crate) fn throws(folder: &Path) -> Result<Vec<Throw>, StudyError> {
     throws.collect()
 }
 
-/// Reads a track from a file with two header lines and a time (s) and a position (m) on each further line. Times are
-/// shifted to start at 0.
+/// Reads a track from a file with two header lines. Each further line starts with a time (s) and the horizontal
+/// coordinates x and y (m); lines with fewer than three numbers are skipped. Times are shifted to start at 0.
 fn track(file: &Path) -> Result<Vec<TrackPoint>, StudyError> {
     let text = text_of(file)?;
     let points = rows(&text, 2).filter_map(|(_, line)| {

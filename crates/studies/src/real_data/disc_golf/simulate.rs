@@ -30,7 +30,8 @@ const MAX_INTERVAL: f64 = 0.02;
 /// pitching moment change by less than a tenth of their standard errors.
 const MAX_STEP: f64 = 2e-3;
 
-/// Angle of attack (rad) below which the tabulated pitching moment is set to 0.
+/// Magnitude of the angle of attack (rad) up to which the pitching moment is set to 0. The model's moment slope is the
+/// tabulated moment divided by the angle, which must not be 0.
 const MIN_ALPHA: f64 = 1e-4;
 
 /// Factors by which the tabulated coefficients of lift, drag and pitching moment are multiplied.
@@ -77,8 +78,8 @@ impl<'a> Simulator<'a> {
         })
     }
 
-    /// Simulated horizontal positions (x, y), m, of the disc at `times` (s) after a launch. Times after the landing
-    /// give the landing position.
+    /// Simulated horizontal positions (x, y), m, of the disc at `times` (s) after a launch, relative to the release and
+    /// in the axes of the measured track. Times after the landing give the landing position.
     pub(super) fn track(
         &self,
         throw: &Throw,
@@ -132,8 +133,8 @@ impl<'a> Simulator<'a> {
         positions.collect()
     }
 
-    /// Sets the wind (m/s), and the coefficients so that the model's lift, drag and pitching moment at the body's angle
-    /// of attack equal the tabulated values multiplied by `factors`.
+    /// Writes the wind (m/s) and aerodynamic coefficients to `constants`. With these coefficients, the model's lift,
+    /// drag and pitching moment at the body's angle of attack equal the tabulated values multiplied by `factors`.
     fn set_constants(
         &self,
         constants: &mut Point<f64>,
@@ -151,8 +152,9 @@ impl<'a> Simulator<'a> {
     }
 }
 
-/// State of the disc at the release, with the launch quantities `launch` (speed, angles and wind) and the spin and
-/// height of `throw`.
+/// State of the disc at the release, with the speed and angles in `launch` (the wind in `launch` is not used) and the
+/// spin and height of `throw`. The axes are those of the measured track, with the origin on the ground below the
+/// release.
 fn release(throw: &Throw, launch: &Launch) -> Physical<f64> {
     let (axis, velocity) = axis_and_velocity(launch);
     let first = Vector3::x().cross(&axis).cross(&axis).normalize();

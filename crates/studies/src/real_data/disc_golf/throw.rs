@@ -44,7 +44,8 @@ pub(super) struct Disc {
     pub(super) table: Vec<Measured>,
 }
 
-/// Time (s) and horizontal position (x, y; m) of a point of a measured track.
+/// Time (s) and horizontal position (x, y), m, of a point of a measured track. The origin is near the release. x points
+/// in the direction from which the launch yaw is measured, y to its left.
 pub(crate) type TrackPoint = (f64, [f64; 2]);
 
 /// A filmed throw: published launch conditions and measured track.
@@ -71,9 +72,9 @@ impl Throw {
     }
 }
 
-/// Axis of the disc (unit vector) and velocity (m/s) at a launch, in axes with x along the launch direction and z up.
-/// As in the simulation of Giljarhus and others (2022), the disc is first rolled, and the launch pitch then changes the
-/// attitude of the rolled disc.
+/// Axis of the disc (unit vector) and velocity (m/s) at a launch, in axes with z up and x in the direction from which
+/// the launch yaw is measured; positive yaw turns x towards y. As in the simulation of Giljarhus and others (2022), the
+/// disc is first rolled, and the launch pitch then changes the attitude of the rolled disc.
 pub(crate) fn axis_and_velocity(launch: &Launch) -> (Vector3<f64>, Vector3<f64>) {
     let [speed, pitch, roll, nose, yaw, ..] = *launch;
     let turned = |v: Vector3<f64>| {

@@ -21,8 +21,9 @@ struct Section<'d> {
     tilted: Ratio,
     jackknife: f64,
     pooled: [f64; 3],
-    /// Estimated x and y components of the tilt between the true vertical and the normal of the tag on the ground, each
-    /// with its standard error, degrees.
+    /// Estimated rotations of the measured axes, whose z axis is the normal of the tag on the ground, against true
+    /// upright axes: first about x, then about the rotated y axis. Each is a pair (estimate, standard error), degrees;
+    /// NaN if not estimated.
     tilts: Vec<[f64; 2]>,
     coefficients: Vec<CoefficientRow>,
     /// RMS residuals of the fit of all throws: of the measured attitudes, degrees, and of the measured positions, mm.

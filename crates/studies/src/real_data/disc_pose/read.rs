@@ -8,8 +8,8 @@ use nalgebra::{Quaternion, Rotation3, UnitQuaternion, Vector3};
 use crate::error::StudyError;
 use crate::real_data::files::{absent, bad_line, rows, text_of};
 
-/// Range of the time since the first sample of a file in which the poses are used, s. Later samples come from lost
-/// tracking.
+/// Range of the time since the first sample of a file in which the poses are used, s. Poses after this range are wrong,
+/// because the tracking of the printed tag was lost.
 pub(super) const FOLLOWED: (f64, f64) = (0.03, 0.25);
 
 /// Name of the file with the measured poses of the printed tag at rest on the ground.
@@ -22,7 +22,8 @@ const LEFT_OUT: [&str; 3] = ["drive17.csv", "throw0.csv", "drive14fliplabel.csv"
 /// Header line of a table of measured poses (time, position, attitude quaternion).
 const HEADER: &str = "t_s,x_m,y_m,z_m,qw,qx,qy,qz";
 
-/// One row of a table of poses: time, s, position, m, and attitude of the tag.
+/// One row of a table of poses of the printed tag: time, s; position in camera axes, m; and attitude, as the rotation
+/// from the tag's to the camera's axes.
 type Row = (f64, Vector3<f64>, UnitQuaternion<f64>);
 
 /// The measured throws in axes with z up. The upward direction is estimated from a tag at rest on the ground.

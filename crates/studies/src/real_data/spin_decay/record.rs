@@ -16,7 +16,7 @@ const MIN_SAMPLES: usize = 10;
 pub(super) struct Record {
     /// Times since the release of the disc, s.
     pub(super) times: Vec<f64>,
-    /// Angular rates about the disc's axis, rad/s.
+    /// Angular rate about the disc's axis at each of the `times`, rad/s: the signed gyroscope reading `gz`.
     pub(super) rates: Vec<f64>,
 }
 

@@ -77,8 +77,9 @@ struct Section {
     stall: [Option<f64>; 2],
     moment_constant: [Option<f64>; 2],
     moment_cubic: [Option<f64>; 2],
-    /// Angle of attack with minimum drag, from a fit over the narrowest and a fit over the widest range of angle of
-    /// attack, degrees; `None` if there is no minimum or there are too few rows.
+    /// Angle of attack of minimum drag, degrees, from a fit of a parabola with a free vertex to the tabulated drag. The
+    /// first entry is from the fit over the narrowest, the second over the widest range of angle of attack; `None` if
+    /// the parabola has no minimum or the range contains too few rows of the table.
     least_drag: [Option<f64>; 2],
 }
 

@@ -14,7 +14,8 @@ pub(in super::super) struct Measured {
     pub(in super::super) coefficients: [f64; 3],
 }
 
-/// Reads a table with the columns `alpha_deg,CL,CD,CM`. The file's moment is nose-up positive.
+/// Reads a table with the columns `alpha_deg,CL,CD,CM`, in the order of the file. Angles are converted to rad. `CM` is
+/// positive nose up in the file; its sign is reversed.
 pub(in super::super) fn read(file: &Path) -> Result<Vec<Measured>, StudyError> {
     let text = text_of(file)?;
     let rows = rows(&text, 1).map(|row| {

@@ -35,7 +35,8 @@ impl Tapes {
         Self(programs.into_iter().map(Tape::new).collect())
     }
 
-    /// Concatenated results of all compiled functions of the model at a point.
+    /// Concatenated results of all compiled functions of the model at a point, in the order of
+    /// [`codegen::Compiled::functions`].
     #[inline(always)]
     pub fn results<T: Real>(&self, at: &Numbers<T>) -> Vec<T> {
         let (mut all, mut prepared, mut scratch) = (Vec::new(), Vec::new(), Vec::new());

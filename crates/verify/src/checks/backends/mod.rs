@@ -34,7 +34,8 @@ pub struct Run {
     pub backend: String,
     /// Whether the backend (generated code or bytecode interpreter) computes with fused multiply-add operations.
     pub fuses: bool,
-    /// For each point, the concatenated results of all compiled functions of the model.
+    /// For each point, the concatenated results of all compiled functions of the model, in the order of
+    /// `codegen::Compiled::functions`.
     pub results: Vec<Vec<f64>>,
 }
 

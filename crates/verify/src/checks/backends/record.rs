@@ -254,8 +254,8 @@ fn inputs(count: usize, operand: fn(u32) -> Operand) -> Vec<Recorded> {
     (0..index(count)).map(|k| input(operand(k))).collect()
 }
 
-/// Records the operations that `function` executes as a program. `lengths` are the lengths of the slices into which
-/// `function` writes its results.
+/// Calls `function` and returns the operations that it executes, recorded as a program. `lengths` are the lengths of
+/// the slices into which `function` writes its results; these are the outputs of the program.
 fn record<const N: usize>(
     lengths: [usize; N],
     function: impl FnOnce([&mut [Recorded]; N]),
