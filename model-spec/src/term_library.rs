@@ -69,8 +69,9 @@ index_type!(
 /// one of `channels` (such as the drag).
 #[derive(Clone, Debug)]
 pub struct TermLibrary {
-    /// Effect (named change to a model) that declares the variables that the model does not have, and adds to each of
-    /// `channels` the term with the constant product 1: the coefficient [`Channel::coefficient`] alone.
+    /// Effect (named change to a model) that adds to each of `channels` (loads or state derivatives) one constant term:
+    /// the coefficient [`Channel::coefficient`], multiplied by no variable. It also declares those of `variables` that
+    /// the model does not have.
     pub loads: EffectTree,
     /// Quantities to which a term can be added: components of forces and moments, or derivatives of states.
     pub channels: IndexVec<ChannelId, Channel>,
@@ -297,7 +298,8 @@ impl TermLibrary {
             match factor.power {
                 1 => variable.clone(),
                 2 => format!("{variable}-squared"),
-                _ => format!("{variable}-cubed"),
+                3 => format!("{variable}-cubed"),
+                power => format!("{variable}-to-the-{power}"),
             }
         };
         let factors: Vec<String> = self.factors(term).iter().map(factor).collect();
@@ -422,7 +424,9 @@ fn powers(variables: &[VariableId]) -> Vec<Factor> {
 fn filled(part: &EffectPart, name: &str, term: &Expr) -> EffectPart {
     let mut part = part.clone();
     if let EffectPart::Replace(item) | EffectPart::Add(item) = &mut part {
-        if let ItemKind::Load(load) = &mut item.kind {
+        if let ItemKind::Load(load) = &mut item.kind
+            && load.name.text == "NAME"
+        {
             name.clone_into(&mut load.name.text);
         }
         if let Some(value) = item.kind.value_mut() {

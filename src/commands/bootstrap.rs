@@ -7,7 +7,7 @@ use anyhow::{Context, bail};
 use identify::dataset::{self, Dataset, Role};
 use identify::{Fit, FitOptions};
 use model_spec::model::Model;
-use serde_json::json;
+use serde_json::{Value, json};
 use sweep::folder::{PartsFolder, fingerprint, share_of};
 
 use super::fit::{held, model_of, priors};
@@ -50,7 +50,7 @@ pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
     let folder = folder.context("--out")?;
     if let Some(summary) = folder.summary() {
         output::print(summary::text(&summary))?;
-        return Ok(Answer::Yes);
+        return Ok(answer(&summary));
     }
     progress::resumes();
     let bar = Progress::new()?;
@@ -95,11 +95,18 @@ pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
     folder.discard_parts();
     output::print(summary::text(&summary))?;
     eprintln!("refits.csv and summary.json are in {out}");
-    if fit.report.reliable {
-        return Ok(Answer::Yes);
+    Ok(answer(&summary))
+}
+
+/// Whether the fit that was refitted is reliable, by the summary of the bootstrap. If it is not, prints the reasons.
+fn answer(summary: &Value) -> Answer {
+    if summary["reliable"] == json!(true) {
+        return Answer::Yes;
     }
-    eprintln!("do not rely on this fit: {}", fit.report.why.join("; "));
-    Ok(Answer::No)
+    let why = summary["why"].as_array().into_iter().flatten();
+    let why: Vec<&str> = why.filter_map(Value::as_str).collect();
+    eprintln!("do not rely on this fit: {}", why.join("; "));
+    Answer::No
 }
 
 /// Number of flights to which `fit` fitted the model, without the excluded flights.

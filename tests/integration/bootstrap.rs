@@ -5,11 +5,15 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 fn bootstrap(out: &Path, more: &[&str]) -> Output {
+    bootstrap_of("ball", out, &[&["--refits", "40"], more].concat())
+}
+
+fn bootstrap_of(example: &str, out: &Path, more: &[&str]) -> Output {
     let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
     Command::new(env!("CARGO_BIN_EXE_hyzer"))
         .arg("bootstrap")
-        .arg(examples.join("ball"))
-        .args(["--refits", "40", "--out"])
+        .arg(examples.join(example))
+        .arg("--out")
         .arg(out)
         .args(more)
         .output()
@@ -78,4 +82,19 @@ fn other_work_and_foreign_folders_are_refused() {
     fs::write(around.path().join("foreign/mine.txt"), "").expect("written");
     let output = bootstrap(&around.path().join("foreign"), &[]);
     assert_eq!(output.status.code(), Some(2), "{output:?}");
+}
+
+#[test]
+fn an_unreliable_fit_is_unreliable_each_time() {
+    let around = tempfile::tempdir().expect("a folder");
+    let out = around.path().join("out");
+    for time in ["computed", "shown again"] {
+        let output = bootstrap_of("mystery", &out, &["--refits", "4"]);
+        assert_eq!(output.status.code(), Some(1), "{time}: {output:?}");
+        let message = String::from_utf8(output.stderr).expect("text");
+        assert!(
+            message.contains("do not rely on this fit: the residuals"),
+            "{time}: {message}"
+        );
+    }
 }

@@ -19,8 +19,8 @@ pub(super) struct Turned {
     /// Part of the inertia tensor, kg m², that is not symmetric about the rotation axis between the two frames, and
     /// therefore varies in the frame of the components of the angular velocity; components in the latter frame.
     rest: Matrix,
-    /// Angular velocity, rad/s, of the frame in which the inertia tensor is constant, relative to the frame of the
-    /// components of the angular velocity; components in the latter frame.
+    /// Angular velocity, rad/s, of the frame in which the inertia tensor is constant, relative to the frame in whose
+    /// components the body's angular velocity is stated; components in the latter frame.
     relative: Vector,
 }
 

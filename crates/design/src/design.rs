@@ -257,7 +257,7 @@ impl Task<'_> {
         }
         match last {
             Some(last) if starts.is_empty() => Err(DesignError::NoFlight {
-                tried: options.starts,
+                tried: options.starts.max(1),
                 last,
             }),
             _ => Ok(starts),

@@ -7,11 +7,11 @@ use nalgebra::{Vector2, Vector3};
 pub struct Point {
     /// Time since release, s.
     pub t: f64,
-    /// Position of the mass centre, m.
+    /// Position of the mass centre in the inertial frame, m.
     pub position: Vector3<f64>,
-    /// Velocity of the mass centre, m/s.
+    /// Velocity of the mass centre in the inertial frame, m/s.
     pub velocity: Vector3<f64>,
-    /// Acceleration of the mass centre, m/s².
+    /// Acceleration of the mass centre in the inertial frame, m/s².
     pub acceleration: Vector3<f64>,
     /// Derivatives of the position at fixed time, m per unit of each quantity with respect to which the path is
     /// differentiated.

@@ -204,9 +204,10 @@ impl ThrowFlights<'_> {
         }
     }
 
-    /// Position (m), velocity (m/s) and acceleration (m/s²) of the mass centre at a state. The derivatives of position
-    /// and velocity are taken from the columns of the sensitivity matrix S that `s` lists; they are empty if `s` is
-    /// `None`.
+    /// Position (m), velocity (m/s) and acceleration (m/s²) of the mass centre, in the inertial frame, at the state `x`.
+    /// `x` holds the states, followed by the sensitivity matrix S, the derivatives of the states with respect to initial
+    /// states and parameters, in the layout that `s` gives. For each column of S that `s` lists, the result has the
+    /// derivatives of position and velocity; it has none if `s` is `None`.
     pub(crate) fn point(
         &self,
         t: f64,

@@ -25,6 +25,17 @@ pub enum BindError {
         /// Name, in the reference law, of the state that the model does not declare.
         name: &'static str,
     },
+    /// An input that the reference law (independent implementation of a law of motion) takes as an inertial vector is
+    /// declared in another frame.
+    #[error(
+        "the input `{name}` is declared in the frame `{frame}`; the reference expects it in the inertial frame"
+    )]
+    InputFrame {
+        /// Name of the input.
+        name: &'static str,
+        /// Name of the frame in which the model declares the input.
+        frame: String,
+    },
     /// An effect (optional addition to a model) has no reference implementation for the law of motion that the model
     /// names.
     #[error("the effect `{name}` has no reference implementation for this law")]

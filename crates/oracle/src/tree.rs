@@ -249,11 +249,11 @@ impl<'a, T: Real> Tree<'a, T> {
             K::Atan2(y, x) => Scalar(self.scalar(y).atan2(self.scalar(x))),
             K::Min(a, b) => {
                 let (a, b) = (self.scalar(a), self.scalar(b));
-                Scalar(if b.re() < a.re() { b } else { a })
+                Scalar(if a.re() < b.re() { a } else { b })
             }
             K::Max(a, b) => {
                 let (a, b) = (self.scalar(a), self.scalar(b));
-                Scalar(if b.re() > a.re() { b } else { a })
+                Scalar(if a.re() > b.re() { a } else { b })
             }
         }
     }

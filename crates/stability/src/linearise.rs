@@ -19,7 +19,7 @@ const WEIGHTS: [f64; 3] = [45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0];
 /// Reason why the motion of a body cannot be linearised.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum StabilityError {
-    /// The model has no body, or no state with the requested motion.
+    /// The model has no body, or no values of its states have the requested motion of the body.
     #[error(transparent)]
     Throw(#[from] ThrowError),
     /// The model is a point mass, which has no attitude.
@@ -106,7 +106,8 @@ pub struct Linearised {
 }
 
 impl BoundBody<'_> {
-    /// Linearises the motion about a state at time `t`, s.
+    /// Linearises the motion about `state`, the values of the model's states in the order of its
+    /// `Layout`, at time `t`, s.
     ///
     /// # Errors
     /// [`StabilityError::NotFinite`] if the linearised motion is not finite at the state.

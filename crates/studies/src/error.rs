@@ -36,7 +36,7 @@ pub enum StudyError {
     },
     /// An expected name is missing in a model (such as a coefficient), in a fit, or in a list (such as that of the
     /// built-in releases).
-    #[error("the built-in {of} has no {name}")]
+    #[error("the {of} has no {name}")]
     Name {
         /// Description of the model, fit or list in which the name was looked up.
         of: &'static str,

@@ -325,8 +325,8 @@ fn conserved(
     })
 }
 
-/// Force (N) and moment (N·m) on the body in inertial components, and its mass properties in the body frame, at a
-/// point. They are taken from the reference law or, without one, from the model's body. `None` if the model has
+/// Force (N) on the body and moment (N·m) about its centre of mass, in inertial components, and its mass properties in
+/// the body frame, for the time, states and parameters of `point`. They are taken from the reference law or, without one, from the model's body. `None` if the model has
 /// neither.
 fn loads(
     subject: &Subject<'_>,

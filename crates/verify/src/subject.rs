@@ -246,6 +246,7 @@ pub trait Differentiable: Equations {
 pub struct Derivatives {
     /// Values of the state derivatives, then of the observation components.
     pub values: Vec<f64>,
-    /// Entries of the Jacobian, indexed by row and column.
+    /// Jacobian of `values`, indexed by row (result) and column (state, parameter, coefficient or component of an
+    /// input).
     pub entries: Vec<Vec<f64>>,
 }

@@ -139,6 +139,33 @@ fn a_term_is_written_as_its_formula_is_read() {
 }
 
 #[test]
+fn a_template_may_replace_a_load_of_the_model() {
+    let (name, text) = *TERM_LIBRARIES
+        .iter()
+        .find(|(name, _)| name.starts_with("disc"))
+        .expect("a library of discs");
+    let (force, product) = ("force NAME = q*A*TERM*d2", "products = [");
+    assert!(text.contains(force) && text.contains(product));
+    let text = text
+        .replacen(force, "replace force weight = previous + q*A*TERM*d2", 1)
+        .replacen(
+            product,
+            &format!("{product} [{}],", [r#""alpha""#; 4].join(", ")),
+            1,
+        );
+    let library = TermLibrary::parse(name, &text).unwrap();
+    let side = library
+        .terms()
+        .find(|term| library.channels[term.channel].name == "side");
+    let effect = library.effect(side.unwrap(), "Doc.");
+    assert!(effect.name().ends_with("alpha_to_the_4"), "{effect}");
+    assert!(
+        effect.to_string().contains("replace force weight ="),
+        "{effect}"
+    );
+}
+
+#[test]
 fn each_fault_of_a_library_has_its_error() {
     let (name, text) = TERM_LIBRARIES[0];
     let faulty = |from: &str, to: &str| {

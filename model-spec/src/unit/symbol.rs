@@ -9,7 +9,7 @@ pub struct Symbol {
     pub unit: Unit,
     /// Conversion factor: SI value of one unit of the symbol, such as 0.001 for `mm`.
     pub factor: f64,
-    /// Conversion factor as (numerator, denominator); `None` if it contains π.
+    /// `factor` as an exact fraction (numerator, denominator), such as (1, 1000) for `mm`; `None` if it contains π.
     pub exact: Option<(i128, i128)>,
 }
 

@@ -58,6 +58,8 @@ pub(super) fn json(fit: &Fit, refits: &[Refit], options: &Bootstrap) -> Value {
         "converged": converged.len(),
         "seed": options.seed,
         "flights": super::flights(fit),
+        "reliable": fit.report.reliable,
+        "why": fit.report.why,
         "coefficients": coefficients,
         "correlations": correlations,
     })

@@ -60,8 +60,8 @@ pub struct ThrowRanges {
     pub launch: (f64, f64),
     /// Nose angle: angle of attack at release, positive nose up, rad.
     pub nose: (f64, f64),
-    /// Hyzer angle: tilt of the body about the velocity, rad; positive if the right edge, seen from behind, is the
-    /// lower one.
+    /// Hyzer angle: tilt of the body about the velocity, rad; positive if the left edge, seen from behind, is the lower
+    /// one.
     pub hyzer: (f64, f64),
     /// Absolute spin rate about the axis of symmetry, rad/s; throws with either sense of rotation are drawn.
     pub spin: (f64, f64),

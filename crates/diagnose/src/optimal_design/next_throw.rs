@@ -1,6 +1,7 @@
 //! The throw that would best distinguish the accepted hypotheses.
 
 use flight::batch;
+use flight::throw::Throw;
 use identify::{
     FitProblem, Iterate, Loss, NoiseModel, NormalBlock, Observations, Unknowns, linearise,
     state_for_motion,
@@ -10,7 +11,7 @@ use rand_chacha::ChaCha12Rng;
 use serde::{Deserialize, Serialize};
 
 use super::information::{Alternative, information, separation};
-use super::release::Release;
+use super::release::{RPM, draw, rigid_motion};
 use crate::context::{ScoreTestModel, ThrowRanges};
 use crate::error::DiagnosisError;
 use crate::selection::Search;
@@ -48,10 +49,11 @@ pub struct NextThrow {
     pub launch: f64,
     /// Nose angle: angle of attack at release, positive nose up, rad.
     pub nose: f64,
-    /// Hyzer angle: tilt of the disc about the velocity, rad; positive if the right edge, seen from behind, is the
-    /// lower one.
+    /// Hyzer angle: tilt of the disc about the velocity, rad; positive if the left edge, seen from behind, is the lower
+    /// one.
     pub hyzer: f64,
-    /// Spin rate about the axis of symmetry, rad/s; negative for a right-handed backhand.
+    /// Spin rate about the axis of symmetry, rad/s; positive clockwise as seen from above, as of a right-handed
+    /// backhand.
     pub spin: f64,
     /// Heading of the velocity in the horizontal plane, measured from the x axis towards the y axis, rad.
     pub heading: f64,
@@ -87,20 +89,18 @@ pub(crate) fn next_throw(
     let alternatives: Vec<Alternative> = each.collect();
     let now = separation(&model.base, &alternatives, &known);
     let mut random = ChaCha12Rng::seed_from_u64(SEED);
-    let releases: Vec<Release> = (0..THROWS)
-        .map(|_| Release::draw(ranges, &mut random))
-        .collect();
-    let after = batch::each_on(model.threads(), releases.len(), |index| {
-        let flight = (&model.flights[0], &releases[index]);
+    let throws: Vec<Throw> = (0..THROWS).map(|_| draw(ranges, &mut random)).collect();
+    let after = batch::each_on(model.threads(), throws.len(), |index| {
+        let flight = (&model.flights[0], &throws[index]);
         let block = simulated(problem, flight, ranges, iterate, noise)?;
         let more = information(model, &[block])?;
         Some(separation(&model.base, &alternatives, &(&known + more)))
     });
-    let each = after.into_iter().zip(&releases);
+    let each = after.into_iter().zip(&throws);
     let best = each
-        .filter_map(|(after, release)| Some((after?, release)))
+        .filter_map(|(after, throw)| Some((after?, throw)))
         .max_by(|a, b| a.0.total_cmp(&b.0));
-    Ok(best.map(|(after, release)| NextThrow::new(release, after, now)))
+    Ok(best.map(|(after, throw)| NextThrow::new(throw, after, now)))
 }
 
 /// Normal equations of a simulated flight from the launch conditions `release`, under the conditions of the measured
@@ -108,7 +108,7 @@ pub(crate) fn next_throw(
 /// cannot be integrated.
 fn simulated(
     problem: &FitProblem,
-    (like, release): (&Observations, &Release),
+    (like, throw): (&Observations, &Throw),
     ranges: &ThrowRanges,
     at: &Iterate,
     noise: &NoiseModel,
@@ -120,7 +120,7 @@ fn simulated(
         problem.has_attitude,
         problem.body.layout().components(ANGULAR_VELOCITY),
     ) {
-        let spin = release.motion(ranges.height, true).rates?;
+        let spin = rigid_motion(throw, true).rates?;
         for (component, value) in components.iter().zip(spin.iter()) {
             parameters[component.index()] = *value;
         }
@@ -134,7 +134,7 @@ fn simulated(
         stand_ins: Vec::new(),
         ..like.clone()
     };
-    let motion = release.motion(ranges.height, problem.has_attitude);
+    let motion = rigid_motion(throw, problem.has_attitude);
     let local = state_for_motion(problem, &observations, &motion).ok()?;
     let unknowns = (&at.global, &local);
     let loss = Loss::Whitened(noise);
@@ -150,38 +150,39 @@ fn simulated(
 }
 
 impl NextThrow {
-    fn new(release: &Release, after: f64, now: f64) -> Self {
+    fn new(throw: &Throw, after: f64, now: f64) -> Self {
+        let radians = |degrees: Option<f64>| degrees.unwrap_or(0.0).to_radians();
         Self {
-            says: sentence(release, after, now),
-            speed: release.speed,
-            launch: release.launch,
-            nose: release.nose,
-            hyzer: release.hyzer,
-            spin: release.spin,
-            heading: release.heading,
+            says: sentence(throw, after, now),
+            speed: throw.speed,
+            launch: throw.launch.to_radians(),
+            nose: radians(throw.nose),
+            hyzer: radians(throw.hyzer),
+            spin: throw.spin.unwrap_or(0.0) * RPM,
+            heading: throw.heading.to_radians(),
             separation: after,
             separation_now: now,
         }
     }
 }
 
-fn sentence(release: &Release, after: f64, now: f64) -> String {
+/// Describes a throw in the numbers of a release's `[throw]`, or states that no throw helps.
+fn sentence(throw: &Throw, after: f64, now: f64) -> String {
     if after < SUFFICIENT_SEPARATION && after < MIN_IMPROVEMENT * now.max(1.0) {
         return format!(
             "no throw helps: after the best of {THROWS} simulated throws the closest explanations would be {after:.1} standard \
              deviations apart ({now:.1} now); measure their parameters by other means"
         );
     }
-    let degrees = |angle: f64| format!("{:.0}°", angle.to_degrees());
     format!(
-        "throw at {:.0} m/s, launch angle {}, nose angle {}, hyzer angle {}, spin {:.0} rad/s, heading {}: the closest \
-         explanations would be {after:.1} standard deviations apart ({now:.1} now)",
-        release.speed,
-        degrees(release.launch),
-        degrees(release.nose),
-        degrees(release.hyzer),
-        release.spin,
-        degrees(release.heading)
+        "throw at {:.0} m/s, launch angle {:.0}°, nose angle {:.0}°, hyzer angle {:.0}°, spin {:.0} rpm, heading {:.0}°: the \
+         closest explanations would be {after:.1} standard deviations apart ({now:.1} now)",
+        throw.speed,
+        throw.launch,
+        throw.nose.unwrap_or(0.0),
+        throw.hyzer.unwrap_or(0.0),
+        throw.spin.unwrap_or(0.0),
+        throw.heading
     )
 }
 
@@ -191,16 +192,23 @@ mod tests {
 
     #[test]
     fn a_throw_is_recommended_only_if_it_helps() {
-        let release = Release {
-            speed: 20.0,
-            launch: 0.1,
-            nose: 0.0,
-            hyzer: 0.2,
-            spin: -60.0,
-            heading: 0.0,
+        let throw = Throw {
+            launch: 6.0,
+            nose: Some(0.0),
+            hyzer: Some(11.0),
+            spin: Some(570.0),
+            ..Throw::at_speed(20.0)
         };
-        assert!(sentence(&release, 5.0, 4.5).starts_with("throw at 20 m/s, launch angle 6°"));
-        assert!(sentence(&release, 2.0, 1.0).starts_with("throw"));
-        assert!(sentence(&release, 1.2, 1.0).starts_with("no throw helps"));
+        let text = sentence(&throw, 5.0, 4.5);
+        assert!(
+            text.starts_with("throw at 20 m/s, launch angle 6°"),
+            "{text}"
+        );
+        assert!(
+            text.contains("hyzer angle 11°, spin 570 rpm, heading 0°"),
+            "{text}"
+        );
+        assert!(sentence(&throw, 2.0, 1.0).starts_with("throw"));
+        assert!(sentence(&throw, 1.2, 1.0).starts_with("no throw helps"));
     }
 }

@@ -214,6 +214,26 @@ impl Throw {
         })
     }
 
+    /// Motion of the body at release, with its mass centre above the point `ground` (x, y), m. It has no wobble: the
+    /// angular velocity is along the body axis d3. If `has_attitude` is false (a point mass), attitude and angular
+    /// velocity are `None`.
+    pub fn motion(&self, ground: [f64; 2], has_attitude: bool) -> Motion {
+        let axes = self.attitude().into_inner();
+        Motion {
+            position: Vector3::new(ground[0], ground[1], self.height),
+            velocity: self.course() * Vector3::x() * self.speed,
+            turning: has_attitude.then(|| Turning {
+                axes,
+                rates: axes.column(2) * self.rotation_rate(),
+            }),
+        }
+    }
+
+    /// Component of the angular velocity along the body axis d3, rad/s; its sign is opposite to that of `spin`.
+    fn rotation_rate(&self) -> f64 {
+        -self.spin.unwrap_or(0.0) * RPM
+    }
+
     /// Rotation to the inertial frame from the axes of the velocity: forward along the velocity, to its left, and
     /// upwards.
     fn course(&self) -> Rotation3<f64> {
@@ -310,16 +330,7 @@ impl ThrownModel {
                 return Err(ThrowError::NoAttitude { name, model });
             }
         }
-        let axes = throw.attitude().into_inner();
-        let spin = -throw.spin.unwrap_or(0.0) * RPM;
-        let mut wanted = Motion {
-            position: Vector3::new(ground[0], ground[1], throw.height),
-            velocity: throw.course() * Vector3::x() * throw.speed,
-            turning: self.has_attitude().then(|| Turning {
-                axes,
-                rates: axes.column(2) * spin,
-            }),
-        };
+        let mut wanted = throw.motion(ground, self.has_attitude());
         let bound = self.motion.bind(parameters);
         let no_state = || self.no_state();
         let find = |wanted: &Motion, near: Option<&[f64]>| {
@@ -330,6 +341,7 @@ impl ThrownModel {
         let Some(turning) = wanted.turning.as_mut().filter(|_| wobble != 0.0) else {
             return Ok(state);
         };
+        let (axes, spin) = (turning.axes, throw.rotation_rate());
         let cone = axes.column(2) * wobble.cos() + axes.column(0) * wobble.sin();
         let inertia = bound.inertia(&state).ok_or_else(no_state)?;
         let along = inertia.try_inverse().ok_or_else(no_state)? * cone;

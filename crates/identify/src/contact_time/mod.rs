@@ -107,7 +107,7 @@ pub fn contact_time(
                 let points = rows[sample - trajectory.first].iter();
                 let worst =
                     points.max_by(|a, b| a.square(&before).total_cmp(&b.square(&before)))?;
-                observations.outlier[sample * observations.markers + worst.marker] = true;
+                observations.outlier[sample * observations.channels + worst.marker] = true;
             }
         }
     }

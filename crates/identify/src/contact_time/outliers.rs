@@ -36,7 +36,7 @@ pub fn leave_out_displaced(
                 (distance(point, at) - of_body).abs() > limit
             });
             if 2 * wrong.count() > seen.len() - 1 {
-                observations.outlier[sample * observations.markers + marker] = true;
+                observations.outlier[sample * observations.channels + marker] = true;
             }
         }
     }
@@ -69,7 +69,7 @@ pub fn leave_out_before(
         let squares = each.map(|(sample, point)| (point.square(&change), sample, point.marker));
         match squares.max_by(|a, b| a.0.total_cmp(&b.0)) {
             Some((square, sample, marker)) if square > LIMIT => {
-                observations.outlier[sample * observations.markers + marker] = true;
+                observations.outlier[sample * observations.channels + marker] = true;
             }
             _ => return,
         }

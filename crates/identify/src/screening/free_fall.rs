@@ -3,6 +3,7 @@
 //! all flights.
 
 use flight::batch;
+use model_spec::model::FrameKind;
 use nalgebra::{Matrix3, Vector3};
 
 use super::distances::{UNITS, unit};
@@ -415,12 +416,15 @@ fn misfit(accelerations: &[Vector3<f64>], gravity: Vector3<f64>) -> Option<f64> 
     Some((middle - gravity).norm() + SCATTER_PART * scatter)
 }
 
-/// Known angular velocity, in one flight, of a body modelled as a point mass, rad/s: the value of the first vector
-/// input of the model whose unit is that of an angular velocity, in the frame in which the model declares this input.
-/// `None` if the model has no such input.
+/// Known angular velocity, in one flight, of a body modelled as a point mass, rad/s, in inertial components: the value
+/// of the first vector input that the model declares in the inertial frame with the unit of an angular velocity. `None`
+/// if the model has no such input.
 fn omega(problem: &FitProblem, flight: &Flight) -> Option<Vector3<f64>> {
     let inputs = problem.model.inputs.iter();
-    let rates = inputs.filter(|input| input.unit == model_spec::unit::Unit::RATE);
+    let rates = inputs.filter(|input| {
+        let is_inertial = matches!(problem.model.frames[input.frame].kind, FrameKind::Inertial);
+        is_inertial && input.unit == model_spec::unit::Unit::RATE
+    });
     let mut known = rates.map(|input| match flight.known.get(&input.name) {
         Some(KnownValue::Vector(value)) => Vector3::from(*value),
         _ => Vector3::from(input.value),

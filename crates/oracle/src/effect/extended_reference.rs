@@ -3,7 +3,7 @@
 use super::{ActiveEffect, Effect, ExtendedLaw, by_name};
 use crate::error::BindError;
 use crate::point::Point;
-use crate::reference::Reference;
+use crate::reference::{Reference, inertial_input};
 use crate::scalar::Real;
 use model_spec::model::Model;
 use nalgebra::Vector3;
@@ -50,7 +50,7 @@ impl ExtendedReference {
         let input = |name: &str| model.inputs.iter().position(|input| input.name == name);
         Ok(Self {
             effects,
-            omega: input("omega"),
+            omega: inertial_input(model, "omega")?,
             marker_is: input("marker_is"),
             reference,
         })

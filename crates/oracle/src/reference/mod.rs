@@ -13,7 +13,7 @@ use crate::physical::MassProperties;
 use crate::physical::{Load, Motion, Physical};
 use crate::point::Point;
 use crate::scalar::Real;
-use model_spec::model::{Model, Parameter};
+use model_spec::model::{FrameKind, Model, Parameter};
 use nalgebra::Vector3;
 
 /// A law of motion that has a reference implementation.
@@ -109,13 +109,34 @@ impl Law {
     }
 }
 
+/// Index in [`Model::inputs`] of the input `name`, whose components a reference law takes as inertial ones; `None` if
+/// the model does not declare it.
+///
+/// # Errors
+/// [`BindError::InputFrame`] if the input has components in another frame.
+pub(crate) fn inertial_input(
+    model: &Model,
+    name: &'static str,
+) -> Result<Option<usize>, BindError> {
+    let index = model.inputs.iter().position(|input| input.name == name);
+    let frame = index.map(|index| &model.frames[model.inputs[index].frame]);
+    match frame {
+        Some(frame) if !matches!(frame.kind, FrameKind::Inertial) => {
+            let frame = frame.name.clone();
+            Err(BindError::InputFrame { name, frame })
+        }
+        _ => Ok(index),
+    }
+}
+
 impl Reference {
     /// Looks up the reference law that a model names after the keyword `reference`, and the model's indices of the
     /// constants and states of this law. `None` if the model names no law.
     ///
     /// # Errors
     /// [`BindError::UnknownReference`] if there is no law of this name; [`BindError::MissingConstant`] or
-    /// [`BindError::MissingState`] for the first constant or state of the law that the model does not declare.
+    /// [`BindError::MissingState`] for the first constant or state of the law that the model does not declare;
+    /// [`BindError::InputFrame`] if the model states the wind in another frame than the inertial one.
     pub fn bind(model: &Model) -> Option<Result<Self, BindError>> {
         let name = model.reference.as_ref()?;
         let law =
@@ -137,7 +158,7 @@ impl Reference {
         let unknown = (0..model.coefficients.len())
             .filter(|&i| !constants.contains(&Slot::Coefficient(i)))
             .collect();
-        let wind = model.inputs.iter().position(|i| i.name == "wind");
+        let wind = inertial_input(model, "wind")?;
         let chart = if law.has_attitude() {
             charts::with_attitude(model)
         } else {

@@ -126,3 +126,16 @@ fn what_a_reference_misses_is_told() {
     let why = Reference::bind(&model).unwrap().unwrap_err();
     assert_eq!(why.to_string(), "`I_a` is not declared");
 }
+
+#[test]
+fn a_wind_in_body_axes_is_no_wind_of_the_reference() {
+    let disc = include_str!("../../../../model-spec/models/disc.hyz");
+    let turned = disc.replacen("input wind in N", "input wind in B", 1);
+    assert_ne!(disc, turned);
+    let model = model_spec::load::from_text("disc.hyz", &turned, &[]).unwrap();
+    let why = Reference::bind(&model).unwrap().unwrap_err();
+    assert_eq!(
+        why.to_string(),
+        "the input `wind` is declared in the frame `B`; the reference expects it in the inertial frame"
+    );
+}

@@ -152,7 +152,7 @@ pub(super) struct Throw {
 /// quantities common for disc throws.
 pub(super) fn throw(next: &NextThrow) -> Throw {
     let degrees = |radians: f64| format!("{}°", plain(radians.to_degrees(), 1));
-    let turns = plain(next.spin / std::f64::consts::TAU, 1);
+    let rpm = plain(next.spin * 30.0 / std::f64::consts::PI, 0);
     Throw {
         says: sentence(&next.says),
         rows: vec![
@@ -162,15 +162,18 @@ pub(super) fn throw(next: &NextThrow) -> Throw {
                 degrees(next.launch),
             ),
             ("nose angle (angle of attack)", degrees(next.nose)),
-            ("hyzer angle (tilt about the velocity)", degrees(next.hyzer)),
             (
-                "spin",
-                format!(
-                    "{}\u{a0}rad/s ({turns} revolutions per second)",
-                    plain(next.spin, 1)
-                ),
+                "hyzer angle (tilt about the velocity, positive: left edge lower)",
+                degrees(next.hyzer),
             ),
-            ("heading, from the x axis", degrees(next.heading)),
+            (
+                "spin (positive: clockwise from above)",
+                format!("{rpm}\u{a0}rpm"),
+            ),
+            (
+                "heading, from the x axis to the left",
+                degrees(next.heading),
+            ),
         ],
         separation: words::equivalent_z(next.separation),
         separation_now: words::equivalent_z(next.separation_now),

@@ -176,7 +176,7 @@ fn sections_stand_where_their_data_do() {
         "These flights cannot distinguish the following explanations",
         "7.9 standard deviations; it is 1.3",
         "18.2\u{a0}m",
-        "−5.0 revolutions per second",
+        "−300\u{a0}rpm",
         "The strongest remaining effect is tilted-vertical",
         "On 2 held-out flights",
         "a gain of 12.08 ± 0.90\u{a0}mm",

@@ -235,9 +235,10 @@ fn value(model: &Model, (is_state, index): Symbol) -> f64 {
     }
 }
 
-/// Measures how the rows of a model (state derivatives and observation) depend on each unpaired state or parameter
-/// ("symbol"). The rows are evaluated at random points, once for each examined symbol. All unpaired symbols of the same
-/// kind and unit have one common value; only the examined symbol has another value.
+/// How the rows of a model (state derivatives and observation) depend on each symbol (state or parameter) that has no
+/// counterpart yet in the other of two compared models. The rows are evaluated at random points, once for each examined
+/// symbol. At a point, all symbols without counterpart of the same kind and unit have one common value; only the
+/// examined symbol has another value.
 struct Effects {
     /// For each unpaired symbol and each random point: values of the rows (state derivatives and observation) that have
     /// a counterpart in the other model, and the sorted values of the remaining rows.

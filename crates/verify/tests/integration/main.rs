@@ -24,4 +24,5 @@ mod same_motion;
 mod seeds;
 mod support;
 mod tables;
+mod ties;
 mod user_models;

@@ -109,7 +109,8 @@ pub(super) fn drawn_panels(
     drawn(name, title, texts, wide, |l| figure_of(l, title, panels))
 }
 
-/// Creates a figure of a chart; the caption also becomes the description for screen readers.
+/// Creates a figure of a chart, drawn in the layout `wide` for pages and in a narrow one for phones; `name` is its file
+/// name without extension. The caption also becomes the description for screen readers.
 pub(super) fn drawn_chart(name: &str, chart: &Chart, caption: &str, wide: Layout) -> Drawn {
     let texts = [caption.to_owned(), chart.csv()];
     drawn(name, &chart.title, texts, wide, |l| chart.draw(l))
