@@ -1,7 +1,7 @@
 //! The throw that would best distinguish the accepted hypotheses.
 
 use flight::batch;
-use flight::throw::Throw;
+use flight::throw::{RPM, Throw};
 use identify::{
     FitProblem, Iterate, Loss, NoiseModel, NormalBlock, Observations, Unknowns, linearise,
     state_for_motion,
@@ -11,7 +11,7 @@ use rand_chacha::ChaCha12Rng;
 use serde::{Deserialize, Serialize};
 
 use super::information::{Alternative, information, separation};
-use super::release::{RPM, draw, rigid_motion};
+use super::release::{draw, rigid_motion};
 use crate::context::{ScoreTestModel, ThrowRanges};
 use crate::error::DiagnosisError;
 use crate::selection::Search;

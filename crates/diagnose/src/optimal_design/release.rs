@@ -1,14 +1,11 @@
 //! Random throws for the experimental design.
 
-use flight::throw::{Motion, Throw};
+use flight::throw::{Motion, RPM, Throw};
 use identify::RigidMotion;
 use nalgebra::{Rotation3, UnitQuaternion};
 use rand::{Rng, RngExt};
 
 use crate::context::ThrowRanges;
-
-/// Angular velocity of 1 rpm, rad/s.
-pub(super) const RPM: f64 = std::f64::consts::PI / 30.0;
 
 /// Draws a random throw, its launch conditions uniformly distributed within the ranges.
 pub(super) fn draw(ranges: &ThrowRanges, random: &mut impl Rng) -> Throw {

@@ -22,7 +22,7 @@ pub use motion::{Motion, Turning, speed_and_spin};
 pub use near::NearThrows;
 
 /// Angular velocity of 1 rpm, rad/s.
-const RPM: f64 = PI / 30.0;
+pub const RPM: f64 = PI / 30.0;
 
 /// Motion of a body at release, by the quantities that launch monitors report.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -152,7 +152,7 @@ pub(super) struct Throw {
 /// quantities common for disc throws.
 pub(super) fn throw(next: &NextThrow) -> Throw {
     let degrees = |radians: f64| format!("{}°", plain(radians.to_degrees(), 1));
-    let rpm = plain(next.spin * 30.0 / std::f64::consts::PI, 0);
+    let rpm = plain(next.spin / flight::throw::RPM, 0);
     Throw {
         says: sentence(&next.says),
         rows: vec![
