@@ -27,6 +27,7 @@ pub mod compose;
 pub mod diagnostic;
 mod effect;
 mod error;
+mod fingerprint;
 pub mod index;
 pub mod layout;
 mod library;
@@ -50,6 +51,8 @@ pub use check::{Checked, SingularPoint, check, singular_points};
 pub use effect::{SITES, VARIABLES};
 // Order of states and parameters in arrays.
 pub use layout::Layout;
+// Hash of texts.
+pub use fingerprint::fingerprint;
 // Text output.
 pub use render::render;
 pub use suggest::nearest as nearest_name;

@@ -3,30 +3,37 @@
 /// Line and column of a byte offset in a text, both counted from 1; columns count characters. An offset inside a
 /// character counts as the character's first byte, an offset past the end as the end.
 pub fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
-    let before = &text[..text.floor_char_boundary(byte)];
-    let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+    let byte = text.floor_char_boundary(byte);
+    let line_start = line_start(text, byte);
     (
         line_of(text, byte),
-        before[line_start..].chars().count() + 1,
+        text[line_start..byte].chars().count() + 1,
     )
 }
 
 /// Line, counted from 1, of a byte offset in a text; the last line for an offset past the end.
 pub fn line_of(text: &str, byte: usize) -> usize {
     let before = &text.as_bytes()[..byte.min(text.len())];
-    before.iter().filter(|&&b| b == b'\n').count() + 1
+    memchr::memchr_iter(b'\n', before).count() + 1
 }
 
 /// Line, counted from 1, of a byte offset in a text, and the text of this line without leading and trailing whitespace.
 /// An offset past the end counts as the end.
 pub fn trimmed_line(text: &str, byte: usize) -> (usize, &str) {
-    let line = line_of(text, byte);
-    (line, text.lines().nth(line - 1).unwrap_or_default().trim())
+    let byte = text.floor_char_boundary(byte);
+    let line = &text[line_start(text, byte)..];
+    let line = line.lines().next().unwrap_or_default();
+    (line_of(text, byte), line.trim())
+}
+
+/// Offset of the first byte of the line that contains `byte`, which is at a character boundary of `text`.
+fn line_start(text: &str, byte: usize) -> usize {
+    text[..byte].rfind('\n').map_or(0, |newline| newline + 1)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::line_and_column;
+    use super::{line_and_column, trimmed_line};
 
     #[test]
     fn columns_count_characters() {
@@ -44,5 +51,15 @@ mod tests {
             (3, 1),
         ];
         assert_eq!(places, expected);
+    }
+
+    #[test]
+    fn a_line_is_found_from_each_of_its_bytes() {
+        let text = "\n  I_a = β  \r\nm";
+        let expected = [(1, ""), (2, "I_a = β"), (2, "I_a = β"), (3, "m"), (3, "m")];
+        for (byte, line) in [0, 1, 14, 15, 99].into_iter().zip(expected) {
+            assert_eq!(trimmed_line(text, byte), line, "byte {byte}");
+        }
+        assert_eq!(trimmed_line("m\n", 2), (2, ""));
     }
 }

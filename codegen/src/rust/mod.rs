@@ -91,11 +91,7 @@ pub fn emit(compiled: &Compiled, model: &Model) -> Vec<SourceFile> {
 /// Hash (64-bit FNV-1a) of all source texts of a model. Generated code stores the hash of the model from which it was
 /// generated.
 pub fn source_hash(model: &Model) -> u64 {
-    let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
-    for source in &model.sources {
-        for byte in source.text.bytes().chain([0xff]) {
-            hash = (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        }
-    }
-    hash
+    let texts = model.sources.iter();
+    let bytes = texts.flat_map(|source| source.text.bytes().chain([0xff]));
+    model_spec::fingerprint(&bytes.collect::<Vec<u8>>())
 }

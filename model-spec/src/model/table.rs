@@ -1,5 +1,6 @@
 //! Tables: functions of one scalar, specified by their values at knots.
 
+use crate::fingerprint;
 use crate::source::Span;
 use crate::unit::Unit;
 
@@ -50,8 +51,6 @@ impl Table {
             .iter()
             .flat_map(|(x, y)| [x.to_bits(), y.to_bits()]);
         let bytes = ways.into_iter().chain(numbers).flat_map(u64::to_le_bytes);
-        bytes.fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {
-            (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-        })
+        fingerprint(&bytes.collect::<Vec<u8>>())
     }
 }

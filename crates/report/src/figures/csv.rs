@@ -2,17 +2,17 @@
 
 use super::panel::Panel;
 
-/// Text of a CSV table that is built cell by cell.
+/// CSV table that is built cell by cell.
 pub(crate) struct Table {
-    text: String,
-    is_line_begun: bool,
+    writer: csv::Writer<Vec<u8>>,
 }
 
 impl Table {
     pub(crate) fn new(head: &[&str]) -> Table {
         let mut table = Table {
-            text: String::new(),
-            is_line_begun: false,
+            writer: csv::WriterBuilder::new()
+                .flexible(true)
+                .from_writer(Vec::new()),
         };
         for name in head {
             table.text(name);
@@ -23,28 +23,22 @@ impl Table {
 
     /// Appends a cell of text, quoted if it contains a comma, quote or line break.
     pub(crate) fn text(&mut self, cell: &str) -> &mut Table {
-        self.separate();
-        if cell.contains([',', '"', '\n', '\r']) {
-            self.text += &format!("\"{}\"", cell.replace('"', "\"\""));
-        } else {
-            self.text += cell;
-        }
+        // Memory does not fail.
+        let _ = self.writer.write_field(cell);
         self
     }
 
     /// Appends a number with six significant digits, or an empty cell if it is not finite.
     pub(crate) fn number(&mut self, value: f64) -> &mut Table {
-        let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(f64::NAN);
-        self.separate();
-        if rounded.is_finite() {
-            let size = rounded.abs();
-            let is_plain = size == 0.0 || (1e-4..1e7).contains(&size);
-            self.text += &match is_plain {
-                true => format!("{rounded}"),
-                false => format!("{rounded:e}"),
-            };
+        if !value.is_finite() {
+            return self.text("");
         }
-        self
+        let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+        let size = rounded.abs();
+        match size == 0.0 || (1e-4..1e7).contains(&size) {
+            true => self.text(&rounded.to_string()),
+            false => self.text(&format!("{rounded:e}")),
+        }
     }
 
     /// Appends a number to the current line, or an empty cell if the number is `None`.
@@ -54,19 +48,12 @@ impl Table {
 
     /// Ends the current line of cells of the table.
     pub(crate) fn end(&mut self) {
-        self.text.push('\n');
-        self.is_line_begun = false;
+        let _ = self.writer.write_record(None::<&[u8]>);
     }
 
     pub(crate) fn finish(self) -> String {
-        self.text
-    }
-
-    fn separate(&mut self) {
-        if self.is_line_begun {
-            self.text.push(',');
-        }
-        self.is_line_begun = true;
+        let bytes = self.writer.into_inner().unwrap_or_default();
+        String::from_utf8_lossy(&bytes).into_owned()
     }
 }
 

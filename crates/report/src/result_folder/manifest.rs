@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
 
+use model_spec::fingerprint;
+
 use super::ResultFile;
 
 /// Name of the manifest file in a folder of results, which lists the files that hyzer wrote.
@@ -68,12 +70,4 @@ impl Manifest {
             .get(path)
             .is_some_and(|known| contents().is_some_and(|found| fingerprint(&found) == *known))
     }
-}
-
-/// FNV-1a hash of a file's contents, identical on every machine.
-fn fingerprint(contents: &[u8]) -> u64 {
-    let start = 0xcbf2_9ce4_8422_2325_u64;
-    contents.iter().fold(start, |hash, &byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    })
 }

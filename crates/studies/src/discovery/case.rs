@@ -148,10 +148,7 @@ fn default_flights(body: Body) -> (usize, usize) {
 /// limited to 40 bits because other code multiplies seeds by 1000.
 fn seed(key: &str, run: usize) -> u64 {
     let bytes = key.bytes().chain((run as u64).to_le_bytes());
-    let hash = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    });
-    hash >> 24
+    model_spec::fingerprint(&bytes.collect::<Vec<u8>>()) >> 24
 }
 
 #[cfg(test)]
