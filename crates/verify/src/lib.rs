@@ -80,8 +80,8 @@ const BACKEND_POINTS: usize = 37;
 /// own.
 pub const TOLERANCE: f64 = 1e-12;
 
-/// Runs every check of a loaded model. Diagnostics of the language checker are reported as faults. The numerical checks
-/// run only if the language checker produced a model.
+/// Runs every check of a loaded model, on all processors; the report does not depend on their number. Diagnostics of the
+/// language checker are reported as faults. The numerical checks run only if the language checker produced a model.
 pub fn run(loaded: &Loaded, options: &Options) -> Report {
     let mut report = Report {
         model: loaded
@@ -100,12 +100,11 @@ pub fn run(loaded: &Loaded, options: &Options) -> Report {
     let compiled = codegen::compile(model);
     let engine = Engine::new(&compiled);
     let subject = Subject::new(model, &engine);
-    report
-        .rows
-        .extend(every_check(&subject, &compiled, &engine, options));
+    let mut checks = numerical(&subject, &compiled, &engine, options);
     if options.effects {
-        report.rows.extend(of_effects(loaded, options));
+        checks.push(Box::new(|| of_effects(loaded, options).into()));
     }
+    report.rows.extend(rows_of(&checks));
     report.refuted = refute::refutations(&subject, options);
     if options.mutants && loaded.diagnostics.is_empty() {
         let original = Original::new(&subject);
@@ -122,11 +121,8 @@ pub fn run(loaded: &Loaded, options: &Options) -> Report {
 fn of_effects(loaded: &Loaded, options: &Options) -> [Row; 2] {
     match checks::effects::variants(loaded) {
         Some((with, without)) => {
-            let with = with.into_iter().map(|model| {
-                let values = Values::of(&model);
-                (model, values)
-            });
-            let with: Vec<(Model, Values)> = with.collect();
+            let values = flight::batch::each(with.len(), |index| Values::of(&with[index]));
+            let with: Vec<(Model, Values)> = with.into_iter().zip(values).collect();
             [
                 checks::effects::check(&without, &with, options),
                 checks::effect_reference::check(&with, options),
@@ -165,53 +161,80 @@ pub fn rounding(model: &Model, options: &Options) -> Rounding {
 /// runs no mutation testing.
 pub fn rows_of_code(model: &Model, compiled: &Compiled, options: &Options) -> Vec<Row> {
     let engine = Engine::new(compiled);
-    every_check(&Subject::new(model, &engine), compiled, &engine, options)
+    let subject = Subject::new(model, &engine);
+    rows_of(&numerical(&subject, compiled, &engine, options))
 }
 
-fn every_check(
-    subject: &Subject<'_>,
-    compiled: &Compiled,
-    engine: &Engine,
-    options: &Options,
-) -> Vec<Row> {
-    let mut rows = vec![
-        checks::reference::reference(subject, options),
-        checks::reference::tree(subject, options),
-    ];
-    rows.extend(checks::claim::check(subject, options));
-    rows.push(checks::identities::check(subject, options));
-    rows.extend(if subject.is_known_by_claim() {
-        [
-            claimed_flights::invariants(subject, options),
-            claimed_flights::momenta(subject, options),
-        ]
-    } else {
-        [
-            flights::invariants(subject, options),
-            flights::momenta(subject, options),
-        ]
-    });
-    rows.push(checks::metamorphic::check(subject, options));
-    rows.extend(checks::derivatives::check(subject, engine, options));
-    rows.push(checks::exact::check(subject, options));
-    rows.push(checks::exact_functions::check(
-        subject.model,
-        compiled,
-        options,
-    ));
-    let model = subject.model;
+/// An independent part of a verification, which returns the results of one or several checks.
+type Check<'a> = Box<dyn Fn() -> Vec<Row> + Sync + 'a>;
+
+/// Runs checks on all processors; the results are in the order of `checks`.
+fn rows_of(checks: &[Check<'_>]) -> Vec<Row> {
+    flight::batch::each(checks.len(), |index| checks[index]())
+        .into_iter()
+        .flatten()
+        .collect()
+}
+
+/// The numerical checks of a model, in the order of the report.
+fn numerical<'a>(
+    subject: &'a Subject<'a>,
+    compiled: &'a Compiled,
+    engine: &'a Engine,
+    options: &'a Options,
+) -> Vec<Check<'a>> {
+    vec![
+        Box::new(|| vec![checks::reference::reference(subject, options)]),
+        Box::new(|| vec![checks::reference::tree(subject, options)]),
+        Box::new(|| checks::claim::check(subject, options).into_iter().collect()),
+        Box::new(|| vec![checks::identities::check(subject, options)]),
+        Box::new(|| {
+            vec![match subject.is_known_by_claim() {
+                true => claimed_flights::invariants(subject, options),
+                false => flights::invariants(subject, options),
+            }]
+        }),
+        Box::new(|| {
+            vec![match subject.is_known_by_claim() {
+                true => claimed_flights::momenta(subject, options),
+                false => flights::momenta(subject, options),
+            }]
+        }),
+        Box::new(|| vec![checks::metamorphic::check(subject, options)]),
+        Box::new(|| checks::derivatives::check(subject, engine, options)),
+        Box::new(|| vec![checks::exact::check(subject, options)]),
+        Box::new(|| {
+            vec![checks::exact_functions::check(
+                subject.model,
+                compiled,
+                options,
+            )]
+        }),
+        Box::new(|| backends(subject.model, compiled, options).into()),
+        Box::new(|| {
+            let measured = rounding::measure(subject, compiled, options, Effort::ROW);
+            vec![rounding::row(&measured)]
+        }),
+        Box::new(|| vec![checks::backends::generated_code(subject.model)]),
+        Box::new(|| vec![singular_points(subject.model, compiled)]),
+        Box::new(|| vec![checks::cases::check(subject)]),
+    ]
+}
+
+/// Compares the backends with each other at random points, with and without fused multiplications and additions.
+fn backends(model: &Model, compiled: &Compiled, options: &Options) -> [Row; 2] {
     let mut random = Random::new(options.seed, checks::backends::BACKENDS);
     let points = sample::points(model, BACKEND_POINTS, &mut random);
     let runs = checks::backends::runs(model, compiled, &points);
-    rows.push(checks::backends::check(compiled, &runs));
-    rows.push(checks::backends::check_fma(compiled, &runs));
-    let measured = rounding::measure(subject, compiled, options, Effort::ROW);
-    rows.push(rounding::row(&measured));
-    rows.push(checks::backends::generated_code(model));
+    [
+        checks::backends::check(compiled, &runs),
+        checks::backends::check_fma(compiled, &runs),
+    ]
+}
+
+fn singular_points(model: &Model, compiled: &Compiled) -> Row {
     let singular = checks::singular::points(model);
     let points: Vec<_> = singular.iter().map(|(_, point)| point.clone()).collect();
     let runs = checks::backends::runs(model, compiled, &points);
-    rows.push(checks::singular::check(&singular, compiled, &runs));
-    rows.push(checks::cases::check(subject));
-    rows
+    checks::singular::check(&singular, compiled, &runs)
 }

@@ -30,21 +30,22 @@ pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
     if let Some(model) = loaded.model.as_ref().filter(|m| !m.effects.is_empty()) {
         return Some((vec![model.clone()], without));
     }
+    // A refused effect is for another kind of model, or is a duplicate of another effect.
+    let mut known = known_effects(&without);
+    known.retain(|known| known.refused.is_none());
+    let models = flight::batch::each(known.len(), |index| apply(&[known[index].effect.name()]));
     let (mut alone, mut together, mut specific) = (Vec::new(), Vec::new(), Vec::new());
-    for known in known_effects(&without) {
-        // The effect is for another kind of model, or is a duplicate of another effect.
-        if known.refused.is_some() {
+    for (known, model) in known.iter().zip(models) {
+        let Some(model) = model else {
             continue;
+        };
+        alone.push(model);
+        let name = known.effect.name().to_owned();
+        if known.origin == Origin::Specific {
+            specific.push(name.clone());
         }
-        let name = known.effect.name();
-        if let Some(model) = apply(&[name]) {
-            alone.push(model);
-            if known.origin != Origin::Own {
-                together.push(name.to_owned());
-            }
-            if known.origin == Origin::Specific {
-                specific.push(name.to_owned());
-            }
+        if known.origin != Origin::Own {
+            together.push(name);
         }
     }
     if specific == together {
