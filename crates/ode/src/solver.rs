@@ -43,30 +43,30 @@ pub(crate) trait StepObserver {
 }
 
 /// Integrates from the initial time and state `start` to the time `t_end`, or to the first terminal event. Passes each
-/// accepted step to `observer`.
-pub(crate) fn solve<D: OdeRhs, O: StepObserver>(
+/// accepted step to `observer`, a trait object, so that the step loop is compiled once for each right-hand side.
+pub(crate) fn solve<D: OdeRhs>(
     rhs: &mut D,
     start: (f64, &D::State),
     t_end: f64,
     options: &IntegrationOptions,
     events: &mut [Event<'_, D::State>],
-    observer: &mut O,
+    observer: &mut dyn StepObserver,
 ) -> Result<Endpoint<D::State>, IntegrationError> {
     match options.method {
         Method::Tsit5 => {
-            Solver::<D, O, Tsit5<_>>::new(rhs, start, t_end, options, events, observer)?.run()
+            Solver::<D, Tsit5<_>>::new(rhs, start, t_end, options, events, observer)?.run()
         }
         Method::Dop853 => {
-            Solver::<D, O, Dop853<_>>::new(rhs, start, t_end, options, events, observer)?.run()
+            Solver::<D, Dop853<_>>::new(rhs, start, t_end, options, events, observer)?.run()
         }
     }
 }
 
 /// Integration in progress: problem, options, and the state between steps.
-struct Solver<'s, 'e, D: OdeRhs, O, S> {
+struct Solver<'s, 'e, D: OdeRhs, S> {
     rhs: &'s mut D,
     events: &'s mut [Event<'e, D::State>],
-    observer: &'s mut O,
+    observer: &'s mut dyn StepObserver,
     t: f64,
     x: D::State,
     dx: D::State,
@@ -102,14 +102,14 @@ struct StepEnd {
     is_last: bool,
 }
 
-impl<'s, 'e, D: OdeRhs, O: StepObserver, S: Stepper<D::State>> Solver<'s, 'e, D, O, S> {
+impl<'s, 'e, D: OdeRhs, S: Stepper<D::State>> Solver<'s, 'e, D, S> {
     fn new(
         rhs: &'s mut D,
         (t, x): (f64, &D::State),
         t_end: f64,
         options: &IntegrationOptions,
         events: &'s mut [Event<'e, D::State>],
-        observer: &'s mut O,
+        observer: &'s mut dyn StepObserver,
     ) -> Result<Self, IntegrationError> {
         let (x, mut dx) = (x.clone(), x.clone());
         check_input(rhs, t, &x, t_end, options)?;
