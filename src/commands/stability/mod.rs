@@ -84,7 +84,7 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
             Vec::new()
         }
     };
-    let spin = -first.throw.spin.unwrap_or(0.0) * std::f64::consts::PI / 30.0;
+    let spin = first.throw.rotation_rate();
     let spins: Vec<f64> = (0..=SPINS.0)
         .map(|k| SPINS.1 * f64::from(k) / f64::from(SPINS.0))
         .collect();

@@ -74,7 +74,7 @@ impl BoundMotion<'_> {
                 }
                 "wobble" => {
                     if let Some((_, slope)) = unit {
-                        let spin = -throw.spin.unwrap_or(0.0) * RPM;
+                        let spin = throw.rotation_rate();
                         change.rates = axes * slope * (spin * per_degree);
                     }
                 }

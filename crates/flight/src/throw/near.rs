@@ -4,7 +4,7 @@
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use super::motion::{MotionModel, POINT_VECTORS, VECTORS};
-use super::{RPM, Throw, ThrowError, ThrownModel};
+use super::{Throw, ThrowError, ThrownModel};
 use crate::functions::{EvaluationPoint, Workspace};
 
 /// Maximum number of unknowns of a linear system in the search for the state of a throw: all states of a rigid body
@@ -263,7 +263,7 @@ fn axes_of(at: &Vectors) -> Matrix3<f64> {
 /// body axes as columns, in the inertial frame; `at` contains the inertia tensor. `None` if there is a wobble and the
 /// inertia tensor is singular.
 fn rates(throw: &Throw, axes: &Matrix3<f64>, at: &Vectors) -> Option<Vector3<f64>> {
-    let spin = -throw.spin.unwrap_or(0.0) * RPM;
+    let spin = throw.rotation_rate();
     let wobble = throw.wobble.unwrap_or(0.0).to_radians();
     let axis = axes.column(2);
     if wobble == 0.0 {
