@@ -106,8 +106,8 @@ pub struct Linearised {
 }
 
 impl BoundBody<'_> {
-    /// Linearises the motion about `state`, the values of the model's states in the order of its
-    /// `Layout`, at time `t`, s.
+    /// Linearises the motion about `state`, the values of the model's states in the order of its `Layout`, at time `t`,
+    /// s.
     ///
     /// # Errors
     /// [`StabilityError::NotFinite`] if the linearised motion is not finite at the state.

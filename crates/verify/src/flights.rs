@@ -326,8 +326,8 @@ fn conserved(
 }
 
 /// Force (N) on the body and moment (N·m) about its centre of mass, in inertial components, and its mass properties in
-/// the body frame, for the time, states and parameters of `point`. They are taken from the reference law or, without one, from the model's body. `None` if the model has
-/// neither.
+/// the body frame, for the time, states and parameters of `point`. They are taken from the reference law or, without
+/// one, from the model's body. `None` if the model has neither.
 fn loads(
     subject: &Subject<'_>,
     point: &Point<f64>,

@@ -126,10 +126,10 @@ impl Checker<'_> {
             fault = fault.help(format!(
                 "its axes are `{name}.1`, `{name}.2` and `{name}.3`"
             ));
-        } else if name == "t" {
-            fault = fault.help("the time since release is `time`; `t` is a unit, the tonne");
         } else if let Some(near) = suggest::nearest(name, self.declared_names()) {
             fault = fault.help(format!("did you mean `{near}`?"));
+        } else if name == "t" {
+            fault = fault.help("the time since release is `time`; `t` is a unit, the tonne");
         } else if symbol::find(name).is_some() {
             fault = fault.help(format!(
                 "`{name}` is a unit; to give a number this unit write `5 {name}`, or `5 [m/s]` for one of \

@@ -103,7 +103,7 @@ pub(crate) fn next_throw(
     Ok(best.map(|(after, throw)| NextThrow::new(throw, after, now)))
 }
 
-/// Normal equations of a simulated flight from the launch conditions `release`, under the conditions of the measured
+/// Normal equations of a simulated flight of the throw `throw`, under the conditions of the measured
 /// flight `like`, linearized at the unknowns `at`; `None` if the model cannot start from these launch conditions or
 /// cannot be integrated.
 fn simulated(

@@ -53,7 +53,7 @@ impl Table {
 
     pub(crate) fn finish(self) -> String {
         let bytes = self.writer.into_inner().unwrap_or_default();
-        String::from_utf8_lossy(&bytes).into_owned()
+        String::from_utf8(bytes).unwrap_or_default()
     }
 }
 
