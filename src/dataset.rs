@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use identify::dataset::{Dataset, Flight, KnownValue, Marker, Role};
+use dataset::{Dataset, Flight, KnownValue, Marker, Role};
 
 use crate::Error;
 
@@ -110,5 +110,5 @@ impl DatasetBuilder {
 /// # Errors
 /// [`Error::Dataset`] for the first fault of the files.
 pub fn read_dataset(folder: impl AsRef<Path>) -> Result<Dataset, Error> {
-    Ok(identify::dataset::load(folder.as_ref())?)
+    Ok(dataset::load(folder.as_ref())?)
 }

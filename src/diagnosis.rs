@@ -1,6 +1,6 @@
 //! Diagnosis of model errors.
 
-use identify::dataset::Dataset;
+use dataset::Dataset;
 
 use crate::{Error, Model};
 

@@ -1,8 +1,9 @@
 //! Errors of the library.
 
+use dataset::InputError;
 use diagnose::DiagnosisError;
 use flight::release::ReleaseError;
-use identify::{FitError, InputError};
+use identify::FitError;
 use model_spec::LoadError;
 use ode::IntegrationError;
 

@@ -1,6 +1,6 @@
 //! Output-error fits of a model to a dataset.
 
-use identify::dataset::Dataset;
+use dataset::Dataset;
 use identify::{DataFault, FitOptions, FitReport};
 use statrs::distribution::{ContinuousCDF, Normal};
 

@@ -41,8 +41,8 @@ pub use design::{Bounds, Design, Goal, SearchOptions, ThrownBody, design};
 pub use stability::{Body as LinearisedBody, Mode, ModeKind, modes};
 
 // Datasets.
+pub use ::dataset::{Dataset, Flight as MeasuredFlight, KnownValue, Marker, Role};
 pub use dataset::{DatasetBuilder, read_dataset};
-pub use identify::dataset::{Dataset, Flight as MeasuredFlight, KnownValue, Marker, Role};
 
 // Fits.
 pub use fit::{Estimate, Fit, fit};
@@ -58,6 +58,6 @@ pub use diagnosis::{Diagnosis, DiagnosisOptions, diagnose};
 
 /// Crates of the workspace on which this library is built, for functions that it does not re-export itself.
 pub mod crates {
-    pub use ::flight;
+    pub use {::dataset, ::flight};
     pub use {codegen, design, diagnose, identify, model_spec, ode, stability};
 }

@@ -9,7 +9,7 @@ use std::io::{BufRead, Write, stdin, stdout};
 use std::path::Path;
 use std::time::Instant;
 
-use identify::dataset::load;
+use dataset::load;
 use identify::{Fit, FitOptions, NoiseModel, Observations, fit, initial_guesses};
 use nalgebra::DVector;
 use serde_json::{Value, json};

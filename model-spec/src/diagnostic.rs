@@ -72,6 +72,11 @@ pub struct Diagnostic {
     pub help: Option<String>,
 }
 
+/// Sorts diagnostics by their source spans.
+pub(crate) fn sort(diagnostics: &mut [Diagnostic]) {
+    diagnostics.sort_by_key(|diagnostic| diagnostic.span);
+}
+
 impl Diagnostic {
     /// Creates an error without labels, notes or help.
     pub fn new(kind: Kind, span: Span, message: impl Into<String>) -> Diagnostic {

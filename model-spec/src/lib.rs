@@ -34,6 +34,7 @@ mod library;
 pub mod load;
 pub mod location;
 pub mod model;
+mod order;
 mod read;
 mod render;
 mod source;
@@ -51,8 +52,9 @@ pub use check::{Checked, SingularPoint, check, singular_points};
 pub use effect::{SITES, VARIABLES};
 // Order of states and parameters in arrays.
 pub use layout::Layout;
-// Hash of texts.
+// Hash of texts, sorting by numbers.
 pub use fingerprint::fingerprint;
+pub use order::sort_by_number;
 // Text output.
 pub use render::render;
 pub use suggest::nearest as nearest_name;

@@ -4,7 +4,7 @@ mod parts;
 mod summary;
 
 use anyhow::{Context, bail};
-use identify::dataset::{self, Dataset, Role};
+use dataset::{Dataset, Role};
 use identify::{Fit, FitOptions};
 use model_spec::model::Model;
 use serde_json::{Value, json};

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use anyhow::{Context, bail};
+use dataset::synthesize::{Corruption, Plan, Spread, SyntheticDataset, flights};
+use dataset::{Marker, write_with};
 use flight::release::Release;
-use identify::dataset::{Marker, write_with};
-use identify::synthesize::{Corruption, Plan, Spread, SyntheticDataset, flights};
 use model_spec::model::Model;
 
 use super::number;

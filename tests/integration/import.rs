@@ -6,13 +6,13 @@ use std::process::Command;
 
 use crate::support::examples::the_examples_run;
 use crate::support::{hyzer, told};
-use identify::dataset::{Dataset, Flight};
+use dataset::{Dataset, Flight};
 
 const TEMPLATE: &str = "examples/disc/dataset.toml";
 
 /// Formats an example flight as a Vicon recording in mm, with y up and labels that differ from the marker names. Before
 /// the flight, the body is at rest in a hand and then accelerated.
-fn vicon(flight: &identify::dataset::Flight) -> String {
+fn vicon(flight: &dataset::Flight) -> String {
     let rate = 120.0;
     let first = flight
         .positions
@@ -76,7 +76,7 @@ fn vicon(flight: &identify::dataset::Flight) -> String {
 /// these recordings, and the dataset.
 fn importing(folder: &Path, recording: impl Fn(&Flight) -> String) -> (Command, Dataset) {
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/disc");
-    let dataset = identify::dataset::load(&example).expect("the example");
+    let dataset = dataset::load(&example).expect("the example");
     let mut command = hyzer();
     command.arg("import");
     for (i, flight) in dataset.flights.iter().enumerate() {
@@ -121,7 +121,7 @@ fn recordings_become_a_dataset_that_is_fitted() {
     ] {
         assert!(page.contains(text), "{text}");
     }
-    let imported = identify::dataset::load(&out).expect("a dataset");
+    let imported = dataset::load(&out).expect("a dataset");
     assert_eq!(imported.flights.len(), dataset.flights.len());
     assert_eq!(
         (&imported.model, &imported.markers),
@@ -161,7 +161,7 @@ fn recordings_become_a_dataset_that_is_fitted() {
 fn a_free_flight_is_not_cut() {
     let around = tempfile::tempdir().expect("a folder");
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/disc");
-    let dataset = identify::dataset::load(&example).expect("the example");
+    let dataset = dataset::load(&example).expect("the example");
     let out = around.path().join("imported");
     let mut command = hyzer();
     command.arg("import");
@@ -182,7 +182,7 @@ fn a_free_flight_is_not_cut() {
     let (status, text, errors) = told(command.arg(&out));
     assert_eq!(status, 0, "{errors}");
     assert!(!text.contains("suddenly"), "{text}");
-    let imported = identify::dataset::load(&out).expect("a dataset");
+    let imported = dataset::load(&out).expect("a dataset");
     for (flight, whole) in imported.flights.iter().zip(&dataset.flights) {
         // Samples in which all three markers are seen.
         let seen = |row: &Vec<Option<[f64; 3]>>| row.iter().all(Option::is_some);
@@ -290,7 +290,7 @@ fn a_pose_is_written_as_a_sensor() {
     let (status, text, errors) = told(&mut command);
     assert_eq!(status, 0, "{errors}");
     assert!(text.contains("the poses are written as"), "{text}");
-    let imported = identify::dataset::load(&out).expect("a dataset");
+    let imported = dataset::load(&out).expect("a dataset");
     assert!(imported.markers.is_empty(), "{imported:?}");
     let sensor = &imported.sensors[0];
     assert_eq!((sensor.name.as_str(), sensor.kind.name()), ("disc", "pose"));
@@ -336,11 +336,11 @@ fn without_a_template_the_positions_of_the_markers_are_estimated() {
     let comments =
         manifest.matches("# estimated from the takes; standard errors of the position, m: ");
     assert_eq!(comments.count(), 3, "{manifest}");
-    let imported = identify::dataset::load(&out).expect("a dataset");
+    let imported = dataset::load(&out).expect("a dataset");
     let names: Vec<&str> = imported.markers.iter().map(|m| m.name.as_str()).collect();
     assert_eq!(names, ["m1", "B", "rim_C"]);
     // The first marker of the example is on the first axis, as the estimate chooses.
-    let mean = |markers: &[identify::dataset::Marker]| {
+    let mean = |markers: &[dataset::Marker]| {
         markers.iter().map(|m| m.position[2]).sum::<f64>() / markers.len() as f64
     };
     let (height, truth) = (mean(&imported.markers), mean(&dataset.markers));

@@ -55,7 +55,7 @@ fn the_examples_of_the_help_run() {
     let around = tempfile::tempdir().expect("a folder");
     for command in commands {
         let (_, out) = run(&command, around.path());
-        identify::dataset::load(&out).expect("a dataset");
+        dataset::load(&out).expect("a dataset");
         let truth = std::fs::read_to_string(out.join("truth.toml")).expect("the truth");
         assert!(truth.contains("fit` does not read"), "{truth}");
     }

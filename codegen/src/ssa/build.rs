@@ -1,7 +1,7 @@
 //! Translation of graph nodes to SSA: powers become repeated factors, coefficients become factors, signs move
 //! outward.
 
-use super::{DefId, Signed, Ssa, SsaDef};
+use super::{DefId, Signed, Ssa, SsaDef, sort_terms};
 use crate::functions::MathFunction;
 use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol, ValueFacts};
 use crate::number::Number;
@@ -184,7 +184,7 @@ impl Builder<'_> {
         if !constant.is_zero() {
             signed.push((constant.is_negative(), self.constant(constant.abs())));
         }
-        signed.sort_unstable_by_key(|&(minus, def)| (def, minus));
+        sort_terms(&mut signed);
         (
             false,
             self.ssa

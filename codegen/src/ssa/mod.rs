@@ -349,9 +349,14 @@ impl Ssa {
     }
 }
 
-/// Sorts the terms of a sum by definition, positive terms first, and removes pairs of equal terms with opposite signs.
-fn cancel(terms: &mut Vec<Signed>) {
+/// Sorts the terms of a sum by definition, positive terms first.
+fn sort_terms(terms: &mut [Signed]) {
     terms.sort_unstable_by_key(|&(minus, def)| (def, minus));
+}
+
+/// Sorts the terms of a sum with [`sort_terms`], and removes pairs of equal terms with opposite signs.
+fn cancel(terms: &mut Vec<Signed>) {
+    sort_terms(terms);
     let mut remaining: Vec<Signed> = Vec::with_capacity(terms.len());
     for &term in terms.iter() {
         match remaining.last() {

@@ -2,7 +2,7 @@
 
 use flight::release::Release;
 use flight::throw::Throw;
-use ode::{AlignedVec, Event, IntegrationOptions, integrate_to_event};
+use ode::{AlignedVec, Event, IntegrationOptions};
 
 use crate::path::Path;
 use crate::throw_flight::{By, ThrowFlightError, ThrowFlights};
@@ -77,8 +77,7 @@ impl ThrowFlights<'_> {
         let mut events = self.bound.limits_on::<AlignedVec>();
         events.push(Event::falls_to("ground", self.body.position[2], 0.0).terminal());
         let end = Release::MAX_DURATION;
-        let trajectory =
-            integrate_to_event(&mut rhs, (0.0, &augmented), end, options, &mut events)?;
+        let trajectory = rhs.integrate_to_event((0.0, &augmented), end, options, &mut events)?;
         let mut throws = 0..of_throw.len();
         let mut parameters = of_throw.len()..by.len();
         let columns = by.iter().map(|by| match by {

@@ -3,12 +3,12 @@
 
 use flight::release::Release;
 use flight::throw::{FIELDS, Throw, ThrowError, ThrownModel};
-use flight::{BoundModel, CompiledModel, DifferentiableModelRhs};
+use flight::{BoundModel, CompiledModel};
 use model_spec::model::Model;
 use nalgebra::Vector3;
 use ode::{
     DifferentiableRhs, Event, IntegrationError, IntegrationOptions, Sensitivities,
-    SensitivityLayout, Trajectory, integrate_to_event,
+    SensitivityLayout, Trajectory,
 };
 
 use crate::point::Point;
@@ -151,20 +151,15 @@ impl ThrowFlights<'_> {
         events.push(Event::falls_to("ground", self.body.position[2], 0.0).terminal());
         let start: Box<[f64]> = state.into();
         let end = Release::MAX_DURATION;
-        integrate_to_event(
-            &mut self.bound.rhs(),
-            (0.0, &start),
-            end,
-            options,
-            &mut events,
-        )
+        self.bound
+            .integrate_to_event((0.0, &start), end, options, &mut events)
     }
 
     pub(crate) fn sensitivities(
         &self,
         of_throw: usize,
         of_parameters: &[usize],
-    ) -> Sensitivities<DifferentiableModelRhs<'_>> {
+    ) -> Sensitivities<'_> {
         let rhs = self.bound.differentiable_rhs();
         // The state indices of the first columns are irrelevant: these columns start along directions of the throw.
         Sensitivities::new(rhs, &vec![0; of_throw], of_parameters)

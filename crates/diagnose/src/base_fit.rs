@@ -97,7 +97,7 @@ mod tests {
     use super::*;
     use crate::context::DiagnosisOptions;
     use crate::test_support::mystery;
-    use identify::dataset::Dataset;
+    use dataset::Dataset;
 
     fn base_fit(dataset: &Dataset) -> Result<BaseFit, DiagnosisError> {
         let model = model_spec::load::load("disc", &[]).unwrap();

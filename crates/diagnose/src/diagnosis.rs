@@ -4,7 +4,7 @@ mod beyond_single_effects;
 
 use std::time::Instant;
 
-use identify::dataset::{Dataset, Role};
+use dataset::{Dataset, Role};
 use identify::{Fit, FitOptions, Iterate};
 use model_spec::model::Model;
 

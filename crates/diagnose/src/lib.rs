@@ -21,7 +21,7 @@
 //! use diagnose::{DiagnosisOptions, diagnose};
 //!
 //! let model = model_spec::load::load("disc", &[])?;
-//! let dataset = identify::dataset::load("examples/mystery".as_ref())?;
+//! let dataset = dataset::load("examples/mystery".as_ref())?;
 //! let found = diagnose(&model, &dataset, &DiagnosisOptions::default())?;
 //! println!("{:?}: {}", found.report.verdict, found.report.summary);
 //! if let Some((extended, _)) = &found.after {

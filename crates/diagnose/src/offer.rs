@@ -1,8 +1,8 @@
 //! Fit of the extended model, measurement of its out-of-sample gain, and its addition to the report unless it
 //! predicts worse.
 
+use dataset::Role;
 use flight::batch;
-use identify::dataset::Role;
 use identify::{Fit, FlightEvidence, FlightId, fit};
 
 use crate::context::Context;

@@ -1,6 +1,6 @@
 //! A small dataset for unit tests: flights of `examples/mystery`, generated with the effect `stall`.
 
-use identify::dataset::{self, Dataset};
+use dataset::Dataset;
 use identify::{Fit, FitOptions, Iterate, fit};
 
 use crate::context::{CandidateId, Context, DiagnosisOptions, EncompassingModel, ScoreTestModel};

@@ -3,8 +3,8 @@
 use std::fmt::Write;
 use std::path::PathBuf;
 
+use dataset::Dataset;
 use diagnose::{DiagnosisOptions, diagnose};
-use identify::dataset::{self, Dataset};
 use model_spec::model::Model;
 use nalgebra::Vector3;
 use rand::SeedableRng;

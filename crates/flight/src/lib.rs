@@ -1,15 +1,16 @@
 //! Runtime of a flight model: the compiled model, its parameters, its measurement equation, and releases.
 //!
 //! - [`CompiledModel`] holds the functions of a model ([`ModelFunctions`]), from generated code or an interpreted tape.
-//! - [`BoundModel`] adds values of the parameters. It provides the right-hand side for the solver of [`ode`], with or
-//!   without Jacobians, the limits of validity as events, and a [`ModelObserver`] for marker positions.
+//! - [`BoundModel`] adds values of the parameters. Its functions integrate it; it provides the right-hand side for the
+//!   solver of [`ode`], with or without Jacobians, the limits of validity as events, and a [`ModelObserver`] for marker
+//!   positions.
 //! - [`release`] reads the initial conditions of a flight; [`simulate`] integrates them; [`trajectory_csv`] writes the
 //!   result.
 //! - [`throw`] describes the motion at release by the quantities that launch monitors report.
 //!
 //! ```
 //! use flight::CompiledModel;
-//! use ode::{IntegrationOptions, integrate};
+//! use ode::IntegrationOptions;
 //!
 //! let model = model_spec::load::load("ball", &[])?;
 //! let compiled = CompiledModel::new(&model);
@@ -19,7 +20,7 @@
 //! let mut state = compiled.layout().default_states();
 //! state[..6].copy_from_slice(&start);
 //! let options = IntegrationOptions::default();
-//! let flight = integrate(&mut bound.rhs(), (0.0, &state.into()), 0.5, &options, &mut bound.limits())?;
+//! let flight = bound.integrate((0.0, &state.into()), 0.5, &options, &mut bound.limits())?;
 //! let marker = bound.observer().position(0.5, &flight.end_state, &[0.0; 3]);
 //! assert!(marker[0] > 1.0 && marker[2] > 2.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -31,6 +32,7 @@ pub mod batch;
 mod bound_model;
 mod compiled_model;
 mod functions;
+mod integrate;
 mod observer;
 pub mod release;
 mod rhs;

@@ -2,7 +2,7 @@
 
 use crate::compiled_model::CompiledModel;
 use crate::release::{Release, Stop};
-use ode::{Event, IntegrationError, IntegrationOptions, Trajectory, integrate, integrate_to_event};
+use ode::{Event, IntegrationError, IntegrationOptions, Trajectory};
 
 /// Simulates the flight of the model from the initial conditions in `release` to the condition [`Release::stop`] that
 /// ends the flight. The apex and the contact with the ground (height `z` falls to 0) are recorded as events `apex` and
@@ -36,13 +36,11 @@ pub fn simulate(
             events.push(Event::falls_to("ground", z.index(), 0.0).terminal());
         }
     }
-    let (mut rhs, initial) = (bound.rhs(), release.state().into());
-    let start = (0.0, &initial);
+    let start = (0.0, &release.state().into());
     match release.stop {
-        Stop::Duration(duration) => integrate(&mut rhs, start, duration, options, &mut events),
+        Stop::Duration(duration) => bound.integrate(start, duration, options, &mut events),
         Stop::Ground => {
-            let t_end = Release::MAX_DURATION;
-            integrate_to_event(&mut rhs, start, t_end, options, &mut events)
+            bound.integrate_to_event(start, Release::MAX_DURATION, options, &mut events)
         }
     }
 }

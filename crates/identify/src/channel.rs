@@ -3,7 +3,7 @@
 
 use model_spec::compose::Instrument;
 
-use crate::dataset::{Dataset, SensorKind};
+use dataset::{Dataset, SensorKind};
 
 /// Quantity that a channel measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use model_spec::index_type;
 
 index_type!(
-    /// Index of a flight in [`Dataset::flights`](crate::dataset::Dataset::flights).
+    /// Index of a flight in [`Dataset::flights`](dataset::Dataset::flights).
     pub struct FlightId;
 );
 

@@ -1,21 +1,18 @@
-//! Estimates aerodynamic coefficients from measured flights: datasets, and the output-error fit of a model to all
-//! flights at once.
+//! Estimates aerodynamic coefficients from measured flights: the output-error fit of a model to all flights of a
+//! dataset at once.
 //!
-//! [`dataset`] reads and checks the dataset formats. [`fit`] determines its own initial guesses and minimises the
-//! residuals (measured − predicted marker positions), weighted by a noise model that it estimates, with the exact
-//! sensitivities of the compiled model. The resulting [`Fit`] holds a [`FitReport`] with estimates, uncertainties and
-//! residual diagnostics. [`synthesize`] creates datasets whose true coefficients are known.
+//! [`fit`] determines its own initial guesses and minimises the residuals (measured − predicted marker positions),
+//! weighted by a noise model that it estimates, with the exact sensitivities of the compiled model. The resulting
+//! [`Fit`] holds a [`FitReport`] with estimates, uncertainties and residual diagnostics.
 
 mod channel;
 mod channel_observers;
 mod contact_time;
-pub mod dataset;
 mod error;
 mod fit;
 mod ground_contact;
 mod ids;
 mod initial_state;
-mod input_error;
 mod least_squares;
 mod marker_observers;
 mod noise;
@@ -24,14 +21,11 @@ mod observations;
 mod options;
 pub mod outliers;
 mod path_noise;
-mod pose;
 mod predict;
 mod problem;
 mod report;
 mod screening;
 mod state_manifold;
-mod statistics;
-pub mod synthesize;
 mod tolerance;
 mod uncertainty;
 mod unknown_vertical;
@@ -43,7 +37,6 @@ pub mod wording;
 pub use error::{ExcludedFlight, FitError, FlightError, NameSource};
 pub use fit::{CONDITIONING_FRACTION, Fit, refit};
 pub use ids::{FlightId, GlobalId, LocalId};
-pub use input_error::InputError;
 pub use options::{CancellationToken, FitOptions, Prior, Progress};
 
 // The report of a fit.
@@ -52,7 +45,6 @@ pub use report::{
     FlightOutcome, FlightReport, Iterations, MarkerDistance, NoiseReport, NonIdentifiable, Profile,
     SensorEvidence, SensorReport, Truncation,
 };
-pub use statistics::{median, median_of};
 pub use uncertainty::interval;
 
 pub use unknowns::{Resolved, fit, resolve};

@@ -13,9 +13,9 @@
 use nalgebra::{Matrix4, Vector3, Vector4};
 
 use crate::observations::Observations;
-use crate::pose::{Pose, point_position};
 use crate::problem::FitProblem;
-use crate::statistics::{median_of, median_vector, robust_sigma};
+use dataset::pose::{Pose, point_position};
+use dataset::statistics::{median_of, median_vector, robust_sigma};
 
 /// Number of neighbours on each side of a sample to which a cubic in time is fitted; the noise floor is estimated from
 /// the deviation of the sample from this cubic.
@@ -173,7 +173,7 @@ impl Interpolation {
 mod tests {
     use super::*;
     use crate::options::FitOptions;
-    use crate::synthesize::{Corruption, Plan, flights};
+    use dataset::synthesize::{Corruption, Plan, flights};
     use flight::release::{Vocabulary, built_in, read};
 
     fn floor(name: &str, noise: Corruption) -> [f64; 3] {

@@ -6,13 +6,13 @@ use model_spec::layout::StateId;
 use nalgebra::DVector;
 
 use crate::channel::ChannelKind;
-use crate::dataset::{Flight, Role, attitude, points_seen};
 use crate::error::FlightError;
-use crate::pose::{Pose, pose};
 use crate::problem::FitProblem;
 use crate::report::Truncation;
 use crate::state_manifold::StateManifold;
-use crate::statistics::median_of;
+use dataset::pose::{Pose, pose};
+use dataset::statistics::median_of;
+use dataset::{Flight, Role, attitude, points_seen};
 
 /// Samples of one flight from the first to the last measured value, with the parameters and initial states that are
 /// known for the flight.

@@ -3,7 +3,7 @@
 //! Model error is smooth in time: the line through the neighbours removes it, so that it is not mistaken for outliers.
 
 use crate::noise::{OUTLIER_LIMIT, group_count};
-use crate::statistics::{median, median_of, robust_sigma};
+use dataset::statistics::{median, median_of, robust_sigma};
 
 /// Number of neighbours on each side of a value through which a line is fitted to detect whether the value is an
 /// outlier. Two of the neighbours may be outliers.

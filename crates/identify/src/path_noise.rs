@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::statistics::{median_of, robust_sigma};
+use dataset::statistics::{median_of, robust_sigma};
 
 /// Maximum time span of four successive points of a path, in units of the median span of such groups. Groups with a
 /// longer span are skipped because the path may curve in the gap.

@@ -12,12 +12,12 @@ use model_spec::model::Model;
 use nalgebra::DVector;
 
 use crate::channel::{self, Channel, ChannelKind};
-use crate::dataset::{Dataset, KnownValue, SensorKind, points_on_body};
 use crate::error::{FitError, FlightError, NameSource};
 use crate::noise::{Moments, NoiseModel, group_count};
 use crate::options::FitOptions;
-use crate::pose;
 use crate::tolerance::FINE_TOLERANCE;
+use dataset::pose;
+use dataset::{Dataset, KnownValue, SensorKind, points_on_body};
 pub use global_parameters::GlobalParameter;
 
 /// Standard deviation of the noise of one measured coordinate, m, assumed initially if the samples do not determine it.

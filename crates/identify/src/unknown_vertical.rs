@@ -4,11 +4,11 @@
 use model_spec::compose::{EffectTree, ModelTree};
 use model_spec::model::Model;
 
-use crate::dataset::{Dataset, Role};
 use crate::error::FitError;
 use crate::fit::{Fit, fit};
 use crate::options::FitOptions;
 use crate::vertical::{ANGLES, EFFECT, angles};
+use dataset::{Dataset, Role};
 
 /// Maximum number of flights that are fitted from each of several initial directions of the vertical, to choose among
 /// these directions.

@@ -6,13 +6,13 @@ use std::borrow::Cow;
 use model_spec::compose::{Instrument, ModelTree};
 use model_spec::model::Model;
 
-use crate::dataset::{Dataset, Sensor, SensorKind};
 use crate::error::FitError;
 use crate::fit::{self, Fit};
 use crate::options::{FitOptions, Prior};
 use crate::problem::measured;
 use crate::unknown_vertical;
 use crate::vertical;
+use dataset::{Dataset, Sensor, SensorKind};
 
 /// Effect (model extension) that displaces all markers together on the body: its name and the names of its
 /// coefficients, m.

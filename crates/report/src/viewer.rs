@@ -6,9 +6,9 @@
 mod samples;
 
 use codegen::latex;
+use dataset::Role;
 use flight::CompiledModel;
 use flight::release::Release;
-use identify::dataset::Role;
 use identify::{Fit, FlightId};
 use minijinja::context;
 use minijinja::value::Value;

@@ -7,8 +7,8 @@
 use std::fs;
 use std::path::Path;
 
-use identify::dataset::write_with;
-use identify::synthesize::Corruption;
+use dataset::synthesize::Corruption;
+use dataset::write_with;
 use model_spec::load::load;
 use serde_json::{Value, json};
 use studies::oracle_flights::{Plan, TWELVE, disc, truth};

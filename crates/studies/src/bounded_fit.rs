@@ -3,7 +3,7 @@
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
-use identify::dataset::Dataset;
+use dataset::Dataset;
 use identify::{CancellationToken, Fit, FitError, FitOptions, fit};
 use model_spec::model::Model;
 

@@ -52,7 +52,7 @@ pub enum StudyError {
     Release(#[from] flight::release::ReleaseError),
     /// A dataset cannot be read.
     #[error(transparent)]
-    Dataset(#[from] identify::InputError),
+    Dataset(#[from] dataset::InputError),
     /// A take (recording) cannot be read.
     #[error(transparent)]
     Take(#[from] takes::TakeError),

@@ -4,7 +4,7 @@
 pub(crate) fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
     let finite = values.into_iter().filter(|value| value.is_finite());
     let mut finite: Vec<f64> = finite.collect();
-    (!finite.is_empty()).then(|| identify::median(&mut finite))
+    (!finite.is_empty()).then(|| dataset::statistics::median(&mut finite))
 }
 
 /// Mean and sample standard deviation (divisor n − 1) of `values`. The standard deviation of fewer than two values, and

@@ -31,7 +31,7 @@ mod unitless;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::diagnostic::{self, Diagnostic, Kind, Span};
 use crate::model::{self, Model, Source};
 use crate::syntax::ast;
 use scope::Scope;
@@ -86,7 +86,7 @@ pub fn check(file: &ast::File, sources: &[Source]) -> Checked {
         model,
         ..
     } = checker;
-    diagnostics.sort_by_key(|d| d.span);
+    diagnostic::sort(&mut diagnostics);
     let sound = diagnostics.iter().all(|d| d.kind == Kind::Unit);
     Checked {
         model: sound.then_some(model),

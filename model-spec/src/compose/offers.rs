@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use crate::check;
-use crate::diagnostic::{Diagnostic, Kind, Source};
+use crate::diagnostic::{self, Diagnostic, Kind, Source};
 use crate::effect;
 use crate::syntax::ast::File;
 
@@ -34,6 +34,6 @@ pub(super) fn faults(file: &File, sources: &[Source]) -> Vec<Diagnostic> {
             Err(faults) => diagnostics.extend(faults),
         }
     }
-    diagnostics.sort_by_key(|d| d.span);
+    diagnostic::sort(&mut diagnostics);
     diagnostics
 }

@@ -4,7 +4,7 @@ use super::ast::{File, Name};
 use super::lexer::{self, Lexed, Lexeme};
 use super::spelling;
 use super::token::Token;
-use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
+use crate::diagnostic::{self, Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::suggest;
 
 /// Maximum nesting depth of brackets, calls, signs and powers; deeper nesting is a syntax error. It bounds the
@@ -101,7 +101,7 @@ impl<'a> Parser<'a> {
 
     /// Returns all lexical and syntax errors, in the order of their source spans.
     pub fn finish(mut self) -> Vec<Diagnostic> {
-        self.lexed.diagnostics.sort_by_key(|d| d.span);
+        diagnostic::sort(&mut self.lexed.diagnostics);
         self.lexed.diagnostics
     }
 

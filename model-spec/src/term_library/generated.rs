@@ -50,6 +50,10 @@ struct Variable {
     rank: u8,
 }
 
+fn sort_by_rank(variables: &mut [Variable]) {
+    variables.sort_by_key(|variable| variable.rank);
+}
+
 /// Generates a library of candidate terms for a model. `None` if there is nothing to which a term can be added. This is
 /// the case if the model has no body, and each equation in the model file only equates a derivative with a state, as in
 /// `der(phi) = phidot`.
@@ -69,7 +73,7 @@ pub(super) fn library(model: &Model) -> Option<LibraryFile> {
         depends_on: "time",
         rank: 4,
     });
-    variables.sort_by_key(|variable| variable.rank);
+    sort_by_rank(&mut variables);
     let mut entries: Vec<VariableEntry> = Vec::new();
     for variable in variables {
         if entries.iter().any(|entry| entry.name == variable.name) {
@@ -283,7 +287,7 @@ fn named_quantities(model: &Model) -> Vec<Variable> {
             }
         })
         .collect();
-    named.sort_by_key(|variable| variable.rank);
+    sort_by_rank(&mut named);
     named.truncate(MAX_NAMED);
     named
 }

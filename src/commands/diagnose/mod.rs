@@ -6,7 +6,7 @@ mod tables;
 use ::diagnose::{Diagnosis, DiagnosisOptions, ExtendedModel, Verified, diagnose_with};
 use anyhow::Context;
 use codegen::generate::generate_with;
-use identify::dataset::{self, Dataset};
+use dataset::Dataset;
 use identify::{FitOptions, FitStatus};
 use report::diagnosis::{DiagnosisPage, Fits};
 use report::viewer::View;

@@ -10,10 +10,11 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, bail};
-use identify::dataset::{self, Dataset, Role};
+use dataset::{Dataset, Role};
 use identify::{FitOptions, FlightEvidence, FlightId, Prior};
 use model_spec::ModelTree;
 use model_spec::model::Model;
+use model_spec::sort_by_number;
 use report::fit::Figure;
 use report::fit::FitPage;
 use report::viewer::View;
@@ -90,7 +91,7 @@ pub(super) fn drawn(fitted: &identify::Fit) -> Vec<usize> {
     };
     let mut drawn: Vec<usize> = of_role(Role::Fit).take(DRAWN.0).collect();
     let mut worst: Vec<usize> = of_role(Role::Fit).skip(DRAWN.0).collect();
-    worst.sort_by(|&a, &b| flights[b].rms().total_cmp(&flights[a].rms()));
+    sort_by_number(&mut worst, |&index| -flights[index].rms());
     drawn.extend(worst.into_iter().take(DRAWN.1));
     drawn.extend(of_role(Role::HeldOut).take(DRAWN.2));
     drawn.sort_unstable();

@@ -4,9 +4,10 @@ use std::fmt::Write;
 
 use comfy_table::Table;
 use comfy_table::presets::UTF8_BORDERS_ONLY;
-use identify::dataset::Role;
+use dataset::Role;
 use identify::{DataFault, FitReport, FlightReport};
 use model_spec::model::Model;
+use model_spec::sort_by_number;
 
 use super::tables::role;
 
@@ -227,7 +228,7 @@ fn flights(report: &FitReport) -> String {
     let mut order: Vec<&FlightReport> = report.flights.iter().collect();
     let mut text = String::new();
     if order.len() > LISTED {
-        order.sort_by(|a, b| b.rms().total_cmp(&a.rms()));
+        sort_by_number(&mut order, |flight| -flight.rms());
         order.truncate(LISTED);
         let _ = writeln!(
             text,

@@ -1,6 +1,6 @@
 //! CSV tables of a fit.
 
-use identify::dataset::{Dataset, Role};
+use dataset::{Dataset, Role};
 use identify::{Fit, FitReport};
 
 /// CSV table of the estimates of a fit: one line per coefficient, with its standard errors and 95 % interval.

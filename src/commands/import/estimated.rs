@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use anyhow::{Context, bail};
-use identify::dataset::Marker;
+use dataset::Marker;
 use takes::words::{listed, shown};
 use takes::{FreeFlight, ReadOptions, Take, ThrowOptions, Throws, estimate_template};
 

@@ -10,7 +10,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use anyhow::{Context, bail};
-use identify::dataset::{Dataset, Flight, Sensor, SensorKind, write_commented};
+use dataset::{Dataset, Flight, Sensor, SensorKind, write_commented};
 use report::import::{ImportPage, ImportedTake};
 use takes::words::listed;
 use takes::{Axis, Format, LengthUnit, ReadOptions, Take, Throw, ThrowOptions, TimeUnit};

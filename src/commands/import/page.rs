@@ -1,6 +1,6 @@
 //! Data of the report page of an import: curves of a recording and its flights.
 
-use identify::dataset::{Flight, Marker};
+use dataset::{Flight, Marker};
 use report::import::{Curve, Distance, Edge, ImportedFlight};
 use takes::{Cut, Motion, Take, Throw};
 

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use anyhow::{Context, bail};
-use identify::dataset::Marker;
+use dataset::Marker;
 use takes::words::listed;
 use takes::{Pose, Take, rotated};
 

@@ -2,7 +2,7 @@
 
 use super::candidates::{Candidates, Score};
 use crate::graph::FastMap;
-use crate::ssa::{DefId, Signed, Ssa, SsaDef};
+use crate::ssa::{DefId, Signed, Ssa, SsaDef, sort_terms};
 use model_spec::index::IndexVec;
 
 /// Two terms that occur in one sum, and whether their signs differ.
@@ -44,7 +44,7 @@ pub fn share(ssa: &mut Ssa) {
             };
             list.retain(|&(_, term)| term != pair.0 && term != pair.1);
             list.push((minus != flipped, shared));
-            list.sort_unstable_by_key(|&(minus, def)| (def, minus));
+            sort_terms(list);
             register(ssa, id, &mut candidates);
         }
         candidates.rate(|pair, users| score(ssa, pair, users));

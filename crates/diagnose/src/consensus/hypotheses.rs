@@ -6,6 +6,7 @@
 //! to all flights.
 
 use identify::Iterate;
+use model_spec::sort_by_number;
 
 use super::sign_flip_test::SignFlipTest;
 use crate::context::{CandidateId, ColumnId, ScoreTestModel, TermId};
@@ -128,7 +129,7 @@ fn agreed_hypotheses(
             });
         }
     }
-    agreed.sort_by(|a, b| a.hypothesis.squares.total_cmp(&b.hypothesis.squares));
+    sort_by_number(&mut agreed, |agreed| agreed.hypothesis.squares);
     Ok(agreed)
 }
 

@@ -12,7 +12,7 @@ mod refit;
 mod score_test_model;
 mod trajectory_cache;
 
-use identify::dataset::Dataset;
+use dataset::Dataset;
 use model_spec::model::Model;
 
 pub(crate) use basis_load::BasisLoads;
@@ -43,7 +43,7 @@ impl Context<'_> {
     /// Whether the dataset declares held-out flights.
     pub fn has_held_out(&self) -> bool {
         let mut flights = self.dataset.flights.iter();
-        flights.any(|flight| flight.role == identify::dataset::Role::HeldOut)
+        flights.any(|flight| flight.role == dataset::Role::HeldOut)
     }
 
     /// Whether the deadline set by the caller has passed.

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use codegen::Layout;
+use dataset::{Dataset, Role};
 use flight::CompiledModel;
-use identify::dataset::{Dataset, Role};
 use identify::{Fit, FitError, FitOptions, FitProblem, FlightId, Iterate, LocalId, Observations};
 use model_spec::index::IndexVec;
 use model_spec::layout::{ParamId, StateId};

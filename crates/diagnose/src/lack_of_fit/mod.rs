@@ -14,11 +14,11 @@ mod spline_basis;
 
 use std::collections::BTreeMap;
 
+use dataset::Role;
+use dataset::statistics::median_of;
 use flight::batch;
-use identify::dataset::Role;
-use identify::{
-    Channel, Fit, FitError, FlightId, NoiseModel, Observations, each_residual, median_of,
-};
+use identify::{Channel, Fit, FitError, FlightId, NoiseModel, Observations, each_residual};
+use model_spec::sort_by_number;
 use serde::{Deserialize, Serialize};
 
 use self::f_test::ScaledStatistic;
@@ -138,7 +138,7 @@ impl LackOfFit {
             p_values.push((index, misfit.p_value(error)));
         }
         let count = p_values.len() as f64;
-        p_values.sort_by(|a, b| a.1.total_cmp(&b.1));
+        sort_by_number(&mut p_values, |p_value| p_value.1);
         let least = p_values.first().map_or(1.0, |(_, p)| count * p);
         let p = (2.0 * least_p(slow, fine, error).min(least)).min(1.0);
         let departures = p_values

@@ -1,5 +1,6 @@
 //! Minimum detectable effects, and effects that these flights cannot identify.
 
+use model_spec::sort_by_number;
 use serde::{Deserialize, Serialize};
 
 use crate::context::{CandidateId, CandidateParameter, ColumnId, ScoreTestModel};
@@ -130,7 +131,7 @@ fn confounded_with(model: &ScoreTestModel<'_>, tests: &ScoreTests, id: Candidate
 }
 
 fn greatest_shares(mut shares: Vec<(&str, f64)>) -> Vec<String> {
-    shares.sort_by(|a, b| b.1.total_cmp(&a.1));
+    sort_by_number(&mut shares, |share| -share.1);
     let greatest = shares.first().map_or(0.0, |first| first.1);
     shares
         .into_iter()

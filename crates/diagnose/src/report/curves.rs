@@ -1,7 +1,9 @@
 //! Coefficient curves: the model's coefficients over the range of angle of attack or speed that the flights covered.
 
-use identify::{FlightEvidence, median};
+use dataset::statistics::median;
+use identify::FlightEvidence;
 use model_spec::model::{Model, Shape};
+use model_spec::sort_by_number;
 use serde::{Deserialize, Serialize};
 
 /// Number of equal intervals into which the abscissa of a curve (angle of attack or speed) is divided.
@@ -94,8 +96,8 @@ fn medians(mut before: Vec<(f64, f64)>, mut after: Vec<(f64, f64)>) -> Option<Ve
     if before.is_empty() || after.is_empty() {
         return None;
     }
-    before.sort_by(|a, b| a.0.total_cmp(&b.0));
-    after.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sort_by_number(&mut before, |point| point.0);
+    sort_by_number(&mut after, |point| point.0);
     let quantile = |part: f64| before[((before.len() - 1) as f64 * part) as usize].0;
     let (low, high) = (quantile(QUANTILES.0), quantile(QUANTILES.1));
     let step = (high - low) / INTERVALS as f64;

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use identify::dataset::Role;
+use dataset::Role;
 use identify::{Fit, FlightReport};
+use model_spec::sort_by_number;
 
 use super::narrative;
 use super::types::{
@@ -167,7 +168,7 @@ fn candidate_tests(model: &ScoreTestModel<'_>, search: &Search) -> Vec<Candidate
         })
     });
     let mut all: Vec<CandidateTest> = each.collect();
-    all.sort_by(|a, b| a.ln_p.total_cmp(&b.ln_p));
+    sort_by_number(&mut all, |test| test.ln_p);
     all
 }
 
@@ -261,7 +262,7 @@ fn cause(model: &ScoreTestModel<'_>, search: &Search, hypothesis: &Hypothesis) -
         }
     });
     let mut effects: Vec<CauseEffect> = effects.collect();
-    effects.sort_by(|a, b| b.statistic.total_cmp(&a.statistic));
+    sort_by_number(&mut effects, |effect| -effect.statistic);
     let remaining = hypothesis.strongest_remaining();
     Cause {
         effects,

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use dataset::Role;
 use identify::DataFault;
-use identify::dataset::Role;
 use serde::{Deserialize, Serialize};
 
 use super::curves::CoefficientCurve;

@@ -1,6 +1,7 @@
 //! Search over hypotheses: first single effects, then hypotheses with one more effect as long as none is adequate.
 
 use identify::{Iterate, NoiseModel, fit};
+use model_spec::sort_by_number;
 
 use super::hypothesis::Hypothesis;
 use super::thresholds::Thresholds;
@@ -237,7 +238,7 @@ impl Search {
         model: &ScoreTestModel<'_>,
         mut fitted: Vec<Hypothesis>,
     ) -> Result<(), DiagnosisError> {
-        fitted.sort_by(|a, b| a.squares.total_cmp(&b.squares));
+        sort_by_number(&mut fitted, |hypothesis| hypothesis.squares);
         let mut is_adequate = Vec::with_capacity(fitted.len());
         for hypothesis in &fitted {
             model.context.check_cancelled()?;
@@ -340,7 +341,7 @@ impl Search {
                 }
             }
         }
-        fewer.sort_by(|a, b| a.squares.total_cmp(&b.squares));
+        sort_by_number(&mut fewer, |hypothesis| hypothesis.squares);
         Ok((!fewer.is_empty()).then_some(fewer))
     }
 }
@@ -360,7 +361,7 @@ fn strongest_singles(tests: &ScoreTests) -> Vec<Vec<CandidateId>> {
         .filter(|(_, test)| test.dof > 0)
         .map(|(id, test)| (id, penalized(test)))
         .collect();
-    decreases.sort_by(|a, b| b.1.total_cmp(&a.1));
+    sort_by_number(&mut decreases, |decrease| -decrease.1);
     let best = decreases.first().map_or(0.0, |first| first.1);
     let near = decreases
         .into_iter()
@@ -393,7 +394,7 @@ fn strongest_additions(rejected: &[Hypothesis], count: usize) -> Vec<(Vec<Candid
             }
         }
     }
-    all.sort_by(|a, b| a.2.total_cmp(&b.2));
+    sort_by_number(&mut all, |addition| addition.2);
     let least = all.first().map_or(0.0, |first| first.2);
     let decrease = rejected.first().map_or(0.0, |best| best.squares) - least;
     let near = all

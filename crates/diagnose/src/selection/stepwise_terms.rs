@@ -3,6 +3,7 @@
 use identify::{Fit, FitStatus, fit, refit};
 use model_spec::compose::EffectTree;
 use model_spec::index::IndexVec;
+use model_spec::sort_by_number;
 use serde::{Deserialize, Serialize};
 
 use super::hypothesis::Hypothesis;
@@ -350,7 +351,7 @@ fn reported(terms: &LibraryTerms, tests: &ScoreTests) -> IndexVec<TermId, Stepwi
 fn strongest_terms(terms: &LibraryTerms, tests: &ScoreTests) -> Vec<StepwiseTerm> {
     let each = tests.terms.iter_enumerated();
     let mut order: Vec<(TermId, &ScoreTest)> = each.filter(|(_, test)| test.dof > 0).collect();
-    order.sort_by(|a, b| b.1.statistic.total_cmp(&a.1.statistic));
+    sort_by_number(&mut order, |term| -term.1.statistic);
     order.truncate(MAX_REPORTED);
     let each = order.into_iter();
     each.map(|(id, test)| StepwiseTerm::new(terms, id, test))

@@ -1,7 +1,7 @@
 //! 2-fold cross-validation over flights.
 
+use dataset::{Dataset, Role};
 use flight::batch;
-use identify::dataset::{Dataset, Role};
 use identify::{Fit, FitError, FitOptions, fit};
 use model_spec::model::Model;
 

@@ -1,6 +1,6 @@
 //! Held-out flights whose conditioning segment, the first 30 % of the samples, contradicts an extension.
 
-use identify::dataset::Role;
+use dataset::Role;
 use identify::{CONDITIONING_FRACTION, Fit};
 
 /// Maximum increase of the weighted sum of squares, χ², of the first 30 % of a flight's samples (its conditioning

@@ -1,7 +1,8 @@
 //! Out-of-sample error reduction by an extension.
 
-use identify::dataset::Role;
-use identify::{Fit, FitReport, median_of};
+use dataset::Role;
+use dataset::statistics::median_of;
+use identify::{Fit, FitReport};
 use serde::{Deserialize, Serialize};
 
 /// Prediction errors on held-out flights without and with the extension (the effects added to the model). The initial

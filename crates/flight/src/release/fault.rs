@@ -22,6 +22,15 @@ pub struct Fault {
     pub message: String,
 }
 
+impl ReleaseError {
+    /// Creates the error for a file with these faults, in any order.
+    pub(super) fn new(file: &str, mut faults: Vec<Fault>) -> Self {
+        faults.sort_by_key(|fault| fault.location);
+        let file = file.to_owned();
+        Self { file, faults }
+    }
+}
+
 impl fmt::Display for ReleaseError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, fault) in self.faults.iter().enumerate() {

@@ -101,14 +101,10 @@ impl<'t> Reader<'t> {
     ///
     /// # Errors
     /// [`ReleaseError`] with the faults in order of location if there are any, or if `value` is `None`.
-    pub fn finish<V>(mut self, file: &str, value: Option<V>) -> Result<V, ReleaseError> {
-        self.faults.sort_by_key(|fault| fault.location);
+    pub fn finish<V>(self, file: &str, value: Option<V>) -> Result<V, ReleaseError> {
         match value {
             Some(value) if self.faults.is_empty() => Ok(value),
-            _ => Err(ReleaseError {
-                file: file.into(),
-                faults: self.faults,
-            }),
+            _ => Err(ReleaseError::new(file, self.faults)),
         }
     }
 

@@ -5,7 +5,7 @@ use super::rows::whitened;
 use super::trajectory::Trajectory;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
-use crate::pose::distance;
+use dataset::pose::distance;
 
 /// Squared whitened residual of a marker position, summed over its coordinates, above which it is an outlier; noise
 /// exceeds it with probability 10⁻⁵.

@@ -4,14 +4,14 @@ use ::flight::release::{Vocabulary, built_in, read};
 use nalgebra::Vector3;
 
 use super::{Onset, contact_time};
-use crate::dataset::Flight;
 use crate::fit::FixedGlobal;
 use crate::fit::contact_refinement::tests::pushed;
 use crate::noise::{AxesNoise, NoiseModel};
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
-use crate::synthesize::{Corruption, Plan, flights};
+use dataset::Flight;
+use dataset::synthesize::{Corruption, Plan, flights};
 
 /// Number of samples at the start of a flight to which its initial state is fitted; contacts with the ground are
 /// searched in the later samples.

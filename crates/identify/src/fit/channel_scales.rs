@@ -6,7 +6,7 @@ use crate::channel::ChannelKind;
 use crate::observations::Observations;
 use crate::path_noise::path_noise;
 use crate::problem::FitProblem;
-use crate::statistics::{median_of, robust_sigma};
+use dataset::statistics::{median_of, robust_sigma};
 
 /// Minimum noise of a channel relative to the median magnitude of its values; smaller estimates of the noise are raised
 /// to it. Without it, a channel whose values were rounded could appear to be noiseless.

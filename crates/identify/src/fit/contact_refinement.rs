@@ -19,11 +19,11 @@ use super::reweighting::estimate_noise;
 use super::state::State;
 use super::taking_back::LIKE_RATIO;
 use crate::contact_time::{Onset, contact_time};
-use crate::dataset::{Dataset, Flight};
 use crate::error::{ExcludedFlight, FlightError};
 use crate::ids::FlightId;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
+use dataset::{Dataset, Flight};
 
 /// Range in which the ground contact of a truncated flight is searched again: numbers of samples before and after its
 /// last used sample, which was determined without the fitted model.
@@ -341,10 +341,10 @@ pub(crate) mod tests {
     use ::flight::release::{Vocabulary, built_in, read};
     use nalgebra::Vector3;
 
-    use crate::dataset::Flight;
     use crate::fit::fit;
     use crate::options::FitOptions;
-    use crate::synthesize::{Plan, flights};
+    use dataset::Flight;
+    use dataset::synthesize::{Plan, flights};
 
     /// Copy of a flight in which the velocity of the body jumps by `push`, m/s, at the sample with the index `sample`.
     /// The index may be fractional.

@@ -5,11 +5,11 @@ use nalgebra::DVector;
 use super::Fit;
 use super::residual_cache::ResidualCache;
 use super::state::State;
-use crate::dataset::Dataset;
 use crate::ids::FlightId;
 use crate::observations::{Observations, median_interval};
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
+use dataset::Dataset;
 
 /// Returns a fit in progress that starts at the estimates of an earlier fit, with its flights, their truncations and
 /// the values marked as outliers. Also returns the residuals at these estimates. `None` if the earlier fit lacks a

@@ -8,7 +8,6 @@ use super::initial_guess::{observations_and_poses, refined_guesses};
 use super::one_flight::FixedGlobal;
 use super::outcome::initial_state_report;
 use super::{FitError, FittedFlight, FlightResult};
-use crate::dataset::{Dataset, Flight};
 use crate::error::FlightError;
 use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
@@ -19,6 +18,7 @@ use crate::outliers;
 use crate::predict::{Loss, Residuals, residuals};
 use crate::problem::FitProblem;
 use crate::report::{FlightOutcome, FlightReport};
+use dataset::{Dataset, Flight};
 
 /// Fraction of the samples of a held-out flight to which its initial state is fitted; the rest is predicted.
 pub const CONDITIONING_FRACTION: f64 = 0.3;

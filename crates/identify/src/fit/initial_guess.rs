@@ -5,7 +5,6 @@ use flight::batch;
 use super::FitError;
 use super::one_flight::FixedGlobal;
 use super::state::State;
-use crate::dataset::{Dataset, Flight};
 use crate::error::{ExcludedFlight, FlightError};
 use crate::ground_contact::{self, ContactSearch};
 use crate::ids::FlightId;
@@ -13,10 +12,12 @@ use crate::initial_state::{self, InitialGuess};
 use crate::noise_floor::{median_noise_floor, noise_floor};
 use crate::observations::{Observations, median_interval};
 use crate::options::FitOptions;
-use crate::pose::Pose;
 use crate::problem::FitProblem;
-use crate::statistics::median_of;
 use crate::vertical;
+use dataset::pose::Pose;
+use dataset::statistics::median_of;
+use dataset::{Dataset, Flight};
+use model_spec::sort_by_number;
 
 /// Duration of the first segment of a flight, to which the guess of its initial state is fitted, s.
 const FIRST_SEGMENT: f64 = 0.15;
@@ -236,7 +237,7 @@ pub fn refined_guesses(
         }
     }
     if !problem.sees_positions() {
-        refined.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        sort_by_number(&mut refined, |(squares, _)| *squares);
         refined.truncate(1);
     }
     match refined.is_empty() {

@@ -41,7 +41,6 @@ use nalgebra::DVector;
 use self::initial_guess::InitialGuesses;
 use self::residual_cache::ResidualCache;
 use self::state::State;
-use crate::dataset::{Dataset, Flight, Role};
 use crate::error::{ExcludedFlight, FitError, FlightError};
 use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
@@ -54,6 +53,7 @@ use crate::report::{FitReport, FlightEvidence, FlightOutcome, FlightReport, reas
 use crate::screening::{self, DataFault, FaultKind, Screening};
 use crate::tolerance;
 use crate::vertical;
+use dataset::{Dataset, Flight, Role};
 pub use held_out::CONDITIONING_FRACTION;
 #[cfg(test)]
 pub(crate) use one_flight::FixedGlobal;

@@ -223,7 +223,7 @@ mod tests {
 
     use super::*;
     use crate::options::FitOptions;
-    use crate::synthesize::{Plan, flights};
+    use dataset::synthesize::{Plan, flights};
 
     #[test]
     fn an_angle_of_a_coefficient_that_vanishes_is_hidden() {

@@ -11,7 +11,7 @@ use super::residual_cache::ResidualCache;
 use super::state::State;
 use super::undistorted;
 use crate::observations::Observations;
-use crate::statistics::median;
+use dataset::statistics::median;
 
 /// Ratio of a flight's residual scale (robust standard deviation of its residuals) to a reference value, which is
 /// usually the median over the flights, above which the flight is fitted again.

@@ -11,7 +11,6 @@ use super::reweighting::Reweighted;
 use super::state::State;
 use super::{FitError, flight_error, solve_error};
 use crate::channel::ChannelKind;
-use crate::dataset::AXES;
 use crate::error::FlightError;
 use crate::ids::GlobalId;
 use crate::least_squares::{ReducedSystem, StoppingCriteria, eliminate, solve};
@@ -23,8 +22,9 @@ use crate::report::{
     AxisNoise, Coefficient, Estimate, FitReport, FlightOutcome, FlightReport, Iterations,
     NoiseReport, Profile, ResidualPool, SensorReport,
 };
-use crate::statistics::median_of;
 use crate::uncertainty::{Covariance, interval, non_identifiable, profile};
+use dataset::AXES;
+use dataset::statistics::median_of;
 
 /// Ratio of a flight's rms residual to the median over all fitted flights, above which the report contains a note on
 /// the flight.

@@ -8,7 +8,7 @@ use crate::error::FlightError;
 use crate::least_squares::FailedFlight;
 use crate::observations::Observations;
 use crate::predict::{Residuals, residuals_of, states};
-use crate::statistics::{median_of, robust_sigma};
+use dataset::statistics::{median_of, robust_sigma};
 
 /// Trajectories and residuals of all flights for one set of values of the unknowns.
 pub struct ResidualCache(Vec<CachedFlight>);

@@ -7,7 +7,7 @@ use super::initial_guess::spin_note;
 use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::initial_state::InitialGuess;
-use crate::statistics::median_of;
+use dataset::statistics::median_of;
 
 /// Numbers of turns per sampling interval that are added to the slowest spin compatible with the samples, in order of
 /// decreasing probability.

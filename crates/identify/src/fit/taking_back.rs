@@ -12,10 +12,10 @@ use super::multistart::fly_to_the_end;
 use super::one_flight::FixedGlobal;
 use super::reweighting::{Reweighted, reweight};
 use super::state::State;
-use crate::dataset::{Dataset, Flight};
 use crate::error::{ExcludedFlight, FlightError};
 use crate::observations::Observations;
 use crate::screening::FaultKind;
+use dataset::{Dataset, Flight};
 
 /// Maximum ratio of a flight's residual scale (robust standard deviation of its residuals) to that of the other
 /// flights, at which the flight is considered similar to them.
@@ -117,12 +117,12 @@ mod tests {
     use ::flight::release::{Vocabulary, built_in, read};
 
     use super::*;
-    use crate::dataset::Role;
     use crate::fit::{flights_of, spin_aliases};
     use crate::options::FitOptions;
     use crate::problem::FitProblem;
-    use crate::synthesize::{Plan, flights};
     use crate::tolerance;
+    use dataset::Role;
+    use dataset::synthesize::{Plan, flights};
 
     /// Number of flights that remain excluded after the fit tried to include excluded flights again, if one of four
     /// similar simulated flights was excluded for the given reason.

@@ -8,7 +8,7 @@ use nalgebra::{SMatrix, SVector, Vector3};
 
 use super::PathPoint;
 use crate::path_noise::path_noise;
-use crate::statistics::median_of;
+use dataset::statistics::median_of;
 
 /// Maximum number of points (measured positions) that are used on each side of an interval between two successive
 /// points that is tested for an impact.

@@ -15,9 +15,9 @@ mod wobble;
 use nalgebra::{UnitQuaternion, Vector3};
 
 use crate::observations::Observations;
-use crate::pose::{Pose, point_position};
 use crate::problem::FitProblem;
-use crate::statistics::median_of;
+use dataset::pose::{Pose, point_position};
+use dataset::statistics::median_of;
 
 /// Ratio of the residual variance of a pose (of the marker positions about the fitted rigid body) to the median of
 /// these variances over the flight, above which the sample contains an outlier.

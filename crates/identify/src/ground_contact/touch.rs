@@ -11,7 +11,7 @@ use super::motion_fits::{MotionFits, SIDES};
 use super::onset::onset;
 use super::wobble::{Posed, noise_correlation, points_with_axis, wobble_rate};
 use crate::path_noise::path_noise;
-use crate::statistics::{median, median_of};
+use dataset::statistics::{median, median_of};
 
 /// Minimum number of points (samples with a pose) before an interval that is tested for a ground contact. With fewer
 /// points, the model of free motion could follow any curve.

@@ -6,7 +6,7 @@ use super::PathPoint;
 use super::designs::Designs;
 use super::motion::Point;
 use super::regression::{Design, Row, Whitened};
-use crate::statistics::median;
+use dataset::statistics::median;
 
 /// Maximum root mean square rotation of the most steady body axis between successive samples, rad. If it is exceeded,
 /// the body tumbles and has no steady axis.

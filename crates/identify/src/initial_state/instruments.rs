@@ -9,7 +9,7 @@ use crate::channel::ChannelKind;
 use crate::error::FlightError;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
-use crate::statistics::{median_of, median_vector};
+use dataset::statistics::{median_of, median_vector};
 
 /// Time from the first accelerometer reading over which the specific force is averaged, s.
 const AVERAGED: f64 = 0.15;

@@ -1,6 +1,7 @@
 //! Finds the state with a given rigid-body motion, by Levenberg–Marquardt on the model's measurement equation.
 
 use flight::{BoundModel, ModelState};
+use model_spec::sort_by_number;
 use nalgebra::{DMatrix, DVector, Vector3};
 use ode::OdeRhs;
 
@@ -53,7 +54,7 @@ pub fn state_for_motion(
         .into_iter()
         .map(|guess| (shown.distance(&guess, &target), guess))
         .collect();
-    guesses.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sort_by_number(&mut guesses, |guess| guess.0);
     let mut best: Option<(f64, DVector<f64>)> = None;
     for (_, guess) in guesses.into_iter().take(MAX_GUESSES) {
         let Some((distance, state)) =

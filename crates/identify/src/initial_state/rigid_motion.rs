@@ -4,9 +4,9 @@ use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
 
 use crate::error::FlightError;
 use crate::observations::Observations;
-use crate::pose::{Pose, point_position, pose};
 use crate::problem::FitProblem;
-use crate::statistics::{median, median_of, median_vector, robust_sigma};
+use dataset::pose::{Pose, point_position, pose};
+use dataset::statistics::{median, median_of, median_vector, robust_sigma};
 
 /// Rigid-body motion at one instant, in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -52,16 +52,10 @@ pub fn linearise(
         Unknowns::Local => Vec::new(),
         Unknowns::All => problem.globals.iter().map(|global| global.param).collect(),
     };
-    let by = (conditions.differentiable_rhs(), columns.as_slice());
-    normal_equations(
-        problem,
-        observations,
-        (global, local),
-        samples,
-        loss,
-        by,
-        None,
-    )
+    let mut motion = conditions.differentiable_rhs();
+    let by: (&mut dyn DifferentiableRhs, _) = (&mut motion, columns.as_slice());
+    let unknowns = (global, local);
+    linearise_with(problem, observations, unknowns, samples, loss, by, None)
 }
 
 /// Normal equations of the first `samples` samples of a flight at the given global and local parameters (initial
@@ -76,24 +70,10 @@ pub fn linearise(
 pub fn linearise_with(
     problem: &FitProblem,
     observations: &Observations,
-    unknowns: (&DVector<f64>, &DVector<f64>),
-    samples: usize,
-    loss: Loss<'_>,
-    by: (&mut dyn DifferentiableRhs, &[ParamId]),
-    cache: Option<&mut Option<Vec<f64>>>,
-) -> Result<NormalBlock, FlightError> {
-    normal_equations(problem, observations, unknowns, samples, loss, by, cache)
-}
-
-/// Computes the normal equations of a flight. The function is generic over the type `M` of the equations of motion, so
-/// that integrations with a type known at compile time need no dynamic dispatch.
-fn normal_equations<M: DifferentiableRhs>(
-    problem: &FitProblem,
-    observations: &Observations,
     (global, local): (&DVector<f64>, &DVector<f64>),
     samples: usize,
     loss: Loss<'_>,
-    (motion, parameters): (M, &[ParamId]),
+    (motion, parameters): (&mut dyn DifferentiableRhs, &[ParamId]),
     cache: Option<&mut Option<Vec<f64>>>,
 ) -> Result<NormalBlock, FlightError> {
     let columns = JacobianColumns::new(observations, motion.jacobian_pattern(), parameters);

@@ -2,7 +2,6 @@
 
 use flight::ModelState;
 use nalgebra::DVector;
-use ode::integrate_at;
 
 use super::trajectory_pass::integration_options;
 use crate::channel_observers::ChannelConditions;
@@ -30,9 +29,8 @@ pub fn states(
     let times = &observations.times[..samples];
     let mut states = vec![0.0; start.len() * times.len()];
     let options = integration_options(RESIDUAL_TOLERANCE * problem.sigma0, times.len());
-    let mut motion = conditions.rhs();
     let from = (times[0], &start);
-    integrate_at(&mut motion, from, times, &options, &mut [], &mut states)?;
+    conditions.integrate_at(from, times, &options, &mut [], &mut states)?;
     Ok(states)
 }
 

@@ -5,8 +5,7 @@ use std::ops::Range;
 use flight::ObservationJacobians;
 use model_spec::layout::ParamId;
 use nalgebra::DVector;
-use ode::{DifferentiableRhs, Sensitivities};
-use ode::{IntegrationOptions, Method, integrate_at, integrate_with_callback};
+use ode::{DifferentiableRhs, IntegrationOptions, Method, Sensitivities};
 
 use super::jacobian_columns::JacobianColumns;
 use crate::channel_observers::ChannelConditions;
@@ -67,9 +66,9 @@ pub(super) struct ObservedPoint<'r> {
 impl TrajectoryPass<'_> {
     /// Integrates the flight, or reuses the trajectory in `cache`, and calls `each` with every measured value. Returns
     /// an error if the trajectory cannot be integrated.
-    pub fn each_point<M: DifferentiableRhs>(
+    pub fn each_point(
         &self,
-        motion: M,
+        motion: &mut dyn DifferentiableRhs,
         columns: &JacobianColumns<'_>,
         cache: Option<&mut Option<Vec<f64>>>,
         mut each: impl FnMut(ObservedPoint<'_>),
@@ -128,14 +127,7 @@ impl TrajectoryPass<'_> {
         match cache {
             Some(cache) => {
                 let mut trajectory = vec![0.0; length * times.len()];
-                integrate_at(
-                    &mut variations,
-                    from,
-                    times,
-                    &options,
-                    &mut [],
-                    &mut trajectory,
-                )?;
+                variations.integrate_at(from, times, &options, &mut [], &mut trajectory)?;
                 for (sample, both) in cache.insert(trajectory).chunks(length).enumerate() {
                     visit(sample, both);
                 }
@@ -151,7 +143,7 @@ impl TrajectoryPass<'_> {
                 observed.dedup();
                 let observed = observed.into_iter().map(|state| places.row_range(state));
                 let shown = joined(std::iter::once(places.state_range()).chain(observed));
-                integrate_with_callback(&mut variations, from, times, &options, &shown, visit)?;
+                variations.integrate_with_callback(from, times, &options, &shown, &mut visit)?;
             }
         }
         Ok(())

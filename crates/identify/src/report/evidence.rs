@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::dataset::Role;
+use dataset::Role;
 
 /// Measured and predicted values of one flight at its samples.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -14,8 +14,8 @@ pub use outcome::{FitStatus, FlightOutcome, Iterations};
 pub(crate) use reliability::reasons_against;
 pub(crate) use residuals::ResidualPool;
 
-use crate::dataset::Role;
 use crate::screening::DataFault;
+use dataset::Role;
 
 /// Content of `report.json` of a fit, schema `hyzer.fit/1`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

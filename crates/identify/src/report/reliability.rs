@@ -1,8 +1,8 @@
 //! Assessment whether a fit is reliable, with the reasons if it is not.
 
 use super::{FitReport, FitStatus};
-use crate::dataset::Role;
 use crate::wording::count;
+use dataset::Role;
 
 /// Ratio of the rms residual to the noise floor (noise estimated without a model), above which a fit is not reliable.
 /// Correlated noise lowers the noise floor, but the ratio stays below this limit even for an AR(1) noise of coefficient

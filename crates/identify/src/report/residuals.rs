@@ -6,8 +6,8 @@ use lanes::{Kernel, Lanes};
 use statrs::distribution::{ContinuousCDF, Normal};
 
 use super::AxisResiduals;
-use crate::dataset::AXES;
 use crate::noise::AxesNoise;
+use dataset::AXES;
 
 /// Number of lags, in samples, for which the autocorrelation is computed.
 const LAGS: usize = 25;

@@ -1,9 +1,9 @@
 //! Distances between markers that are rigidly fixed to the body, as measured in a flight and as the template declares
 //! them.
 
-use crate::dataset::{Flight, Marker};
-use crate::pose::distance;
-use crate::statistics::{median, median_of, robust_sigma};
+use dataset::pose::distance;
+use dataset::statistics::{median, median_of, robust_sigma};
+use dataset::{Flight, Marker};
 
 /// Maximum number of markers whose mutual distances are compared; more would add little information and much
 /// computation.

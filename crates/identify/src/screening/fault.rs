@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use crate::dataset::Flight;
+use dataset::Flight;
 
 /// A mistake that screening found in the recorded data of one flight.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -10,9 +10,9 @@ use super::distances::{UNITS, unit};
 use super::fault::{DataFault, FaultKind};
 use super::loads::{Regression, Row, regress, rows};
 use super::track::Track;
-use crate::dataset::{Dataset, Flight, KnownValue};
 use crate::problem::FitProblem;
-use crate::statistics::{median, median_of, median_vector};
+use dataset::statistics::{median, median_of, median_vector};
+use dataset::{Dataset, Flight, KnownValue};
 
 /// Minimum deviation of the fitted constant acceleration from gravity at which a fault of all flights is reported, in
 /// units of gravity. [`MIN_SIGNIFICANCE`] and [`MIN_RATIO`] must be reached too.

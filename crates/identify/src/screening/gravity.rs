@@ -2,7 +2,7 @@
 
 use model_spec::unit::Unit;
 use nalgebra::{UnitQuaternion, Vector3};
-use ode::{IntegrationOptions, integrate_at};
+use ode::IntegrationOptions;
 
 use crate::problem::FitProblem;
 
@@ -89,15 +89,9 @@ pub fn acceleration(problem: &FitProblem, state: &[f64]) -> Option<Vector3<f64>>
     let mut states = vec![0.0; times.len() * state.len()];
     let options = IntegrationOptions::with_tolerance(1e-12);
     let start = (0.0, &state.into());
-    integrate_at(
-        &mut conditions.rhs(),
-        start,
-        &times,
-        &options,
-        &mut [],
-        &mut states,
-    )
-    .ok()?;
+    conditions
+        .integrate_at(start, &times, &options, &mut [], &mut states)
+        .ok()?;
     let mut observer = conditions.observer();
     let seen = times.iter().zip(states.chunks(state.len()));
     let seen: Vec<Vector3<f64>> = seen

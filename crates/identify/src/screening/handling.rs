@@ -4,8 +4,8 @@ use nalgebra::Vector3;
 
 use super::fault::{DataFault, FaultKind};
 use super::track::{MIN_POINTS, Parabola, Track, parabola};
-use crate::dataset::Flight;
-use crate::statistics::median_of;
+use dataset::Flight;
+use dataset::statistics::median_of;
 
 /// Lengths, in points of the measured path, of the intervals at the start and at the end of a flight that are examined
 /// for contact with a hand or the ground.

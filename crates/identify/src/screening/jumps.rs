@@ -4,9 +4,9 @@ use nalgebra::Vector3;
 
 use super::fault::{DataFault, FaultKind};
 use super::track::Track;
-use crate::dataset::Flight;
 use crate::ground_contact::PathPoint;
-use crate::statistics::{median_of, median_vector};
+use dataset::Flight;
+use dataset::statistics::{median_of, median_vector};
 
 /// Number of points of the measured path that are used on each side of a possible jump of the position. A line is
 /// fitted to the points before it and another to the points after it; the jump is the distance between the two lines at

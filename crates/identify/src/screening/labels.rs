@@ -3,8 +3,8 @@
 
 use super::distances::{Distances, MAX_MARKERS};
 use super::fault::{DataFault, FaultKind};
-use crate::dataset::{Flight, Marker};
-use crate::statistics::median_of;
+use dataset::statistics::median_of;
+use dataset::{Flight, Marker};
 
 /// Maximum number of markers for which all permutations of their labels are tried; with more markers only exchanges of
 /// two labels are tried.

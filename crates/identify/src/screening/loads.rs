@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
 use super::track::{Parabola, Track};
 use crate::ground_contact::PathPoint;
-use crate::statistics::{median, median_of};
+use dataset::statistics::{median, median_of};
 
 /// Standard deviation of the prior of each aerodynamic load coefficient; the mean of the prior is zero. It is stated as
 /// the acceleration that the load causes at the median speed, in units of the median acceleration.

@@ -4,9 +4,9 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::fault::{DataFault, FaultKind};
-use crate::dataset::Flight;
-use crate::pose::pose;
-use crate::statistics::median;
+use dataset::Flight;
+use dataset::pose::pose;
+use dataset::statistics::median;
 
 /// Maximum number of samples of a flight in which the measured markers are compared with their declared positions and
 /// with the mirror image of these positions.

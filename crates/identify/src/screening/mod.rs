@@ -24,13 +24,13 @@ use flight::batch;
 
 use self::free_fall::FreeFall;
 use self::track::Track;
-use crate::dataset::Dataset;
 use crate::error::{ExcludedFlight, FlightError};
 use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
-use crate::statistics::median_of;
+use dataset::Dataset;
+use dataset::statistics::median_of;
 
 /// Minimum ratio of the noise of a flight's path to the median noise of all flights at which a fault is reported: the
 /// data are then too noisy to be those of a flying body. The limit [`NOISE_PART`] must be exceeded too.

@@ -2,9 +2,9 @@
 //! body that does not move, and a flight that is a copy of another.
 
 use super::fault::{DataFault, FaultKind};
-use crate::dataset::Dataset;
-use crate::pose::distance;
-use crate::statistics::median_of;
+use dataset::Dataset;
+use dataset::pose::distance;
+use dataset::statistics::median_of;
 
 /// Minimum number of consecutive identical positions of a marker at which its track counts as frozen: the body moves,
 /// but the recorded coordinates do not change.

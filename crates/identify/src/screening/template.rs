@@ -4,7 +4,7 @@
 use super::distances::{Distances, MAX_MARKERS, unit};
 use super::fault::{DataFault, FaultKind};
 use super::labels;
-use crate::dataset::{Dataset, Flight, Marker};
+use dataset::{Dataset, Flight, Marker};
 
 /// Minimum magnitude of the natural logarithm of the ratio of measured to declared distances between markers at which a
 /// wrong unit is reported; it corresponds to a deviation of about 20 %.

@@ -4,9 +4,9 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::ground_contact::{self, ContactSearch, PathPoint};
 use crate::path_noise::path_noise;
-use crate::pose::{Pose, pose};
 use crate::problem::FitProblem;
-use crate::statistics::robust_sigma;
+use dataset::pose::{Pose, pose};
+use dataset::statistics::robust_sigma;
 
 /// Maximum residual of a point of the measured path about the parabola fitted to a time window, in units of the robust
 /// standard deviation of these residuals; points with larger residuals are dropped.

@@ -9,13 +9,13 @@ use super::free_fall::{transformed_track, upright};
 use super::gravity::acceleration;
 use super::mirror;
 use super::track::Track;
-use crate::dataset::{Dataset, Flight};
 use crate::ground_contact::PathPoint;
 use crate::initial_state::{RigidMotion, state_for_motion};
 use crate::observations::Observations;
-use crate::pose::pose;
 use crate::problem::FitProblem;
-use crate::statistics::{median, median_vector};
+use dataset::pose::pose;
+use dataset::statistics::{median, median_vector};
+use dataset::{Dataset, Flight};
 
 /// Minimum magnitude of the vertical component of the unit normal of the markers' plane at which it is clear which side
 /// of the body is up.

@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 
 use model_spec::model::{Expr, ExprKind, Model};
+use model_spec::sort_by_number;
 use nalgebra::{DMatrix, SymmetricEigen};
 
 use crate::problem::GlobalParameter;
@@ -41,7 +42,7 @@ pub fn non_identifiable(
     });
     let eigen = SymmetricEigen::new(relative);
     let mut order: Vec<usize> = (0..size).collect();
-    order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]));
+    sort_by_number(&mut order, |&index| -eigen.eigenvalues[index]);
     order
         .into_iter()
         .map(|k| {
@@ -56,7 +57,7 @@ pub fn non_identifiable(
             let mut members: Vec<usize> = (0..size)
                 .filter(|&i| direction[i].abs() >= MIN_COMPONENT * greatest)
                 .collect();
-            members.sort_by(|&a, &b| direction[b].abs().total_cmp(&direction[a].abs()));
+            sort_by_number(&mut members, |&member| -direction[member].abs());
             // The sign of a direction is arbitrary: the first component is made positive.
             let sign = direction[members[0]].signum();
             let weights = members

@@ -1,5 +1,7 @@
 //! Profile likelihood of one global parameter.
 
+use model_spec::sort_by_number;
+
 use crate::ids::GlobalId;
 use crate::least_squares::{Iterate, Solution, SolveError};
 use crate::problem::GlobalParameter;
@@ -49,7 +51,7 @@ pub fn profile(
             }
         }
     }
-    points.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    sort_by_number(&mut points, |point| point[0]);
     let interval = [crossing(&points, best, -1.0), crossing(&points, best, 1.0)];
     Ok(Profile {
         name: global[index].name.clone(),
@@ -68,7 +70,7 @@ fn crossing(points: &[[f64; 2]], best: f64, direction: f64) -> Option<f64> {
         .copied()
         .filter(|[value, _]| (value - best) * direction >= 0.0)
         .collect();
-    side.sort_by(|a, b| (a[0] * direction).total_cmp(&(b[0] * direction)));
+    sort_by_number(&mut side, |point| point[0] * direction);
     side.windows(2).find_map(|pair| {
         let [[from, low], [to, high]] = [pair[0], pair[1]];
         (low < CHI2_95 && high >= CHI2_95).then(|| {

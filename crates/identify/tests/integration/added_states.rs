@@ -1,7 +1,7 @@
 //! States that an effect adds: of each flight its own, and found with its initial state.
 
+use dataset::synthesize::{Corruption, Plan, flights};
 use flight::release::{Vocabulary, built_in, read};
-use identify::synthesize::{Corruption, Plan, flights};
 use identify::{FitOptions, fit};
 
 const GUST: &str = "

@@ -1,8 +1,8 @@
 //! The least squares alone come back to where the whole fit had ended.
 
+use dataset::Role;
+use dataset::synthesize::{Corruption, Plan, flights};
 use flight::release::{Vocabulary, built_in, read};
-use identify::dataset::Role;
-use identify::synthesize::{Corruption, Plan, flights};
 use identify::{Estimate, Fit, FitError, FitOptions, fit};
 use nalgebra::DVector;
 

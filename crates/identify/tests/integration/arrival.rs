@@ -2,9 +2,9 @@
 
 use std::time::Instant;
 
+use dataset::synthesize::{Plan, flights};
+use dataset::{Dataset, Role};
 use flight::release::{Release, Vocabulary, built_in, read};
-use identify::dataset::{Dataset, Role};
-use identify::synthesize::{Plan, flights};
 use identify::{FitOptions, FitStatus, FlightOutcome, fit};
 use model_spec::model::Model;
 

@@ -1,7 +1,7 @@
 //! The bootstrap over flights against the standard errors of the fit.
 
+use dataset::synthesize::{Corruption, Plan, flights};
 use flight::release::{Vocabulary, built_in, read};
-use identify::synthesize::{Corruption, Plan, flights};
 use identify::{FitOptions, fit};
 
 #[test]

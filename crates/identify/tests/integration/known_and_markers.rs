@@ -2,15 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use identify::dataset::{KnownValue, Marker};
-use identify::synthesize::{Plan, flights};
+use dataset::synthesize::{Plan, flights};
+use dataset::{KnownValue, Marker};
 use identify::{FitError, FitOptions, FlightError, fit};
 
-fn made(
-    model: &str,
-    name: &str,
-    plan: &Plan,
-) -> (model_spec::model::Model, identify::dataset::Dataset) {
+fn made(model: &str, name: &str, plan: &Plan) -> (model_spec::model::Model, dataset::Dataset) {
     let model = model_spec::load::load(model, &[]).expect("a model");
     let text = flight::release::built_in(name).expect("a release");
     let known = |_: &str| Ok(flight::release::Vocabulary::of(&model));

@@ -1,5 +1,6 @@
 //! Forward sensitivities: the variational equations dS/dt = J S + [0 | Jp], integrated together with the state.
 
+mod integrate;
 mod jacobian_product;
 
 use self::jacobian_product::JacobianProduct;
@@ -71,8 +72,11 @@ const PADDING: usize = 8;
 /// [`initial_state`](Self::initial_state) builds the initial state vector. Only x is in the error norm of the step-size
 /// control, so that the steps are those of x alone, unless
 /// [`with_sensitivity_error_control`](Self::with_sensitivity_error_control) is called.
-pub struct Sensitivities<M> {
-    rhs: M,
+///
+/// Its [`integrate_at`](Self::integrate_at), [`integrate_to_event`](Self::integrate_to_event) and
+/// [`integrate_with_callback`](Self::integrate_with_callback) are the functions of these names, compiled once.
+pub struct Sensitivities<'m> {
+    rhs: Box<dyn DifferentiableRhs + 'm>,
     layout: SensitivityLayout,
     /// State index of each leading column of the sensitivity matrix S; the leading columns are derivatives with respect
     /// to initial states.
@@ -86,14 +90,22 @@ pub struct Sensitivities<M> {
     error_control_includes_s: bool,
 }
 
-impl<M: DifferentiableRhs> Sensitivities<M> {
+impl<'m> Sensitivities<'m> {
     /// Builds the augmented right-hand side. The first columns of the sensitivity matrix S are derivatives with respect
     /// to the initial values of the states with the indices `initial`; the following columns are derivatives with
     /// respect to the parameters with the indices `parameters` in the parameter Jacobian ∂f/∂p.
     ///
     /// # Panics
     /// If a state in `initial` does not exist, or the entries of the Jacobian ∂f/∂x are not ordered by row.
-    pub fn new(rhs: M, initial: &[usize], parameters: &[usize]) -> Self {
+    pub fn new(rhs: impl DifferentiableRhs + 'm, initial: &[usize], parameters: &[usize]) -> Self {
+        Self::of_boxed(Box::new(rhs), initial, parameters)
+    }
+
+    fn of_boxed(
+        rhs: Box<dyn DifferentiableRhs + 'm>,
+        initial: &[usize],
+        parameters: &[usize],
+    ) -> Self {
         let states = rhs.states();
         assert!(initial.iter().all(|i| *i < states), "states of the model");
         let columns = initial.len() + parameters.len();
@@ -111,7 +123,6 @@ impl<M: DifferentiableRhs> Sensitivities<M> {
         assert!(pattern.is_sorted_by_key(|(row, _)| row), "ordered by row");
         let product = JacobianProduct::new(pattern, states, stride);
         Sensitivities {
-            rhs,
             layout: SensitivityLayout {
                 states,
                 columns,
@@ -119,6 +130,7 @@ impl<M: DifferentiableRhs> Sensitivities<M> {
                 stride,
             },
             initial: initial.to_vec(),
+            rhs,
             product,
             parameter_terms,
             jacobian,
@@ -194,11 +206,6 @@ impl<M: DifferentiableRhs> Sensitivities<M> {
     pub fn row<'x>(&self, augmented: &'x [f64], state: usize) -> &'x [f64] {
         &self.layout.padded_row(augmented, state)[..self.layout.columns]
     }
-
-    /// Returns the differentiable right-hand side of the state x.
-    pub fn rhs(&mut self) -> &mut M {
-        &mut self.rhs
-    }
 }
 
 /// Layout of the augmented state vector of [`Sensitivities`]: the state x, then the sensitivity matrix S row by row; x
@@ -238,7 +245,7 @@ impl SensitivityLayout {
     }
 }
 
-impl<M: DifferentiableRhs> OdeRhs for Sensitivities<M> {
+impl OdeRhs for Sensitivities<'_> {
     type State = AlignedVec;
 
     fn derivative(&mut self, t: f64, augmented: &AlignedVec, rates: &mut AlignedVec) {

@@ -1,7 +1,8 @@
 //! Tables of effects that are not identifiable, minimum detectable effects, stepwise terms, score tests and flights.
 
+use dataset::Role;
 use diagnose::{CandidateTest, FlightGain, LackOfFit, Report, SmoothMisfit, StepwiseTerm};
-use identify::dataset::Role;
+use model_spec::sort_by_number;
 use serde::Serialize;
 
 use super::words;
@@ -140,7 +141,7 @@ pub(super) fn flights(report: &Report) -> Vec<Flight> {
             Some(rms) => rms,
             None => f64::NEG_INFINITY,
         };
-        all.sort_by(|a, b| size(b).total_cmp(&size(a)));
+        sort_by_number(&mut all, |flight| -size(flight));
         all.truncate(MAX_ROWS);
     }
     let tested = report.lack_of_fit.as_ref().map(|test| &test.flights);

@@ -1,7 +1,7 @@
 //! HTML page of a diagnosis, rendered from a template.
 
+use dataset::Role;
 use diagnose::{Report, Verified};
-use identify::dataset::Role;
 use identify::wording::count;
 use minijinja::context;
 use minijinja::value::Value;

@@ -1,5 +1,7 @@
 //! Labels of lines and events within a panel, placed without overlaps.
 
+use model_spec::sort_by_number;
+
 use super::layout::Scale;
 use super::panel::{Line, Panel};
 use super::svg::{Svg, cut};
@@ -17,7 +19,7 @@ impl Panel {
         };
         let lines = self.lines.iter().enumerate();
         let mut names: Vec<(f64, usize)> = lines.filter_map(|(i, l)| Some((last(l)?, i))).collect();
-        names.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by_number(&mut names, |name| name.0);
         let mut least = scale.top - 4.0;
         for name in &mut names {
             name.0 = name.0.max(least);

@@ -1,7 +1,8 @@
 //! Tables of the flights on the fit page: fitted flights, held-out flights, and excluded flights.
 
+use dataset::Role;
 use identify::FlightReport;
-use identify::dataset::Role;
+use model_spec::sort_by_number;
 use serde::Serialize;
 
 use super::FitPage;
@@ -49,7 +50,7 @@ pub(super) fn table(page: &FitPage<'_>, role: Role) -> Table {
                 f.rms()
             }
         };
-        flights.sort_by(|a, b| size(b).total_cmp(&size(a)));
+        sort_by_number(&mut flights, |flight| -size(flight));
         flights.truncate(MAX_ROWS);
     }
     Table {

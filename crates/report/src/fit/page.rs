@@ -1,11 +1,12 @@
 //! HTML page of a fit, rendered from a template.
 
+use dataset::Role;
 use identify::FitReport;
-use identify::dataset::Role;
 use identify::wording::count;
 use minijinja::syntax::SyntaxConfig;
 use minijinja::value::{Serde, Value};
 use minijinja::{AutoEscape, Environment, UndefinedBehavior, context};
+use model_spec::sort_by_number;
 use serde::Serialize;
 
 use super::numbers::{percent, plain};
@@ -226,7 +227,7 @@ fn undetermined(page: &FitPage<'_>) -> Vec<Undetermined> {
         .map(|u| {
             let mut weights: Vec<(&String, f64)> = u.weights.iter().map(|(n, w)| (n, *w)).collect();
             weights.retain(|(_, w)| w.is_finite() && w.abs() >= 0.05);
-            weights.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+            sort_by_number(&mut weights, |weight| -weight.1.abs());
             weights.truncate(8);
             let mut direction = String::new();
             for (i, (name, weight)) in weights.iter().enumerate() {

@@ -1,6 +1,6 @@
 //! Summary of a fit in sentences: data, goodness of fit, precision of the coefficients, and warnings.
 
-use identify::dataset::Role;
+use dataset::Role;
 use identify::wording::{count, listed};
 use identify::{Coefficient, FitReport, FlightReport};
 

@@ -1,5 +1,7 @@
 //! Figures of an import: each flight over the time of its take, and each whole take.
 
+use model_spec::sort_by_number;
+
 use super::{Curve, Distance, ImportedFlight, ImportedTake};
 use crate::figures::{Dots, Layout, Line, Look, Mark, Panel};
 use crate::fit::Drawn;
@@ -95,7 +97,7 @@ fn curve(flight: &ImportedFlight, curve: &Curve) -> Panel {
 /// positions, mm. The line of a pair whose markers were swapped or came loose has a jump. `None` if there are no pairs.
 fn distances(flight: &ImportedFlight) -> Option<Panel> {
     let mut pairs: Vec<&Distance> = flight.distances.iter().collect();
-    pairs.sort_by(|a, b| spread(flight, b).total_cmp(&spread(flight, a)));
+    sort_by_number(&mut pairs, |pair| -spread(flight, pair));
     let left_out = pairs.len().saturating_sub(MAX_PAIRS);
     pairs.truncate(MAX_PAIRS);
     let line = |pair: &&Distance| {

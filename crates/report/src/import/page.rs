@@ -3,6 +3,7 @@
 use identify::wording::count;
 use minijinja::context;
 use minijinja::value::Value;
+use model_spec::sort_by_number;
 use serde::Serialize;
 
 use super::{ImportPage, ImportedFlight, ImportedTake, draw};
@@ -138,7 +139,7 @@ fn pairs(take: &ImportedTake) -> Vec<Pair> {
             }
         }
     }
-    worst.sort_by(|a, b| b.3.total_cmp(&a.3));
+    sort_by_number(&mut worst, |pair| -pair.3);
     worst.truncate(MAX_PAIRS);
     let millimetres = |metres: f64| plain(1e3 * metres, 1);
     let pair = |(name, template, median, farthest, file): (&str, f64, f64, f64, &str)| Pair {

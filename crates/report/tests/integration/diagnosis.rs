@@ -2,9 +2,9 @@
 
 use crate::found;
 use crate::made;
+use dataset::Role;
 use diagnose::{Report, Verdict};
 use identify::FlightEvidence;
-use identify::dataset::Role;
 use report::CertificateNote;
 use report::diagnosis::{DiagnosisPage, html_and_figures};
 use report::fit::Figure;

@@ -4,8 +4,8 @@
 use crate::browser;
 use std::sync::OnceLock;
 
+use dataset::Role;
 use diagnose::{Diagnosis, DiagnosisOptions, Verdict, diagnose};
-use identify::dataset::{self, Role};
 use identify::{Fit, FlightEvidence, FlightId};
 use report::diagnosis::{DiagnosisPage, Fits, html_and_figures};
 use report::fit::Figure;

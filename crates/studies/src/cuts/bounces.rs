@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use identify::dataset::{Dataset, Flight};
+use dataset::{Dataset, Flight};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::time::Duration;
 
-use identify::dataset::Dataset;
+use dataset::Dataset;
 
 use crate::bounded_fit::bounded_fit;
 use crate::oracle_flights::{Plan, TRUTH, Throws, add_noise, disc, flights, noise_conditions};

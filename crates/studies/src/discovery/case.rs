@@ -1,6 +1,6 @@
 //! One run of a row: its throws, effect sizes, signs and noise, all derived from the run's own seed.
 
-use identify::dataset::Dataset;
+use dataset::Dataset;
 use model_spec::load::load;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;

@@ -4,9 +4,9 @@
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 
+use dataset::{Dataset, Role};
 use diagnose::{Diagnosis, DiagnosisOptions, diagnose};
 use flight::batch;
-use identify::dataset::{Dataset, Role};
 use identify::{Fit, fit};
 use model_spec::model::Model;
 

@@ -1,7 +1,7 @@
 //! One case of the study: effects of the built-in effects catalogue and their sizes, drawn from a seed.
 
-use identify::dataset::Dataset;
-use identify::synthesize::Corruption;
+use dataset::Dataset;
+use dataset::synthesize::Corruption;
 use model_spec::load::load;
 use model_spec::model::Model;
 use oracle::{Law, effect};

@@ -86,7 +86,7 @@ pub fn fit_outcome(case: FitCase, threads: usize) -> FitOutcome {
     let coordinates: usize = dataset
         .flights
         .iter()
-        .map(identify::dataset::Flight::measurements)
+        .map(dataset::Flight::measurements)
         .sum();
     let dof = 1.0 - (model.coefficients.len() + states) as f64 / coordinates as f64;
     let noise = rms_distance(&exact, &dataset).unwrap_or(f64::NAN);

@@ -1,9 +1,9 @@
 //! Fits of the paper's two flights, one by one and together, and of twelve different throws, all under the paper's
 //! noise.
 
+use dataset::Dataset;
+use dataset::synthesize::Corruption;
 use flight::batch;
-use identify::dataset::Dataset;
-use identify::synthesize::Corruption;
 use identify::{FitOptions, FitReport, fit};
 use model_spec::model::Model;
 

@@ -1,6 +1,6 @@
 //! Throws, true coefficients and noise conditions shared by the studies.
 
-use identify::synthesize::Corruption;
+use dataset::synthesize::Corruption;
 
 use super::dataset::Plan;
 use super::throws::Throws;

@@ -1,7 +1,7 @@
 //! Datasets of a disc with flights simulated by the oracle.
 
-use identify::dataset::{Dataset, Flight};
-use identify::synthesize::{Corruption, MARKERS, corrupt, default_markers};
+use dataset::synthesize::{Corruption, MARKERS, corrupt, default_markers};
+use dataset::{Dataset, Flight};
 use model_spec::model::Model;
 use oracle::{Physical, Point};
 use rand::{Rng, RngExt, SeedableRng};

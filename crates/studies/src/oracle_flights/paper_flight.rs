@@ -1,7 +1,7 @@
 //! The paper's two flights, simulated by the oracle.
 
+use dataset::Dataset;
 use flight::release;
-use identify::dataset::Dataset;
 use model_spec::model::Model;
 use nalgebra::Vector3;
 use oracle::{Physical, Point};

@@ -4,10 +4,10 @@
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
+use dataset::synthesize::Corruption;
+use dataset::{Dataset, Flight};
 use diagnose::{DiagnosisError, DiagnosisOptions, Report, Verdict, diagnose};
 use identify::FitOptions;
-use identify::dataset::{Dataset, Flight};
-use identify::synthesize::Corruption;
 use model_spec::model::Model;
 
 use super::hidden::Hidden;
@@ -212,7 +212,7 @@ fn detectability(model: &Model, mut exact: Dataset, sigma: f64) -> Option<f64> {
     exact.sigma = Some(sigma);
     let fitted = bounded_fit(model, &exact, LIMIT).result.ok()?;
     let flights = fitted.report.flights.iter().zip(&exact.flights);
-    let squares = flights.filter(|(report, _)| report.role == identify::dataset::Role::Fit);
+    let squares = flights.filter(|(report, _)| report.role == dataset::Role::Fit);
     let chi2: f64 = squares
         .map(|(report, flight)| match report.rms_m {
             Some(rms) => (rms / sigma).powi(2) * Flight::measurements(flight) as f64,

@@ -1,8 +1,8 @@
 //! Simulates flights of any model with a hidden effect: the oracle evaluates the model's tree, this module adds the
 //! effect and integrates by Runge–Kutta steps.
 
-use identify::dataset::{Dataset, Flight, Marker, Role};
-use identify::synthesize::Corruption;
+use dataset::synthesize::Corruption;
+use dataset::{Dataset, Flight, Marker, Role};
 use model_spec::model::Model;
 use nalgebra::{Matrix3, Vector3};
 use oracle::{Chart, Motion, Point, Tree, derivatives};

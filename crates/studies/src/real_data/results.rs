@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use identify::{FitReport, dataset};
+use identify::FitReport;
 use model_spec::model::Model;
 
 use super::balls::{Agreement, Balls};

@@ -1,6 +1,6 @@
 //! Simulates datasets of a ball of known spin, with effects added to the law of motion.
 
-use identify::dataset::{Dataset, KnownValue, Marker};
+use dataset::{Dataset, KnownValue, Marker};
 use model_spec::model::Model;
 use nalgebra::Vector3;
 use oracle::effect::ExtendedLaw;

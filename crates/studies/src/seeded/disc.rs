@@ -1,7 +1,7 @@
 //! Simulates datasets of the disc with effects added to the law of motion.
 
-use identify::dataset::Dataset;
-use identify::synthesize::MARKERS;
+use dataset::Dataset;
+use dataset::synthesize::MARKERS;
 use nalgebra::Vector3;
 use oracle::Physical;
 use oracle::effect::ExtendedLaw;

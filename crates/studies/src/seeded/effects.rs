@@ -1,6 +1,6 @@
 //! Specification of the effects and noise that are added to a simulated dataset.
 
-use identify::synthesize::Corruption;
+use dataset::synthesize::Corruption;
 
 /// Physical effects and measurement noise that are added to a simulated dataset.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,7 +1,7 @@
 //! Simulates one flight with effects added to the law of motion.
 
-use identify::dataset::{Flight, Role};
-use identify::synthesize::corrupt;
+use dataset::synthesize::corrupt;
+use dataset::{Flight, Role};
 use oracle::Physical;
 use oracle::effect::ExtendedLaw;
 use rand::SeedableRng;

@@ -1,6 +1,6 @@
 //! Errors in the spins that a dataset states for a ball's flights: noise, and exchanges between flights.
 
-use identify::dataset::{Dataset, Flight, KnownValue};
+use dataset::{Dataset, Flight, KnownValue};
 use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;

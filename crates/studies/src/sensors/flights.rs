@@ -1,7 +1,7 @@
 //! Flights of a disc simulated by the oracle, with simulated readings of sensors on the disc.
 
-use identify::dataset::{Dataset, Flight, Reading, Sensor, SensorKind};
-use identify::synthesize::MARKERS;
+use dataset::synthesize::MARKERS;
+use dataset::{Dataset, Flight, Reading, Sensor, SensorKind};
 use model_spec::compose::Instrument;
 use model_spec::model::Model;
 use nalgebra::{UnitQuaternion, Vector3};

@@ -1,8 +1,8 @@
 //! Fits and diagnoses simulated flights with each set of sensors.
 
+use dataset::{Role, Sensor, SensorKind};
 use diagnose::{DiagnosisOptions, diagnose};
 use flight::batch;
-use identify::dataset::{Role, Sensor, SensorKind};
 use identify::{fit, interval};
 use model_spec::compose::Instrument;
 use serde::Serialize;
@@ -103,7 +103,7 @@ pub fn sensors(
             .zip(&markers)
             .map(|(own, of)| own / of)
             .collect();
-        set.relative_error = identify::median(&mut ratios);
+        set.relative_error = dataset::statistics::median(&mut ratios);
         done(name);
         diagnoses(&observed, diagnosed, threads, &mut set);
         done(&format!("{name}, diagnoses"));
@@ -150,11 +150,12 @@ fn gather(runs: &[Run], set: &mut SensorSet) -> Vec<f64> {
     set.within_three = all().filter(|(z, ..)| z.abs() <= 3.0).count();
     let squares: f64 = all().map(|(z, ..)| z * z).sum();
     set.rms_z = (squares / set.intervals.max(1) as f64).sqrt();
-    set.seconds = identify::median(&mut good.iter().map(|(s, _)| *s).collect::<Vec<f64>>());
+    set.seconds =
+        dataset::statistics::median(&mut good.iter().map(|(s, _)| *s).collect::<Vec<f64>>());
     let count = good.first().map_or(0, |(_, each)| each.len());
     let errors = (0..count).map(|index| {
         let of_one = good.iter().map(|(_, each)| each[index].2);
-        identify::median(&mut of_one.collect::<Vec<f64>>())
+        dataset::statistics::median(&mut of_one.collect::<Vec<f64>>())
     });
     errors.collect()
 }

@@ -1,6 +1,6 @@
 //! The changes that each kind of mistake makes to a flight or a dataset.
 
-use identify::dataset::{Dataset, Flight};
+use dataset::{Dataset, Flight};
 use nalgebra::Vector3;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;

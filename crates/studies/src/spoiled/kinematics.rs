@@ -1,6 +1,6 @@
 //! Helpers to construct motions of a disc before its release and after its catch.
 
-use identify::dataset::Flight;
+use dataset::Flight;
 use nalgebra::Vector3;
 
 /// Positions of all markers in one sample, m; `None` for a marker that is not seen.

@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
-use identify::dataset::Dataset;
-use identify::synthesize::Corruption;
+use dataset::Dataset;
+use dataset::synthesize::Corruption;
 
 use super::judge::{Judged, judge};
 use super::kinds::{KINDS, Kind};

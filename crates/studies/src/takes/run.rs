@@ -4,8 +4,8 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use dataset::{Dataset, Flight, Marker};
 use flight::batch;
-use identify::dataset::{Dataset, Flight, Marker};
 use takes::{
     Axis, CentreHeight, EstimatedTemplate, FreeFlight, Point, ReadOptions, Take, ThrowOptions,
     Throws, estimate_template, find_throws,

@@ -1,8 +1,8 @@
 //! The gradient of the sum of squares against differences of it, for every choice of states and every loss.
 
+use dataset::synthesize::{Corruption, corrupt};
+use dataset::{Dataset, KnownValue};
 use identify::Observations;
-use identify::dataset::{Dataset, KnownValue};
-use identify::synthesize::{Corruption, corrupt};
 use identify::{
     AxesNoise, FitOptions, FitProblem, Loss, NoiseModel, Unknowns, initial_guesses, linearise,
 };

@@ -81,7 +81,7 @@ fn spins_of_half_of_the_balls(data: &RealData) {
 #[test]
 fn lift_by_spin_is_named_and_flights_with_another_s_spin_contradict_it() {
     let Some(folder) = measured() else { return };
-    let dataset = identify::dataset::load(&folder.join("spindoe")).expect("the balls");
+    let dataset = dataset::load(&folder.join("spindoe")).expect("the balls");
     let model = model_spec::load::load("ball", &[]).expect("the ball");
     let found = diagnose(&model, &dataset, &DiagnosisOptions::default()).expect("a diagnosis");
     let report = found.report;

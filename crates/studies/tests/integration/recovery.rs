@@ -1,7 +1,7 @@
 //! Coefficients of flights that the oracle made, found again by the fit.
 
-use identify::dataset::{Dataset, KnownValue, Role};
-use identify::synthesize::{Corruption, corrupt};
+use dataset::synthesize::{Corruption, corrupt};
+use dataset::{Dataset, KnownValue, Role};
 use identify::{CancellationToken, Fit, FitError, FitOptions, FitReport, Prior, fit};
 use studies::identification::coverage;
 use studies::oracle_flights::{

@@ -1,7 +1,7 @@
 //! Flights with hidden effects: nothing hidden is nothing changed, every effect shows, and the fit finds it by name.
 
-use identify::dataset::{Dataset, Role};
-use identify::synthesize::Corruption;
+use dataset::synthesize::Corruption;
+use dataset::{Dataset, Role};
 use identify::{FitOptions, fit};
 use oracle::{Law, effect};
 use studies::oracle_flights::{Plan, TWELVE, disc, flights};

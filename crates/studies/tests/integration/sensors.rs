@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use dataset::{Dataset, Role, Sensor, SensorKind};
 use diagnose::{DiagnosisOptions, diagnose};
-use identify::dataset::{self, Dataset, Role, Sensor, SensorKind};
 use identify::{FitOptions, FitReport, VERTICAL_ANGLES, fit, upward};
 use model_spec::compose::Instrument;
 use nalgebra::{Rotation3, Vector3};

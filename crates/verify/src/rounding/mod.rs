@@ -170,7 +170,7 @@ pub fn errors(compiled: &Compiled, points: &[Point<f64>], runs: &[Run]) -> (Vec<
                         all.push((error(exact.values[k], got), k));
                     }
                 }
-                all.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+                sort_largest_first(&mut all);
                 let Some(&(worst, place)) = all.first() else {
                     continue;
                 };
@@ -188,6 +188,11 @@ pub fn errors(compiled: &Compiled, points: &[Point<f64>], runs: &[Run]) -> (Vec<
         }
     }
     (errors, left_out)
+}
+
+/// Sorts pairs (error, index) by decreasing error, and equal errors by index.
+fn sort_largest_first(errors: &mut [(f64, usize)]) {
+    errors.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
 }
 
 /// Creates the result of the check of rounding errors for the verification report. The check holds if no backend's

@@ -6,12 +6,14 @@
 //! its own rounding or because it amplifies the rounding of its inputs.
 
 use super::program::{Inputs, outputs};
+use super::sort_largest_first;
 use crate::engine;
 use codegen::compile_every_value;
 use codegen::tape::Tape;
 use model_spec::diagnostic::Span;
 use model_spec::location::trimmed_line;
 use model_spec::model::{AuxVariable, Expr, ExprKind, Input, Model, Parameter, Shape};
+use model_spec::sort_by_number;
 use oracle::Point;
 use oracle::scalar::{Big, Real, with_numbers};
 use serde::Serialize;
@@ -92,7 +94,7 @@ pub fn losses(model: &Model, points: &[(String, Point<f64>)]) -> Vec<Loss> {
         .zip(lost)
         .filter_map(|(statement, lost)| loss(model, statement, lost, points))
         .collect();
-    losses.sort_by(|a, b| b.bits.total_cmp(&a.bits));
+    sort_by_number(&mut losses, |loss| -loss.bits);
     losses
 }
 
@@ -134,7 +136,7 @@ fn loss(
     mut lost: Vec<(f64, usize)>,
     points: &[(String, Point<f64>)],
 ) -> Option<Loss> {
-    lost.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    sort_largest_first(&mut lost);
     let &(bits, place) = lost.first().filter(|(bits, _)| *bits > 0.0)?;
     let source = model.sources.get(usize::from(statement.span.source))?;
     let (line, text) = trimmed_line(&source.text, statement.span.range().start);

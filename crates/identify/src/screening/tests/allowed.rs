@@ -4,12 +4,12 @@
 use model_spec::load::load;
 
 use super::{Spoil, disc, found, spoiled};
-use crate::dataset::Dataset;
 use crate::fit;
 use crate::screening::distances::marker_pairs;
 use crate::screening::fault::{DataFault, FaultKind};
 use crate::screening::rigid::rigid_pairs;
 use crate::{options::FitOptions, problem::FitProblem};
+use dataset::Dataset;
 
 fn rigid(effects: &[&str], dataset: &Dataset) -> Vec<bool> {
     let model = load("disc", effects).expect("a model");

@@ -3,13 +3,13 @@
 use ::flight::release::{Release, Stop};
 
 use super::{ball, disc, disc_releases, discs, found, model, plan, release};
-use crate::dataset::Flight;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::screening::free_fall::FreeFall;
 use crate::screening::track::Track;
 use crate::screening::{gravity, handling, jumps, records, rigid, screen, template};
-use crate::synthesize::{Plan, Spread, flights};
+use dataset::Flight;
+use dataset::synthesize::{Plan, Spread, flights};
 
 #[test]
 fn clean_flights_have_no_fault() {
@@ -65,7 +65,7 @@ fn measured_flights_and_examples_have_no_fault() {
             eprintln!("skipped: {folder} is absent");
             continue;
         }
-        let dataset = crate::dataset::load(&path).expect("a dataset");
+        let dataset = dataset::load(&path).expect("a dataset");
         assert_eq!(found(&model(&dataset.model), &dataset), [], "{folder}");
     }
 }

@@ -1,11 +1,11 @@
 //! Flights are truncated at bounces and nowhere else.
 
 use super::{ball, discs};
-use crate::dataset::Flight;
 use crate::ground_contact;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::screening::track::{self, Track};
+use dataset::Flight;
 
 /// Copy of a flight in which the body bounces at the time `time`, s: its velocity jumps by `change`, m/s.
 fn bounced(flight: &Flight, time: f64, change: [f64; 3]) -> Flight {

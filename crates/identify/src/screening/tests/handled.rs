@@ -1,7 +1,7 @@
 //! Detection of samples in the hand and after the catch.
 
 use super::{ball, disc, found, kinds};
-use crate::dataset::Flight;
+use dataset::Flight;
 
 /// Copy of a flight with additional samples before its start, as if a hand threw the body: `held` samples at rest, then
 /// `pushed` samples of acceleration to the initial velocity.

@@ -1,9 +1,9 @@
 //! Laboratory mistakes in one flight and in all flights.
 
 use super::{Spoil, ball, calm_disc, disc, disc_releases, each_point, found, kinds, plan, spoiled};
-use crate::dataset::{Dataset, Flight, Marker};
 use crate::screening::fault::FaultKind;
-use crate::synthesize::{Plan, flights};
+use dataset::synthesize::{Plan, flights};
+use dataset::{Dataset, Flight, Marker};
 use model_spec::model::Model;
 
 /// Recording mistakes that can occur in flights of any body: name, expected kind of data fault, and the function that

@@ -11,10 +11,10 @@ use model_spec::model::Model;
 
 use super::fault::{DataFault, FaultKind};
 use super::screen;
-use crate::dataset::{Dataset, Flight};
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
-use crate::synthesize::{Corruption, Plan, Spread, flights};
+use dataset::synthesize::{Corruption, Plan, Spread, flights};
+use dataset::{Dataset, Flight};
 
 pub const AR: Corruption = Corruption {
     sigma: 0.0015,

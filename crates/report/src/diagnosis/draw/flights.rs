@@ -1,7 +1,8 @@
 //! Figure of the RMS residual of each fitted flight without and with the extension of the model.
 
+use dataset::Role;
 use diagnose::{FlightGain, Report};
-use identify::dataset::Role;
+use model_spec::sort_by_number;
 
 use super::gain::row;
 use super::{drawn_chart, drawn_panels};
@@ -59,7 +60,7 @@ fn ranked(title: &str, fitted: &[&FlightGain], noise: f64) -> Drawn {
     let mut sizes: Vec<(f64, f64)> = sizes
         .filter(|s| s.0.is_finite() && s.1.is_finite())
         .collect();
-    sizes.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sort_by_number(&mut sizes, |size| size.0);
     let last = sizes.len() as f64;
     let ranks = sizes
         .iter()

@@ -1,7 +1,8 @@
 //! Figure of the prediction error on held-out flights without and with the extension of the model.
 
+use dataset::Role;
 use diagnose::{FlightGain, Report};
-use identify::dataset::Role;
+use model_spec::sort_by_number;
 
 use super::drawn_chart;
 use crate::figures::Layout;
@@ -25,7 +26,7 @@ pub(super) fn gain(report: &Report) -> Option<Drawn> {
     let number = held_out.len();
     if number > MAX_FLIGHTS {
         let size = |f: &FlightGain| f.rms_before_m.unwrap_or(f64::NEG_INFINITY);
-        held_out.sort_by(|a, b| size(b).total_cmp(&size(a)));
+        sort_by_number(&mut held_out, |flight| -size(flight));
         held_out.truncate(MAX_FLIGHTS);
     }
     let (before, after) = (

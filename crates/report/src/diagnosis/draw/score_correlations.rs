@@ -1,6 +1,7 @@
 //! Figure of the correlations between the effective scores of candidate effects, as a triangular matrix.
 
 use diagnose::Report;
+use model_spec::sort_by_number;
 
 use super::drawn;
 use crate::figures::Layout;
@@ -71,7 +72,7 @@ fn strongest(report: &Report) -> Vec<usize> {
     };
     let names = report.score_correlations.names.iter().enumerate();
     let mut order: Vec<(f64, usize)> = names.map(|(i, name)| (equivalent_z(name), i)).collect();
-    order.sort_by(|a, b| b.0.total_cmp(&a.0));
+    sort_by_number(&mut order, |pair| -pair.0);
     order.truncate(MAX_COEFFICIENTS);
     order.into_iter().map(|(_, i)| i).collect()
 }

@@ -1,6 +1,7 @@
 //! Figure of the score tests of all candidate effects, as equivalent z.
 
 use diagnose::{CandidateTest, Report};
+use model_spec::sort_by_number;
 
 use super::super::words;
 use super::drawn_chart;
@@ -20,7 +21,7 @@ pub(super) fn score_tests(report: &Report) -> Option<Drawn> {
     let size = |c: &CandidateTest| {
         if c.z.is_nan() { f64::NEG_INFINITY } else { c.z }
     };
-    all.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    sort_by_number(&mut all, |test| -size(test));
     let left_out = all.len().saturating_sub(MAX_CANDIDATES);
     all.truncate(MAX_CANDIDATES);
     if all.is_empty() {

@@ -1,10 +1,12 @@
 //! Curve of the quantity that an effect changes, over the variable on which the effect depends.
 
+use dataset::Role;
+use dataset::statistics::median;
 use diagnose::identifier;
 use flight::ModelObserver;
-use identify::dataset::Role;
-use identify::{Fit, FlightId, Observations, median};
+use identify::{Fit, FlightId, Observations};
 use model_spec::model::{Expr, ExprKind, Model, Shape};
+use model_spec::sort_by_number;
 use nalgebra::{DMatrix, DVector};
 
 use super::super::Fits;
@@ -206,7 +208,7 @@ fn curve(before: &Fit, after: &Fit, at: usize, over: &Abscissa<'_>) -> Option<Cu
         }
     }
     samples.retain(|s| s.x.is_finite());
-    samples.sort_by(|a, b| a.x.total_cmp(&b.x));
+    sort_by_number(&mut samples, |sample| sample.x);
     let models = Models::new(before, after, &fitted, position(before), quantity);
     let points = points(&samples, &models);
     let (low, high) = range(points.iter().map(|p| p.after));

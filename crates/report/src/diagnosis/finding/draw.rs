@@ -1,6 +1,7 @@
 //! First figure of the page: illustration of the main finding.
 
 use diagnose::{CandidateTest, Report, Verdict};
+use model_spec::sort_by_number;
 
 use super::super::draw::{drawn_chart, drawn_panels};
 use super::super::words;
@@ -121,7 +122,7 @@ pub(super) fn estimates(report: &Report) -> Option<Drawn> {
 pub(super) fn strongest(report: &Report) -> Option<Drawn> {
     let mut all: Vec<&CandidateTest> = report.candidates.iter().collect();
     all.retain(|c| c.z.is_finite());
-    all.sort_by(|a, b| b.z.total_cmp(&a.z));
+    sort_by_number(&mut all, |test| -test.z);
     all.truncate(MAX_ROWS);
     if all.is_empty() {
         return None;

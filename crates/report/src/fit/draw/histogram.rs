@@ -1,7 +1,7 @@
 //! Histogram of the RMS residuals of the fitted flights.
 
+use dataset::Role;
 use identify::FitReport;
-use identify::dataset::Role;
 
 use super::super::Drawn;
 use super::not_drawn;

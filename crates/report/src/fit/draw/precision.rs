@@ -1,5 +1,7 @@
 //! First figure of the fit page: relative standard error of each coefficient.
 
+use model_spec::sort_by_number;
+
 use super::super::{Drawn, FitPage};
 use super::not_drawn;
 use crate::bands::std_error;
@@ -20,7 +22,7 @@ pub(in super::super) fn precision(page: &FitPage<'_>) -> Option<Drawn> {
     let mut sizes: Vec<_> = sizes
         .filter(|(_, c, size)| !c.held && size.is_finite())
         .collect();
-    sizes.sort_by(|a, b| a.2.total_cmp(&b.2));
+    sort_by_number(&mut sizes, |size| size.2);
     let left_out = sizes.len().saturating_sub(MAX_ROWS);
     sizes.truncate(MAX_ROWS);
     if sizes.is_empty() {

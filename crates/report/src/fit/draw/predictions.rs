@@ -1,6 +1,6 @@
 //! Figures of the predictions of held-out flights: prediction errors over time, with their expected 95 % band.
 
-use identify::dataset::Role;
+use dataset::Role;
 use identify::{Fit, FlightEvidence, FlightId};
 
 use super::super::Drawn;

@@ -2,6 +2,7 @@
 //! refitted.
 
 use identify::FitReport;
+use model_spec::sort_by_number;
 
 use super::super::Drawn;
 use super::super::numbers::{Digits, raised, unit};
@@ -23,7 +24,7 @@ pub(in super::super) fn profiles(report: &FitReport) -> Vec<Drawn> {
             let points = profile.points.iter().map(|[value, d]| (*value, *d));
             let mut points: Vec<(f64, f64)> =
                 points.filter(|p| p.0.is_finite() && p.1.is_finite()).collect();
-            points.sort_by(|a, b| a.0.total_cmp(&b.0));
+            sort_by_number(&mut points, |point| point.0);
             let highest = points.iter().map(|p| p.1).fold(2.0 * LEVEL, f64::max);
             let top = highest.min(4.0 * LEVEL);
             // Axes of very small or large values are scaled by a power of ten, so that tick labels are readable.

@@ -1,7 +1,7 @@
 //! Figures of the residuals of all flights, plotted one flight after the other, as in Figure 4 of Hubbard & Hummel
 //! (2000).
 
-use identify::dataset::Role;
+use dataset::Role;
 use identify::{FlightEvidence, NoiseReport};
 
 use super::super::Drawn;

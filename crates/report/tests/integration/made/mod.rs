@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use identify::dataset::Role;
+use dataset::Role;
 use identify::*;
 
 /// Random number generator whose numbers are the same on every machine.

@@ -1,6 +1,6 @@
 //! Estimates the lift of each flight from its trajectory alone, for comparison with the stated spin.
 
-use identify::dataset::{Dataset, Flight, KnownValue, Role};
+use dataset::{Dataset, Flight, KnownValue, Role};
 use identify::{Fit, FitOptions, FitReport, FlightEvidence, fit};
 use model_spec::model::Model;
 use nalgebra::Vector3;

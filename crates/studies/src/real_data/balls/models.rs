@@ -1,8 +1,8 @@
 //! Fits and diagnoses the ball with effects of the catalogue and of this study.
 
+use dataset::Dataset;
 use diagnose::Report as Diagnosis;
 use diagnose::{DiagnosisError, DiagnosisOptions, diagnose};
-use identify::dataset::Dataset;
 use identify::{FitOptions, FitReport, fit};
 use model_spec::compose::{EffectTree, ModelTree};
 use model_spec::model::Model;

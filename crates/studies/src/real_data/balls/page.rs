@@ -1,8 +1,8 @@
 //! Section of docs/real-data.md on the table-tennis balls.
 
+use dataset::Role;
 use diagnose::Report as Diagnosis;
 use diagnose::held_out_gain;
-use identify::dataset::Role;
 use identify::{Coefficient, FitReport};
 use serde::Serialize;
 

@@ -1,8 +1,8 @@
 //! Runs all fits, tests and diagnoses of the balls.
 
+use dataset::Dataset;
 use diagnose::{DiagnosisError, Report as Diagnosis};
 use identify::FitReport;
-use identify::dataset::Dataset;
 use model_spec::model::Model;
 
 use super::agreement::{Agreement, agreement};

@@ -1,6 +1,6 @@
 //! Stretches of the recording in which every flight's lift points to the side that its stated spin implies.
 
-use identify::dataset::Dataset;
+use dataset::Dataset;
 
 /// First and last file number (both included) of each part of the recording in which every lift agrees with the spin ω
 /// that the data state, that is, points to the side of ω × v for the velocity v. The parts were chosen by the computed

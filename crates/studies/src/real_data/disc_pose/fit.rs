@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use identify::dataset::{Dataset, Flight, Sensor, SensorKind};
+use dataset::{Dataset, Flight, Sensor, SensorKind};
 use identify::{Fit, FitError, FitOptions, FitReport, FlightReport, Prior};
 use model_spec::model::Model;
 use serde::Serialize;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use identify::dataset::{Flight, Reading};
+use dataset::{Flight, Reading};
 use nalgebra::{Quaternion, Rotation3, UnitQuaternion, Vector3};
 
 use crate::error::StudyError;

@@ -3,8 +3,8 @@
 
 use std::path::Path;
 
+use dataset::{Dataset, Flight, Reading, Sensor, SensorKind};
 use diagnose::{CauseEffect, DiagnosisOptions, diagnose};
-use identify::dataset::{Dataset, Flight, Reading, Sensor, SensorKind};
 use identify::{FitOptions, Prior};
 use model_spec::compose::Instrument;
 use serde::Serialize;

@@ -1,6 +1,6 @@
 //! Recordings made for tests: one motion in every format.
 
-#[path = "../../../../identify/tests/integration/support/c3d.rs"]
+#[path = "../../../../dataset/tests/integration/support/c3d.rs"]
 pub mod c3d;
 pub mod clean;
 pub mod spun;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use super::{Corruption, Spread};
-use crate::dataset::quoted;
+use crate::quoted;
 
 /// True values and settings with which a synthetic dataset was generated.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! Made datasets: flights are where the model puts them, around their release, and can be written and read.
 
+use dataset::synthesize::{Corruption, Plan, Spread, SynthesisError, SyntheticDataset, flights};
+use dataset::{KnownValue, Role, load, write};
 use flight::release::{Release, Stop, Vocabulary, built_in, read};
-use identify::dataset::{KnownValue, Role, load, write};
-use identify::synthesize::{Corruption, Plan, Spread, SynthesisError, SyntheticDataset, flights};
 use model_spec::model::Model;
 
 fn released(name: &str) -> (Model, Release) {

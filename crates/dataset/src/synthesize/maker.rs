@@ -5,14 +5,14 @@ use std::collections::BTreeMap;
 use flight::CompiledModel;
 use flight::release::{Release, Stop};
 use model_spec::model::Model;
-use ode::{Event, IntegrationOptions, integrate_at, integrate_to_end};
+use ode::{Event, IntegrationOptions};
 use rand::Rng;
 use rand_chacha::ChaCha12Rng;
 use rand_chacha::rand_core::SeedableRng;
 
 use super::error::SimulationError;
 use super::{MAX_POINTS, Plan, corrupt};
-use crate::dataset::{Flight, KnownValue, Role};
+use crate::{Flight, KnownValue, Role};
 
 /// Absolute (in the SI unit of each state) and relative integration tolerance. Integration errors are far below the
 /// measurement noise.
@@ -109,8 +109,7 @@ impl Maker<'_> {
         let z = z.ok_or(SimulationError::NoHeight)?.index();
         let mut events = conditions.limits();
         events.push(Event::falls_to("ground", z, 0.0).terminal());
-        let landed = integrate_to_end(
-            &mut conditions.rhs(),
+        let landed = conditions.integrate_to_end(
             (0.0, &state.into()),
             watched.unwrap_or(Release::MAX_DURATION),
             &IntegrationOptions::with_tolerance(TOLERANCE),
@@ -134,8 +133,7 @@ impl Maker<'_> {
         let conditions = self.body.bind(parameters.to_vec());
         let mut samples = vec![0.0; times.len() * state.len()];
         // A flight that leaves the model's domain of validity ends with an error.
-        integrate_at(
-            &mut conditions.rhs(),
+        conditions.integrate_at(
             (0.0, &state.into()),
             times,
             &IntegrationOptions::with_tolerance(TOLERANCE),

@@ -7,7 +7,7 @@ use crate::support::c3d::File;
 use crate::support::{MANIFEST, TABLE, folder, read, read_both};
 
 /// Text with the name and the error message of each case; panics if a case has no error.
-fn told(cases: Vec<(&str, Result<identify::dataset::Dataset, String>)>) -> String {
+fn told(cases: Vec<(&str, Result<dataset::Dataset, String>)>) -> String {
     let mut text = String::new();
     let mut names = std::collections::BTreeSet::new();
     for (name, result) in cases {

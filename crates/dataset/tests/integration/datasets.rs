@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use crate::support::{MANIFEST, TABLE, folder, read, read_both};
-use identify::dataset::{KnownValue, Role};
+use dataset::{KnownValue, Role};
 use proptest::prelude::*;
 
 #[test]

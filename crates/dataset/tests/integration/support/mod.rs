@@ -4,7 +4,7 @@ pub mod c3d;
 
 use std::path::Path;
 
-use identify::dataset::{Dataset, load};
+use dataset::{Dataset, load};
 
 /// Valid text of `dataset.toml` for a dataset of one flight.
 pub const MANIFEST: &str = r#"model = "ball"

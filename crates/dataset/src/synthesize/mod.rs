@@ -18,7 +18,7 @@ pub use spread::Spread;
 pub use truth::Truth;
 
 use self::maker::Maker;
-use crate::dataset::{Dataset, Marker};
+use crate::{Dataset, Marker};
 
 /// Maximum number of flights of a synthetic dataset.
 const MAX_FLIGHTS: usize = 100_000;

@@ -107,12 +107,12 @@ pub(super) fn channels(
 
 /// Rotation from body to inertial components that corresponds to a reading of the attitude, a quaternion with the
 /// scalar part first.
-pub(crate) fn attitude([w, x, y, z]: Reading) -> UnitQuaternion<f64> {
+pub fn attitude([w, x, y, z]: Reading) -> UnitQuaternion<f64> {
     UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z))
 }
 
 /// Three virtual marker points that represent a pose sensor at `position`, in the frame of the marker positions, m.
-pub(crate) fn points_on_body(position: [f64; 3]) -> [[f64; 3]; 3] {
+pub fn points_on_body(position: [f64; 3]) -> [[f64; 3]; 3] {
     let [x, y, z] = position;
     [
         [x + REACH, y, z],
@@ -123,7 +123,7 @@ pub(crate) fn points_on_body(position: [f64; 3]) -> [[f64; 3]; 3] {
 
 /// Inertial positions, m, of the virtual marker points of a pose sensor, from the readings of its two channels,
 /// position and attitude; `None` if a reading is missing.
-pub(crate) fn points_seen(readings: &[Option<Reading>]) -> [Option<[f64; 3]>; 3] {
+pub fn points_seen(readings: &[Option<Reading>]) -> [Option<[f64; 3]>; 3] {
     let (Some(place), Some(turn)) = (readings[0], readings[1]) else {
         return [None; 3];
     };

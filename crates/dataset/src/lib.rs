@@ -1,21 +1,26 @@
-//! A dataset: a folder with `dataset.toml` and, for each flight, one table or C3D file.
+//! Measured flights of a body, as a dataset: a folder with `dataset.toml` and, for each flight, one table or C3D file.
 //!
 //! Reading returns the complete dataset or an error with its location. Whether the dataset can be fitted is checked
 //! later by the fit: a flight of one sample, or a dataset whose flights are all held out, is a valid dataset.
+//! [`synthesize`] creates datasets whose true coefficients are known.
 
 mod c3d;
 mod fields;
 mod file;
 mod header;
 mod in_memory;
+mod input_error;
 mod lines;
 mod manifest;
 mod manifest_sensors;
 mod names;
 mod place;
+pub mod pose;
 mod recording;
 mod samples;
 mod sensor;
+pub mod statistics;
+pub mod synthesize;
 mod table;
 mod unplaced;
 mod upright;
@@ -26,15 +31,13 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use flight::batch;
-pub use sensor::{Reading, Sensor, SensorKind};
-pub(crate) use sensor::{attitude, points_on_body, points_seen};
-pub(crate) use write::quoted;
+pub use input_error::{InputError, utf8};
+pub use sensor::{Reading, Sensor, SensorKind, attitude, points_on_body, points_seen};
+use write::quoted;
 pub use write::{manifest_text, table_text, write, write_commented, write_with};
 
-use crate::input_error::InputError;
-
 /// Names of the inertial axes, as in the columns `NAME_x`, `NAME_y` and `NAME_z` of a marker.
-pub(crate) const AXES: [&str; 3] = ["x", "y", "z"];
+pub const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Maximum size of a table or C3D file, bytes.
 const MAX_BYTES: u64 = 1 << 30;

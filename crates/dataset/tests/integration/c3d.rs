@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use crate::support::c3d::File;
 use crate::support::{folder, read};
-use identify::dataset::Dataset;
+use dataset::Dataset;
 
 const MANIFEST: &str = r#"model = "disc"
 [[markers]]

@@ -1,6 +1,6 @@
 //! The noise of made datasets is what was asked for, and the same seed makes the same bits.
 
-use identify::synthesize::{Corruption, corrupt};
+use dataset::synthesize::{Corruption, corrupt};
 
 type Positions = Vec<Vec<Option<[f64; 3]>>>;
 

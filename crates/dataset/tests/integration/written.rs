@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::io::ErrorKind;
 use std::path::Path;
 
-use identify::dataset::{Dataset, Flight, KnownValue, Marker, Role, load, write, write_with};
+use dataset::{Dataset, Flight, KnownValue, Marker, Role, load, write, write_with};
 use proptest::prelude::*;
 
 fn small() -> Dataset {

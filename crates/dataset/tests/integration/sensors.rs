@@ -1,6 +1,6 @@
 //! Sensors of a dataset: read, written back, and refused where they are wrong.
 
-use identify::dataset::{self, SensorKind};
+use dataset::SensorKind;
 use model_spec::compose::Instrument;
 
 const HEAD: &str = "model = \"disc\"\n\n[[flights]]\nfile = \"a.csv\"\n";

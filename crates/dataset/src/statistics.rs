@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 const SIGMA_PER_MEDIAN: f64 = 1.4826;
 
 /// Median: the middle value, or the mean of the two middle values; 0 for no values. Reorders the values.
+#[inline]
 pub fn median(values: &mut [f64]) -> f64 {
     if values.is_empty() {
         return 0.0;
@@ -29,14 +30,14 @@ pub fn median_of(values: impl IntoIterator<Item = f64>) -> Option<f64> {
 }
 
 /// Component-wise median of vectors; `None` for no vectors.
-pub(crate) fn median_vector(vectors: &[Vector3<f64>]) -> Option<Vector3<f64>> {
+pub fn median_vector(vectors: &[Vector3<f64>]) -> Option<Vector3<f64>> {
     let component = |axis: usize| median_of(vectors.iter().map(|vector| vector[axis]));
     Some(Vector3::new(component(0)?, component(1)?, component(2)?))
 }
 
 /// Robust estimate of the standard deviation of normal values with mean 0: 1.4826 times the median of their absolute
 /// values; 0 for no values. Reorders the values.
-pub(crate) fn robust_sigma(absolute_values: &mut [f64]) -> f64 {
+pub fn robust_sigma(absolute_values: &mut [f64]) -> f64 {
     SIGMA_PER_MEDIAN * median(absolute_values)
 }
 

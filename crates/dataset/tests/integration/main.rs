@@ -1,0 +1,11 @@
+//! Integration tests of datasets: reading, writing and synthesis.
+
+mod broken;
+mod c3d;
+mod datasets;
+mod made_noise;
+mod recording;
+mod sensors;
+mod support;
+mod synthesize;
+mod written;
