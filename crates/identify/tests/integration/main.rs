@@ -1,4 +1,4 @@
-//! Datasets, read, written and made, and the fits of them.
+//! Fits of synthetic datasets.
 
 mod added_states;
 mod alone;
