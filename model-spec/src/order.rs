@@ -1,7 +1,7 @@
-//! Sorting by a number of each value.
+//! Stable sorting by a floating-point key.
 
-/// Sorts values by a number of each, in the order of [`f64::total_cmp`]; values with equal numbers keep their order.
-/// `number` is called once for each value. For the reverse order, negate the number.
+/// Sorts values by a floating-point key, in the order of [`f64::total_cmp`]; the sort is stable. `number` returns the
+/// key of a value and is called once for each value. For decreasing order, negate the key.
 ///
 /// ```
 /// let mut named = [("a", 2.0), ("b", -3.0), ("c", 2.0)];

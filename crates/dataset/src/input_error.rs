@@ -59,7 +59,7 @@ impl std::error::Error for InputError {}
 ///
 /// # Errors
 /// [`InputError`] with the location of the first byte that is not valid UTF-8.
-pub fn utf8<'a>(file: &Path, bytes: &'a [u8]) -> Result<&'a str, InputError> {
+pub(crate) fn utf8<'a>(file: &Path, bytes: &'a [u8]) -> Result<&'a str, InputError> {
     match std::str::from_utf8(bytes) {
         Ok(text) => Ok(text.strip_prefix('\u{feff}').unwrap_or(text)),
         Err(error) => {

@@ -31,7 +31,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use flight::batch;
-pub use input_error::{InputError, utf8};
+pub use input_error::InputError;
 pub use sensor::{Reading, Sensor, SensorKind, attitude, points_on_body, points_seen};
 use write::quoted;
 pub use write::{manifest_text, table_text, write, write_commented, write_with};

@@ -52,7 +52,7 @@ fn are_not_collinear(points: impl Iterator<Item = Vector3<f64>> + Clone) -> bool
 
 /// Least-squares pose from the body coordinates `markers` and the measured positions `seen`, m; `None` if the measured
 /// markers do not determine the attitude.
-#[inline] // as optimised as its callers
+#[inline] // compiled at the optimisation level of the caller
 pub fn pose(markers: &[[f64; 3]], seen: &[Option<[f64; 3]>]) -> Option<Pose> {
     let pairs = markers.iter().zip(seen).filter_map(|(&marker, &seen)| {
         let pair: (Vector3<f64>, Vector3<f64>) = (marker.into(), seen?.into());
@@ -107,7 +107,7 @@ const MAX_STEPS: usize = 100;
 /// Least-squares rotation that maps vectors b to vectors s, from the matrix `c` = Σ s bᵀ. `bound`, half the sum of all
 /// squared lengths, is an upper bound of the largest eigenvalue of Horn's 4 × 4 matrix, from which Newton's method
 /// starts. `None` for collinear vectors.
-#[inline]
+#[inline] // as `pose`
 fn nearest_rotation(c: &Matrix3<f64>, bound: f64) -> Option<UnitQuaternion<f64>> {
     #[rustfmt::skip]
     let key = Matrix4::new(

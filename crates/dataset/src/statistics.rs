@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 const SIGMA_PER_MEDIAN: f64 = 1.4826;
 
 /// Median: the middle value, or the mean of the two middle values; 0 for no values. Reorders the values.
-#[inline]
+#[inline] // compiled at the optimisation level of the caller
 pub fn median(values: &mut [f64]) -> f64 {
     if values.is_empty() {
         return 0.0;

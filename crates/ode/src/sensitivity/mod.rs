@@ -73,8 +73,9 @@ const PADDING: usize = 8;
 /// control, so that the steps are those of x alone, unless
 /// [`with_sensitivity_error_control`](Self::with_sensitivity_error_control) is called.
 ///
-/// Its [`integrate_at`](Self::integrate_at), [`integrate_to_event`](Self::integrate_to_event) and
-/// [`integrate_with_callback`](Self::integrate_with_callback) are the functions of these names, compiled once.
+/// [`integrate_at`](Self::integrate_at), [`integrate_to_event`](Self::integrate_to_event) and
+/// [`integrate_with_callback`](Self::integrate_with_callback) integrate it as the generic functions of the same names do,
+/// without compiling the solver again in the calling crate.
 pub struct Sensitivities<'m> {
     rhs: Box<dyn DifferentiableRhs + 'm>,
     layout: SensitivityLayout,

@@ -1,5 +1,6 @@
 //! Renders docs/fits.md.
 
+use model_spec::sort_by_number;
 use serde::Serialize;
 
 use super::run::FitOutcome;
@@ -69,10 +70,10 @@ pub fn fits_page(outcomes: &[FitOutcome]) -> Result<Page, StudyError> {
         class(name, &of.copied().collect::<Vec<_>>())
     });
     let mut failures: Vec<&FitOutcome> = outcomes.iter().filter(|o| !o.is_reached()).collect();
-    failures.sort_by(|a, b| severity(b).total_cmp(&severity(a)));
+    sort_by_number(&mut failures, |run| -severity(run));
     let more = failures.len().saturating_sub(MAX_LISTED);
     let mut slow = all.clone();
-    slow.sort_by(|a, b| b.seconds.total_cmp(&a.seconds));
+    sort_by_number(&mut slow, |run| -run.seconds);
     let not_converged = |o: &&&FitOutcome| o.status.is_some_and(|status| !status.converged());
     let results = Results {
         threads: outcomes.first().map_or(1, |outcome| outcome.threads),

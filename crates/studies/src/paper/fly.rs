@@ -3,7 +3,7 @@
 use flight::CompiledModel;
 use flight::release::{Vocabulary, built_in, read};
 use model_spec::model::Model;
-use ode::{Event, IntegrationOptions, integrate};
+use ode::{Event, IntegrationOptions};
 
 use super::claims::Outcome;
 use super::coefficients::Coefficients;
@@ -103,14 +103,10 @@ impl Flyer {
         };
         let z = layout.state("z")?.index();
         let peak = Event::peak_of("apex", z);
-        let flight = integrate(
-            &mut conditions.rhs(),
-            (0.0, &self.initial),
-            self.duration,
-            &options,
-            &mut [peak],
-        )
-        .ok()?;
+        let from = (0.0, &self.initial);
+        let flight = conditions
+            .integrate(from, self.duration, &options, &mut [peak])
+            .ok()?;
         let (start, end) = (
             |name| Some(self.initial[layout.state(name)?.index()]),
             |name| Some(flight.end_state[layout.state(name)?.index()]),

@@ -1,5 +1,6 @@
 //! Section of docs/real-data.md on the effects of the catalogue that improve the disc's aerodynamic curves.
 
+use model_spec::sort_by_number;
 use serde::Serialize;
 
 use super::curves::{ALPHA, CUBE, Coefficient, Curve, ONE, SQUARE, STALL, Shape, minimum};
@@ -151,7 +152,7 @@ fn departure(
     let first = |sign: f64| {
         let side = table.iter().filter(|row| row.alpha * sign >= 0.0);
         let mut side: Vec<&Measured> = side.collect();
-        side.sort_by(|a, b| a.alpha.abs().total_cmp(&b.alpha.abs()));
+        sort_by_number(&mut side, |point| point.alpha.abs());
         let departs = |row: &&&Measured| {
             (row.coefficients[form.coefficient] - curve.at(row.alpha)).abs() > limit
         };
