@@ -4,11 +4,11 @@
 //! linear systems", IEEE Transactions on Automatic Control 21 (1976).
 
 use flight::batch;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
-use super::quadratic::{Minimum, Quadratic};
+use super::quadratic::{Coupled, Quadratic};
 use super::rows::Point;
-use super::trajectory::{Trajectory, over_noise};
+use super::trajectory::Part;
 use crate::noise::NoiseModel;
 
 /// Maximum number of samples after a possible contact with the ground or an object that are used to test for it.
@@ -19,9 +19,9 @@ const DISPLACEMENT_SIGMA: f64 = 0.3;
 
 /// Threshold of the decrease of the whitened sum of squares by a velocity jump. Each jump is first tested with all
 /// later samples, at most `MAX_SAMPLES_AFTER`. If every decrease is below the threshold, no jump is tested with fewer
-/// samples. The threshold is far below the decrease by a contact with the ground, which samples after the contact
-/// increase further.
-const MIN_ROUGH_GAIN: f64 = 30.0;
+/// samples. The threshold is below `MIN_GAIN`, the decrease by a contact with the ground, which samples after the
+/// contact increase further.
+const MIN_ROUGH_GAIN: f64 = 50.0;
 
 /// Result of the comparison of free motion (without contact) with motion whose velocities jump just before a sample.
 #[derive(Clone, Debug)]
@@ -37,9 +37,9 @@ pub struct Comparison {
 pub struct Jumps {
     /// Index of the first sample for which a jump in the preceding interval is tested.
     tried: usize,
-    /// `free[i]` is the free motion (without contact) fitted to all samples before the sample `tried + i`. The last
-    /// entry is the free motion fitted to all samples.
-    free: Vec<Minimum>,
+    /// `free[i]` is the sum of squared residuals of free motion (without contact) over all samples before the sample
+    /// `tried + i`. The last entry is the sum over all samples.
+    free: Vec<Quadratic>,
     /// `comparisons[i][k]` tests a jump just before sample `tried + i`, with the samples up to `tried + i + k`. The
     /// outer vector is empty if no jump decreases the sum of squares by more than `MIN_ROUGH_GAIN` when it is tested
     /// with all later samples, at most `MAX_SAMPLES_AFTER`.
@@ -51,56 +51,43 @@ impl Jumps {
     /// of the markers by sample from `trajectory.first` on. `None` if the samples before a jump do not determine the
     /// motion without a contact. Uses `threads` threads.
     pub fn new(
-        trajectory: &Trajectory,
+        trajectory: Part<'_>,
         rows: &[Vec<Point>],
         noise: &NoiseModel,
         threads: usize,
     ) -> Option<Self> {
         let (dimension, tried) = (trajectory.dimension, trajectory.tried);
-        let end = trajectory.first + rows.len();
-        let of = |sample: usize| &rows[sample - trajectory.first];
+        let (before, after) = rows.split_at(tried - trajectory.first);
         let mut sum = Quadratic::zeros(dimension);
-        for point in (trajectory.first..tried).flat_map(of) {
+        for point in before.iter().flatten() {
             point.add_to(&mut sum);
         }
-        let mut free = vec![sum.minimum()?];
-        let mut samples = Vec::with_capacity(end - tried);
-        for points in (tried..end).map(of) {
+        let mut free = vec![sum.clone()];
+        let mut samples = Vec::with_capacity(after.len());
+        for points in after {
             let mut sample = Quadratic::zeros(dimension);
             points.iter().for_each(|point| point.add_to(&mut sample));
             sum.add_all(&sample);
-            free.push(sum.minimum()?);
+            free.push(sum.clone());
             samples.push(SampleSum {
                 points,
                 sum: sample,
             });
         }
         let count = samples.len();
-        // Tests a jump with each number of samples after it from `least` on.
-        let compare =
-            |first: usize, least: usize| -> Option<Vec<Comparison>> {
-                let held = trajectory.contacts[first].iter().map(|at| {
-                    let displacement = over_noise(at, noise.sigma) / DISPLACEMENT_SIGMA;
-                    displacement.tr_mul(&displacement)
-                });
-                let held: Vec<DMatrix<f64>> = held.collect();
-                let mut change = JumpSum::zeros(dimension);
-                let after = samples[first..].iter().zip(&free[first + 1..]);
-                let each = after.take(MAX_SAMPLES_AFTER).enumerate().filter_map(
-                    |(index, (sample, free))| {
-                        change.add(sample, tried + first);
-                        (index + 1 >= least).then(|| change.compare(free, &held))
-                    },
-                );
-                each.collect()
-            };
-        let rough = batch::each_on(threads, count, |first| {
-            compare(first, MAX_SAMPLES_AFTER.min(count - first))
-        });
+        let tests = JumpTests {
+            trajectory,
+            noise,
+            samples: &samples,
+            free: &free,
+        };
+        let rough = batch::each_on(threads, count, |first| tests.with_all_samples(first));
         let rough = rough.into_iter().collect::<Option<Vec<_>>>()?;
-        let may_jump = rough.iter().flatten().any(|by| by.gain > MIN_ROUGH_GAIN);
+        let may_jump = rough.iter().any(|by| by.gain > MIN_ROUGH_GAIN);
         let comparisons = match may_jump {
-            true => batch::each_on(threads, count, |first| compare(first, 1)),
+            true => batch::each_on(threads, count, |first| {
+                tests.with_each_number_of_samples(first)
+            }),
             false => Vec::new(),
         };
         Some(Self {
@@ -129,9 +116,65 @@ impl Jumps {
     }
 
     /// Change of the initial state of the predicted trajectory with which free motion best fits the samples before the
-    /// one with the index `contact`, which is the first sample after a supposed contact.
-    pub fn before(&self, contact: usize) -> DVector<f64> {
-        self.free[contact - self.tried].unknowns()
+    /// one with the index `contact`, which is the first sample after a supposed contact. `None` if these samples do not
+    /// determine it.
+    pub fn before(&self, contact: usize) -> Option<DVector<f64>> {
+        let minimum = self.free[contact - self.tried].minimum()?;
+        Some(minimum.unknowns().into())
+    }
+}
+
+/// Data for the tests of velocity jumps.
+struct JumpTests<'a> {
+    trajectory: Part<'a>,
+    noise: &'a NoiseModel,
+    /// Samples from `trajectory.tried` on.
+    samples: &'a [SampleSum<'a>],
+    /// Sums of squared residuals of free motion (see [`Jumps`]).
+    free: &'a [Quadratic],
+}
+
+impl JumpTests<'_> {
+    /// Tests a jump just before the sample `trajectory.tried + first` with all later samples, at most
+    /// `MAX_SAMPLES_AFTER`. `None` if the samples do not determine the motion.
+    fn with_all_samples(&self, first: usize) -> Option<Comparison> {
+        let mut jump = JumpSum::zeros(self.trajectory.dimension);
+        let after = self.samples[first..].iter().take(MAX_SAMPLES_AFTER);
+        let end = first + after.len();
+        for sample in after {
+            jump.add(sample, self.trajectory.tried + first);
+        }
+        jump.compare(&self.free[end], &self.held_markers(first))
+    }
+
+    /// Tests a jump just before the sample `trajectory.tried + first` with each number of later samples up to
+    /// `MAX_SAMPLES_AFTER`. `None` if the samples do not determine the motion.
+    fn with_each_number_of_samples(&self, first: usize) -> Option<Vec<Comparison>> {
+        let held = self.held_markers(first);
+        let mut jump = JumpSum::zeros(self.trajectory.dimension);
+        let after = self.samples[first..].iter().zip(&self.free[first + 1..]);
+        let each = after.take(MAX_SAMPLES_AFTER).map(|(sample, free)| {
+            jump.add(sample, self.trajectory.tried + first);
+            jump.compare(free, &held)
+        });
+        each.collect()
+    }
+
+    /// Priors that a jump just before the sample `trajectory.tried + first` does not displace the markers, one for each
+    /// time at which the jump is tried: sums of the squared displacements as functions of the change of the initial
+    /// state.
+    fn held_markers(&self, first: usize) -> Vec<Quadratic> {
+        let times = self.trajectory.contacts[first].iter().map(|markers| {
+            let mut sum = Quadratic::zeros(self.trajectory.dimension);
+            for marker in markers {
+                for (derivatives, sigma) in marker.derivatives.iter().zip(self.noise.sigma) {
+                    let displacement = derivatives / (DISPLACEMENT_SIGMA * sigma);
+                    sum.add(displacement.as_slice(), 0.0);
+                }
+            }
+            sum
+        });
+        times.collect()
     }
 }
 
@@ -146,17 +189,17 @@ struct SampleSum<'a> {
 /// before the jump, and the change of the initial state that represents the jump. The terms with the initial state
 /// alone are those of free motion, and are not stored here.
 struct JumpSum {
-    /// Block of the normal matrix that couples the initial state before the jump (rows) with the change of the initial
-    /// state that represents the jump (columns).
-    cross: DMatrix<f64>,
-    change: Quadratic,
+    /// Squares of the residuals of samples with a marker that was not seen after the jump before.
+    first: Coupled,
+    /// Squares of the residuals of the other samples, which depend on the sum of both vectors.
+    later: Quadratic,
 }
 
 impl JumpSum {
     fn zeros(dimension: usize) -> Self {
         Self {
-            cross: DMatrix::zeros(dimension, dimension),
-            change: Quadratic::zeros(dimension),
+            first: Coupled::zeros(dimension),
+            later: Quadratic::zeros(dimension),
         }
     }
 
@@ -165,8 +208,7 @@ impl JumpSum {
     fn add(&mut self, sample: &SampleSum<'_>, contact: usize) {
         let is_first = |point: &Point| point.previous.is_none_or(|previous| previous < contact);
         if !sample.points.iter().any(is_first) {
-            self.cross += &sample.sum.normal;
-            self.change.add_all(&sample.sum);
+            self.later.add_all(&sample.sum);
             return;
         }
         for point in sample.points {
@@ -176,26 +218,31 @@ impl JumpSum {
                     true => &row.fresh,
                     false => &row.derivatives,
                 };
-                self.cross.ger(1.0, &row.derivatives, by_change, 1.0);
-                self.change.add(by_change, row.residual);
+                let by_state = row.derivatives.as_slice();
+                self.first.add(by_state, by_change.as_slice(), row.residual);
             }
         }
     }
 
-    /// Compares motion with a velocity jump and motion without one (`free`), both fitted to the samples up to the last
-    /// one added. `held` are the normal matrices of the prior that the jump does not displace the markers, one for each
-    /// time at which the jump is tried. `None` if the normal matrix is singular at every time.
-    fn compare(&self, free: &Minimum, held: &[DMatrix<f64>]) -> Option<Comparison> {
-        let rest = free.eliminated(&self.cross, &self.change);
+    /// Compares motion with a velocity jump and motion without one, both fitted to the samples up to the last one added.
+    /// `free` is the sum of squares without a jump. `held` are the priors that the jump does not displace the markers,
+    /// one for each time at which the jump is tried. `None` if the normal matrix is singular at every time.
+    fn compare(&self, free: &Quadratic, held: &[Quadratic]) -> Option<Comparison> {
+        let mut sum = self.first.clone();
+        sum.add_all(&self.later);
+        let rest = sum.minimum_over_first(free)?;
+        let sampled = |unknown| self.first.diagonal(unknown) + self.later.diagonal(unknown);
         let found = held.iter().filter_map(|held| {
-            let diagonal = |index| self.change.normal[(index, index)] + held[(index, index)];
-            let jump = Minimum::new(&rest.normal + held, diagonal, &rest.right)?;
-            Some((jump.reduced.norm_squared(), jump))
+            let mut of_change = rest.clone();
+            of_change.add_all(held);
+            let diagonal = |unknown| sampled(unknown) + held.diagonal(unknown);
+            let jump = of_change.minimum_with_ridge(diagonal)?;
+            Some((jump.decrease(), jump))
         });
         let (gain, jump) = found.max_by(|a, b| a.0.total_cmp(&b.0))?;
         Some(Comparison {
             gain,
-            change: jump.unknowns(),
+            change: jump.unknowns().into(),
         })
     }
 }

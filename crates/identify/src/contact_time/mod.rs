@@ -21,7 +21,8 @@ use nalgebra::{DVector, Vector3};
 
 use self::jump::{Comparison, Jumps};
 use self::outliers::{leave_out_before, leave_out_displaced};
-use self::trajectory::Trajectory;
+use self::trajectory::Part;
+pub use self::trajectory::Trajectory;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
@@ -70,40 +71,59 @@ pub struct Onset {
     pub jump: Vector3<f64>,
 }
 
-/// Finds the first contact with the ground or an object within the range `tried` of samples, as a deviation from the
-/// flight that is predicted from `unknowns`, the global parameters and the fitted initial state. `None` if no contact
-/// is found or the trajectory cannot be computed. All channels of `problem` must be markers. Uses `threads` threads.
-pub fn contact_time(
+/// Predicts the flight in which contacts are searched within the range `tried` of samples, or within parts of it. The
+/// flight starts from `unknowns`, the global parameters and the initial state, which should be near the fit of the
+/// samples before the range. `None` if it cannot be predicted. All channels of `problem` must be markers.
+pub fn predicted(
     problem: &FitProblem,
     observations: &Observations,
     unknowns: (&DVector<f64>, &DVector<f64>),
+    tried: &Range<usize>,
+) -> Option<Trajectory> {
+    let (seen, tried) = searched(observations, tried)?;
+    Trajectory::new(problem, observations, unknowns, seen, tried.start).ok()
+}
+
+/// Ranges of samples that are seen and tried in a search for a contact within the range `tried`; `None` if the flight
+/// has no samples there.
+fn searched(
+    observations: &Observations,
+    tried: &Range<usize>,
+) -> Option<(Range<usize>, Range<usize>)> {
+    let first = tried.start.saturating_sub(REFERENCE_SAMPLES).max(1);
+    let tried = first..tried.end.min(observations.times.len());
+    let seen = tried.start.saturating_sub(FREE_SAMPLES)..tried.end;
+    (!tried.is_empty()).then_some((seen, tried))
+}
+
+/// Finds the first contact with the ground or an object within the range `tried` of samples, as a deviation from free
+/// flights near `predicted`, which [`predicted`] has computed for a range that contains this one. `None` if no contact
+/// is found. Uses `threads` threads.
+pub fn contact_time(
+    observations: &Observations,
+    predicted: &Trajectory,
     noise: &NoiseModel,
     tried: Range<usize>,
     threads: usize,
 ) -> Option<Onset> {
     let sought = tried.start;
-    let tried =
-        sought.saturating_sub(REFERENCE_SAMPLES).max(1)..tried.end.min(observations.times.len());
-    if tried.is_empty() {
-        return None;
-    }
-    let seen = tried.start.saturating_sub(FREE_SAMPLES)..tried.end;
-    let trajectory = Trajectory::new(problem, observations, unknowns, seen, tried.start).ok()?;
+    let (seen, tried) = searched(observations, &tried)?;
+    let trajectory = predicted.part(seen, tried.start);
     let mut observations = observations.clone();
-    leave_out_displaced(&mut observations, &trajectory, noise);
-    leave_out_before(&mut observations, &trajectory, noise, MAX_OUTLIERS);
+    leave_out_displaced(&mut observations, trajectory, noise);
+    leave_out_before(&mut observations, trajectory, noise, MAX_OUTLIERS);
     for _ in 0..MAX_OUTLIERS {
-        let rows = rows::whitened(&observations, &trajectory, noise);
-        let jumps = Jumps::new(&trajectory, &rows, noise, threads)?;
+        let rows = rows::whitened(&observations, trajectory, noise);
+        let jumps = Jumps::new(trajectory, &rows, noise, threads)?;
         let is_seen = |sample: &usize| !rows[sample - trajectory.first].is_empty();
         match departure(&jumps, tried.clone(), is_seen)? {
             Departure::Contact(sample, found) => {
-                let jump = jump_of_velocity(&trajectory, &observations, sample, found);
+                let jump = jump_of_velocity(trajectory, &observations, sample, found);
                 // A deviation that grows earlier was part of the fit: it is the misfit of a wrong model.
                 return (sample + MAX_LEAD >= sought).then_some(Onset { sample, jump });
             }
             Departure::Outlier(sample) => {
-                let before = jumps.before(sample);
+                let before = jumps.before(sample)?;
                 let points = rows[sample - trajectory.first].iter();
                 let worst =
                     points.max_by(|a, b| a.square(&before).total_cmp(&b.square(&before)))?;
@@ -157,7 +177,7 @@ fn departure(
 /// Jump of the mean velocity of the markers just before the sample with the index `sample`, m/s, computed from the
 /// change of the initial state in `found`.
 fn jump_of_velocity(
-    trajectory: &Trajectory,
+    trajectory: Part<'_>,
     observations: &Observations,
     sample: usize,
     found: &Comparison,

@@ -2,7 +2,7 @@
 
 use super::quadratic::Quadratic;
 use super::rows::whitened;
-use super::trajectory::Trajectory;
+use super::trajectory::Part;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use dataset::pose::distance;
@@ -18,11 +18,11 @@ const DISTANCE: f64 = 6.0;
 /// from the predicted distances by more than `DISTANCE`.
 pub fn leave_out_displaced(
     observations: &mut Observations,
-    trajectory: &Trajectory,
+    trajectory: Part<'_>,
     noise: &NoiseModel,
 ) {
     let limit = DISTANCE * noise.overall();
-    for (sample, predicted) in (trajectory.first..).zip(&trajectory.samples) {
+    for (sample, predicted) in (trajectory.first..).zip(trajectory.samples) {
         let seen: Vec<(usize, [f64; 3])> = observations
             .points(sample)
             .iter()
@@ -47,7 +47,7 @@ pub fn leave_out_displaced(
 /// a velocity jump is tried.
 pub fn leave_out_before(
     observations: &mut Observations,
-    trajectory: &Trajectory,
+    trajectory: Part<'_>,
     noise: &NoiseModel,
     most: usize,
 ) {
@@ -62,7 +62,7 @@ pub fn leave_out_before(
         let Some(minimum) = sum.minimum() else {
             return;
         };
-        let change = minimum.unknowns();
+        let change = minimum.unknowns().into();
         let each = (trajectory.first..).zip(before);
         let each =
             each.flat_map(|(sample, points)| points.iter().map(move |point| (sample, point)));

@@ -1,97 +1,371 @@
 //! A sum of squared linear residuals as a quadratic function of the unknowns.
 
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use lanes::{Kernel, Lanes};
 
 /// Relative increase of the diagonal of the normal matrix, so that it is invertible if the samples do not determine all
 /// unknowns.
 const RIDGE: f64 = 1e-9;
 
+/// Number of entries in a block of a stored row: some whole SIMD registers. The lengths of rows are multiples of it.
+const BLOCK: usize = 8;
+
 /// A sum of squared residuals that are linear functions of the unknowns.
 #[derive(Clone, Debug)]
 pub struct Quadratic {
-    /// Normal matrix JᵀJ, where J is the Jacobian of the residuals with respect to the unknowns.
-    pub normal: DMatrix<f64>,
-    /// Right-hand side Jᵀr, where r are the residuals if all unknowns are 0, and J is their Jacobian.
-    pub right: DVector<f64>,
+    unknowns: usize,
+    /// Upper triangle of the normal matrix JᵀJ, row by row, where J is the Jacobian of the residuals with respect to the
+    /// unknowns. The entry after the last column of the matrix is that of the right-hand side Jᵀr, where r are the
+    /// residuals if all unknowns are 0. Entries below the diagonal are not used.
+    rows: Vec<f64>,
 }
 
 impl Quadratic {
     /// Creates a sum of squares that is identically 0, as a function of `unknowns` unknowns.
     pub fn zeros(unknowns: usize) -> Self {
         Self {
-            normal: DMatrix::zeros(unknowns, unknowns),
-            right: DVector::zeros(unknowns),
+            unknowns,
+            rows: vec![0.0; unknowns * row_length(unknowns)],
         }
     }
 
     /// Adds the square of a residual that is linear in the unknowns: `residual` is its value if all unknowns are 0, and
     /// `derivatives` are its derivatives with respect to them.
-    pub fn add(&mut self, derivatives: &DVector<f64>, residual: f64) {
-        self.normal.ger(1.0, derivatives, derivatives, 1.0);
-        self.right.axpy(residual, derivatives, 1.0);
+    pub fn add(&mut self, derivatives: &[f64], residual: f64) {
+        let length = row_length(self.unknowns);
+        let products = AddProducts {
+            rows: &mut self.rows,
+            factors: [derivatives, &[]],
+            vector: &padded(0, derivatives, residual, length),
+        };
+        lanes::dispatch(products);
     }
 
     /// Adds `other`, a sum of squares as a function of the same unknowns.
     pub fn add_all(&mut self, other: &Self) {
-        self.normal += &other.normal;
-        self.right += &other.right;
+        for (entry, other) in self.rows.iter_mut().zip(&other.rows) {
+            *entry += other;
+        }
+    }
+
+    /// Diagonal entry of the normal matrix for one unknown.
+    pub fn diagonal(&self, unknown: usize) -> f64 {
+        self.row(unknown)[unknown]
+    }
+
+    fn row(&self, unknown: usize) -> &[f64] {
+        &self.rows[unknown * row_length(self.unknowns)..][..row_length(self.unknowns)]
     }
 
     /// Factorises the normal equations, which gives the minimum of the sum of squares; `None` if they are singular.
     pub fn minimum(&self) -> Option<Minimum> {
-        let diagonal = |index| self.normal[(index, index)];
-        Minimum::new(self.normal.clone(), diagonal, &self.right)
+        self.clone()
+            .minimum_with_ridge(|unknown| self.diagonal(unknown))
+    }
+
+    /// Factorises the normal equations, which gives the minimum of the sum of squares; `None` if they are singular. The
+    /// diagonal entry of unknown `i` is first increased by `RIDGE` × `diagonal(i)`, or by 1 if `diagonal(i)` is 0.
+    pub fn minimum_with_ridge(mut self, diagonal: impl Fn(usize) -> f64) -> Option<Minimum> {
+        self.eliminate(self.unknowns, diagonal)?;
+        Some(Minimum(self))
+    }
+
+    /// Replaces the rows of the first `count` unknowns by those of the Cholesky factor, and the other rows by those of
+    /// the Schur complement. `None` if the matrix is not positive definite. The diagonal entry of unknown `i` is first
+    /// increased by `RIDGE` × `diagonal(i)`, or by 1 if `diagonal(i)` is 0.
+    fn eliminate(&mut self, count: usize, diagonal: impl Fn(usize) -> f64) -> Option<()> {
+        let length = row_length(self.unknowns);
+        for unknown in 0..count {
+            let entry = diagonal(unknown);
+            // An unknown on which nothing depends stays 0.
+            self.rows[unknown * length + unknown] += if entry == 0.0 { 1.0 } else { RIDGE * entry };
+        }
+        let (rows, blocks) = (self.rows.as_chunks_mut().0, length / BLOCK);
+        macro_rules! by_blocks {
+            ($($blocks:literal)*) => {
+                match blocks {
+                    $($blocks => lanes::dispatch(Eliminate::<$blocks> { rows, blocks, count }),)*
+                    _ => lanes::dispatch(Eliminate::<0> { rows, blocks, count }),
+                }
+            };
+        }
+        let is_definite = by_blocks!(1 2 3 4 5);
+        is_definite.then_some(())
     }
 }
 
-/// Factorised normal equations of a sum of squares, from which the minimum of the sum is computed.
-#[derive(Clone, Debug)]
-pub struct Minimum {
-    factor: Cholesky<f64, Dyn>,
-    /// L⁻¹ Jᵀr, where L is the Cholesky factor of the normal matrix JᵀJ. The squared norm of this vector is the
-    /// decrease of the sum of squares from its value for unknowns equal to 0 to its minimum.
-    pub reduced: DVector<f64>,
+/// Length of the stored rows of a normal matrix and its right-hand side.
+fn row_length(unknowns: usize) -> usize {
+    (unknowns + 1).next_multiple_of(BLOCK)
 }
 
-impl Minimum {
-    /// Factorises the normal matrix `normal`, and solves for the right-hand side `right`. The diagonal entry `i` of the
-    /// matrix is first increased by `RIDGE` × `diagonal(i)`, or by 1 if `diagonal(i)` is 0. `None` if the matrix is
-    /// singular.
-    pub fn new(
-        mut normal: DMatrix<f64>,
-        diagonal: impl Fn(usize) -> f64,
-        right: &DVector<f64>,
-    ) -> Option<Self> {
-        for index in 0..right.len() {
-            let entry = diagonal(index);
-            // An unknown on which nothing depends stays 0.
-            normal[(index, index)] += if entry == 0.0 { 1.0 } else { RIDGE * entry };
+/// A sum of squared residuals that are linear functions of two vectors of unknowns of the same length, without the terms
+/// that depend on the first vector alone.
+#[derive(Clone, Debug)]
+pub struct Coupled {
+    length: usize,
+    /// The sum as a function of the unknowns of both vectors, one after the other. The entries of the first vector alone
+    /// are not used, nor is its right-hand side.
+    both: Quadratic,
+}
+
+impl Coupled {
+    /// Creates a sum of squares that is identically 0, as a function of two vectors of `length` unknowns each.
+    pub fn zeros(length: usize) -> Self {
+        Self {
+            length,
+            both: Quadratic::zeros(2 * length),
         }
-        let factor = Cholesky::new(normal)?;
-        let mut reduced = right.clone();
-        let is_regular = factor.l_dirty().solve_lower_triangular_mut(&mut reduced);
-        is_regular.then_some(Self { factor, reduced })
+    }
+
+    /// Adds the square of a residual: `residual` is its value if all unknowns are 0, and `first` and `second` are its
+    /// derivatives with respect to the two vectors.
+    pub fn add(&mut self, first: &[f64], second: &[f64], residual: f64) {
+        let products = AddProducts {
+            rows: &mut self.both.rows,
+            factors: [first, second],
+            vector: &padded(self.length, second, residual, row_length(2 * self.length)),
+        };
+        lanes::dispatch(products);
+    }
+
+    /// Adds residuals that depend on the sum of the two vectors. `sum` contains them as a function of one vector.
+    pub fn add_all(&mut self, sum: &Quadratic) {
+        let (length, row_length) = (self.length, row_length(2 * self.length));
+        let (cross, own) = self.both.rows.split_at_mut(length * row_length);
+        for (index, row) in own.chunks_exact_mut(row_length).enumerate() {
+            let from = &sum.row(index)[index..=length];
+            for (entry, other) in row[length + index..=2 * length].iter_mut().zip(from) {
+                *entry += other;
+            }
+            let (from, _) = from.split_at(length - index);
+            let at = index * row_length + length + index;
+            for (entry, other) in cross[at..].iter_mut().zip(from) {
+                *entry += other;
+            }
+            // The block is symmetric.
+            let column = cross[length + index..].iter_mut().step_by(row_length);
+            for (entry, other) in column.skip(index + 1).zip(&from[1..]) {
+                *entry += other;
+            }
+        }
+    }
+
+    /// Diagonal entry of the normal matrix for one unknown of the second vector.
+    pub fn diagonal(&self, unknown: usize) -> f64 {
+        self.both.diagonal(self.length + unknown)
+    }
+
+    /// Minimum of the sum of squares over the first vector, as a function of the second one (Schur complement). `first`
+    /// contains the terms that depend on the first vector alone; `None` if the first vector is undetermined.
+    pub fn minimum_over_first(self, first: &Quadratic) -> Option<Quadratic> {
+        let (length, row_length) = (self.length, row_length(2 * self.length));
+        let mut both = self.both;
+        let rows = both.rows.chunks_exact_mut(row_length);
+        for (index, row) in rows.take(length).enumerate() {
+            let from = first.row(index);
+            row[index..length].copy_from_slice(&from[index..length]);
+            row[2 * length] = from[length];
+        }
+        both.eliminate(length, |unknown| first.diagonal(unknown))?;
+        let mut rest = Quadratic::zeros(length);
+        let rows = both.rows[length * row_length..].chunks_exact(row_length);
+        let own = rest.rows.chunks_exact_mut(self::row_length(length));
+        for (to, from) in own.zip(rows) {
+            to[..=length].copy_from_slice(&from[length..=2 * length]);
+        }
+        Some(rest)
+    }
+}
+
+/// Factorised normal equations of a sum of squares, from which the minimum of the sum is computed. The rows contain the
+/// Cholesky factor U of the normal matrix UᵀU, and the solution of Uᵀy = Jᵀr in place of the right-hand side.
+#[derive(Clone, Debug)]
+pub struct Minimum(Quadratic);
+
+impl Minimum {
+    /// Decrease of the sum of squares from its value for unknowns equal to 0 to its minimum.
+    pub fn decrease(&self) -> f64 {
+        let entries = (0..self.0.unknowns).map(|unknown| self.0.row(unknown)[self.0.unknowns]);
+        entries.map(|entry| entry * entry).sum()
     }
 
     /// Values of the unknowns at the minimum of the sum of squares.
-    pub fn unknowns(&self) -> DVector<f64> {
-        let mut unknowns = -&self.reduced;
-        let lower = self.factor.l_dirty();
-        lower.ad_solve_lower_triangular_mut(&mut unknowns);
+    pub fn unknowns(&self) -> Vec<f64> {
+        let count = self.0.unknowns;
+        let mut unknowns = vec![0.0; count];
+        for index in (0..count).rev() {
+            let row = self.0.row(index);
+            let known = row[index + 1..count].iter().zip(&unknowns[index + 1..]);
+            let known: f64 = known.map(|(entry, unknown)| entry * unknown).sum();
+            unknowns[index] = -(row[count] + known) / row[index];
+        }
         unknowns
     }
+}
 
-    /// Minimises a sum of squares over the unknowns of `self` (Schur complement). The sum also depends on other
-    /// unknowns: `others` contains the terms that depend on the other unknowns alone, and `cross` is the block of the
-    /// normal matrix that couples the unknowns of `self` (rows) with the other unknowns (columns). Returns the minimum
-    /// as a function of the other unknowns.
-    pub fn eliminated(&self, cross: &DMatrix<f64>, others: &Quadratic) -> Quadratic {
-        let mut solved = cross.clone();
-        let lower = self.factor.l_dirty();
-        lower.solve_lower_triangular_mut(&mut solved);
-        let mut rest = others.clone();
-        rest.normal.gemm_tr(-1.0, &solved, &solved, 1.0);
-        rest.right.gemv_tr(-1.0, &solved, &self.reduced, 1.0);
-        rest
+/// Row of `length` entries: zeros before `from`, then `derivatives` and `residual`, then zeros.
+fn padded(from: usize, derivatives: &[f64], residual: f64, length: usize) -> Vec<f64> {
+    let mut row = vec![0.0; length];
+    let end = from + derivatives.len();
+    row[from..end].copy_from_slice(derivatives);
+    row[end] = residual;
+    row
+}
+
+/// Kernel that adds, to each row of a matrix, the product of a vector and the factor of the row. Entries below the
+/// diagonal are not all computed. `factors` contains the factors of the first rows, and those of the other rows.
+struct AddProducts<'a> {
+    rows: &'a mut [f64],
+    factors: [&'a [f64]; 2],
+    vector: &'a [f64],
+}
+
+impl Kernel for AddProducts<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<T: Lanes>(self) {
+        let length = self.vector.len();
+        let factors = self.factors.into_iter().flatten();
+        for ((index, row), factor) in (0..).zip(self.rows.chunks_exact_mut(length)).zip(factors) {
+            let (factor, from) = (T::splat(*factor), index / BLOCK * BLOCK);
+            let parts = row[from..].chunks_exact_mut(T::WIDTH);
+            for (part, other) in parts.zip(self.vector[from..].chunks_exact(T::WIDTH)) {
+                T::load(other).mul_add(factor, T::load(part)).store(part);
+            }
+        }
+    }
+}
+
+/// Kernel that eliminates the first `count` unknowns of a symmetric matrix, whose upper triangle is stored in rows of
+/// `blocks` blocks. Returns whether the part of the matrix for these unknowns is positive definite. If `BLOCKS` is not
+/// 0, it is the value of `blocks`, and the kernel is compiled for it.
+struct Eliminate<'a, const BLOCKS: usize> {
+    rows: &'a mut [[f64; BLOCK]],
+    blocks: usize,
+    count: usize,
+}
+
+impl<const BLOCKS: usize> Kernel for Eliminate<'_, BLOCKS> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run<T: Lanes>(self) -> bool {
+        let blocks = match BLOCKS {
+            0 => self.blocks,
+            _ => BLOCKS,
+        };
+        for index in 0..self.count {
+            let (above, below) = self.rows.split_at_mut((index + 1) * blocks);
+            let row = &mut above[index * blocks..][..blocks];
+            let pivot = row[index / BLOCK][index % BLOCK];
+            if pivot.is_nan() || pivot <= 0.0 {
+                return false;
+            }
+            let scale = T::splat(pivot.sqrt().recip());
+            for block in &mut *row {
+                for part in block.chunks_exact_mut(T::WIDTH) {
+                    (T::load(part) * scale).store(part);
+                }
+            }
+            for (other, to) in (index + 1..).zip(below.chunks_exact_mut(blocks)) {
+                let factor = T::splat(-row[other / BLOCK][other % BLOCK]);
+                // A loop over whole rows, of known length, is faster than one from the diagonal on.
+                for (block, own) in to.iter_mut().zip(&*row) {
+                    let parts = block.chunks_exact_mut(T::WIDTH);
+                    for (part, own) in parts.zip(own.chunks_exact(T::WIDTH)) {
+                        T::load(own).mul_add(factor, T::load(part)).store(part);
+                    }
+                }
+            }
+        }
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{DMatrix, DVector};
+
+    use super::*;
+
+    /// Residuals that are linear functions of `unknowns` unknowns: Jacobian, and values if all unknowns are 0.
+    fn residuals(count: usize, unknowns: usize) -> (DMatrix<f64>, DVector<f64>) {
+        let at = |row: usize, column: usize| ((row * 37 + column * 101) % 23) as f64 / 23.0 - 0.4;
+        (
+            DMatrix::from_fn(count, unknowns, at),
+            DVector::from_fn(count, |row, _| at(row, unknowns + 3)),
+        )
+    }
+
+    fn quadratic(jacobian: &DMatrix<f64>, residuals: &DVector<f64>) -> Quadratic {
+        let mut sum = Quadratic::zeros(jacobian.ncols());
+        for (row, residual) in jacobian.row_iter().zip(residuals) {
+            sum.add(&row.iter().copied().collect::<Vec<_>>(), *residual);
+        }
+        sum
+    }
+
+    /// Minimum of the sum of squares and the unknowns there, by a singular value decomposition.
+    fn by_svd(jacobian: DMatrix<f64>, residuals: &DVector<f64>) -> (f64, DVector<f64>) {
+        let unknowns = -jacobian
+            .clone()
+            .svd(true, true)
+            .solve(residuals, 1e-12)
+            .unwrap();
+        ((residuals + jacobian * &unknowns).norm_squared(), unknowns)
+    }
+
+    #[test]
+    fn a_minimum_is_that_of_least_squares() {
+        for unknowns in [1, 3, 7, 8, 12, 15, 16, 30, 45] {
+            let (jacobian, residuals) = residuals(60, unknowns);
+            let found = quadratic(&jacobian, &residuals).minimum().unwrap();
+            let (least, at) = by_svd(jacobian, &residuals);
+            let decrease = residuals.norm_squared() - least;
+            assert!((found.decrease() - decrease).abs() < 1e-6 * decrease);
+            let found = DVector::from(found.unknowns());
+            assert!((found - &at).amax() < 1e-5 * at.amax(), "{unknowns}");
+        }
+    }
+
+    #[test]
+    fn eliminated_unknowns_are_at_their_minimum() {
+        let own = 5;
+        let (jacobian, residuals) = residuals(22, 2 * own);
+        let first = jacobian.columns(0, own).into_owned();
+        let mut sum = Coupled::zeros(own);
+        for (row, residual) in jacobian.row_iter().zip(&residuals) {
+            let row: Vec<f64> = row.iter().copied().collect();
+            sum.add(&row[..own], &row[own..], *residual);
+        }
+        let rest = sum.minimum_over_first(&quadratic(&first, &residuals));
+        let (_, at) = by_svd(jacobian, &residuals);
+        let found = DVector::from(rest.unwrap().minimum().unwrap().unknowns());
+        assert!((found - at.rows(own, own)).amax() < 1e-5 * at.amax());
+    }
+
+    #[test]
+    fn residuals_of_a_sum_depend_on_both_vectors_alike() {
+        let (jacobian, residuals) = residuals(9, 4);
+        let (mut of_rows, mut of_sum) = (Coupled::zeros(4), Coupled::zeros(4));
+        for (row, residual) in jacobian.row_iter().zip(&residuals) {
+            let row: Vec<f64> = row.iter().copied().collect();
+            of_rows.add(&row, &row, *residual);
+        }
+        of_sum.add_all(&quadratic(&jacobian, &residuals));
+        for index in 0..8 {
+            // The right-hand side of the first vector is not used.
+            let end = if index < 4 { 8 } else { 9 };
+            let [a, b] = [&of_rows, &of_sum].map(|sum| &sum.both.row(index)[index.max(4)..end]);
+            assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-12));
+        }
+    }
+
+    #[test]
+    fn a_matrix_that_is_not_a_number_has_no_minimum() {
+        let mut sum = Quadratic::zeros(3);
+        sum.add(&[1.0, f64::NAN, 2.0], 1.0);
+        assert!(sum.minimum().is_none());
     }
 }

@@ -3,7 +3,7 @@
 use nalgebra::DVector;
 
 use super::quadratic::Quadratic;
-use super::trajectory::{Predicted, Trajectory};
+use super::trajectory::{Part, Predicted};
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 
@@ -40,7 +40,7 @@ impl Point {
     /// Adds the squares of the marker's residuals, as functions of the initial state of the flight, to `sum`.
     pub fn add_to(&self, sum: &mut Quadratic) {
         for row in &self.rows {
-            sum.add(&row.derivatives, row.residual);
+            sum.add(row.derivatives.as_slice(), row.residual);
         }
     }
 }
@@ -49,11 +49,11 @@ impl Point {
 /// sample of `trajectory`.
 pub fn whitened(
     observations: &Observations,
-    trajectory: &Trajectory,
+    trajectory: Part<'_>,
     noise: &NoiseModel,
 ) -> Vec<Vec<Point>> {
     let mut earlier: Vec<Option<(usize, &Predicted)>> = vec![None; observations.markers];
-    let samples = (trajectory.first..).zip(&trajectory.samples);
+    let samples = (trajectory.first..).zip(trajectory.samples);
     let each = samples.map(|(sample, markers)| {
         let mut points = Vec::with_capacity(markers.len());
         for (marker, predicted) in markers.iter().enumerate() {

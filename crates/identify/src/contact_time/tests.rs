@@ -3,7 +3,7 @@
 use ::flight::release::{Vocabulary, built_in, read};
 use nalgebra::Vector3;
 
-use super::{Onset, contact_time};
+use super::{Onset, contact_time, predicted};
 use crate::fit::FixedGlobal;
 use crate::fit::contact_refinement::tests::pushed;
 use crate::noise::{AxesNoise, NoiseModel};
@@ -58,7 +58,9 @@ fn contacts(
             let fitted = at.fit_initial_state(&changed, SHOWN, start);
             let (_, local) = fitted.unwrap();
             let end = changed.times.len();
-            contact_time(&problem, &changed, (&global, &local), &noise, SHOWN..end, 1)
+            let tried = SHOWN..end;
+            let predicted = predicted(&problem, &changed, (&global, &local), &tried).unwrap();
+            contact_time(&changed, &predicted, &noise, tried, 1)
         });
     each.collect()
 }

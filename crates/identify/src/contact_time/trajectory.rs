@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use nalgebra::{DMatrix, DVector, Matrix3xX};
+use nalgebra::{DVector, Matrix3xX};
 
 use crate::error::FlightError;
 use crate::observations::Observations;
@@ -30,6 +30,16 @@ pub struct Trajectory {
     pub contacts: Vec<Vec<Vec<Predicted>>>,
 }
 
+/// A part of a [`Trajectory`] in which a contact is searched. The fields have the meaning of those of the trajectory.
+#[derive(Clone, Copy)]
+pub struct Part<'t> {
+    pub dimension: usize,
+    pub first: usize,
+    pub tried: usize,
+    pub samples: &'t [Vec<Predicted>],
+    pub contacts: &'t [Vec<Vec<Predicted>>],
+}
+
 /// Predicted position of one marker at one time.
 #[derive(Clone, Debug)]
 pub struct Predicted {
@@ -52,6 +62,18 @@ enum EvaluationTime {
 }
 
 impl Trajectory {
+    /// Part of the trajectory at the samples `seen`, in which velocity jumps are tried before the samples from `tried` on.
+    /// The trajectory must contain these samples and times.
+    pub fn part(&self, seen: Range<usize>, tried: usize) -> Part<'_> {
+        Part {
+            dimension: self.dimension,
+            first: seen.start,
+            tried,
+            samples: &self.samples[seen.start - self.first..seen.end - self.first],
+            contacts: &self.contacts[tried - self.tried..seen.end - self.tried],
+        }
+    }
+
     /// Computes the trajectory at the samples `seen`, and, for each of these samples from `tried` on, at the fractions
     /// `PARTS` of the interval before the sample. `unknowns` are the global parameters and the initial state.
     ///
@@ -130,7 +152,9 @@ impl Trajectory {
         )?;
         Ok(trajectory)
     }
+}
 
+impl Part<'_> {
     /// Derivatives of the mean predicted position of the markers in a sample with respect to the initial state of the
     /// flight: one row per coordinate.
     pub fn centre(&self, sample: usize) -> Matrix3xX<f64> {
@@ -142,13 +166,4 @@ impl Trajectory {
             each.sum::<f64>() / markers.len() as f64
         })
     }
-}
-
-/// Jacobian of the predicted marker positions with respect to the initial state: one row per coordinate of each marker.
-/// Each row is divided by the noise standard deviation `sigma`, m, along its axis.
-pub fn over_noise(markers: &[Predicted], sigma: [f64; 3]) -> DMatrix<f64> {
-    let dimension = markers[0].derivatives[0].len();
-    DMatrix::from_fn(3 * markers.len(), dimension, |row, column| {
-        markers[row / 3].derivatives[row % 3][column] / sigma[row % 3]
-    })
 }

@@ -6,23 +6,27 @@
 //! before is searched near that end. Other flights are searched only if their residuals are larger than those of the
 //! flights that the fit predicts, so that flights without contacts cost nothing.
 
+use std::ops::Range;
+
 use flight::batch;
 use nalgebra::DVector;
 
 use super::FitError;
 use super::exclusion::exclude_failed;
-use super::horizon_continuation::anneal_scale;
+use super::horizon_continuation::{anneal_scale, unevaluated_step};
 use super::initial_guess::{first_segment, refined_guesses};
 use super::one_flight::FixedGlobal;
 use super::residual_cache::ResidualCache;
 use super::reweighting::estimate_noise;
 use super::state::State;
 use super::taking_back::LIKE_RATIO;
-use crate::contact_time::{Onset, contact_time};
+use crate::contact_time::{self, Onset, Trajectory, contact_time};
 use crate::error::{ExcludedFlight, FlightError};
 use crate::ids::FlightId;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
+use crate::predict::Loss;
+use crate::problem::FitProblem;
 use dataset::{Dataset, Flight};
 
 /// Range in which the ground contact of a truncated flight is searched again: numbers of samples before and after its
@@ -44,6 +48,9 @@ const LEFT_OUT_SIGNIFICANCE: f64 = 4.0;
 /// out flights that may contain ground contacts. The first value is the ratio to the median scale, the second the
 /// excess over the median scale in standard errors. A flight that exceeds both limits is searched for a ground contact.
 const SUSPECT_LIMITS: (f64, f64) = (1.05, 3.0);
+/// Maximum ratio of a flight's residual scale (robust standard deviation of its residuals) to the one that is typical of
+/// the fitted flights, at which the search for a contact does not fit its initial state again.
+const NEAR_RATIO: f64 = 3.0;
 /// Maximum median over the flights of their residual scales (robust standard deviations of the residuals), in units of
 /// the initial noise estimate `sigma0`, at which the model is considered accurate. Only an accurate model reveals
 /// ground contacts that were not found from the poses.
@@ -72,6 +79,7 @@ pub fn refine_contacts(
         return Ok(cache);
     }
     let usual = |cache: &ResidualCache| cache.median_scale().max(problem.sigma0);
+    let cache = settled(state, cache, usual)?;
     // Flights with contacts bias the global parameters and inflate the noise estimate.
     let others = fitted_without(state, &cache, usual(&cache))?;
     let (others, of_others) = match &others {
@@ -80,7 +88,7 @@ pub fn refine_contacts(
     };
     let usual = usual(of_others);
     // The residuals of a wrong model resemble contacts in places.
-    let flies = of_others.median_scale() <= ACCURATE_RATIO * problem.sigma0;
+    let flies = is_accurate(problem, of_others);
     let stands_out = |id: FlightId| {
         let place = others.ids.iter().position(|other| *other == id);
         place.is_none_or(|place| {
@@ -152,6 +160,29 @@ pub fn refine_contacts(
     exclude_failed(state, residuals)
 }
 
+/// Improves a fit at the noise in which flights that were not truncated stand out, by one step of all unknowns: their
+/// cause may be that the fit has not converged, rather than contacts. `cache` contains the residuals for the present
+/// values of the unknowns in `state`, and `usual` returns the residual scale that is typical of the flights, m. Returns
+/// the residuals for the new values.
+fn settled(
+    state: &mut State<'_>,
+    cache: ResidualCache,
+    usual: impl Fn(&ResidualCache) -> f64,
+) -> Result<ResidualCache, FitError> {
+    let usual = usual(&cache);
+    let mut places = 0..state.flights.len();
+    let stands_out = |place: usize| {
+        state.flights[place].truncation.is_none()
+            && cache.stands_out(place, usual, SUSPECT_LIMITS.0, SUSPECT_LIMITS.1)
+    };
+    if !is_accurate(state.problem, &cache) || !places.any(stands_out) {
+        return Ok(cache);
+    }
+    let (noise, _) = estimate_noise(state, &cache)?;
+    let step = unevaluated_step(state, Loss::Whitened(&noise), &cache)?;
+    Ok(step.map_or(cache, |step| step.residuals))
+}
+
 /// Reference fit: fits only the flights whose residual scale (robust standard deviation of the residuals) is not far
 /// above `usual`, m, a typical scale of the flights. Returns these flights with their residuals; `None` if no flight or
 /// more than half of the flights would be left out.
@@ -170,9 +201,21 @@ fn fitted_without<'a>(
     if others.ids.len() == state.ids.len() || 2 * others.ids.len() < state.ids.len() {
         return Ok(None);
     }
-    let residuals = anneal_scale(&mut others)?;
+    // Flights at the noise are hardly moved by those that are left out: one step is enough.
+    let step = match is_accurate(state.problem, cache) {
+        true => unevaluated_step(&mut others, Loss::Huber(usual), cache)?,
+        false => None,
+    };
+    let residuals = match step {
+        Some(step) => step.residuals,
+        None => anneal_scale(&mut others)?,
+    };
     let residuals = exclude_failed(&mut others, residuals)?;
     Ok(Some((others, residuals)))
+}
+
+fn is_accurate(problem: &FitProblem, residuals: &ResidualCache) -> bool {
+    residuals.median_scale() <= ACCURATE_RATIO * problem.sigma0
 }
 
 /// Data for the search for ground contacts: the global parameters and the noise from the reference fit, which leaves
@@ -258,7 +301,8 @@ impl Search<'_> {
 
     /// Searches the samples `from..to` of the flight `whole` for the first ground contact, in successive ranges.
     /// Returns the contact, and the initial state fitted to the samples before the range of the contact; `None` if no
-    /// contact was found. `local` is the initial guess of the initial state.
+    /// contact was found. `local` is the initial guess of the initial state. If the flight from it is near all samples,
+    /// it is not fitted again.
     fn contact(
         &self,
         whole: &Observations,
@@ -266,21 +310,27 @@ impl Search<'_> {
         (from, to): (usize, usize),
     ) -> Option<(Onset, DVector<f64>)> {
         let to = to.min(whole.times.len());
+        let near = match self.is_near(whole, &local, to) {
+            true => self.predicted(whole, &local, from..to),
+            false => None,
+        };
         let mut samples = from;
         while samples < to && !self.at.options.is_past_deadline() {
-            // Few samples may not determine all components of the initial state.
-            local = self.fitted(whole, samples, &local).unwrap_or(local);
             // A prediction far beyond the fitted samples is not linear in the initial state.
             let until = to.min(2 * samples);
-            let unknowns = (self.at.global, &local);
-            let found = contact_time(
-                self.at.problem,
-                whole,
-                unknowns,
-                self.noise,
-                samples..until,
-                self.at.options.threads(),
-            );
+            let after = match near {
+                Some(_) => None,
+                None => {
+                    // Few samples may not determine all components of the initial state.
+                    local = self.fitted(whole, samples, &local).unwrap_or(local);
+                    self.predicted(whole, &local, samples..until)
+                }
+            };
+            let predicted = near.as_ref().or(after.as_ref());
+            let threads = self.at.options.threads();
+            let found = predicted.and_then(|predicted| {
+                contact_time(whole, predicted, self.noise, samples..until, threads)
+            });
             if let Some(onset) = found {
                 return Some((onset, local));
             }
@@ -292,6 +342,23 @@ impl Search<'_> {
             };
         }
         None
+    }
+
+    /// Whether the flight predicted from the initial state `local` is so near the first `samples` samples that flights
+    /// nearer to some of them depend linearly on the initial state.
+    fn is_near(&self, whole: &Observations, local: &DVector<f64>, samples: usize) -> bool {
+        let scale = self.at.residual_scale(whole, local, samples);
+        scale.is_some_and(|scale| scale <= NEAR_RATIO * self.usual)
+    }
+
+    fn predicted(
+        &self,
+        whole: &Observations,
+        local: &DVector<f64>,
+        tried: Range<usize>,
+    ) -> Option<Trajectory> {
+        let unknowns = (self.at.global, local);
+        contact_time::predicted(self.at.problem, whole, unknowns, &tried)
     }
 
     /// Truncates the flight `whole` at the contact `onset` and fits its initial state to the remaining samples,

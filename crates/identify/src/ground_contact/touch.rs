@@ -48,7 +48,7 @@ const ROUGH: f64 = 0.5;
 
 /// Spacing, in points (samples with a pose), of the intervals that are tested for a ground contact in the first, cheap
 /// pass. Not every interval need be tested, because a contact affects the tests of several neighbouring intervals.
-const ROUGH_STEP: usize = 2;
+const ROUGH_STEP: usize = 3;
 
 /// A contact of a body with the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
