@@ -9,12 +9,12 @@ pub const FINE_TOLERANCE: f64 = 0.007;
 
 /// Integration tolerance, in units of the initial noise estimate `sigma0`, for computing the whitened residuals of at
 /// most [`FEW_FLIGHTS`] flights, of a model whose state contains no quaternion. Integration errors then shift the
-/// estimates of a disc by about 1/50 of their standard errors.
-const FEW_FLIGHTS_TOLERANCE: f64 = 0.05;
+/// estimates of a disc by at most about 1/40 of their standard errors.
+const FEW_FLIGHTS_TOLERANCE: f64 = 0.032;
 
 /// Number of flights up to which [`FEW_FLIGHTS_TOLERANCE`] applies. For more flights, the tolerance decreases as the
 /// inverse square root of their number, as the standard errors do.
-const FEW_FLIGHTS: usize = 32;
+const FEW_FLIGHTS: usize = 80;
 
 /// Integration tolerance, in units of the initial noise estimate `sigma0`, if residuals are computed without their
 /// derivatives.
