@@ -137,7 +137,7 @@ impl Coupled {
             for (entry, other) in row[length + index..=2 * length].iter_mut().zip(from) {
                 *entry += other;
             }
-            let (from, _) = from.split_at(length - index);
+            let from = &from[..length - index];
             let at = index * row_length + length + index;
             for (entry, other) in cross[at..].iter_mut().zip(from) {
                 *entry += other;

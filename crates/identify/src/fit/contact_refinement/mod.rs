@@ -56,7 +56,7 @@ pub fn refine_contacts(
         return Ok(cache);
     }
     let usual = |cache: &ResidualCache| cache.median_scale().max(problem.sigma0);
-    let cache = settled(state, cache, usual)?;
+    let cache = converge_further(state, cache, usual)?;
     // Flights with contacts bias the global parameters and inflate the noise estimate.
     let others = fitted_without(state, &cache, usual(&cache))?;
     let (others, of_others) = match &others {
@@ -137,11 +137,11 @@ pub fn refine_contacts(
     exclude_failed(state, residuals)
 }
 
-/// Improves a fit at the noise in which flights that were not truncated stand out, by one step of all unknowns: their
-/// cause may be that the fit has not converged, rather than contacts. `cache` contains the residuals for the present
-/// values of the unknowns in `state`, and `usual` returns the residual scale that is typical of the flights, m. Returns
-/// the residuals for the new values.
-fn settled(
+/// Performs one step of all unknowns if flights that were not truncated have larger residuals than the others, although
+/// most residuals are at the noise level. The reason may be that the fit has not converged, rather than contacts.
+/// `cache` contains the residuals for the present values of the unknowns in `state`, and `usual` returns the residual
+/// scale that is typical of the flights, m. Returns the residuals for the new values of the unknowns.
+fn converge_further(
     state: &mut State<'_>,
     cache: ResidualCache,
     usual: impl Fn(&ResidualCache) -> f64,
@@ -179,7 +179,7 @@ fn fitted_without<'a>(
     if others.ids.len() == state.ids.len() || 2 * others.ids.len() < state.ids.len() {
         return Ok(None);
     }
-    // Flights at the noise are hardly moved by those that are left out: one step is enough.
+    // At the noise level, the flights that are left out hardly change the fit: one step is enough.
     let step = match is_accurate(state.problem, cache) {
         true => unevaluated_step(&mut others, Loss::Huber(usual), cache)?,
         false => None,

@@ -114,8 +114,8 @@ impl Search<'_> {
 
     /// Searches the samples `from..to` of the flight `whole` for the first ground contact, in successive ranges.
     /// Returns the contact, and the initial state fitted to the samples before the range of the contact; `None` if no
-    /// contact was found. `local` is the initial guess of the initial state. If the flight from it is near all samples,
-    /// it is not fitted again.
+    /// contact was found. `local` is the initial guess of the initial state, which is not fitted again if its residuals
+    /// are small.
     fn contact(
         &self,
         whole: &Observations,
@@ -157,8 +157,8 @@ impl Search<'_> {
         None
     }
 
-    /// Whether the flight predicted from the initial state `local` is so near the first `samples` samples that flights
-    /// nearer to some of them depend linearly on the initial state.
+    /// Whether the residuals of the first `samples` samples, for the initial state `local`, are so small that the
+    /// prediction may be linearised about this state.
     fn is_near(&self, whole: &Observations, local: &DVector<f64>, samples: usize) -> bool {
         let scale = self.at.residual_scale(whole, local, samples);
         scale.is_some_and(|scale| scale <= NEAR_RATIO * self.usual)
