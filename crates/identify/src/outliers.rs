@@ -2,6 +2,8 @@
 //!
 //! Model error is smooth in time: the line through the neighbours removes it, so that it is not mistaken for outliers.
 
+use std::ops::Range;
+
 use crate::noise::{OUTLIER_LIMIT, group_count};
 use dataset::statistics::{median, median_of, robust_sigma};
 
@@ -32,7 +34,7 @@ pub fn local_residuals(times: &[f64], residuals: &Residuals) -> Vec<Vec<Option<[
     let limit = robust_scale(&local_residuals).map(|scale| THEIL_SEN_LIMIT * scale);
     let mut space = Vec::with_capacity(SIDE * (2 * SIDE - 1));
     for (series, local_residuals) in all.iter().zip(&mut local_residuals) {
-        for (index, &(_, sample, _)) in series.0.iter().enumerate() {
+        for (index, &sample) in series.samples.iter().enumerate() {
             let Some(local_residual) = &mut local_residuals[sample] else {
                 continue;
             };
@@ -50,15 +52,31 @@ pub fn local_residuals(times: &[f64], residuals: &Residuals) -> Vec<Vec<Option<[
 /// deviations, above which it is computed again with a Theil–Sen line, which is robust but expensive.
 const THEIL_SEN_LIMIT: f64 = 2.5;
 
-/// Time (s), sample index and residual (m) of each measured value of one channel.
-struct Series(Vec<(f64, usize, [f64; 3])>);
+/// Number of values in a window, which contains a value and its neighbours.
+const WINDOW: usize = 2 * SIDE + 1;
+
+/// Measured values of one channel.
+struct Series {
+    /// Time of each value, s.
+    times: Vec<f64>,
+    /// Sample index of each value.
+    samples: Vec<usize>,
+    /// Residuals, m.
+    residuals: Vec<[f64; 3]>,
+}
 
 impl Series {
     fn of(times: &[f64], series: &[Option<[f64; 3]>]) -> Self {
-        let mut seen = Vec::with_capacity(series.len());
-        let each = series.iter().enumerate();
-        seen.extend(each.filter_map(|(sample, r)| Some((times[sample], sample, (*r)?))));
-        Self(seen)
+        let mut samples = Vec::with_capacity(series.len());
+        samples.extend((0..series.len()).filter(|sample| series[*sample].is_some()));
+        Self {
+            times: samples.iter().map(|sample| times[*sample]).collect(),
+            residuals: samples
+                .iter()
+                .filter_map(|sample| series[*sample])
+                .collect(),
+            samples,
+        }
     }
 
     /// Differences of the values from least-squares lines through their neighbours, m, by sample index. Each is scaled
@@ -66,94 +84,95 @@ impl Series {
     /// fewer than `MIN_POINTS`.
     fn local_residuals(&self, samples: usize) -> Vec<Option<[f64; 3]>> {
         let mut local_residuals = vec![None; samples];
-        if self.0.len() < MIN_POINTS {
+        if self.samples.len() < MIN_POINTS {
             return local_residuals;
         }
         let mut line = Line::default();
-        for (index, &(time, sample, value)) in self.0.iter().enumerate() {
-            line.through(self.neighbours(index).map(|(t, ..)| t - time));
-            let mut beyond = value;
-            for (weight, (.., value)) in line.weights().iter().zip(self.neighbours(index)) {
-                beyond = [0, 1, 2].map(|axis| beyond[axis] - weight * value[axis]);
+        for (index, sample) in self.samples.iter().enumerate() {
+            let window = self.window(index);
+            line.through(&self.times[window.clone()], index - window.start);
+            let mut beyond = [0.0; 3];
+            for (weight, value) in line.weights.iter().zip(&self.residuals[window]) {
+                for axis in 0..3 {
+                    beyond[axis] += weight * value[axis];
+                }
             }
-            local_residuals[sample] = Some(beyond.map(|beyond| beyond / line.spread));
+            local_residuals[*sample] = Some(beyond.map(|beyond| beyond / line.spread));
         }
         local_residuals
     }
 
-    /// Neighbours of the value at `index` of the series, as (time in s, sample index, residual in m): `SIDE` values
-    /// before and `SIDE` values after it. Near an end of the series, more of them are on one side.
-    fn neighbours(&self, index: usize) -> impl Iterator<Item = &(f64, usize, [f64; 3])> + Clone {
-        let seen = &self.0;
+    /// Indices of the value at `index` of the series and of its neighbours: `SIDE` values before and `SIDE` values after
+    /// it. Near an end of the series, more of them are on one side.
+    fn window(&self, index: usize) -> Range<usize> {
+        let count = self.samples.len();
         // At the ends, the number of neighbours is the same, but they are on one side.
-        let first = index
-            .saturating_sub(SIDE)
-            .min(seen.len().saturating_sub(2 * SIDE + 1));
-        let last = (first + 2 * SIDE + 1).min(seen.len());
-        seen[first..index].iter().chain(&seen[index + 1..last])
+        let first = index.saturating_sub(SIDE).min(count.saturating_sub(WINDOW));
+        first..(first + WINDOW).min(count)
     }
 
     /// Difference of one value from the Theil–Sen line through its neighbours along one axis, m, scaled so that its
     /// standard deviation is that of one value. `space` is scratch memory.
     fn local_residual(&self, index: usize, axis: usize, space: &mut Vec<f64>) -> f64 {
-        let (time, _, value) = self.0[index];
+        let window = self.window(index);
         let mut points = [(0.0, 0.0); 2 * SIDE];
         let mut count = 0;
-        for (point, &(t, _, value)) in points.iter_mut().zip(self.neighbours(index)) {
-            *point = (t - time, value[axis]);
+        let neighbours = window.clone().filter(|neighbour| *neighbour != index);
+        for (point, neighbour) in points.iter_mut().zip(neighbours) {
+            let since = self.times[neighbour] - self.times[index];
+            *point = (since, self.residuals[neighbour][axis]);
             count += 1;
         }
-        let points = &points[..count];
         let mut line = Line::default();
-        line.through(points.iter().map(|&(time, _)| time));
-        (value[axis] - at_zero(points, space)) / line.spread
+        line.through(&self.times[window.clone()], index - window.start);
+        (self.residuals[index][axis] - at_zero(&points[..count], space)) / line.spread
     }
 }
 
-/// Least-squares line through the neighbours of a value, relative to the time of that value. It is stored as the
-/// weights whose weighted sum of the neighbours' values is the ordinate of the line at time 0.
+/// Least-squares line through the neighbours of a value in its window.
 #[derive(Default)]
 struct Line {
-    times: [f64; 2 * SIDE],
+    /// Times of the values in the window relative to the value to be tested, s.
+    times: [f64; WINDOW],
     count: usize,
-    weights: [f64; 2 * SIDE],
-    /// Standard deviation of the difference between the value at time 0 and the line through its neighbours, in units
-    /// of the standard deviation of a value.
+    /// Weights of the values in the window whose weighted sum is the difference of the value to be tested from the line
+    /// at its time.
+    weights: [f64; WINDOW],
+    /// Standard deviation of this difference, in units of the standard deviation of a value.
     spread: f64,
 }
 
 /// Relative difference up to which time offsets between samples are considered equal, so that evenly spaced samples
-/// share the weights of the straight line fitted to their neighbours.
-const SAME_TIME: f64 = 1e-9;
+/// share the weights of the straight line fitted to their neighbours. Times may be rounded in the data, and a residual
+/// changes little within this part of a sampling interval.
+const SAME_TIME: f64 = 1e-3;
 
 impl Line {
-    /// Computes the weights of the neighbours of a value at time 0, whose weighted sum is the value at time 0 of the
-    /// least-squares line through the neighbours. `times` are the times of the neighbours relative to the value, s;
-    /// only the first 2 × `SIDE` are used. The weights are kept if the times have not changed.
-    fn through(&mut self, times: impl Iterator<Item = f64> + Clone) {
-        let near = |(time, drawn): (f64, &f64)| (time - drawn).abs() <= SAME_TIME * drawn.abs();
-        if times.clone().count() == self.count && times.clone().zip(&self.times).all(near) {
+    /// Computes the weights of the values in a window. `times` are their times, s, at most `WINDOW`, and `own` is the
+    /// index of the value to be tested. The weights are kept if the times relative to this value have not changed.
+    fn through(&mut self, times: &[f64], own: usize) {
+        let time = times[own];
+        let mut is_same = times.len() == self.count;
+        for (known, other) in self.times.iter().zip(times) {
+            is_same &= (other - time - known).abs() <= SAME_TIME * known.abs();
+        }
+        if is_same {
             return;
         }
-        self.count = 0;
-        for (place, time) in self.times.iter_mut().zip(times) {
-            *place = time;
-            self.count += 1;
+        self.count = times.len();
+        for (known, other) in self.times.iter_mut().zip(times) {
+            *known = other - time;
         }
-        let (times, count) = (&self.times[..self.count], self.count as f64);
-        let middle = times.iter().sum::<f64>() / count;
-        let width: f64 = times.iter().map(|time| (time - middle).powi(2)).sum();
-        let part = middle / width;
+        // The value to be tested is at time 0 and adds nothing to the sums of the neighbours' times.
+        let (times, neighbours) = (&self.times[..self.count], self.count as f64 - 1.0);
+        let middle = times.iter().sum::<f64>() / neighbours;
+        let squares: f64 = times.iter().map(|time| time * time).sum();
+        let part = middle / (squares - neighbours * middle * middle);
         for (weight, time) in self.weights.iter_mut().zip(times) {
-            *weight = 1.0 / count - (time - middle) * part;
+            *weight = (time - middle) * part - 1.0 / neighbours;
         }
-        self.spread = (1.0 + 1.0 / count + middle * part).sqrt();
-    }
-
-    /// Weights of the values of the neighbours. Their weighted sum is the value of the least-squares line through the
-    /// neighbours at time 0, the time of the value to be tested.
-    fn weights(&self) -> &[f64] {
-        &self.weights[..self.count]
+        self.weights[own] = 1.0;
+        self.spread = (1.0 + 1.0 / neighbours + middle * part).sqrt();
     }
 }
 

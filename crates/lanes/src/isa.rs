@@ -58,6 +58,15 @@ impl Isa {
         })
     }
 
+    /// Number of lanes of the vectors with which [`dispatch`](crate::dispatch) runs a kernel.
+    pub fn width(self) -> usize {
+        match self {
+            Isa::Avx512 => 8,
+            Isa::Avx2 | Isa::Portable => 4,
+            Isa::Scalar => 1,
+        }
+    }
+
     /// Lower-case name of the instruction set, as in the environment variable `HYZER_LANES`.
     pub fn name(self) -> &'static str {
         match self {

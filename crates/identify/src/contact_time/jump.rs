@@ -6,6 +6,7 @@
 use flight::batch;
 use nalgebra::DVector;
 
+use super::alternatives::Alternatives;
 use super::quadratic::{Coupled, Quadratic};
 use super::rows::Point;
 use super::trajectory::Part;
@@ -163,18 +164,20 @@ impl JumpTests<'_> {
     /// Priors that a jump just before the sample `trajectory.tried + first` does not displace the markers, one for each
     /// time at which the jump is tried: sums of the squared displacements as functions of the change of the initial
     /// state.
-    fn held_markers(&self, first: usize) -> Vec<Quadratic> {
+    fn held_markers(&self, first: usize) -> Alternatives {
+        let dimension = self.trajectory.dimension;
         let times = self.trajectory.contacts[first].iter().map(|markers| {
-            let mut sum = Quadratic::zeros(self.trajectory.dimension);
+            let mut sum = Quadratic::zeros(dimension);
             for marker in markers {
                 for (derivatives, sigma) in marker.derivatives.iter().zip(self.noise.sigma) {
-                    let displacement = derivatives / (DISPLACEMENT_SIGMA * sigma);
-                    sum.add(displacement.as_slice(), 0.0);
+                    let weight = (DISPLACEMENT_SIGMA * sigma).recip();
+                    sum.add_weighted(weight, derivatives.as_slice(), 0.0);
                 }
             }
             sum
         });
-        times.collect()
+        let times: Vec<Quadratic> = times.collect();
+        Alternatives::new(&times, dimension)
     }
 }
 
@@ -227,22 +230,15 @@ impl JumpSum {
     /// Compares motion with a velocity jump and motion without one, both fitted to the samples up to the last one added.
     /// `free` is the sum of squares without a jump. `held` are the priors that the jump does not displace the markers,
     /// one for each time at which the jump is tried. `None` if the normal matrix is singular at every time.
-    fn compare(&self, free: &Quadratic, held: &[Quadratic]) -> Option<Comparison> {
+    fn compare(&self, free: &Quadratic, held: &Alternatives) -> Option<Comparison> {
         let mut sum = self.first.clone();
         sum.add_all(&self.later);
         let rest = sum.minimum_over_first(free)?;
         let sampled = |unknown| self.first.diagonal(unknown) + self.later.diagonal(unknown);
-        let found = held.iter().filter_map(|held| {
-            let mut of_change = rest.clone();
-            of_change.add_all(held);
-            let diagonal = |unknown| sampled(unknown) + held.diagonal(unknown);
-            let jump = of_change.minimum_with_ridge(diagonal)?;
-            Some((jump.decrease(), jump))
-        });
-        let (gain, jump) = found.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        let (gain, change) = held.greatest_decrease(&rest, sampled)?;
         Some(Comparison {
             gain,
-            change: jump.unknowns().into(),
+            change: change.into(),
         })
     }
 }

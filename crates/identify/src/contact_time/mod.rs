@@ -7,6 +7,7 @@
 //! between both flights displaces no marker. This condition holds for any model, independent of its states. A
 //! generalised likelihood ratio compares free flight with a flight that jumps, for each sample.
 
+mod alternatives;
 mod jump;
 mod outliers;
 mod quadratic;

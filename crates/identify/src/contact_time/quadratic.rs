@@ -4,18 +4,32 @@ use lanes::{Kernel, Lanes};
 
 /// Relative increase of the diagonal of the normal matrix, so that it is invertible if the samples do not determine all
 /// unknowns.
-const RIDGE: f64 = 1e-9;
+pub const RIDGE: f64 = 1e-9;
 
 /// Number of entries in a block of a stored row: some whole SIMD registers. The lengths of rows are multiples of it.
 const BLOCK: usize = 8;
+
+/// Runs a kernel that is compiled for the numbers of blocks of most rows. `$kernel` has a const parameter `BLOCKS`, 0 for
+/// any other number.
+macro_rules! by_blocks {
+    ($blocks:expr, $kernel:ident $fields:tt) => {
+        by_blocks!(@ $blocks, $kernel $fields, 1 2 3 4 5)
+    };
+    (@ $blocks:expr, $kernel:ident $fields:tt, $($count:literal)*) => {
+        match $blocks {
+            $($count => lanes::dispatch($kernel::<$count> $fields),)*
+            _ => lanes::dispatch($kernel::<0> $fields),
+        }
+    };
+}
 
 /// A sum of squared residuals that are linear functions of the unknowns.
 #[derive(Clone, Debug)]
 pub struct Quadratic {
     unknowns: usize,
-    /// Upper triangle of the normal matrix JᵀJ, row by row, where J is the Jacobian of the residuals with respect to the
-    /// unknowns. The entry after the last column of the matrix is that of the right-hand side Jᵀr, where r are the
-    /// residuals if all unknowns are 0. Entries below the diagonal are not used.
+    /// Normal matrix JᵀJ, row by row, where J is the Jacobian of the residuals with respect to the unknowns. The entry
+    /// after the last column of the matrix is that of the right-hand side Jᵀr, where r are the residuals if all unknowns
+    /// are 0.
     rows: Vec<f64>,
 }
 
@@ -31,13 +45,22 @@ impl Quadratic {
     /// Adds the square of a residual that is linear in the unknowns: `residual` is its value if all unknowns are 0, and
     /// `derivatives` are its derivatives with respect to them.
     pub fn add(&mut self, derivatives: &[f64], residual: f64) {
-        let length = row_length(self.unknowns);
-        let products = AddProducts {
-            rows: &mut self.rows,
-            factors: [derivatives, &[]],
-            vector: &padded(0, derivatives, residual, length),
-        };
-        lanes::dispatch(products);
+        self.add_weighted(1.0, derivatives, residual);
+    }
+
+    /// Adds the square of `weight` times a residual that is linear in the unknowns: `residual` is its value if all
+    /// unknowns are 0, and `derivatives` are its derivatives with respect to them.
+    pub fn add_weighted(&mut self, weight: f64, derivatives: &[f64], residual: f64) {
+        let square = weight * weight;
+        with_padded(
+            0,
+            derivatives,
+            residual,
+            row_length(self.unknowns),
+            |vector| {
+                add_products(&mut self.rows, square, [derivatives, &[]], vector);
+            },
+        );
     }
 
     /// Adds `other`, a sum of squares as a function of the same unknowns.
@@ -52,21 +75,16 @@ impl Quadratic {
         self.row(unknown)[unknown]
     }
 
-    fn row(&self, unknown: usize) -> &[f64] {
+    /// Row of the normal matrix for one unknown. The entry after the last column is that of the right-hand side.
+    pub fn row(&self, unknown: usize) -> &[f64] {
         &self.rows[unknown * row_length(self.unknowns)..][..row_length(self.unknowns)]
     }
 
     /// Factorises the normal equations, which gives the minimum of the sum of squares; `None` if they are singular.
     pub fn minimum(&self) -> Option<Minimum> {
-        self.clone()
-            .minimum_with_ridge(|unknown| self.diagonal(unknown))
-    }
-
-    /// Factorises the normal equations, which gives the minimum of the sum of squares; `None` if they are singular. The
-    /// diagonal entry of unknown `i` is first increased by `RIDGE` × `diagonal(i)`, or by 1 if `diagonal(i)` is 0.
-    pub fn minimum_with_ridge(mut self, diagonal: impl Fn(usize) -> f64) -> Option<Minimum> {
-        self.eliminate(self.unknowns, diagonal)?;
-        Some(Minimum(self))
+        let mut factor = self.clone();
+        factor.eliminate(self.unknowns, |unknown| self.diagonal(unknown))?;
+        Some(Minimum(factor))
     }
 
     /// Replaces the rows of the first `count` unknowns by those of the Cholesky factor, and the other rows by those of
@@ -80,15 +98,14 @@ impl Quadratic {
             self.rows[unknown * length + unknown] += if entry == 0.0 { 1.0 } else { RIDGE * entry };
         }
         let (rows, blocks) = (self.rows.as_chunks_mut().0, length / BLOCK);
-        macro_rules! by_blocks {
-            ($($blocks:literal)*) => {
-                match blocks {
-                    $($blocks => lanes::dispatch(Eliminate::<$blocks> { rows, blocks, count }),)*
-                    _ => lanes::dispatch(Eliminate::<0> { rows, blocks, count }),
-                }
-            };
-        }
-        let is_definite = by_blocks!(1 2 3 4 5);
+        let is_definite = by_blocks!(
+            blocks,
+            Eliminate {
+                rows,
+                blocks,
+                count
+            }
+        );
         is_definite.then_some(())
     }
 }
@@ -120,32 +137,25 @@ impl Coupled {
     /// Adds the square of a residual: `residual` is its value if all unknowns are 0, and `first` and `second` are its
     /// derivatives with respect to the two vectors.
     pub fn add(&mut self, first: &[f64], second: &[f64], residual: f64) {
-        let products = AddProducts {
-            rows: &mut self.both.rows,
-            factors: [first, second],
-            vector: &padded(self.length, second, residual, row_length(2 * self.length)),
-        };
-        lanes::dispatch(products);
+        let length = row_length(2 * self.length);
+        with_padded(self.length, second, residual, length, |vector| {
+            add_products(&mut self.both.rows, 1.0, [first, second], vector);
+        });
     }
 
     /// Adds residuals that depend on the sum of the two vectors. `sum` contains them as a function of one vector.
     pub fn add_all(&mut self, sum: &Quadratic) {
         let (length, row_length) = (self.length, row_length(2 * self.length));
         let (cross, own) = self.both.rows.split_at_mut(length * row_length);
-        for (index, row) in own.chunks_exact_mut(row_length).enumerate() {
-            let from = &sum.row(index)[index..=length];
-            for (entry, other) in row[length + index..=2 * length].iter_mut().zip(from) {
-                *entry += other;
-            }
-            let from = &from[..length - index];
-            let at = index * row_length + length + index;
-            for (entry, other) in cross[at..].iter_mut().zip(from) {
-                *entry += other;
-            }
-            // The block is symmetric.
-            let column = cross[length + index..].iter_mut().step_by(row_length);
-            for (entry, other) in column.skip(index + 1).zip(&from[1..]) {
-                *entry += other;
+        let rows = cross
+            .chunks_exact_mut(row_length)
+            .zip(own.chunks_exact_mut(row_length));
+        for (index, (cross, own)) in rows.enumerate() {
+            let from = &sum.row(index)[..=length];
+            for row in [cross, own] {
+                for (entry, other) in row[length..=2 * length].iter_mut().zip(from) {
+                    *entry += other;
+                }
             }
         }
     }
@@ -183,12 +193,6 @@ impl Coupled {
 pub struct Minimum(Quadratic);
 
 impl Minimum {
-    /// Decrease of the sum of squares from its value for unknowns equal to 0 to its minimum.
-    pub fn decrease(&self) -> f64 {
-        let entries = (0..self.0.unknowns).map(|unknown| self.0.row(unknown)[self.0.unknowns]);
-        entries.map(|entry| entry * entry).sum()
-    }
-
     /// Values of the unknowns at the minimum of the sum of squares.
     pub fn unknowns(&self) -> Vec<f64> {
         let count = self.0.unknowns;
@@ -203,35 +207,75 @@ impl Minimum {
     }
 }
 
-/// Row of `length` entries: zeros before `from`, then `derivatives` and `residual`, then zeros.
-fn padded(from: usize, derivatives: &[f64], residual: f64, length: usize) -> Vec<f64> {
-    let mut row = vec![0.0; length];
+/// Length of a row up to which it is padded on the stack.
+const STACK: usize = 32;
+
+/// Calls `each` with a row of `length` entries: zeros before `from`, then `derivatives` and `residual`, then zeros.
+fn with_padded(
+    from: usize,
+    derivatives: &[f64],
+    residual: f64,
+    length: usize,
+    each: impl FnOnce(&[f64]),
+) {
+    let mut stack;
+    let mut heap;
+    let row = if length <= STACK {
+        stack = [0.0; STACK];
+        &mut stack[..length]
+    } else {
+        heap = vec![0.0; length];
+        &mut heap[..]
+    };
     let end = from + derivatives.len();
     row[from..end].copy_from_slice(derivatives);
     row[end] = residual;
-    row
+    each(row);
 }
 
-/// Kernel that adds, to each row of a matrix, the product of a vector and the factor of the row. Entries below the
-/// diagonal are not all computed. `factors` contains the factors of the first rows, and those of the other rows.
-struct AddProducts<'a> {
-    rows: &'a mut [f64],
+/// Adds, to each row of a matrix, the product of `square`, a vector and the factor of the row. `factors` contains the
+/// factors of the first rows, and those of the other rows.
+fn add_products(rows: &mut [f64], square: f64, factors: [&[f64]; 2], vector: &[f64]) {
+    let (rows, vector) = (rows.as_chunks_mut().0, vector.as_chunks().0);
+    by_blocks!(
+        vector.len(),
+        AddProducts {
+            rows,
+            square,
+            factors,
+            vector
+        }
+    );
+}
+
+/// Kernel of [`add_products`], for vectors of `BLOCKS` blocks; 0 for any number.
+struct AddProducts<'a, const BLOCKS: usize> {
+    rows: &'a mut [[f64; BLOCK]],
+    square: f64,
     factors: [&'a [f64]; 2],
-    vector: &'a [f64],
+    vector: &'a [[f64; BLOCK]],
 }
 
-impl Kernel for AddProducts<'_> {
+impl<const BLOCKS: usize> Kernel for AddProducts<'_, BLOCKS> {
     type Output = ();
 
     #[inline(always)]
     fn run<T: Lanes>(self) {
-        let length = self.vector.len();
-        let factors = self.factors.into_iter().flatten();
-        for ((index, row), factor) in (0..).zip(self.rows.chunks_exact_mut(length)).zip(factors) {
-            let (factor, from) = (T::splat(*factor), index / BLOCK * BLOCK);
-            let parts = row[from..].chunks_exact_mut(T::WIDTH);
-            for (part, other) in parts.zip(self.vector[from..].chunks_exact(T::WIDTH)) {
-                T::load(other).mul_add(factor, T::load(part)).store(part);
+        let blocks = match BLOCKS {
+            0 => self.vector.len(),
+            _ => BLOCKS,
+        };
+        let mut rows = self.rows.chunks_exact_mut(blocks);
+        for factors in self.factors {
+            // The factors come first, so that no row is taken without one.
+            for (factor, row) in factors.iter().zip(&mut rows) {
+                let factor = T::splat(self.square * factor);
+                for (block, other) in row.iter_mut().zip(self.vector) {
+                    let parts = block.chunks_exact_mut(T::WIDTH);
+                    for (part, other) in parts.zip(other.chunks_exact(T::WIDTH)) {
+                        T::load(other).mul_add(factor, T::load(part)).store(part);
+                    }
+                }
             }
         }
     }
@@ -321,10 +365,11 @@ mod tests {
         for unknowns in [1, 3, 7, 8, 12, 15, 16, 30, 45] {
             let (jacobian, residuals) = residuals(60, unknowns);
             let found = quadratic(&jacobian, &residuals).minimum().unwrap();
-            let (least, at) = by_svd(jacobian, &residuals);
-            let decrease = residuals.norm_squared() - least;
-            assert!((found.decrease() - decrease).abs() < 1e-6 * decrease);
+            let (least, at) = by_svd(jacobian.clone(), &residuals);
             let found = DVector::from(found.unknowns());
+            let squares = (&residuals + &jacobian * &found).norm_squared();
+            let decrease = residuals.norm_squared() - least;
+            assert!((squares - least).abs() < 1e-6 * decrease);
             assert!((found - &at).amax() < 1e-5 * at.amax(), "{unknowns}");
         }
     }

@@ -102,8 +102,8 @@ impl MotionFits {
         let MotionDesigns { position, axis, .. } = self.designs(points, about)?;
         let positions = position.whiten(points.iter().map(|point| point.position));
         let axes = axis.whiten(points.iter().map(|point| point.axis));
-        let (of_position, positions) = position.solve_with_residuals(&positions);
-        let (of_axis, axes) = axis.solve_with_residuals(&axes);
+        let (of_position, positions) = position.solve(&positions);
+        let (of_axis, axes) = axis.solve(&axes);
         Some(FreeMotion {
             position: of_position,
             axis: of_axis,

@@ -3,6 +3,7 @@
 //! A [`Design`] contains everything that does not depend on the measured vectors. Windows of a regularly sampled flight
 //! share it.
 
+use lanes::{Lanes, ScalarKernel, ScalarLane};
 use nalgebra::{SMatrix, SVector, Vector3};
 
 /// Relative increase of the diagonal of the normal matrix, which makes the matrix invertible if basis functions are
@@ -26,6 +27,8 @@ pub struct Whitened {
     origin: Vector3<f64>,
     /// Whitened vectors, each with a fourth component of 0, so that they fill the registers of the processor.
     vectors: Vec<[f64; 4]>,
+    /// Sum of the squared whitened vectors.
+    squares: f64,
 }
 
 impl Whitened {
@@ -46,8 +49,10 @@ impl Whitened {
             let [x, y, z] = whiten(previous.replace(value), value).into();
             [x, y, z, 0.0]
         });
+        let vectors: Vec<[f64; 4]> = vectors.collect();
         Self {
-            vectors: vectors.collect(),
+            squares: vectors.iter().map(square).sum(),
+            vectors,
             origin: origin.unwrap_or_default(),
         }
     }
@@ -92,6 +97,8 @@ pub struct Design<const N: usize> {
     free_parts: Vec<f64>,
     inverse: SMatrix<f64, N, N>,
     precisions: [f64; N],
+    /// Amounts by which the diagonal entries of the normal matrix were increased (see `RIDGE`).
+    ridges: [f64; N],
     correlation: f64,
 }
 
@@ -118,8 +125,9 @@ impl<const N: usize> Design<N> {
                 }
             }
         }
-        for (index, precision) in precisions.iter().enumerate() {
-            normal[(index, index)] = normal[(index, index)] * (1.0 + RIDGE) + precision;
+        let ridges = std::array::from_fn(|index| RIDGE * normal[(index, index)]);
+        for (index, (precision, ridge)) in precisions.iter().zip(ridges).enumerate() {
+            normal[(index, index)] += ridge + precision;
         }
         let inverse = normal.cholesky()?.inverse();
         let free_part = |row: &SVector<f64, N>| 1.0 - row.dot(&(inverse * row));
@@ -130,6 +138,7 @@ impl<const N: usize> Design<N> {
             whitenings,
             inverse,
             precisions: *precisions,
+            ridges,
             correlation,
         })
     }
@@ -144,49 +153,44 @@ impl<const N: usize> Design<N> {
         })
     }
 
-    /// Fits the basis functions to whitened measured vectors, one for each row of the regression matrix, by linear
-    /// least squares with the priors of the coefficients.
-    pub fn solve(&self, values: &Whitened) -> Regression<N> {
-        self.solve_rows(values, |_| {})
-    }
-
-    /// Fits the basis functions as [`solve`](Self::solve) does, and also returns the whitened residual of each row of
-    /// the regression matrix.
-    pub fn solve_with_residuals(&self, values: &Whitened) -> (Regression<N>, Residuals) {
-        let mut residuals = Vec::with_capacity(self.rows.len());
-        let regression = self.solve_rows(values, |residual| residuals.push(residual));
-        (regression, Residuals(residuals))
-    }
-
-    /// Fits the basis functions to the whitened measured vectors `values`, and calls `each` with the whitened residual
-    /// of each row of the regression matrix.
-    fn solve_rows(&self, values: &Whitened, mut each: impl FnMut([f64; 4])) -> Regression<N> {
+    /// Sum of squared whitened residuals of the linear least-squares fit to whitened measured vectors, one for each row
+    /// of the regression matrix, plus the penalty by the priors of the coefficients.
+    pub fn squares(&self, values: &Whitened) -> f64 {
         let right = products(&self.rows, &values.vectors);
         let coefficients = self.inverse * right;
-        let mut negative = [[0.0; 4]; N];
-        for (index, negative) in negative.iter_mut().enumerate() {
-            let [x, y, z]: [f64; 3] = (-coefficients.row(index)).transpose().into();
-            *negative = [x, y, z, 0.0];
+        let mut squares = values.squares - coefficients.dot(&right);
+        for (index, ridge) in self.ridges.iter().enumerate() {
+            squares -= ridge * coefficients.row(index).norm_squared();
         }
-        let mut squares = 0.0;
-        for (row, value) in self.rows.iter().zip(&values.vectors) {
-            let mut residual = *value;
-            for (coefficient, function) in negative.iter().zip(row) {
-                add_scaled(&mut residual, *function, coefficient);
-            }
-            squares += square(&residual);
-            each(residual);
-        }
+        squares
+    }
+
+    /// Fits the basis functions to whitened measured vectors, one for each row of the regression matrix, by linear least
+    /// squares with the priors of the coefficients. Also returns the whitened residual of each row.
+    pub fn solve(&self, values: &Whitened) -> (Regression<N>, Residuals) {
+        let right = products(&self.rows, &values.vectors);
+        let coefficients = self.inverse * right;
+        let mut residuals = values.vectors.clone();
+        lanes::dispatch_scalar(SubtractFit {
+            rows: &self.rows,
+            coefficients: &std::array::from_fn(|index| {
+                let [x, y, z]: [f64; 3] = coefficients.row(index).transpose().into();
+                [x, y, z, 0.0]
+            }),
+            residuals: &mut residuals,
+        });
+        let mut squares: f64 = residuals.iter().map(square).sum();
         for (index, precision) in self.precisions.iter().enumerate() {
             squares += precision * coefficients.row(index).norm_squared();
         }
-        Regression {
+        let regression = Regression {
             coefficients,
             squares,
             inverse: self.inverse,
             origin: values.origin,
             correlation: self.correlation,
-        }
+        };
+        (regression, Residuals(residuals))
     }
 
     /// For each row of the regression matrix, the decrease of the sum of squares if the row is removed: its squared
@@ -293,22 +297,66 @@ impl<const N: usize, const K: usize> Extension<N, K> {
 /// basis function i times component k of the vector. The fourth component of the vectors is ignored.
 fn products<const N: usize>(rows: &[[f64; N]], vectors: &[[f64; 4]]) -> SMatrix<f64, N, 3> {
     let mut sums = [[0.0; 4]; N];
-    for (row, vector) in rows.iter().zip(vectors) {
-        for (sum, function) in sums.iter_mut().zip(row) {
-            add_scaled(sum, *function, vector);
+    lanes::dispatch_scalar(Products {
+        rows,
+        vectors,
+        sums: &mut sums,
+    });
+    SMatrix::from_fn(|row, column| sums[row][column])
+}
+
+/// Kernel of [`products`]; the results are written to `sums`.
+struct Products<'a, const N: usize> {
+    rows: &'a [[f64; N]],
+    vectors: &'a [[f64; 4]],
+    sums: &'a mut [[f64; 4]; N],
+}
+
+impl<const N: usize> ScalarKernel for Products<'_, N> {
+    #[inline(always)]
+    fn run<T: ScalarLane>(self) {
+        let mut sums = [[T::splat(0.0); 4]; N];
+        for (row, vector) in self.rows.iter().zip(self.vectors) {
+            for (sum, function) in sums.iter_mut().zip(T::slice(row)) {
+                add_scaled(sum, *function, T::slice(vector));
+            }
+        }
+        for (to, sum) in self.sums.iter_mut().zip(sums) {
+            T::slice_mut(to).copy_from_slice(&sum);
         }
     }
-    SMatrix::from_fn(|row, column| sums[row][column])
+}
+
+/// Kernel that subtracts a least-squares fit from the measured vectors in `residuals`: for each row of the regression
+/// matrix, the sum of the basis functions times their coefficients.
+struct SubtractFit<'a, const N: usize> {
+    rows: &'a [[f64; N]],
+    coefficients: &'a [[f64; 4]; N],
+    residuals: &'a mut [[f64; 4]],
+}
+
+impl<const N: usize> ScalarKernel for SubtractFit<'_, N> {
+    #[inline(always)]
+    fn run<T: ScalarLane>(self) {
+        for (row, residual) in self.rows.iter().zip(self.residuals) {
+            let residual = T::slice_mut(residual);
+            for (coefficient, function) in self.coefficients.iter().zip(T::slice(row)) {
+                add_scaled(residual, -*function, T::slice(coefficient));
+            }
+        }
+    }
 }
 
 fn square([x, y, z, _]: &[f64; 4]) -> f64 {
     x * x + y * y + z * z
 }
 
-/// Adds `factor` × `vector` to `sum`.
-fn add_scaled(sum: &mut [f64; 4], factor: f64, vector: &[f64; 4]) {
-    for (sum, component) in sum.iter_mut().zip(vector) {
-        *sum += factor * component;
+/// Adds `factor` × `vector` to `sum`; both have four components.
+#[inline(always)]
+fn add_scaled<T: Lanes>(sum: &mut [T], factor: T, vector: &[T]) {
+    let (sum, vector) = (&mut sum[..4], &vector[..4]);
+    for component in 0..4 {
+        sum[component] = factor.mul_add(vector[component], sum[component]);
     }
 }
 
@@ -374,9 +422,11 @@ mod tests {
         let values = || rows.iter().map(|row| row.value);
 
         let design = Design::new(&rows, &[0.0, 0.3, 0.0, 0.0, 0.0], 0.4).unwrap();
-        let all = design.solve(&design.whiten(values()));
+        let (all, _) = design.solve(&design.whiten(values()));
+        let squares = design.squares(&design.whiten(values()));
+        assert!((squares - all.squares).abs() < 1e-12 * all.squares);
         let design = Design::new(&known, &[0.0, 0.3, 0.0], 0.4).unwrap();
-        let (some, residuals) = design.solve_with_residuals(&design.whiten(values()));
+        let (some, residuals) = design.solve(&design.whiten(values()));
         let extended = design.extended(&further).unwrap();
         let freedom = extended.freedom;
         let extended = extended.solve(&some, &residuals);

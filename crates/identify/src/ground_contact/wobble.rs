@@ -112,7 +112,7 @@ pub fn wobble_rate(points: &[Point], interval: f64) -> f64 {
                 let rows: Vec<_> = chunk.iter().map(row).collect();
                 Design::new(&rows, &[0.0; 5], 0.0)
             })?;
-            Some(design.solve(axes).squares.max(MIN_SQUARE).ln())
+            Some(design.squares(axes).max(MIN_SQUARE).ln())
         });
         each.sum::<f64>()
     };

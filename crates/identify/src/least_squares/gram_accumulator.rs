@@ -35,7 +35,7 @@ impl GramAccumulator {
     /// Creates an accumulator without Jacobian rows. `local` and `global` are the column indices of the local and
     /// global parameters in a row; together they are 0, 1, 2, ….
     pub fn new(local: Vec<usize>, global: Vec<usize>) -> Self {
-        let width = (local.len() + global.len() + 1).next_multiple_of(PADDING);
+        let width = Self::width(local.len() + global.len());
         Self {
             local,
             global,
@@ -48,9 +48,9 @@ impl GramAccumulator {
         }
     }
 
-    /// Length of a padded Jacobian row.
-    pub fn width(&self) -> usize {
-        self.width
+    /// Length of a padded Jacobian row with `columns` derivatives.
+    pub fn width(columns: usize) -> usize {
+        (columns + 1).next_multiple_of(PADDING)
     }
 
     /// Column index of the residual in a Jacobian row.
@@ -205,7 +205,7 @@ mod tests {
         let mut plain = NormalBlock::zero(local, global);
         for k in 0..150 {
             let value = |i: usize| ((k * 31 + i * 17) as f64 * 0.37).sin();
-            let mut row = vec![0.0; rows.width()];
+            let mut row = vec![0.0; rows.width];
             for (i, place) in row[..=(local + global)].iter_mut().enumerate() {
                 *place = value(i);
             }
@@ -228,7 +228,7 @@ mod tests {
     #[test]
     fn a_row_less_a_part_of_the_one_before() {
         let mut rows = GramAccumulator::new(vec![0], Vec::new());
-        let width = rows.width();
+        let width = rows.width;
         let row = |a: f64, r: f64| {
             let mut row = vec![0.0; width];
             (row[0], row[1]) = (a, r);

@@ -7,6 +7,7 @@ use model_spec::layout::ParamId;
 use crate::ids::LocalId;
 use crate::least_squares::GramAccumulator;
 use crate::observations::Observations;
+use ode::SensitivityLayout;
 
 /// Order of the columns of a Jacobian row: free directions of the initial state with integrated sensitivities, then
 /// parameters, then free directions with constant sensitivity. The sensitivity to a direction is constant if no
@@ -98,22 +99,23 @@ impl<'p> JacobianColumns<'p> {
     /// Rows of zeros for the derivatives along the three axes of an observation, as long as the rows of the accumulator
     /// of the normal equations.
     pub fn empty_rows(&self) -> [Vec<f64>; 3] {
-        let width = self.accumulator().width();
-        [0; 3].map(|_| vec![0.0; width])
+        let columns = self.local.len() + self.parameters.len();
+        [0; 3].map(|_| vec![0.0; GramAccumulator::width(columns)])
     }
 
     /// Writes the derivatives of an observation with respect to the unknowns into `rows`, one row per axis. They follow
-    /// from its Jacobians `derivatives` by the chain rule. `row_of` returns the sensitivities of a state, given its
-    /// index, to the unknowns.
-    pub fn derive<'s>(
+    /// from its Jacobians `derivatives` by the chain rule. `augmented` is the state with its sensitivities to the
+    /// unknowns, in the given layout.
+    pub fn derive(
         &self,
         derivatives: &ObservationJacobians<'_>,
-        row_of: impl Fn(usize) -> &'s [f64],
+        (layout, augmented): (SensitivityLayout, &[f64]),
         rows: &mut [Vec<f64>; 3],
     ) {
         lanes::dispatch(Chain {
             derivatives,
-            row_of,
+            layout,
+            augmented,
             rows,
         });
         let entries = derivatives
@@ -140,15 +142,15 @@ impl<'p> JacobianColumns<'p> {
 
 /// SIMD kernel of the chain rule: derivatives of an observation with respect to the states, times the sensitivities of
 /// the states.
-struct Chain<'a, R> {
+struct Chain<'a> {
     derivatives: &'a ObservationJacobians<'a>,
-    /// Function that returns the sensitivities of a state, given its index, to the unknowns, padded with zeros to whole
-    /// SIMD vectors.
-    row_of: R,
+    layout: SensitivityLayout,
+    /// State with its sensitivities to the unknowns, padded with zeros to whole SIMD vectors.
+    augmented: &'a [f64],
     rows: &'a mut [Vec<f64>; 3],
 }
 
-impl<'s, R: Fn(usize) -> &'s [f64]> Kernel for Chain<'_, R> {
+impl Kernel for Chain<'_> {
     type Output = ();
 
     #[inline(always)]
@@ -157,33 +159,71 @@ impl<'s, R: Fn(usize) -> &'s [f64]> Kernel for Chain<'_, R> {
             by_state_pattern,
             by_state,
             ..
-        } = self.derivatives;
-        for (axis, row) in self.rows.iter_mut().enumerate() {
-            row.fill(0.0);
-            let all = by_state_pattern.iter().zip(*by_state);
-            let mut entries = all.filter(|((at, _), _)| *at == axis);
-            // Two entries at a time, so that the row is read and written half as often.
-            while let Some((&(_, state), &value)) = entries.next() {
-                let (value, from) = (T::splat(value), (self.row_of)(state));
-                let to = row.chunks_exact_mut(T::WIDTH);
-                match entries.next() {
-                    Some((&(_, state), &second)) => {
-                        let (second, others) = (T::splat(second), (self.row_of)(state));
-                        let from = from
-                            .chunks_exact(T::WIDTH)
-                            .zip(others.chunks_exact(T::WIDTH));
-                        for (to, (from, other)) in to.zip(from) {
-                            let sum = value.mul_add(T::load(from), T::load(to));
-                            second.mul_add(T::load(other), sum).store(to);
-                        }
-                    }
-                    None => {
-                        for (to, from) in to.zip(from.chunks_exact(T::WIDTH)) {
-                            value.mul_add(T::load(from), T::load(to)).store(to);
-                        }
-                    }
-                }
+        } = *self.derivatives;
+        let stride = self.layout.row_range(0).len();
+        let mut is_written = [false; 3];
+        let mut terms = [(0.0, &[] as &[f64]); GROUP];
+        let (mut axis, mut count) = (0, 0);
+        for (&(of, state), &value) in by_state_pattern.iter().zip(by_state) {
+            if of != axis || count == GROUP {
+                let row = &mut self.rows[axis][..stride];
+                sum_terms::<T>(row, &terms[..count], is_written[axis]);
+                is_written[axis] = true;
+                (axis, count) = (of, 0);
             }
+            terms[count] = (value, self.layout.padded_row(self.augmented, state));
+            count += 1;
         }
+        sum_terms::<T>(
+            &mut self.rows[axis][..stride],
+            &terms[..count],
+            is_written[axis],
+        );
+        is_written[axis] = true;
+        for (row, is_written) in self.rows.iter_mut().zip(is_written) {
+            let sums = if is_written { stride } else { 0 };
+            row[sums..].fill(0.0);
+        }
+    }
+}
+
+/// Number of terms of the chain rule that are summed at once, so that the row is seldom written.
+const GROUP: usize = 4;
+
+/// Writes the sum of at most `GROUP` products of a factor and a vector to `row`, or adds it if `adds`.
+#[inline(always)]
+fn sum_terms<T: Lanes>(row: &mut [f64], terms: &[(f64, &[f64])], adds: bool) {
+    match *terms {
+        [a, b, c, d] => sum_exactly::<T, 4>(row, [a, b, c, d], adds),
+        [a, b, c] => sum_exactly::<T, 3>(row, [a, b, c], adds),
+        [a, b] => sum_exactly::<T, 2>(row, [a, b], adds),
+        [a] => sum_exactly::<T, 1>(row, [a], adds),
+        _ if adds => {}
+        _ => row.fill(0.0),
+    }
+}
+
+#[inline(always)]
+fn sum_exactly<T: Lanes, const N: usize>(
+    row: &mut [f64],
+    mut terms: [(f64, &[f64]); N],
+    adds: bool,
+) {
+    let length = row.len();
+    // Equal lengths, visible to the compiler, remove the bounds checks from the loop.
+    for (_, from) in &mut terms {
+        *from = &from[..length];
+    }
+    let mut i = 0;
+    while i + T::WIDTH <= length {
+        let mut sum = match adds {
+            true => T::load(&row[i..]),
+            false => T::splat(0.0),
+        };
+        for (factor, from) in terms {
+            sum = T::splat(factor).mul_add(T::load(&from[i..]), sum);
+        }
+        sum.store(&mut row[i..]);
+        i += T::WIDTH;
     }
 }

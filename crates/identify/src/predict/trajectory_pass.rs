@@ -95,9 +95,8 @@ impl TrajectoryPass<'_> {
                 let Some(measured) = self.measured(sample, channel) else {
                     continue;
                 };
-                let row_of = |state: usize| places.padded_row(both, state);
                 let derive = |by: &ObservationJacobians<'_>, rows: &mut [Vec<f64>; 3]| {
-                    columns.derive(by, row_of, rows);
+                    columns.derive(by, (places, both), rows);
                 };
                 let residual =
                     observers.linearise((time, state), channel, measured, &mut rows, derive);

@@ -184,6 +184,7 @@ fn every_kind_of_lanes_gives_the_bits_of_its_family() {
         };
         kinds += 1;
         assert_eq!(width, [8, 4, 4, 1][kinds_index(isa)]);
+        assert_eq!(width, isa.width());
         if isa.fuses() {
             same(
                 fused.get_or_insert(found.clone()),

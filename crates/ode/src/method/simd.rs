@@ -6,6 +6,10 @@ use lanes::{Kernel, Lanes};
 /// Minimum state length for which SIMD kernels are used; for shorter states the scalar loops are faster.
 pub(crate) const MIN_SIMD_LEN: usize = 64;
 
+/// Number of elements in an iteration of a loop over the elements of a state: whole SIMD vectors on every machine. The
+/// length is known to the compiler, so that the loops have no bounds checks.
+const BLOCK: usize = 8;
+
 /// Computes the argument of a Runge–Kutta stage: `to = from + h Σ weight · k`, where `k` are derivatives computed by
 /// earlier stages. All slices of numbers have one length.
 // Not generic, so that programs do not compile the kernels again for each of their right-hand sides.
@@ -50,15 +54,23 @@ impl<const M: usize> Kernel for Combine<'_, M> {
         for k in &mut k {
             *k = &k[..n];
         }
-        let mut i = 0;
-        while i + T::WIDTH <= n {
-            let mut sum = T::splat(weights[0]) * T::load(&k[0][i..]);
-            for m in 1..M {
-                sum = sum + T::splat(weights[m]) * T::load(&k[m][i..]);
-            }
-            (T::load(&from[i..]) + T::splat(h) * sum).store(&mut to[i..]);
-            i += T::WIDTH;
+        let (blocks, from_blocks) = (to.as_chunks_mut::<BLOCK>().0, from.as_chunks::<BLOCK>().0);
+        let mut k_blocks = [&[] as &[[f64; BLOCK]]; M];
+        for m in 0..M {
+            k_blocks[m] = &k[m].as_chunks().0[..blocks.len()];
         }
+        let from_blocks = &from_blocks[..blocks.len()];
+        for (index, to) in blocks.iter_mut().enumerate() {
+            for i in (0..BLOCK).step_by(T::WIDTH) {
+                let mut sum = T::splat(weights[0]) * T::load(&k_blocks[0][index][i..]);
+                for m in 1..M {
+                    sum = sum + T::splat(weights[m]) * T::load(&k_blocks[m][index][i..]);
+                }
+                let from = T::load(&from_blocks[index][i..]);
+                (from + T::splat(h) * sum).store(&mut to[i..]);
+            }
+        }
+        let i = blocks.len() * BLOCK;
         for i in i..n {
             let mut sum = weights[0] * k[0][i];
             for m in 1..M {
@@ -87,15 +99,21 @@ impl Kernel for WeightedRows<'_> {
         for row in &mut rows {
             *row = &row[..n];
         }
-        let mut i = 0;
-        while i + T::WIDTH <= n {
-            let mut sum = T::load(&rows[0][i..]);
-            for row in 1..ROWS {
-                sum = sum + T::splat(weights[row]) * T::load(&rows[row][i..]);
-            }
-            sum.store(&mut to[i..]);
-            i += T::WIDTH;
+        let blocks = to.as_chunks_mut::<BLOCK>().0;
+        let mut row_blocks = [&[] as &[[f64; BLOCK]]; ROWS];
+        for row in 0..ROWS {
+            row_blocks[row] = &rows[row].as_chunks().0[..blocks.len()];
         }
+        for (index, to) in blocks.iter_mut().enumerate() {
+            for i in (0..BLOCK).step_by(T::WIDTH) {
+                let mut sum = T::load(&row_blocks[0][index][i..]);
+                for row in 1..ROWS {
+                    sum = sum + T::splat(weights[row]) * T::load(&row_blocks[row][index][i..]);
+                }
+                sum.store(&mut to[i..]);
+            }
+        }
+        let i = blocks.len() * BLOCK;
         for i in i..n {
             let mut sum = rows[0][i];
             for row in 1..ROWS {
@@ -117,14 +135,14 @@ impl Kernel for AllFinite<'_> {
         // 0 times a finite number is 0; 0 times an infinity or NaN is NaN.
         let zero = T::splat(0.0);
         let mut sum = zero;
-        let n = self.0.len();
-        let mut i = 0;
-        while i + T::WIDTH <= n {
-            sum = sum + zero * T::load(&self.0[i..]);
-            i += T::WIDTH;
+        let (blocks, others) = self.0.as_chunks::<BLOCK>();
+        for block in blocks {
+            for i in (0..BLOCK).step_by(T::WIDTH) {
+                sum = zero.mul_add(T::load(&block[i..]), sum);
+            }
         }
         let mut rest = 0.0;
-        for value in &self.0[i..] {
+        for value in others {
             rest += 0.0 * value;
         }
         for lane in 0..T::WIDTH {

@@ -62,10 +62,6 @@ impl<M: DifferentiableRhs + ?Sized> DifferentiableRhs for &mut M {
     }
 }
 
-/// Padding of the rows of the sensitivity matrix S: the length of a row is a multiple of this number of elements, so
-/// that a row consists of whole SIMD vectors on every machine.
-const PADDING: usize = 8;
-
 /// Augmented right-hand side for the state x and its sensitivities S = ∂x/∂(initial states, parameters).
 ///
 /// The augmented state vector contains x, then S row by row, both padded with zeros; see [`SensitivityLayout`].
@@ -110,7 +106,9 @@ impl<'m> Sensitivities<'m> {
         let states = rhs.states();
         assert!(initial.iter().all(|i| *i < states), "states of the model");
         let columns = initial.len() + parameters.len();
-        let stride = columns.next_multiple_of(PADDING);
+        // Rows consist of whole SIMD vectors.
+        let width = lanes::Isa::best().width();
+        let stride = columns.next_multiple_of(width);
         let entries = rhs.parameter_jacobian_pattern().iter().enumerate();
         let parameter_terms = entries.flat_map(|(entry, (row, parameter))| {
             let columns = parameters.iter().enumerate();
@@ -127,7 +125,7 @@ impl<'m> Sensitivities<'m> {
             layout: SensitivityLayout {
                 states,
                 columns,
-                first: states.next_multiple_of(PADDING),
+                first: states.next_multiple_of(width),
                 stride,
             },
             initial: initial.to_vec(),
@@ -229,6 +227,7 @@ impl SensitivityLayout {
 
     /// Index range, in the augmented state vector, of the row of the sensitivity matrix S that belongs to one state;
     /// padding included.
+    #[inline]
     pub fn row_range(&self, state: usize) -> Range<usize> {
         let first = self.first + state * self.stride;
         first..first + self.stride
@@ -241,6 +240,7 @@ impl SensitivityLayout {
 
     /// Row of the sensitivity matrix S that belongs to one state, within an augmented state vector, including the zeros
     /// that pad the row.
+    #[inline]
     pub fn padded_row<'x>(&self, augmented: &'x [f64], state: usize) -> &'x [f64] {
         &augmented[self.row_range(state)]
     }
