@@ -177,7 +177,7 @@ fn fit_within(
         {
             state.excluded.extend(doubtful);
             let floors = (earlier.noise_floor, earlier.report.noise.floor_m);
-            return screened.finish(state, cache, floors, clock.elapsed().as_secs_f64());
+            return screened.finish(state, (cache, None), floors, clock.elapsed().as_secs_f64());
         }
     }
     let observed = initial_guess::observe(&problem, dataset, &fitted, &screened.contacts, options);
@@ -188,8 +188,8 @@ fn fit_within(
     let floor_m = noise_floor.map(initial_guess::overall).or(observed.sigma0);
     let guesses = initial_guess::initial_guesses(&problem, dataset, observed, options)?;
     let started = clock.elapsed().as_secs_f64();
-    let (state, cache) = from_guesses(dataset, guesses, doubtful)?;
-    screened.finish(state, cache, (noise_floor, floor_m), started)
+    let (state, last) = from_guesses(dataset, guesses, doubtful)?;
+    screened.finish(state, last, (noise_floor, floor_m), started)
 }
 
 /// Dataset whose recordings were screened for mistakes, with the faults found and the flights concerned.
@@ -209,19 +209,20 @@ struct Screened<'a> {
 
 impl Screened<'_> {
     /// Last stages of a fit: estimates the noise, predicts the held-out flights, and creates the report. `cache`
-    /// contains the residuals for the present values of the unknowns in `state`. `noise_floor` is the noise floor
+    /// contains the residuals for the present values of the unknowns in `state`; `previous` is the predicted reduction
+    /// of the sum of squares by the step before, as for [`reweighting::reweight`]. `noise_floor` is the noise floor
     /// (noise estimated without a model) along each axis, m. `floor_m` is the noise that the report states as its
     /// floor, m: one value for all axes. `started` is the time, s after the start of the fit, at which the initial
     /// guesses were known.
     fn finish(
         mut self,
         mut state: State<'_>,
-        cache: ResidualCache,
+        (cache, previous): (ResidualCache, Option<f64>),
         (noise_floor, floor_m): (Option<[f64; 3]>, Option<f64>),
         started: f64,
     ) -> Result<Fit, FitError> {
         let (dataset, problem, options) = (self.dataset, state.problem, state.options);
-        let reweighted = reweighting::reweight(&mut state, cache)?;
+        let reweighted = reweighting::reweight(&mut state, cache, previous)?;
         let reweighted = taking_back::take_back(dataset, &mut state, reweighted)?;
         let solved = self.clock.elapsed().as_secs_f64();
         let names: Vec<String> = dataset.markers.iter().map(|m| m.name.clone()).collect();
@@ -295,12 +296,13 @@ impl Screened<'_> {
 
 /// Performs the stages of a fit from the initial guesses up to the estimation of the noise. `doubtful` contains flights
 /// excluded for a suspected fault, which later stages may include again. Returns the fit in progress, at the minimum or
-/// near it, and its residuals.
+/// near it, its residuals, and the predicted reduction of the sum of squares by the last step, if its residuals were
+/// weighted by their noise.
 fn from_guesses<'a>(
     dataset: &Dataset,
     guesses: InitialGuesses<'a>,
     doubtful: Vec<ExcludedFlight>,
-) -> Result<(State<'a>, ResidualCache), FitError> {
+) -> Result<(State<'a>, (ResidualCache, Option<f64>)), FitError> {
     let (mut state, alternatives) = (guesses.state, &guesses.alternatives);
     state.excluded.extend(doubtful);
     let (mut state, cache) = spin_aliases::resolve_spin_aliases(state, alternatives)?;
@@ -308,8 +310,8 @@ fn from_guesses<'a>(
     let cache = multiple_shooting::shoot_again(&mut state, cache)?;
     let cache = multistart::multistart(&mut state, cache)?;
     let cache = unlike_flights::exclude_unlike_flights(&mut state, cache)?;
-    let cache = contact_refinement::refine_contacts(dataset, &mut state, cache)?;
-    Ok((state, cache))
+    let last = contact_refinement::refine_contacts(dataset, &mut state, cache)?;
+    Ok((state, last))
 }
 
 fn flights_of(dataset: &Dataset, role: Role) -> Vec<FlightId> {

@@ -50,14 +50,19 @@ pub struct Reweighted {
 
 /// Alternates noise estimates and least squares until the noise estimated from the residuals equals the noise by which
 /// they were weighted. `cache` contains the residuals for the present values of the unknowns in `state`; it must
-/// contain no flight whose trajectory could not be computed. Flights whose samples do not determine their initial state
-/// are excluded.
+/// contain no flight whose trajectory could not be computed. `previous` is the reduction of the sum of squares that was
+/// predicted for the step that led to these values, if its residuals were weighted by their noise. Flights whose samples
+/// do not determine their initial state are excluded.
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
-pub fn reweight(state: &mut State<'_>, mut cache: ResidualCache) -> Result<Reweighted, FitError> {
+pub fn reweight(
+    state: &mut State<'_>,
+    mut cache: ResidualCache,
+    mut previous: Option<f64>,
+) -> Result<Reweighted, FitError> {
     loop {
-        if let Some(found) = agree(state, cache)? {
+        if let Some(found) = agree(state, cache, previous.take())? {
             let undetermined = undetermined_flights(&found.solution);
             if undetermined.is_empty() {
                 return Ok(found);
@@ -82,13 +87,17 @@ fn undetermined_flights(solution: &Solution) -> Vec<FailedFlight> {
 
 /// Alternates noise estimates and least squares until the noise estimated from the residuals equals the noise by which
 /// they were weighted, within a tolerance, or a limit of the number of rounds is reached. `None` if a flight was
-/// excluded in the process.
-fn agree(state: &mut State<'_>, mut cache: ResidualCache) -> Result<Option<Reweighted>, FitError> {
+/// excluded in the process. `predicted_reduction` is the reduction of the sum of squares that was predicted for the step
+/// before, if its residuals were weighted by their noise.
+fn agree(
+    state: &mut State<'_>,
+    mut cache: ResidualCache,
+    mut predicted_reduction: Option<f64>,
+) -> Result<Option<Reweighted>, FitError> {
     let (problem, options) = (state.problem, state.options);
     let flights = state.flights.len();
     let mut noise = NoiseModel::white(problem.sigma0, state.interval);
     let mut solution: Option<Solution> = None;
-    let mut predicted_reduction = None;
     let (mut unfinished, mut misfits) = (0, 0);
     for round in 0..MAX_ROUNDS {
         let (estimated, marks_changed) = estimate_noise(state, &cache)?;
@@ -102,6 +111,7 @@ fn agree(state: &mut State<'_>, mut cache: ResidualCache) -> Result<Option<Rewei
         let loss = Loss::Whitened(&noise);
         // One step improves the noise estimate, which needs only the residuals after the step.
         if round == 0
+            && predicted_reduction.is_none()
             && !options.is_past_deadline()
             && let Some(step) = unevaluated_step(state, loss, &cache)?
         {

@@ -74,7 +74,7 @@ pub fn take_back(
         }
         let residuals = anneal_scale(&mut with)?;
         let residuals = exclude_failed(&mut with, residuals)?;
-        let again = reweight(&mut with, residuals)?;
+        let again = reweight(&mut with, residuals, None)?;
         // A flight that changes the fit of all others remains excluded.
         if with.flights.len() <= state.flights.len()
             || again.noise.overall() > LIKE_RATIO * reweighted.noise.overall()
@@ -150,7 +150,7 @@ mod tests {
             spin_aliases::resolve_spin_aliases(guesses.state, alternatives).unwrap();
         state.exclude(vec![(1, reason)]).unwrap();
         let residuals = state.residuals();
-        let found = reweight(&mut state, residuals).unwrap();
+        let found = reweight(&mut state, residuals, None).unwrap();
         let found = take_back(&dataset, &mut state, found).unwrap();
         assert_eq!(found.solution.iterate.local.len(), state.flights.len());
         assert_eq!(state.flights.len() + state.excluded.len(), fitted.len());

@@ -13,7 +13,7 @@ use flight::batch;
 use self::search::Search;
 use super::FitError;
 use super::exclusion::exclude_failed;
-use super::horizon_continuation::{anneal_scale, unevaluated_step};
+use super::horizon_continuation::{UnevaluatedStep, anneal_scale, unevaluated_step};
 use super::residual_cache::ResidualCache;
 use super::reweighting::estimate_noise;
 use super::state::State;
@@ -42,7 +42,8 @@ const ACCURATE_RATIO: f64 = 1.3;
 
 /// Uses the fitted model to search the flights for ground contacts, and truncates each flight at its contact or
 /// restores its whole length. `cache` contains the residuals for the present values of the unknowns in `state`, which
-/// were fitted to the flights as truncated before. Returns the residuals for the new values.
+/// were fitted to the flights as truncated before. Returns the residuals for the new values, and the predicted reduction
+/// of the sum of squares by the step that led to them, if its residuals were weighted by their noise.
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
@@ -50,13 +51,16 @@ pub fn refine_contacts(
     dataset: &Dataset,
     state: &mut State<'_>,
     cache: ResidualCache,
-) -> Result<ResidualCache, FitError> {
+) -> Result<(ResidualCache, Option<f64>), FitError> {
     let (problem, options) = (state.problem, state.options);
     if !problem.sees_markers_alone() {
-        return Ok(cache);
+        return Ok((cache, None));
     }
     let usual = |cache: &ResidualCache| cache.median_scale().max(problem.sigma0);
-    let cache = converge_further(state, cache, usual)?;
+    let (cache, predicted_reduction) = match converge_further(state, &cache, usual)? {
+        Some(step) => (step.residuals, step.predicted_reduction),
+        None => (cache, None),
+    };
     // Flights with contacts bias the global parameters and inflate the noise estimate.
     let others = fitted_without(state, &cache, usual(&cache))?;
     let (others, of_others) = match &others {
@@ -84,7 +88,7 @@ pub fn refine_contacts(
     };
     let unlike: Vec<ExcludedFlight> = state.excluded.iter().filter(is_unlike).cloned().collect();
     if suspects.is_empty() && unlike.is_empty() || options.is_past_deadline() {
-        return Ok(cache);
+        return Ok((cache, predicted_reduction));
     }
     options.stage_started("contacts", suspects.len() + unlike.len());
     let (noise, _) = estimate_noise(&mut others.clone(), of_others)?;
@@ -110,7 +114,7 @@ pub fn refine_contacts(
         return Err(FitError::Interrupted);
     }
     if of_fitted.iter().chain(&of_unlike).all(Option::is_none) {
-        return Ok(cache);
+        return Ok((cache, predicted_reduction));
     }
     let (ids, global) = (others.ids.clone(), others.global.clone());
     for (id, local) in ids.into_iter().zip(others.local.clone()) {
@@ -134,31 +138,30 @@ pub fn refine_contacts(
         }
     }
     let residuals = state.residuals();
-    exclude_failed(state, residuals)
+    Ok((exclude_failed(state, residuals)?, None))
 }
 
 /// Performs one step of all unknowns if flights that were not truncated have larger residuals than the others, although
 /// most residuals are at the noise level. The reason may be that the fit has not converged, rather than contacts.
 /// `cache` contains the residuals for the present values of the unknowns in `state`, and `usual` returns the residual
-/// scale that is typical of the flights, m. Returns the residuals for the new values of the unknowns.
+/// scale that is typical of the flights, m. Returns the step; `None` if there was none.
 fn converge_further(
     state: &mut State<'_>,
-    cache: ResidualCache,
+    cache: &ResidualCache,
     usual: impl Fn(&ResidualCache) -> f64,
-) -> Result<ResidualCache, FitError> {
-    let usual = usual(&cache);
+) -> Result<Option<UnevaluatedStep>, FitError> {
+    let usual = usual(cache);
     let mut places = 0..state.flights.len();
     let stands_out = |place: usize| {
         state.flights[place].truncation.is_none()
             && cache.stands_out(place, usual, SUSPECT_LIMITS.0, SUSPECT_LIMITS.1)
     };
     let is_late = state.options.is_past_deadline();
-    if is_late || !is_accurate(state.problem, &cache) || !places.any(stands_out) {
-        return Ok(cache);
+    if is_late || !is_accurate(state.problem, cache) || !places.any(stands_out) {
+        return Ok(None);
     }
-    let (noise, _) = estimate_noise(state, &cache)?;
-    let step = unevaluated_step(state, Loss::Whitened(&noise), &cache)?;
-    Ok(step.map_or(cache, |step| step.residuals))
+    let (noise, _) = estimate_noise(state, cache)?;
+    unevaluated_step(state, Loss::Whitened(&noise), cache)
 }
 
 /// Reference fit: fits only the flights whose residual scale (robust standard deviation of the residuals) is not far
