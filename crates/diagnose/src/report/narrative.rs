@@ -145,6 +145,17 @@ fn prediction(gain: &PredictiveGain) -> String {
         millimetres(gain.median_before_m),
         millimetres(gain.median_after_m)
     ));
+    for (count, by) in [
+        (gain.predicted_only_after, "with"),
+        (gain.predicted_only_before, "without"),
+    ] {
+        if count > 0 {
+            let flights = if count == 1 { "flight" } else { "flights" };
+            text.push_str(&format!(
+                " {count} more {flights} can be computed only {by} the added effects."
+            ));
+        }
+    }
     if !gain.set_apart.is_empty() {
         text.push_str(&format!(
             " Set apart, as no model follows: {}.",
@@ -308,6 +319,16 @@ mod tests {
         );
         assert!(
             text.contains("Set apart, as no model follows: f9.csv"),
+            "{text}"
+        );
+        let text = prediction(&PredictiveGain {
+            predicted_only_after: 3,
+            predicted_only_before: 1,
+            ..gain(0.002)
+        });
+        assert!(
+            text.contains("3 more flights can be computed only with the added effects.")
+                && text.contains("1 more flight can be computed only without the added effects."),
             "{text}"
         );
         let text = prediction(&gain(0.03));

@@ -6,7 +6,7 @@ use identify::{Fit, FitError, FitOptions, fit};
 use model_spec::model::Model;
 
 use super::discordant_beginning::ApplyTo;
-use super::predictive_gain::{PredictiveGain, errors, held_out_gain, summarize};
+use super::predictive_gain::{Predictions, PredictiveGain, held_out_gain, predictions, summarize};
 use crate::context::Context;
 
 /// Number of folds of the cross-validation. With 2 folds, each half of the flights is predicted by a fit to the other
@@ -42,7 +42,7 @@ pub(crate) fn cross_validate(
             &options,
         )
     });
-    let mut all = Vec::new();
+    let mut all = Predictions::default();
     for pair in fits.chunks(2) {
         match (&pair[0], &pair[1]) {
             (Err(FitError::Interrupted), _) | (_, Err(FitError::Interrupted)) => {
@@ -50,7 +50,7 @@ pub(crate) fn cross_validate(
             }
             (Ok(before), Ok(after)) => {
                 let not_applied = apply_to.exceptions(before, after);
-                all.extend(errors(&before.report, &after.report, &not_applied));
+                all.join(predictions(&before.report, &after.report, &not_applied));
             }
             _ => {}
         }

@@ -1,5 +1,7 @@
 //! Out-of-sample error reduction by an extension.
 
+use std::cmp::Ordering;
+
 use dataset::Role;
 use dataset::statistics::median_of;
 use identify::{Fit, FitReport};
@@ -46,6 +48,13 @@ pub struct PredictiveGain {
     /// equally likely.
     #[serde(default)]
     pub p_sign: f64,
+    /// Number of flights that only the extended model predicts: their trajectories by the model without the added
+    /// effects cannot be computed. They are not among the `flights`.
+    #[serde(default)]
+    pub predicted_only_after: usize,
+    /// Number of flights that only the model without the added effects predicts. They are not among the `flights`.
+    #[serde(default)]
+    pub predicted_only_before: usize,
     /// File names of the flights that are excluded from the statistics because neither model predicts them.
     #[serde(default)]
     pub set_apart: Vec<String>,
@@ -57,13 +66,32 @@ impl PredictiveGain {
         self.held_out_rms_before_m - self.held_out_rms_after_m
     }
 
-    /// Whether the added effects reduce the RMS prediction error by more than the standard error of the reduction.
+    /// Whether the added effects improve the predictions: they reduce the RMS prediction error by more than the standard
+    /// error of the reduction; or more flights can be predicted with them than without, and the error does not increase
+    /// by more than its standard error.
     pub(crate) fn is_improvement(&self) -> bool {
+        match self.predicted_only_after.cmp(&self.predicted_only_before) {
+            Ordering::Greater => !self.is_error_increase(),
+            Ordering::Equal => self.is_error_reduction(),
+            Ordering::Less => false,
+        }
+    }
+
+    /// Whether the added effects make the predictions worse, by the criteria of `is_improvement` with the two models
+    /// exchanged.
+    pub(crate) fn is_worse(&self) -> bool {
+        match self.predicted_only_before.cmp(&self.predicted_only_after) {
+            Ordering::Greater => !self.is_error_reduction(),
+            Ordering::Equal => self.is_error_increase(),
+            Ordering::Less => false,
+        }
+    }
+
+    fn is_error_reduction(&self) -> bool {
         self.error_reduction_m() > self.standard_error_m
     }
 
-    /// Whether the added effects increase the RMS prediction error by more than the standard error of the increase.
-    pub(crate) fn is_worse(&self) -> bool {
+    fn is_error_increase(&self) -> bool {
         self.error_reduction_m() < -self.standard_error_m
     }
 
@@ -100,6 +128,24 @@ pub(super) struct FlightErrors {
     is_applied: bool,
 }
 
+/// Predictions of held-out flights without and with the effects added to the model.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Predictions {
+    /// Errors of the flights that both models predict.
+    errors: Vec<FlightErrors>,
+    only_before: usize,
+    only_after: usize,
+}
+
+impl Predictions {
+    /// Adds the predictions of other flights.
+    pub fn join(&mut self, others: Self) {
+        self.errors.extend(others.errors);
+        self.only_before += others.only_before;
+        self.only_after += others.only_after;
+    }
+}
+
 /// Reduction of the out-of-sample error from the fit `before` to the fit `after`, on the held-out flights of the
 /// dataset; `None` if no held-out flight is predicted. `noise_floor_m` is the standard deviation of the noise of one
 /// coordinate, m.
@@ -108,7 +154,7 @@ pub fn held_out_gain(
     after: &FitReport,
     noise_floor_m: f64,
 ) -> Option<PredictiveGain> {
-    summarize(errors(before, after, &[]), noise_floor_m, true)
+    summarize(predictions(before, after, &[]), noise_floor_m, true)
 }
 
 /// Reduction of the out-of-sample error from the fit `before` to the fit `after` of the extended model, on the held-out
@@ -120,47 +166,46 @@ pub(crate) fn gain_of_fits(
     not_applied: &[usize],
     noise_floor_m: f64,
 ) -> Option<PredictiveGain> {
-    let errors = errors(&before.report, &after.report, not_applied);
-    summarize(errors, noise_floor_m, true)
+    let predictions = predictions(&before.report, &after.report, not_applied);
+    summarize(predictions, noise_floor_m, true)
 }
 
-/// Prediction errors of the held-out flights that both fits predict. For the flights in `not_applied` (dataset
-/// indices), the error of the fit `before` counts as that of both fits.
-pub(super) fn errors(
+/// Predictions of the held-out flights by two fits. For the flights in `not_applied` (dataset indices), the prediction
+/// of the fit `before` counts as that of both fits.
+pub(super) fn predictions(
     before: &FitReport,
     after: &FitReport,
     not_applied: &[usize],
-) -> Vec<FlightErrors> {
+) -> Predictions {
+    let mut predictions = Predictions::default();
     let flights = before.flights.iter().zip(&after.flights).enumerate();
-    let predicted =
-        flights.filter(|(_, (b, a))| b.role == Role::HeldOut && b.is_used() && a.is_used());
-    predicted
-        .map(|(flight, (before, after))| {
-            let is_applied = !not_applied.contains(&flight);
-            let file = before.file.clone();
-            let after = if is_applied {
-                after.rms()
-            } else {
-                before.rms()
-            };
-            FlightErrors {
-                file,
+    for (flight, (before, after)) in flights.filter(|(_, (b, _))| b.role == Role::HeldOut) {
+        let is_applied = !not_applied.contains(&flight);
+        let after = if is_applied { after } else { before };
+        match (before.is_used(), after.is_used()) {
+            (true, true) => predictions.errors.push(FlightErrors {
+                file: before.file.clone(),
                 before: before.rms().powi(2),
-                after: after.powi(2),
+                after: after.rms().powi(2),
                 is_applied,
-            }
-        })
-        .collect()
+            }),
+            (true, false) => predictions.only_before += 1,
+            (false, true) => predictions.only_after += 1,
+            (false, false) => {}
+        }
+    }
+    predictions
 }
 
 /// Summarizes the prediction errors of two models, without and with the added effects: RMS errors over the flights,
-/// jackknife standard error of their difference, and paired comparison of the flights. `None` without flights.
+/// jackknife standard error of their difference, and paired comparison of the flights. `None` without flights that both
+/// models predict.
 pub(super) fn summarize(
-    flights: Vec<FlightErrors>,
+    predictions: Predictions,
     noise_floor_m: f64,
     held_out_by_dataset: bool,
 ) -> Option<PredictiveGain> {
-    let (apart, flights) = without_set_apart(flights, noise_floor_m);
+    let (apart, flights) = without_set_apart(predictions.errors, noise_floor_m);
     if flights.is_empty() {
         return None;
     }
@@ -194,6 +239,8 @@ pub(super) fn summarize(
         median_before_m: median(|f| f.before),
         median_after_m: median(|f| f.after),
         p_sign: sign_test(improved, improved + worsened),
+        predicted_only_after: predictions.only_after,
+        predicted_only_before: predictions.only_before,
         set_apart: apart.into_iter().map(|flight| flight.file).collect(),
     })
 }
@@ -238,6 +285,37 @@ fn sign_test(improved: usize, count: usize) -> f64 {
 mod tests {
     use super::*;
 
+    fn of_both(errors: Vec<FlightErrors>) -> Predictions {
+        Predictions {
+            errors,
+            ..Predictions::default()
+        }
+    }
+
+    #[test]
+    fn flights_that_one_model_alone_predicts_count() {
+        let gain = |before: f64, after: f64, only_before: usize, only_after: usize| {
+            let flight = FlightErrors {
+                file: String::new(),
+                before: before * before,
+                after: after * after,
+                is_applied: true,
+            };
+            let predictions = Predictions {
+                errors: vec![flight],
+                only_before,
+                only_after,
+            };
+            let gain = summarize(predictions, 0.0015, true).unwrap();
+            (gain.is_improvement(), gain.is_worse())
+        };
+        // A single flight has no standard error.
+        assert_eq!(gain(0.21, 0.0025, 0, 0), (false, false));
+        assert_eq!(gain(0.21, 0.0025, 0, 3), (true, false));
+        assert_eq!(gain(0.0025, 0.21, 3, 0), (false, true));
+        assert_eq!(gain(0.21, 0.0025, 1, 1), (false, false));
+    }
+
     #[test]
     fn the_jackknife_error_is_that_of_the_mean_for_small_differences() {
         // Deviations of 1 to 4 mm from their mean of 2.5 mm: 1.29 mm / √4, as all errors without the extension are
@@ -251,14 +329,14 @@ mod tests {
                 is_applied: true,
             })
             .collect();
-        let found = summarize(flights, 0.001, true).unwrap();
+        let found = summarize(of_both(flights), 0.001, true).unwrap();
         assert!((found.held_out_rms_before_m - 0.1).abs() < 1e-12);
         assert!(
             (found.standard_error_m - 0.000_645).abs() < 2e-5,
             "{found:?}"
         );
         assert!(found.is_improvement());
-        assert!(summarize(Vec::new(), 0.0, true).is_none());
+        assert!(summarize(Predictions::default(), 0.0, true).is_none());
     }
 
     #[test]
@@ -274,7 +352,7 @@ mod tests {
             .map(|k| flight(k, 0.041, if k < 16 { 0.028 } else { 0.043 }))
             .collect();
         flights.push(flight(19, 1.0, 1.01));
-        let found = summarize(flights, 0.0015, true).unwrap();
+        let found = summarize(of_both(flights), 0.0015, true).unwrap();
         assert_eq!(found.set_apart, ["f19.csv"]);
         assert_eq!((found.improved, found.worsened, found.flights), (16, 3, 19));
         assert!((found.median_after_m - 0.028).abs() < 1e-12);
@@ -292,7 +370,8 @@ mod tests {
             flight(2, 9.0, 9.0),
             flight(3, 9.0, 9.0),
         ];
-        assert!(summarize(half, 0.0015, true).unwrap().set_apart.is_empty());
+        let found = summarize(of_both(half), 0.0015, true).unwrap();
+        assert!(found.set_apart.is_empty());
     }
 
     #[test]
