@@ -70,29 +70,31 @@ impl PredictiveGain {
     /// error of the reduction; or more flights can be predicted with them than without, and the error does not increase
     /// by more than its standard error.
     pub(crate) fn is_improvement(&self) -> bool {
-        match self.predicted_only_after.cmp(&self.predicted_only_before) {
-            Ordering::Greater => !self.is_error_increase(),
-            Ordering::Equal => self.is_error_reduction(),
-            Ordering::Less => false,
-        }
+        self.change() == Ordering::Greater
     }
 
-    /// Whether the added effects make the predictions worse, by the criteria of `is_improvement` with the two models
-    /// exchanged.
+    /// Whether the added effects make the predictions worse: they increase the RMS prediction error by more than the
+    /// standard error of the increase; or fewer flights can be predicted with them than without, and the error does not
+    /// decrease by more than its standard error.
     pub(crate) fn is_worse(&self) -> bool {
-        match self.predicted_only_before.cmp(&self.predicted_only_after) {
-            Ordering::Greater => !self.is_error_reduction(),
-            Ordering::Equal => self.is_error_increase(),
-            Ordering::Less => false,
+        self.change() == Ordering::Less
+    }
+
+    /// Whether the predictions with the added effects are better (`Greater`) or worse (`Less`) than those without.
+    fn change(&self) -> Ordering {
+        let (reduction, error) = (self.error_reduction_m(), self.standard_error_m);
+        let by_errors = match reduction {
+            _ if reduction > error => Ordering::Greater,
+            _ if reduction < -error => Ordering::Less,
+            _ => Ordering::Equal,
+        };
+        let by_flights = self.predicted_only_after.cmp(&self.predicted_only_before);
+        match by_flights {
+            Ordering::Equal => by_errors,
+            // The errors of the flights that both models predict say the opposite.
+            _ if by_errors == by_flights.reverse() => Ordering::Equal,
+            _ => by_flights,
         }
-    }
-
-    fn is_error_reduction(&self) -> bool {
-        self.error_reduction_m() > self.standard_error_m
-    }
-
-    fn is_error_increase(&self) -> bool {
-        self.error_reduction_m() < -self.standard_error_m
     }
 
     /// Whether the predictions without and with the added effects are practically the same: the difference of the RMS

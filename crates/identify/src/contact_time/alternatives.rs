@@ -2,7 +2,7 @@
 
 use lanes::{Isa, Kernel, Lanes};
 
-use super::quadratic::{Quadratic, RIDGE};
+use super::quadratic::{Quadratic, ridge};
 
 /// Alternative terms of a sum of squares, each a function of the same unknowns. A SIMD lane belongs to each alternative.
 pub struct Alternatives {
@@ -40,8 +40,8 @@ impl Alternatives {
 
     /// Of the sums of squares `common` + alternative, finds the one whose minimum is farthest below its value for
     /// unknowns equal to 0. Returns this decrease and the unknowns at the minimum; `None` if every normal matrix is
-    /// singular. The diagonal entry of unknown `i` of a normal matrix is first increased by `RIDGE` times the sum of
-    /// `diagonal(i)` and the diagonal entry of the alternative, or by 1 if this sum is 0.
+    /// singular. The diagonal entry of unknown `i` of a normal matrix is first increased by the [`ridge`] of the sum of
+    /// `diagonal(i)` and the diagonal entry of the alternative.
     pub fn greatest_decrease(
         &self,
         common: &Quadratic,
@@ -56,9 +56,7 @@ impl Alternatives {
             for unknown in 0..unknowns {
                 let diagonal = diagonal(unknown);
                 for entry in &mut matrices[place..place + width] {
-                    let sum = diagonal + *entry;
-                    // An unknown on which nothing depends stays 0.
-                    *entry += if sum == 0.0 { 1.0 } else { RIDGE * sum };
+                    *entry += ridge(diagonal + *entry);
                 }
                 place += (unknowns + 1 - unknown) * width;
             }
@@ -177,7 +175,7 @@ mod tests {
             let minima = terms.iter().map(|term| {
                 let mut both = common.clone();
                 both.add_all(term);
-                let at = both.minimum().unwrap().unknowns();
+                let at = both.minimum().unwrap();
                 let gradient = (0..unknowns).map(|unknown| both.row(unknown)[unknowns]);
                 let decrease: f64 = gradient.zip(&at).map(|(slope, value)| -slope * value).sum();
                 (decrease, at)

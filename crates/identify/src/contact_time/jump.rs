@@ -120,8 +120,7 @@ impl Jumps {
     /// one with the index `contact`, which is the first sample after a supposed contact. `None` if these samples do not
     /// determine it.
     pub fn before(&self, contact: usize) -> Option<DVector<f64>> {
-        let minimum = self.free[contact - self.tried].minimum()?;
-        Some(minimum.unknowns().into())
+        Some(self.free[contact - self.tried].minimum()?.into())
     }
 }
 

@@ -59,10 +59,10 @@ pub fn leave_out_before(
             .iter()
             .flatten()
             .for_each(|point| point.add_to(&mut sum));
-        let Some(minimum) = sum.minimum() else {
+        let Some(change) = sum.minimum() else {
             return;
         };
-        let change = minimum.unknowns().into();
+        let change = change.into();
         let each = (trajectory.first..).zip(before);
         let each =
             each.flat_map(|(sample, points)| points.iter().map(move |point| (sample, point)));

@@ -4,13 +4,13 @@ use lanes::{Kernel, Lanes};
 
 /// Relative increase of the diagonal of the normal matrix, so that it is invertible if the samples do not determine all
 /// unknowns.
-pub const RIDGE: f64 = 1e-9;
+const RIDGE: f64 = 1e-9;
 
 /// Number of entries in a block of a stored row: some whole SIMD registers. The lengths of rows are multiples of it.
 const BLOCK: usize = 8;
 
-/// Runs a kernel that is compiled for the numbers of blocks of most rows. `$kernel` has a const parameter `BLOCKS`, 0 for
-/// any other number.
+/// Dispatches the kernel `$kernel`. Its const parameter is the number of blocks of a row, so that the compiler unrolls
+/// the loops over them; it is 0 for rows of more blocks than listed here.
 macro_rules! by_blocks {
     ($blocks:expr, $kernel:ident $fields:tt) => {
         by_blocks!(@ $blocks, $kernel $fields, 1 2 3 4 5)
@@ -21,6 +21,16 @@ macro_rules! by_blocks {
             _ => lanes::dispatch($kernel::<0> $fields),
         }
     };
+}
+
+/// Amount by which a diagonal entry of the normal matrix is increased, so that it is invertible.
+pub fn ridge(diagonal: f64) -> f64 {
+    // An unknown on which nothing depends stays 0.
+    if diagonal == 0.0 {
+        1.0
+    } else {
+        RIDGE * diagonal
+    }
 }
 
 /// A sum of squared residuals that are linear functions of the unknowns.
@@ -80,22 +90,29 @@ impl Quadratic {
         &self.rows[unknown * row_length(self.unknowns)..][..row_length(self.unknowns)]
     }
 
-    /// Factorises the normal equations, which gives the minimum of the sum of squares; `None` if they are singular.
-    pub fn minimum(&self) -> Option<Minimum> {
+    /// Values of the unknowns at the minimum of the sum of squares; `None` if the normal matrix is singular.
+    pub fn minimum(&self) -> Option<Vec<f64>> {
+        let count = self.unknowns;
         let mut factor = self.clone();
-        factor.eliminate(self.unknowns, |unknown| self.diagonal(unknown))?;
-        Some(Minimum(factor))
+        factor.eliminate(count)?;
+        let mut unknowns = vec![0.0; count];
+        for index in (0..count).rev() {
+            let row = factor.row(index);
+            let known = row[index + 1..count].iter().zip(&unknowns[index + 1..]);
+            let known: f64 = known.map(|(entry, unknown)| entry * unknown).sum();
+            unknowns[index] = -(row[count] + known) / row[index];
+        }
+        Some(unknowns)
     }
 
-    /// Replaces the rows of the first `count` unknowns by those of the Cholesky factor, and the other rows by those of
-    /// the Schur complement. `None` if the matrix is not positive definite. The diagonal entry of unknown `i` is first
-    /// increased by `RIDGE` × `diagonal(i)`, or by 1 if `diagonal(i)` is 0.
-    fn eliminate(&mut self, count: usize, diagonal: impl Fn(usize) -> f64) -> Option<()> {
+    /// Replaces the rows of the first `count` unknowns by those of the Cholesky factor U of the normal matrix UᵀU and by
+    /// the solution of Uᵀy = Jᵀr, and the other rows by those of the Schur complement. `None` if the matrix is not
+    /// positive definite. The diagonal entries of the first `count` unknowns are first increased (see [`ridge`]).
+    fn eliminate(&mut self, count: usize) -> Option<()> {
         let length = row_length(self.unknowns);
         for unknown in 0..count {
-            let entry = diagonal(unknown);
-            // An unknown on which nothing depends stays 0.
-            self.rows[unknown * length + unknown] += if entry == 0.0 { 1.0 } else { RIDGE * entry };
+            let entry = &mut self.rows[unknown * length + unknown];
+            *entry += ridge(*entry);
         }
         let (rows, blocks) = (self.rows.as_chunks_mut().0, length / BLOCK);
         let is_definite = by_blocks!(
@@ -176,7 +193,7 @@ impl Coupled {
             row[index..length].copy_from_slice(&from[index..length]);
             row[2 * length] = from[length];
         }
-        both.eliminate(length, |unknown| first.diagonal(unknown))?;
+        both.eliminate(length)?;
         let mut rest = Quadratic::zeros(length);
         let rows = both.rows[length * row_length..].chunks_exact(row_length);
         let own = rest.rows.chunks_exact_mut(self::row_length(length));
@@ -184,26 +201,6 @@ impl Coupled {
             to[..=length].copy_from_slice(&from[length..=2 * length]);
         }
         Some(rest)
-    }
-}
-
-/// Factorised normal equations of a sum of squares, from which the minimum of the sum is computed. The rows contain the
-/// Cholesky factor U of the normal matrix UᵀU, and the solution of Uᵀy = Jᵀr in place of the right-hand side.
-#[derive(Clone, Debug)]
-pub struct Minimum(Quadratic);
-
-impl Minimum {
-    /// Values of the unknowns at the minimum of the sum of squares.
-    pub fn unknowns(&self) -> Vec<f64> {
-        let count = self.0.unknowns;
-        let mut unknowns = vec![0.0; count];
-        for index in (0..count).rev() {
-            let row = self.0.row(index);
-            let known = row[index + 1..count].iter().zip(&unknowns[index + 1..]);
-            let known: f64 = known.map(|(entry, unknown)| entry * unknown).sum();
-            unknowns[index] = -(row[count] + known) / row[index];
-        }
-        unknowns
     }
 }
 
@@ -366,7 +363,7 @@ mod tests {
             let (jacobian, residuals) = residuals(60, unknowns);
             let found = quadratic(&jacobian, &residuals).minimum().unwrap();
             let (least, at) = by_svd(jacobian.clone(), &residuals);
-            let found = DVector::from(found.unknowns());
+            let found = DVector::from(found);
             let squares = (&residuals + &jacobian * &found).norm_squared();
             let decrease = residuals.norm_squared() - least;
             assert!((squares - least).abs() < 1e-6 * decrease);
@@ -386,7 +383,7 @@ mod tests {
         }
         let rest = sum.minimum_over_first(&quadratic(&first, &residuals));
         let (_, at) = by_svd(jacobian, &residuals);
-        let found = DVector::from(rest.unwrap().minimum().unwrap().unknowns());
+        let found = DVector::from(rest.unwrap().minimum().unwrap());
         assert!((found - at.rows(own, own)).amax() < 1e-5 * at.amax());
     }
 

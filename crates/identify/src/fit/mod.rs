@@ -209,20 +209,20 @@ struct Screened<'a> {
 
 impl Screened<'_> {
     /// Last stages of a fit: estimates the noise, predicts the held-out flights, and creates the report. `cache`
-    /// contains the residuals for the present values of the unknowns in `state`; `previous` is the predicted reduction
-    /// of the sum of squares by the step before, as for [`reweighting::reweight`]. `noise_floor` is the noise floor
+    /// contains the residuals for the present values of the unknowns in `state`, and `predicted_reduction` the predicted
+    /// reduction of the sum of squares by the step before, as for [`reweighting::reweight`]. `noise_floor` is the noise floor
     /// (noise estimated without a model) along each axis, m. `floor_m` is the noise that the report states as its
     /// floor, m: one value for all axes. `started` is the time, s after the start of the fit, at which the initial
     /// guesses were known.
     fn finish(
         mut self,
         mut state: State<'_>,
-        (cache, previous): (ResidualCache, Option<f64>),
+        (cache, predicted_reduction): (ResidualCache, Option<f64>),
         (noise_floor, floor_m): (Option<[f64; 3]>, Option<f64>),
         started: f64,
     ) -> Result<Fit, FitError> {
         let (dataset, problem, options) = (self.dataset, state.problem, state.options);
-        let reweighted = reweighting::reweight(&mut state, cache, previous)?;
+        let reweighted = reweighting::reweight(&mut state, cache, predicted_reduction)?;
         let reweighted = taking_back::take_back(dataset, &mut state, reweighted)?;
         let solved = self.clock.elapsed().as_secs_f64();
         let names: Vec<String> = dataset.markers.iter().map(|m| m.name.clone()).collect();

@@ -50,19 +50,19 @@ pub struct Reweighted {
 
 /// Alternates noise estimates and least squares until the noise estimated from the residuals equals the noise by which
 /// they were weighted. `cache` contains the residuals for the present values of the unknowns in `state`; it must
-/// contain no flight whose trajectory could not be computed. `previous` is the reduction of the sum of squares that was
-/// predicted for the step that led to these values, if its residuals were weighted by their noise. Flights whose samples
-/// do not determine their initial state are excluded.
+/// contain no flight whose trajectory could not be computed. `predicted_reduction` is the reduction of the sum of
+/// squares that was predicted for the step that led to these values, if its residuals were weighted by their noise.
+/// Flights whose samples do not determine their initial state are excluded.
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
 pub fn reweight(
     state: &mut State<'_>,
     mut cache: ResidualCache,
-    mut previous: Option<f64>,
+    mut predicted_reduction: Option<f64>,
 ) -> Result<Reweighted, FitError> {
     loop {
-        if let Some(found) = agree(state, cache, previous.take())? {
+        if let Some(found) = agree(state, cache, predicted_reduction.take())? {
             let undetermined = undetermined_flights(&found.solution);
             if undetermined.is_empty() {
                 return Ok(found);

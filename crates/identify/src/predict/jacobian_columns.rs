@@ -3,11 +3,11 @@
 use flight::ObservationJacobians;
 use lanes::{Kernel, Lanes};
 use model_spec::layout::ParamId;
+use ode::SensitivityLayout;
 
 use crate::ids::LocalId;
 use crate::least_squares::GramAccumulator;
 use crate::observations::Observations;
-use ode::SensitivityLayout;
 
 /// Order of the columns of a Jacobian row: free directions of the initial state with integrated sensitivities, then
 /// parameters, then free directions with constant sensitivity. The sensitivity to a direction is constant if no
@@ -161,14 +161,17 @@ impl Kernel for Chain<'_> {
             ..
         } = *self.derivatives;
         let stride = self.layout.row_range(0).len();
-        let mut is_written = [false; 3];
+        // Number of elements of each row that are written.
+        let mut written = [0; 3];
         let mut terms = [(0.0, &[] as &[f64]); GROUP];
         let (mut axis, mut count) = (0, 0);
         for (&(of, state), &value) in by_state_pattern.iter().zip(by_state) {
             if of != axis || count == GROUP {
-                let row = &mut self.rows[axis][..stride];
-                sum_terms::<T>(row, &terms[..count], is_written[axis]);
-                is_written[axis] = true;
+                sum_terms::<T>(
+                    &mut self.rows[axis][..stride],
+                    &terms[..count],
+                    &mut written[axis],
+                );
                 (axis, count) = (of, 0);
             }
             terms[count] = (value, self.layout.padded_row(self.augmented, state));
@@ -177,12 +180,10 @@ impl Kernel for Chain<'_> {
         sum_terms::<T>(
             &mut self.rows[axis][..stride],
             &terms[..count],
-            is_written[axis],
+            &mut written[axis],
         );
-        is_written[axis] = true;
-        for (row, is_written) in self.rows.iter_mut().zip(is_written) {
-            let sums = if is_written { stride } else { 0 };
-            row[sums..].fill(0.0);
+        for (row, written) in self.rows.iter_mut().zip(written) {
+            row[written..].fill(0.0);
         }
     }
 }
@@ -190,17 +191,19 @@ impl Kernel for Chain<'_> {
 /// Number of terms of the chain rule that are summed at once, so that the row is seldom written.
 const GROUP: usize = 4;
 
-/// Writes the sum of at most `GROUP` products of a factor and a vector to `row`, or adds it if `adds`.
+/// Writes the sum of at most `GROUP` products of a factor and a vector to `row`, or adds it if the row is already
+/// written. `written` is the number of elements written, 0 or all.
 #[inline(always)]
-fn sum_terms<T: Lanes>(row: &mut [f64], terms: &[(f64, &[f64])], adds: bool) {
+fn sum_terms<T: Lanes>(row: &mut [f64], terms: &[(f64, &[f64])], written: &mut usize) {
+    let adds = *written > 0;
     match *terms {
         [a, b, c, d] => sum_exactly::<T, 4>(row, [a, b, c, d], adds),
         [a, b, c] => sum_exactly::<T, 3>(row, [a, b, c], adds),
         [a, b] => sum_exactly::<T, 2>(row, [a, b], adds),
         [a] => sum_exactly::<T, 1>(row, [a], adds),
-        _ if adds => {}
-        _ => row.fill(0.0),
+        _ => return,
     }
+    *written = row.len();
 }
 
 #[inline(always)]
