@@ -97,11 +97,14 @@ impl PredictiveGain {
         }
     }
 
-    /// Whether the predictions without and with the added effects are practically the same: the difference of the RMS
-    /// errors and its standard error are below the fraction [`SAME_ERROR`] of the noise standard deviation.
+    /// Whether the predictions without and with the added effects are practically the same: both models predict the same
+    /// flights, and the difference of the RMS errors and its standard error are below the fraction [`SAME_ERROR`] of the
+    /// noise standard deviation.
     pub(crate) fn changes_nothing(&self) -> bool {
         let same = SAME_ERROR * self.noise_floor_m;
-        self.error_reduction_m().abs() < same && self.standard_error_m < same
+        self.predicted_only_after + self.predicted_only_before == 0
+            && self.error_reduction_m().abs() < same
+            && self.standard_error_m < same
     }
 }
 
@@ -387,6 +390,12 @@ mod tests {
         };
         assert!(gain(0.002, 1e-9).changes_nothing());
         assert!(!gain(0.002, 1e-4).changes_nothing());
+        // A flight that can be computed by one of the models only is a change.
+        let predicts_more = PredictiveGain {
+            predicted_only_after: 1,
+            ..gain(0.002, 1e-9)
+        };
+        assert!(!predicts_more.changes_nothing());
         assert!(gain(0.0025, 1e-4).is_worse());
         assert!(!gain(0.00201, 1e-4).is_worse());
     }
