@@ -357,7 +357,13 @@ impl Schedule<'_> {
     fn in_turn(&mut self, mut value: Operand, steps: Vec<(Binary, Operand)>, id: DefId) -> Operand {
         let many = steps.len();
         for (k, (binary, operand)) in steps.into_iter().enumerate() {
-            let op = Op::Binary(binary, value, operand);
+            let op = match (binary, value) {
+                // The same bits; as in the model's text, `C_Da * alpha`, an input stands before what is computed.
+                (Binary::Mul, Operand::Temp(_)) if k == 0 && is_input(operand) => {
+                    Op::Binary(binary, operand, value)
+                }
+                _ => Op::Binary(binary, value, operand),
+            };
             value = if k + 1 == many {
                 self.finish(op, id)
             } else {
@@ -366,6 +372,10 @@ impl Schedule<'_> {
         }
         value
     }
+}
+
+fn is_input(operand: Operand) -> bool {
+    !matches!(operand, Operand::Temp(_) | Operand::Constant(_))
 }
 
 fn leaf(symbol: Symbol) -> Operand {

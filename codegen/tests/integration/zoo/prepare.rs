@@ -19,7 +19,7 @@ pub fn prepare<T: Real>(parameters: &[T; 3], prepared: &mut [T; 13]) {
     prepared[11] = d_minus_inv_tau_d_tau;
     prepared[5] = inv_tau * T::splat(2.0);
     let k = parameters[0];
-    let k_inv_tau = inv_tau * k;
+    let k_inv_tau = k * inv_tau;
     prepared[6] = k_inv_tau;
     prepared[7] = inv_tau * T::splat(0.3333333333333333);
     prepared[8] = inv_tau * T::splat(0.5);
@@ -27,7 +27,7 @@ pub fn prepare<T: Real>(parameters: &[T; 3], prepared: &mut [T; 13]) {
     prepared[10] = inv_tau * T::splat(0.05555555555555555);
     let minus_inv_tau = -inv_tau;
     prepared[2] = minus_inv_tau;
-    let minus_c_inv_tau = -(inv_tau * c);
+    let minus_c_inv_tau = -(c * inv_tau);
     prepared[4] = minus_c_inv_tau;
     let minus_inv_tau_sq = -d_minus_inv_tau_d_tau;
     prepared[12] = minus_inv_tau_sq;

@@ -20,8 +20,8 @@ pub fn f<T: Real>(
     let theta = state[7];
     let (sin_theta, cos_theta) = theta.sin_cos();
     let phidot = state[9];
-    let sin_theta_phidot = sin_theta * phidot;
-    let cos_theta_phidot = cos_theta * phidot;
+    let sin_theta_phidot = phidot * sin_theta;
+    let cos_theta_phidot = phidot * cos_theta;
     let g = parameters[6];
     let v = state[4];
     let cos_phi_g_plus_v_phidot = g.mul_add(cos_phi, v * phidot);
@@ -39,10 +39,10 @@ pub fn f<T: Real>(
     let thetadot = state[10];
     let part_of_u_dot = sin_theta.mul_sub(cos_phi_g_plus_v_phidot, w * thetadot);
     let u = state[3];
-    let sin_theta_u_minus_w_cos_sum = w.neg_mul_add(cos_theta, sin_theta * u);
+    let sin_theta_u_minus_w_cos_sum = w.neg_mul_add(cos_theta, u * sin_theta);
 
     // disc.hyz:55  position (x, y, z) in N;
-    let y_dot = sin_theta_u_minus_w_cos_sum.mul_add(sin_phi, cos_phi * v);
+    let y_dot = sin_theta_u_minus_w_cos_sum.mul_add(sin_phi, v * cos_phi);
     dx[1] = y_dot;
     let wind_x = parameters[15];
     let minus_air_velocity_3 = cos_theta
@@ -51,11 +51,11 @@ pub fn f<T: Real>(
     let r_C_Rr = C_Rr * r;
     let inv_I_d_I_a = prepared[3];
     let r_inv_I_d_I_a = inv_I_d_I_a * r;
-    let z_dot = sin_theta_u_minus_w_cos_sum.neg_mul_add(cos_phi, sin_phi * v);
+    let z_dot = sin_theta_u_minus_w_cos_sum.neg_mul_add(cos_phi, v * sin_phi);
     dx[2] = z_dot;
     let air_velocity_1 = wind_x
         .neg_mul_add(cos_theta, sin_theta.mul_add(minus_sin_phi_wind_y_sum, u));
-    let x_dot = cos_theta.mul_add(u, sin_theta * w);
+    let x_dot = u.mul_add(cos_theta, w * sin_theta);
     dx[0] = x_dot;
     let air_velocity_12_sq = air_velocity_1
         .mul_add(air_velocity_1, air_velocity_2 * air_velocity_2);

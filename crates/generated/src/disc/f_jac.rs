@@ -31,8 +31,8 @@ pub fn f_jac<T: Real>(
     let d_u_dot_d_thetadot = -w;
     j[19] = d_u_dot_d_thetadot;
     let phidot = state[9];
-    let sin_theta_phidot = sin_theta * phidot;
-    let cos_theta_phidot = cos_theta * phidot;
+    let sin_theta_phidot = phidot * sin_theta;
+    let cos_theta_phidot = phidot * cos_theta;
     let inv_cos_theta = T::splat(1.0) / cos_theta;
     let wind_z = parameters[17];
     let wind_y = parameters[16];
@@ -48,7 +48,7 @@ pub fn f_jac<T: Real>(
     let r = gammadot + sin_theta_phidot;
     let part_of_d_thetadot_dot_d_r = inv_I_d_I_a * cos_theta_phidot;
     let u = state[3];
-    let minus_sin_theta_u_minus_w_cos_sum_2 = sin_theta.neg_mul_add(u, w * cos_theta);
+    let minus_sin_theta_u_minus_w_cos_sum_2 = u.neg_mul_add(sin_theta, w * cos_theta);
     j[2] = minus_sin_theta_u_minus_w_cos_sum_2; // d_x_dot_d_theta
     j[25] = minus_sin_theta_u_minus_w_cos_sum_2; // d_v_dot_d_phidot
     let sin_phi_g = g * sin_phi;
@@ -64,13 +64,13 @@ pub fn f_jac<T: Real>(
     let sin_theta_d_minus_product = sin_theta * d_minus_sin_phi_wind_y_sum_d_phi;
 
     // disc.hyz:55  position (x, y, z) in N;
-    let x_dot = cos_theta.mul_add(u, sin_theta * w);
+    let x_dot = u.mul_add(cos_theta, w * sin_theta);
     dx[0] = x_dot;
     let d_y_dot_d_u = sin_theta * sin_phi;
     j[3] = d_y_dot_d_u;
     let d_z_dot_d_w = cos_theta * cos_phi;
     j[10] = d_z_dot_d_w;
-    let d_u_dot_d_phidot = sin_theta * v;
+    let d_u_dot_d_phidot = v * sin_theta;
     j[18] = d_u_dot_d_phidot;
     let d_y_dot_d_theta = x_dot * sin_phi;
     j[7] = d_y_dot_d_theta;
@@ -82,7 +82,7 @@ pub fn f_jac<T: Real>(
     let r_C_Rr = C_Rr * r;
     let r_inv_I_d_I_a = inv_I_d_I_a * r;
     let cos_phi_g_plus_v_phidot = v.mul_add(phidot, cos_phi_g);
-    let part_of_v_dot = minus_sin_theta_u_minus_w_cos_sum_2 * phidot;
+    let part_of_v_dot = phidot * minus_sin_theta_u_minus_w_cos_sum_2;
     let C_Nr_inv_I_a = prepared[4];
     let part_of_gammadot_dot = C_Nr_inv_I_a.mul_sub(r, thetadot * cos_theta_phidot);
     let air_velocity_12 = air_velocity_12_sq.sqrt();
@@ -112,11 +112,11 @@ pub fn f_jac<T: Real>(
         .mul_add(sin_theta_d_minus_product, part_of_d_w_dot_d_phi);
     let V_sq_half_rho_A_d_product_3 = C_Rr * V_sq_half_rho_A_d_inv_part;
     let part_of_d_thetadot_dot_d_theta_3 = sin_theta * sin_theta_phidot_minus_sum;
-    let z_dot = minus_sin_theta_u_minus_w_cos_sum_2.mul_add(cos_phi, sin_phi * v);
+    let z_dot = minus_sin_theta_u_minus_w_cos_sum_2.mul_add(cos_phi, v * sin_phi);
     dx[2] = z_dot;
     let d_y_dot_d_phi = -z_dot;
     j[6] = d_y_dot_d_phi;
-    let y_dot = minus_sin_theta_u_minus_w_cos_sum_2.neg_mul_add(sin_phi, cos_phi * v);
+    let y_dot = minus_sin_theta_u_minus_w_cos_sum_2.neg_mul_add(sin_phi, v * cos_phi);
     dx[1] = y_dot;
     j[11] = y_dot; // d_z_dot_d_phi
     let d_y_dot_d_w = -(cos_theta * sin_phi);
@@ -141,7 +141,7 @@ pub fn f_jac<T: Real>(
     let inv_V = V.recip_or_zero();
     let inv_m_half_rho_A = prepared[0];
     let V_inv_m_half_rho_A = inv_m_half_rho_A * V;
-    let d_w_dot_d_phidot = -(cos_theta * v);
+    let d_w_dot_d_phidot = -(v * cos_theta);
     j[31] = d_w_dot_d_phidot;
     let C_Mq = parameters[12];
     let nonzero_air_velocity_12_C_Mq = C_Mq * nonzero_air_velocity_12;
@@ -383,7 +383,7 @@ pub fn f_jac<T: Real>(
     let part_of_d_gammadot_dot_d_phidot = C_Nr_inv_I_a
         - d_cos_theta_phidot_product_d_phidot;
     let d_gammadot_dot_d_phidot = sin_theta
-        .mul_sub(part_of_d_gammadot_dot_d_phidot, cos_theta * thetadot);
+        .mul_sub(part_of_d_gammadot_dot_d_phidot, thetadot * cos_theta);
     j[57] = d_gammadot_dot_d_phidot;
     let d_cos_theta_phidot_product_d_u = air_velocity_1_product_sum
         * inv_air_velocity_12_product_4;
@@ -437,7 +437,7 @@ pub fn f_jac<T: Real>(
         .mul_sub(part_of_d_u_dot_d_phi, air_velocity_1 * part_of_d_u_dot_d_phi_3);
     j[16] = d_u_dot_d_phi;
     let d_v_dot_d_theta = air_velocity_2
-        .mul_sub(part_of_d_v_dot_d_theta_2, x_dot * phidot);
+        .mul_sub(part_of_d_v_dot_d_theta_2, phidot * x_dot);
     j[24] = d_v_dot_d_theta;
 
     dx[6] = phidot;

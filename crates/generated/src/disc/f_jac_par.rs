@@ -31,9 +31,9 @@ pub fn f_jac_par<T: Real>(
     let d_u_dot_d_thetadot = -w;
     j[19] = d_u_dot_d_thetadot;
     let phidot = state[9];
-    let sin_theta_phidot = sin_theta * phidot;
+    let sin_theta_phidot = phidot * sin_theta;
     let inv_cos_theta = T::splat(1.0) / cos_theta;
-    let cos_theta_phidot = cos_theta * phidot;
+    let cos_theta_phidot = phidot * cos_theta;
     let wind_z = parameters[17];
     let wind_y = parameters[16];
     let sin_phi_wind_y_sum = wind_z.neg_mul_add(cos_phi, wind_y * sin_phi);
@@ -50,7 +50,7 @@ pub fn f_jac_par<T: Real>(
     let inv_I_d_I_a = prepared[3];
     let cos_theta_phidot_inv_I_d_I_a = inv_I_d_I_a * cos_theta_phidot;
     let u = state[3];
-    let minus_sin_theta_u_minus_w_cos_sum_2 = sin_theta.neg_mul_add(u, w * cos_theta);
+    let minus_sin_theta_u_minus_w_cos_sum_2 = u.neg_mul_add(sin_theta, w * cos_theta);
     j[2] = minus_sin_theta_u_minus_w_cos_sum_2; // d_x_dot_d_theta
     j[25] = minus_sin_theta_u_minus_w_cos_sum_2; // d_v_dot_d_phidot
     let wind_x = parameters[15];
@@ -60,12 +60,12 @@ pub fn f_jac_par<T: Real>(
         .neg_mul_add(sin_phi_wind_y_sum, wind_x * sin_theta);
 
     // disc.hyz:55  position (x, y, z) in N;
-    let x_dot = cos_theta.mul_add(u, sin_theta * w);
+    let x_dot = u.mul_add(cos_theta, w * sin_theta);
     dx[0] = x_dot;
     let d_y_dot_d_u = sin_theta * sin_phi;
     j[3] = d_y_dot_d_u;
     let v = state[4];
-    let d_u_dot_d_phidot = sin_theta * v;
+    let d_u_dot_d_phidot = v * sin_theta;
     j[18] = d_u_dot_d_phidot;
     let inv_I_a = prepared[10];
     let d_gammadot_dot_d_C_Nr = inv_I_a * r;
@@ -129,7 +129,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_w_dot_d_phi_2 = d_minus_sin_phi_wind_y_sum_d_phi
         .mul_add(sin_theta_air_velocity_1, part_of_d_w_dot_d_phi);
     let cos_phi_air_velocity_2 = cos_phi * air_velocity_2;
-    let part_of_v_dot = minus_sin_theta_u_minus_w_cos_sum_2 * phidot;
+    let part_of_v_dot = phidot * minus_sin_theta_u_minus_w_cos_sum_2;
     let V_sq_half_rho_A_d_product = V_sq_half_rho_A_d_inv_part * inv_cos_theta;
     let part_of_d_thetadot_dot_d_air_3 = V_sq_half_rho_A_d_inv_part * r_C_Rr;
     let d_w_dot_d_theta = sin_theta * cos_phi_g_plus_v_phidot;
@@ -151,7 +151,7 @@ pub fn f_jac_par<T: Real>(
         * inv_air_velocity_12;
     let nonzero_air_velocity_12 = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
     let air_velocity_12_two_product = two_d_half_rho_A_inv_I_d * air_velocity_12;
-    let z_dot = minus_sin_theta_u_minus_w_cos_sum_2.mul_add(cos_phi, sin_phi * v);
+    let z_dot = minus_sin_theta_u_minus_w_cos_sum_2.mul_add(cos_phi, v * sin_phi);
     dx[2] = z_dot;
     let d_y_dot_d_phi = -z_dot;
     j[6] = d_y_dot_d_phi;
@@ -172,7 +172,7 @@ pub fn f_jac_par<T: Real>(
     let d_thetadot_dot_d_thetadot = V_sq_half_rho_A_d_inv_part
         * nonzero_air_velocity_12_C_Mq;
     j[50] = d_thetadot_dot_d_thetadot;
-    let y_dot = minus_sin_theta_u_minus_w_cos_sum_2.neg_mul_add(sin_phi, cos_phi * v);
+    let y_dot = minus_sin_theta_u_minus_w_cos_sum_2.neg_mul_add(sin_phi, v * cos_phi);
     dx[1] = y_dot;
     j[11] = y_dot; // d_z_dot_d_phi
     let part_of_thetadot_dot = cos_theta_phidot * sin_theta_phidot_minus_sum;
@@ -243,7 +243,7 @@ pub fn f_jac_par<T: Real>(
     let d_v_dot_d_C_D0 = -air_velocity_2_V_product;
     jp[17] = d_v_dot_d_C_D0;
     let d_gammadot_dot_d_phidot = sin_theta
-        .mul_sub(part_of_d_gammadot_dot_d_phidot, cos_theta * thetadot);
+        .mul_sub(part_of_d_gammadot_dot_d_phidot, thetadot * cos_theta);
     j[57] = d_gammadot_dot_d_phidot;
     let d_u_dot_d_C_L0 = d_w_dot_d_C_D * air_velocity_1_inv_product;
     jp[4] = d_u_dot_d_C_L0;
@@ -264,7 +264,7 @@ pub fn f_jac_par<T: Real>(
     jp[3] = d_air_velocity_1_d_wind_z; // d_u_dot_d_g
     let d_z_dot_d_u = -d_air_velocity_1_d_wind_z;
     j[8] = d_z_dot_d_u;
-    let d_w_dot_d_phidot = -(cos_theta * v);
+    let d_w_dot_d_phidot = -(v * cos_theta);
     j[31] = d_w_dot_d_phidot;
     let alpha_C_Ma = C_Ma * alpha;
     let air_velocity_1_r_C_Rr_sum = air_velocity_2
@@ -580,7 +580,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_v_dot_d_theta_2 = d_air_velocity_1_d_theta
         .mul_sub(minus_V_inv_m_half_product, part_of_d_v_dot_d_theta);
     let d_v_dot_d_theta = air_velocity_2
-        .mul_sub(part_of_d_v_dot_d_theta_2, x_dot * phidot);
+        .mul_sub(part_of_d_v_dot_d_theta_2, phidot * x_dot);
     j[24] = d_v_dot_d_theta;
     let part_of_d_thetadot_dot_d_theta_3 = d_air_velocity_1_d_theta
         .mul_add(d_thetadot_dot_d_air_velocity_1, part_of_d_thetadot_dot_d_theta_2);

@@ -29,9 +29,9 @@ pub fn observe_jac<T: Real>(
     let sin_theta_cos_phi = sin_theta * cos_phi;
     let mark_y = marker[1];
     let mark_x = marker[0];
-    let minus_sin_gamma_2_mark_sum = sin_gamma_2
-        .neg_mul_add(mark_y, cos_gamma_2 * mark_x);
-    let sin_gamma_2_mark_x_plus_sum = mark_y.mul_add(cos_gamma_2, sin_gamma_2 * mark_x);
+    let minus_sin_gamma_2_mark_sum = mark_y
+        .neg_mul_add(sin_gamma_2, mark_x * cos_gamma_2);
+    let sin_gamma_2_mark_x_plus_sum = mark_y.mul_add(cos_gamma_2, mark_x * sin_gamma_2);
     let d_seen_y_d_mark_x = cos_gamma_2
         .mul_add(sin_theta_sin_phi, sin_gamma_2 * cos_phi);
     dy_dmarker[3] = d_seen_y_d_mark_x;
@@ -40,7 +40,7 @@ pub fn observe_jac<T: Real>(
     dy_dmarker[4] = d_seen_y_d_mark_y;
     let mark_z = marker[2];
     let minus_sin_theta_minus_sum = minus_sin_gamma_2_mark_sum
-        .neg_mul_add(sin_theta, cos_theta * mark_z);
+        .neg_mul_add(sin_theta, mark_z * cos_theta);
     dy_dx[1] = minus_sin_theta_minus_sum; // d_seen_x_d_theta
     let minus_d_minus_sin_theta_minus_sum_d_theta = minus_sin_gamma_2_mark_sum
         .mul_add(cos_theta, mark_z * sin_theta);

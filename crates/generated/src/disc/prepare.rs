@@ -49,7 +49,7 @@ pub fn prepare<T: Real>(parameters: &[T; 18], prepared: &mut [T; 22]) {
     prepared[0] = inv_m_half_rho_A;
     let half_rho_A_inv_I_d = inv_I_d * half_rho_A;
     prepared[18] = half_rho_A_inv_I_d;
-    let inv_I_d_I_a = inv_I_d * I_a;
+    let inv_I_d_I_a = I_a * inv_I_d;
     prepared[3] = inv_I_d_I_a;
     let inv_I_a_C_Nr_inv_I_a = inv_I_a * C_Nr_inv_I_a;
     prepared[20] = inv_I_a_C_Nr_inv_I_a;

@@ -20,11 +20,11 @@ pub fn quantities<T: Real>(
     let theta = state[7];
     let (sin_theta, cos_theta) = theta.sin_cos();
     let phidot = state[9];
-    let cos_theta_phidot = cos_theta * phidot;
+    let cos_theta_phidot = phidot * cos_theta;
     let gammadot = state[11];
 
     // disc.hyz:91  let r = dot(angular_velocity, d3);
-    let r = sin_theta.mul_add(phidot, gammadot);
+    let r = phidot.mul_add(sin_theta, gammadot);
     values[28] = r;
     let wind_y = parameters[16];
     let wind_z = parameters[17];
@@ -51,9 +51,9 @@ pub fn quantities<T: Real>(
         .mul_add(air_velocity_1, air_velocity_2 * air_velocity_2);
     let thetadot = state[10];
     let part_of_rate_1 = air_velocity_1
-        .mul_add(cos_theta_phidot, air_velocity_2 * thetadot);
-    let air_velocity_1_thetadot_sum = air_velocity_1
-        .mul_sub(thetadot, air_velocity_2 * cos_theta_phidot);
+        .mul_add(cos_theta_phidot, thetadot * air_velocity_2);
+    let air_velocity_1_thetadot_sum = thetadot
+        .mul_sub(air_velocity_1, air_velocity_2 * cos_theta_phidot);
     let air_velocity_3 = -minus_air_velocity_3;
     values[11] = air_velocity_3;
     let air_velocity_12 = air_velocity_12_sq.sqrt();

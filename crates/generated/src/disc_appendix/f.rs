@@ -20,8 +20,8 @@ pub fn f<T: Real>(
     let theta = state[7];
     let (sin_theta, cos_theta) = theta.sin_cos();
     let phidot = state[9];
-    let sin_theta_phidot = sin_theta * phidot;
-    let cos_theta_phidot = cos_theta * phidot;
+    let sin_theta_phidot = phidot * sin_theta;
+    let cos_theta_phidot = phidot * cos_theta;
     let g_m = prepared[3];
     let cos_phi_g_m = g_m * cos_phi;
     let wind_y = parameters[16];
@@ -37,7 +37,7 @@ pub fn f<T: Real>(
     let angular_velocity_3 = gammadot + sin_theta_phidot;
     let u = state[3];
     let w = state[5];
-    let w_cos_theta_minus_sin_sum = sin_theta.neg_mul_add(u, w * cos_theta);
+    let w_cos_theta_minus_sin_sum = u.neg_mul_add(sin_theta, w * cos_theta);
     let wind_x = parameters[15];
     let minus_air_velocity_3 = cos_theta
         .mul_add(minus_sin_phi_wind_y_sum, wind_x.mul_sub(sin_theta, w));
@@ -60,17 +60,17 @@ pub fn f<T: Real>(
     let spin_down = C_Nr * angular_velocity_3;
 
     // disc_appendix.hyz:122  der(x) = u*cos(theta) + w*sin(theta);
-    let x_dot = cos_theta.mul_add(u, sin_theta * w);
+    let x_dot = u.mul_add(cos_theta, w * sin_theta);
     dx[0] = x_dot;
     let air_velocity_12 = air_velocity_12_sq.sqrt();
     let V_sq = minus_air_velocity_3.mul_add(minus_air_velocity_3, air_velocity_12_sq);
 
     // disc_appendix.hyz:123  der(y) = u*sin(theta)*sin(phi) + v*cos(phi) - w*cos(theta)*sin(phi);
-    let y_dot = sin_phi.neg_mul_add(w_cos_theta_minus_sin_sum, cos_phi * v);
+    let y_dot = sin_phi.neg_mul_add(w_cos_theta_minus_sin_sum, v * cos_phi);
     dx[1] = y_dot;
 
     // disc_appendix.hyz:124  der(z) = -u*sin(theta)*cos(phi) + v*sin(phi) + w*cos(theta)*cos(phi);
-    let z_dot = cos_phi.mul_add(w_cos_theta_minus_sin_sum, sin_phi * v);
+    let z_dot = cos_phi.mul_add(w_cos_theta_minus_sin_sum, v * sin_phi);
     dx[2] = z_dot;
     let I_d = parameters[2];
     let part_of_thetadot_dot = I_d.neg_mul_add(sin_theta_phidot, angular_velocity_3_I_a)

@@ -28,8 +28,8 @@ pub fn f_jac<T: Real>(
     let d_u_dot_d_thetadot = -w;
     j[19] = d_u_dot_d_thetadot;
     let phidot = state[9];
-    let cos_theta_phidot = cos_theta * phidot;
-    let sin_theta_phidot = sin_theta * phidot;
+    let cos_theta_phidot = phidot * cos_theta;
+    let sin_theta_phidot = phidot * sin_theta;
     let inv_cos_theta = T::splat(1.0) / cos_theta;
     let g_m = prepared[3];
     let cos_phi_g_m = g_m * cos_phi;
@@ -54,14 +54,14 @@ pub fn f_jac<T: Real>(
     let d_z_dot_d_w = cos_theta * cos_phi;
     j[10] = d_z_dot_d_w;
     let v = state[4];
-    let d_u_dot_d_phidot = sin_theta * v;
+    let d_u_dot_d_phidot = v * sin_theta;
     j[18] = d_u_dot_d_phidot;
     let u = state[3];
 
     // disc_appendix.hyz:122  der(x) = u*cos(theta) + w*sin(theta);
-    let x_dot = cos_theta.mul_add(u, sin_theta * w);
+    let x_dot = u.mul_add(cos_theta, w * sin_theta);
     dx[0] = x_dot;
-    let w_cos_theta_minus_sin_sum = sin_theta.neg_mul_add(u, w * cos_theta);
+    let w_cos_theta_minus_sin_sum = u.neg_mul_add(sin_theta, w * cos_theta);
     j[2] = w_cos_theta_minus_sin_sum; // d_x_dot_d_theta
     j[25] = w_cos_theta_minus_sin_sum; // d_v_dot_d_phidot
     let minus_x_dot = -x_dot;
@@ -79,9 +79,9 @@ pub fn f_jac<T: Real>(
         .mul_add(air_velocity_1, air_velocity_2 * air_velocity_2);
     let air_velocity_2_cos_product = air_velocity_2 * cos_theta_phidot;
     let thetadot = state[10];
-    let air_velocity_1_thetadot = air_velocity_1 * thetadot;
+    let air_velocity_1_thetadot = thetadot * air_velocity_1;
     let air_velocity_1_cos_product = air_velocity_1 * cos_theta_phidot;
-    let air_velocity_2_thetadot = air_velocity_2 * thetadot;
+    let air_velocity_2_thetadot = thetadot * air_velocity_2;
     let I_d_two = prepared[5];
     let angular_velocity_3_I_a_sum = I_d_two
         .neg_mul_add(sin_theta_phidot, angular_velocity_3_I_a);
@@ -110,12 +110,12 @@ pub fn f_jac<T: Real>(
     let spin_down = C_Nr * angular_velocity_3;
     let inv_m = prepared[0];
     let air_velocity_2_inv_m = inv_m * air_velocity_2;
-    let cos_theta_v = cos_theta * v;
+    let cos_theta_v = v * cos_theta;
     let d_w_dot_d_phidot = -cos_theta_v;
     j[31] = d_w_dot_d_phidot;
 
     // disc_appendix.hyz:124  der(z) = -u*sin(theta)*cos(phi) + v*sin(phi) + w*cos(theta)*cos(phi);
-    let z_dot = w_cos_theta_minus_sin_sum.mul_add(cos_phi, sin_phi * v);
+    let z_dot = w_cos_theta_minus_sin_sum.mul_add(cos_phi, v * sin_phi);
     dx[2] = z_dot;
     let d_y_dot_d_phi = -z_dot;
     j[6] = d_y_dot_d_phi;
@@ -127,7 +127,7 @@ pub fn f_jac<T: Real>(
     j[42] = d_phidot_dot_d_thetadot;
 
     // disc_appendix.hyz:123  der(y) = u*sin(theta)*sin(phi) + v*cos(phi) - w*cos(theta)*sin(phi);
-    let y_dot = w_cos_theta_minus_sin_sum.neg_mul_add(sin_phi, cos_phi * v);
+    let y_dot = w_cos_theta_minus_sin_sum.neg_mul_add(sin_phi, v * cos_phi);
     dx[1] = y_dot;
     j[11] = y_dot; // d_z_dot_d_phi
     let d_u_dot_d_g = sin_theta * cos_phi;
@@ -283,7 +283,7 @@ pub fn f_jac<T: Real>(
     let part_of_d_gammadot_dot_d_phidot = d_gammadot_dot_d_angular_velocity_3
         - d_phidot_dot_d_phidot;
     let d_gammadot_dot_d_phidot = sin_theta
-        .mul_sub(part_of_d_gammadot_dot_d_phidot, cos_theta * thetadot);
+        .mul_sub(part_of_d_gammadot_dot_d_phidot, thetadot * cos_theta);
     j[57] = d_gammadot_dot_d_phidot;
     let part_of_air_velocity_1_product_8 = minus_minus_thetadot_sum
         - inv_air_velocity_12_product_7;
@@ -413,7 +413,7 @@ pub fn f_jac<T: Real>(
         .mul_add(inv_air_velocity_12_product_2, sin_phi_g_m);
 
     // disc_appendix.hyz:104  der(v) = F_b2/m + w*phidot*cos(theta) - u*phidot*sin(theta);
-    let v_dot = inv_m.neg_mul_add(minus_force_b_2, w_cos_theta_minus_sin_sum * phidot);
+    let v_dot = inv_m.neg_mul_add(minus_force_b_2, phidot * w_cos_theta_minus_sin_sum);
     dx[4] = v_dot;
     let part_of_d_v_dot_d_phi = air_velocity_2 * minus_air_velocity_12_C_sum;
     let minus_air_velocity_product_2 = minus_air_velocity_12_C_sum

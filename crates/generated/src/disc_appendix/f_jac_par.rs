@@ -30,8 +30,8 @@ pub fn f_jac_par<T: Real>(
     j[19] = d_u_dot_d_thetadot;
     let inv_cos_theta = T::splat(1.0) / cos_theta;
     let phidot = state[9];
-    let cos_theta_phidot = cos_theta * phidot;
-    let sin_theta_phidot = sin_theta * phidot;
+    let cos_theta_phidot = phidot * cos_theta;
+    let sin_theta_phidot = phidot * sin_theta;
     let g_m = prepared[3];
     let cos_phi_g_m = g_m * cos_phi;
     let wind_z = parameters[17];
@@ -54,12 +54,12 @@ pub fn f_jac_par<T: Real>(
     let u = state[3];
 
     // disc_appendix.hyz:122  der(x) = u*cos(theta) + w*sin(theta);
-    let x_dot = cos_theta.mul_add(u, sin_theta * w);
+    let x_dot = u.mul_add(cos_theta, w * sin_theta);
     dx[0] = x_dot;
     let inv_m = prepared[0];
     let v = state[4];
     let cos_phi_g_m_inv_m_plus_sum = inv_m.mul_add(cos_phi_g_m, v * phidot);
-    let d_u_dot_d_phidot = sin_theta * v;
+    let d_u_dot_d_phidot = v * sin_theta;
     j[18] = d_u_dot_d_phidot;
     let d_thetadot_dot_d_I_a = angular_velocity_3 * cos_theta_phidot_inv_I_d;
     jp[44] = d_thetadot_dot_d_I_a;
@@ -87,9 +87,9 @@ pub fn f_jac_par<T: Real>(
         .mul_add(air_velocity_1, air_velocity_2 * air_velocity_2);
     let air_velocity_1_cos_product = air_velocity_1 * cos_theta_phidot;
     let thetadot = state[10];
-    let air_velocity_2_thetadot = air_velocity_2 * thetadot;
+    let air_velocity_2_thetadot = thetadot * air_velocity_2;
     let air_velocity_2_cos_product = air_velocity_2 * cos_theta_phidot;
-    let air_velocity_1_thetadot = air_velocity_1 * thetadot;
+    let air_velocity_1_thetadot = thetadot * air_velocity_1;
     let I_d_two = prepared[5];
     let angular_velocity_3_I_a_sum = I_d_two
         .neg_mul_add(sin_theta_phidot, angular_velocity_3_I_a);
@@ -134,7 +134,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_air_velocity_2_product_2 = cos_theta_phidot
         * angular_velocity_3_I_a_sum_2;
     let sin_theta_angular_velocity_3 = sin_theta * angular_velocity_3;
-    let w_cos_theta_minus_sin_sum = sin_theta.neg_mul_add(u, w * cos_theta);
+    let w_cos_theta_minus_sin_sum = u.neg_mul_add(sin_theta, w * cos_theta);
     j[2] = w_cos_theta_minus_sin_sum; // d_x_dot_d_theta
     j[25] = w_cos_theta_minus_sin_sum; // d_v_dot_d_phidot
     let cos_theta_sin_phi = cos_theta * sin_phi;
@@ -179,13 +179,13 @@ pub fn f_jac_par<T: Real>(
     jp[33] = d_phidot_dot_d_I_a;
 
     // disc_appendix.hyz:124  der(z) = -u*sin(theta)*cos(phi) + v*sin(phi) + w*cos(theta)*cos(phi);
-    let z_dot = w_cos_theta_minus_sin_sum.mul_add(cos_phi, sin_phi * v);
+    let z_dot = w_cos_theta_minus_sin_sum.mul_add(cos_phi, v * sin_phi);
     dx[2] = z_dot;
     let d_y_dot_d_phi = -z_dot;
     j[6] = d_y_dot_d_phi;
 
     // disc_appendix.hyz:123  der(y) = u*sin(theta)*sin(phi) + v*cos(phi) - w*cos(theta)*sin(phi);
-    let y_dot = w_cos_theta_minus_sin_sum.neg_mul_add(sin_phi, cos_phi * v);
+    let y_dot = w_cos_theta_minus_sin_sum.neg_mul_add(sin_phi, v * cos_phi);
     dx[1] = y_dot;
     j[11] = y_dot; // d_z_dot_d_phi
     let d_y_dot_d_theta = -(sin_phi * minus_x_dot);
@@ -411,7 +411,7 @@ pub fn f_jac_par<T: Real>(
     let inv_m_minus_force_b_2 = inv_m * minus_force_b_2;
 
     // disc_appendix.hyz:104  der(v) = F_b2/m + w*phidot*cos(theta) - u*phidot*sin(theta);
-    let v_dot = w_cos_theta_minus_sin_sum.mul_sub(phidot, inv_m_minus_force_b_2);
+    let v_dot = phidot.mul_sub(w_cos_theta_minus_sin_sum, inv_m_minus_force_b_2);
     dx[4] = v_dot;
     jp[23] = rho_half * minus_air_velocity_product_3; // d_w_dot_d_A
     jp[24] = A_half * minus_air_velocity_product_3; // d_w_dot_d_rho
@@ -690,7 +690,7 @@ pub fn f_jac_par<T: Real>(
         .mul_sub(sin_theta_d_product_sum, sin_phi * d_thetadot_dot_d_air_velocity_2);
     jp[54] = d_thetadot_dot_d_wind_z;
     let d_gammadot_dot_d_phidot = sin_theta
-        .mul_sub(part_of_d_gammadot_dot_d_phidot, cos_theta * thetadot);
+        .mul_sub(part_of_d_gammadot_dot_d_phidot, thetadot * cos_theta);
     j[57] = d_gammadot_dot_d_phidot;
     let part_of_d_w_dot_d_wind_x = sin_theta * d_w_dot_d_minus_air_velocity_3;
     let part_of_d_w_dot_d_wind_z_2 = d_z_dot_d_w * d_w_dot_d_minus_air_velocity_3;
@@ -713,7 +713,7 @@ pub fn f_jac_par<T: Real>(
     let minus_g_inv_m = prepared[20];
     let d_w_dot_d_m = inv_m_sq.neg_mul_add(force_b_3, minus_g_inv_m * d_z_dot_d_w);
     jp[22] = d_w_dot_d_m;
-    let d_w_dot_d_phidot = -(cos_theta * v);
+    let d_w_dot_d_phidot = -(v * cos_theta);
     j[31] = d_w_dot_d_phidot;
     let d_u_dot_d_C_D0 = -(air_velocity_12 * air_velocity_1_inv_product_5);
     jp[6] = d_u_dot_d_C_D0;

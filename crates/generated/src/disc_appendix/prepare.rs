@@ -47,7 +47,7 @@ pub fn prepare<T: Real>(parameters: &[T; 18], prepared: &mut [T; 25]) {
     prepared[19] = minus_A_half;
     let inv_m_rho_A = inv_m * rho_A;
     let C_Nr = parameters[14];
-    let d_gammadot_dot_d_angular_velocity_3 = inv_I_a * C_Nr;
+    let d_gammadot_dot_d_angular_velocity_3 = C_Nr * inv_I_a;
     prepared[12] = d_gammadot_dot_d_angular_velocity_3;
     let inv_I_a_sq = inv_I_a * inv_I_a;
     prepared[23] = inv_I_a_sq;
@@ -61,7 +61,7 @@ pub fn prepare<T: Real>(parameters: &[T; 18], prepared: &mut [T; 25]) {
     prepared[9] = half_rho_A_inv_m;
     let C_Da_two_half_rho_A_inv_m = C_Da * inv_m_rho_A;
     prepared[16] = C_Da_two_half_rho_A_inv_m;
-    let minus_g_inv_m = -(inv_m * g);
+    let minus_g_inv_m = -(g * inv_m);
     prepared[20] = minus_g_inv_m;
     let minus_inv_I_d_sq = -(inv_I_d * inv_I_d);
     prepared[22] = minus_inv_I_d_sq;

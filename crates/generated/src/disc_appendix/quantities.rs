@@ -22,7 +22,7 @@ pub fn quantities<T: Real>(
     let phidot = state[9];
 
     // disc_appendix.hyz:64  let angular_velocity = (phidot*cos(theta), thetadot, phidot*sin(theta) …
-    let angular_velocity_1 = cos_theta * phidot;
+    let angular_velocity_1 = phidot * cos_theta;
     values[3] = angular_velocity_1;
     let phidot_sin_theta = phidot * sin_theta;
     let g_m = prepared[3];

@@ -57,8 +57,8 @@ pub fn observe_jac<T: Real>(
     let mark_z_q1_two = mark_z * q1_two;
     dy_dmarker[6] = T::splat(2.0) * minus_q2_2_q0_2_plus_q3_sum; // d_seen_z_d_mark_x
     let q3_n4 = T::splat(4.0) * q3;
-    let mark_z_q2_2_q0_2_sum = q2_2_q0_2_plus_q3_2_q1_2
-        .mul_add(mark_z, minus_q0_2_q3_2_plus_q2_sum * mark_y);
+    let mark_z_q2_2_q0_2_sum = mark_z
+        .mul_add(q2_2_q0_2_plus_q3_2_q1_2, mark_y * minus_q0_2_q3_2_plus_q2_sum);
     dy_dmarker[2] = T::splat(2.0) * q2_2_q0_2_plus_q3_2_q1_2; // d_seen_x_d_mark_z
     let mark_y_q0_two = mark_y * q0_two;
     let mark_x = marker[0];
@@ -78,7 +78,7 @@ pub fn observe_jac<T: Real>(
     let mark_y_q2_two = mark_y * q2_two;
     let mark_x_q1_two = mark_x * q1_two;
     let x = state[0];
-    let part_of_mark_x_2 = q3_2_sq_two_plus_q2_2_sum.neg_mul_add(mark_x, x);
+    let part_of_mark_x_2 = mark_x.neg_mul_add(q3_2_sq_two_plus_q2_2_sum, x);
     let mark_x_2 = mark_z_q2_2_q0_2_sum.mul_add(T::splat(2.0), part_of_mark_x_2);
     observed[0] = mark_x_2;
     let z = state[2];

@@ -32,7 +32,7 @@ pub fn prepare<T: Real>(parameters: &[T; 18], prepared: &mut [T; 18]) {
     let C_Nr = parameters[14];
     let C_Nr_inv_I_a = C_Nr * inv_I_a;
     prepared[3] = C_Nr_inv_I_a;
-    let I_a_inv_I_d = inv_I_d * I_a;
+    let I_a_inv_I_d = I_a * inv_I_d;
     prepared[11] = I_a_inv_I_d;
     let inv_m_rho_A = inv_m * rho_A;
     prepared[0] = inv_m_rho_A;

@@ -71,8 +71,8 @@ pub fn quantities<T: Real>(
         .mul_add(air_velocity_1, air_velocity_2 * air_velocity_2);
     let p = state[10];
     let q = state[11];
-    let air_velocity_2_q_plus_sum = air_velocity_1.mul_add(p, air_velocity_2 * q);
-    let air_velocity_1_q_minus_sum = air_velocity_2.neg_mul_add(p, air_velocity_1 * q);
+    let air_velocity_2_q_plus_sum = p.mul_add(air_velocity_1, q * air_velocity_2);
+    let air_velocity_1_q_minus_sum = p.neg_mul_add(air_velocity_2, q * air_velocity_1);
     let air_velocity_12 = air_velocity_12_sq.sqrt();
     let V_sq = minus_air_velocity_3.mul_add(minus_air_velocity_3, air_velocity_12_sq);
 

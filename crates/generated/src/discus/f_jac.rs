@@ -33,7 +33,7 @@ pub fn f_jac<T: Real>(
     let d_u_dot_d_thetadot = -w;
     j[19] = d_u_dot_d_thetadot;
     let inv_cos_theta = T::splat(1.0) / cos_theta;
-    let sin_theta_phidot = sin_theta * phidot;
+    let sin_theta_phidot = phidot * sin_theta;
     let wind_z = parameters[17];
     let wind_y = parameters[16];
     let sin_phi_wind_y_sum = wind_z.neg_mul_add(cos_phi, wind_y * sin_phi);
@@ -42,7 +42,7 @@ pub fn f_jac<T: Real>(
         .neg_mul_add(cos_phi, minus_wind_z * sin_phi);
     let g = parameters[6];
     let cos_phi_g = g * cos_phi;
-    let cos_theta_phidot = cos_theta * phidot;
+    let cos_theta_phidot = phidot * cos_theta;
     let gammadot = state[11];
 
     // discus.hyz:102  let r = dot(angular_velocity, d3);
@@ -50,7 +50,7 @@ pub fn f_jac<T: Real>(
     let u = state[3];
 
     // discus.hyz:64  position (x, y, z) in N;
-    let x_dot = cos_theta.mul_add(u, sin_theta * w);
+    let x_dot = u.mul_add(cos_theta, w * sin_theta);
     dx[0] = x_dot;
     let wind_x = parameters[15];
     let d_minus_air_velocity_3_d_theta = sin_theta
@@ -61,7 +61,7 @@ pub fn f_jac<T: Real>(
     let air_velocity_2 = v + d_minus_sin_phi_wind_y_sum_d_phi;
     let d_air_velocity_1_d_theta = cos_theta
         .neg_mul_add(sin_phi_wind_y_sum, wind_x * sin_theta);
-    let minus_sin_theta_u_minus_w_cos_sum_2 = sin_theta.neg_mul_add(u, w * cos_theta);
+    let minus_sin_theta_u_minus_w_cos_sum_2 = u.neg_mul_add(sin_theta, w * cos_theta);
     j[2] = minus_sin_theta_u_minus_w_cos_sum_2; // d_x_dot_d_theta
     j[25] = minus_sin_theta_u_minus_w_cos_sum_2; // d_v_dot_d_phidot
     let cos_phi_g_plus_v_phidot = v.mul_add(phidot, cos_phi_g);
@@ -71,7 +71,7 @@ pub fn f_jac<T: Real>(
     j[7] = d_y_dot_d_theta;
     let d_z_dot_d_w = cos_theta * cos_phi;
     j[10] = d_z_dot_d_w;
-    let d_u_dot_d_phidot = sin_theta * v;
+    let d_u_dot_d_phidot = v * sin_theta;
     j[18] = d_u_dot_d_phidot;
     let d_thetadot_dot_d_r = inv_I_d_I_a * cos_theta_phidot;
     j[51] = d_thetadot_dot_d_r; // d_thetadot_dot_d_gammadot
@@ -105,7 +105,7 @@ pub fn f_jac<T: Real>(
     let V_sq_half_rho_A_d_inv_part = half_rho_A_d_inv_I_d * V_sq;
     let d_w_dot_d_theta = sin_theta * cos_phi_g_plus_v_phidot;
     let cos_theta_cos_phi_g_product = cos_theta * cos_phi_g_plus_v_phidot;
-    let part_of_v_dot = minus_sin_theta_u_minus_w_cos_sum_2 * phidot;
+    let part_of_v_dot = phidot * minus_sin_theta_u_minus_w_cos_sum_2;
     let sin_phi_g = g * sin_phi;
     let part_of_thetadot_dot = cos_theta_phidot * sin_theta_phidot_minus_sum;
     let part_of_gammadot_dot = C_Nr_inv_I_a.mul_sub(r, thetadot * cos_theta_phidot);
@@ -118,11 +118,11 @@ pub fn f_jac<T: Real>(
     j[49] = d_thetadot_dot_d_phidot;
     let part_of_d_thetadot_dot_d_theta = sin_theta
         .mul_add(sin_theta_phidot_minus_sum, cos_theta * cos_theta_phidot_product);
-    let z_dot = minus_sin_theta_u_minus_w_cos_sum_2.mul_add(cos_phi, sin_phi * v);
+    let z_dot = minus_sin_theta_u_minus_w_cos_sum_2.mul_add(cos_phi, v * sin_phi);
     dx[2] = z_dot;
     let d_y_dot_d_phi = -z_dot;
     j[6] = d_y_dot_d_phi;
-    let y_dot = minus_sin_theta_u_minus_w_cos_sum_2.neg_mul_add(sin_phi, cos_phi * v);
+    let y_dot = minus_sin_theta_u_minus_w_cos_sum_2.neg_mul_add(sin_phi, v * cos_phi);
     dx[1] = y_dot;
     j[11] = y_dot; // d_z_dot_d_phi
     let d_y_dot_d_w = -(cos_theta * sin_phi);
@@ -162,9 +162,9 @@ pub fn f_jac<T: Real>(
     let two_cos_alpha_two = T::splat(2.0) * cos_alpha_two;
     let air_velocity_12_two_product = two_inv_I_d_half_rho_A_d * air_velocity_12;
     let d_gammadot_dot_d_phidot = sin_theta
-        .mul_sub(part_of_d_gammadot_dot_d_phidot, cos_theta * thetadot);
+        .mul_sub(part_of_d_gammadot_dot_d_phidot, thetadot * cos_theta);
     j[57] = d_gammadot_dot_d_phidot;
-    let d_w_dot_d_phidot = -(cos_theta * v);
+    let d_w_dot_d_phidot = -(v * cos_theta);
     j[31] = d_w_dot_d_phidot;
     let d_gammadot_dot_d_thetadot = minus_r_inv_I_d_I_a_sum
         .neg_mul_add(sin_theta_inv_cos_theta, -cos_theta_phidot);
@@ -396,7 +396,7 @@ pub fn f_jac<T: Real>(
         * minus_d_C_D_air_sum;
     let part_of_d_v_dot_d_theta = air_velocity_2_inv_product * minus_d_C_D_air_sum;
     let part_of_d_v_dot_d_theta_2 = air_velocity_1_inv_product_3
-        .mul_sub(part_of_d_v_dot_d_theta, x_dot * phidot);
+        .mul_sub(part_of_d_v_dot_d_theta, phidot * x_dot);
     let part_of_d_v_dot_d_phi = part_of_d_v_dot_d_theta * sin_theta_air_product;
     let d_v_dot_d_u = air_velocity_1_inv_product
         .mul_sub(part_of_d_v_dot_d_theta, sin_theta_phidot);

@@ -32,7 +32,7 @@ pub fn f_jac_par<T: Real>(
     let d_u_dot_d_thetadot = -w;
     j[19] = d_u_dot_d_thetadot;
     let inv_cos_theta = T::splat(1.0) / cos_theta;
-    let sin_theta_phidot = sin_theta * phidot;
+    let sin_theta_phidot = phidot * sin_theta;
     let wind_z = parameters[17];
     let wind_y = parameters[16];
     let sin_phi_wind_y_sum = wind_z.neg_mul_add(cos_phi, wind_y * sin_phi);
@@ -41,14 +41,14 @@ pub fn f_jac_par<T: Real>(
         .neg_mul_add(cos_phi, minus_wind_z * sin_phi);
     let g = parameters[6];
     let cos_phi_g = g * cos_phi;
-    let cos_theta_phidot = cos_theta * phidot;
+    let cos_theta_phidot = phidot * cos_theta;
     let sin_phi_g = g * sin_phi;
     let gammadot = state[11];
 
     // discus.hyz:102  let r = dot(angular_velocity, d3);
     let r = gammadot + sin_theta_phidot;
     let u = state[3];
-    let minus_sin_theta_u_minus_w_cos_sum_2 = sin_theta.neg_mul_add(u, w * cos_theta);
+    let minus_sin_theta_u_minus_w_cos_sum_2 = u.neg_mul_add(sin_theta, w * cos_theta);
     j[2] = minus_sin_theta_u_minus_w_cos_sum_2; // d_x_dot_d_theta
     j[25] = minus_sin_theta_u_minus_w_cos_sum_2; // d_v_dot_d_phidot
     let wind_x = parameters[15];
@@ -63,7 +63,7 @@ pub fn f_jac_par<T: Real>(
     let cos_phi_g_plus_v_phidot = v.mul_add(phidot, cos_phi_g);
     let d_y_dot_d_u = sin_theta * sin_phi;
     j[3] = d_y_dot_d_u;
-    let d_u_dot_d_phidot = sin_theta * v;
+    let d_u_dot_d_phidot = v * sin_theta;
     j[18] = d_u_dot_d_phidot;
     let inv_I_a = prepared[15];
     let d_gammadot_dot_d_C_Nr = inv_I_a * r;
@@ -93,7 +93,7 @@ pub fn f_jac_par<T: Real>(
     let sin_theta_phidot_minus_sum = sin_theta_phidot - r_inv_I_d_I_a;
 
     // discus.hyz:64  position (x, y, z) in N;
-    let x_dot = cos_theta.mul_add(u, sin_theta * w);
+    let x_dot = u.mul_add(cos_theta, w * sin_theta);
     dx[0] = x_dot;
     let d_y_dot_d_theta = x_dot * sin_phi;
     j[7] = d_y_dot_d_theta;
@@ -127,7 +127,7 @@ pub fn f_jac_par<T: Real>(
     let V_sq_half_rho_A_d_product = C_Ms * V_sq_half_rho_A_d_inv_part;
     let d_w_dot_d_theta = sin_theta * cos_phi_g_plus_v_phidot;
     let cos_theta_cos_phi_g_product = cos_theta * cos_phi_g_plus_v_phidot;
-    let part_of_v_dot = minus_sin_theta_u_minus_w_cos_sum_2 * phidot;
+    let part_of_v_dot = phidot * minus_sin_theta_u_minus_w_cos_sum_2;
     let part_of_thetadot_dot = cos_theta_phidot * sin_theta_phidot_minus_sum;
     let part_of_gammadot_dot = C_Nr_inv_I_a.mul_sub(r, thetadot * cos_theta_phidot);
     let d_z_dot_d_w = cos_theta * cos_phi;
@@ -203,7 +203,7 @@ pub fn f_jac_par<T: Real>(
     jp[32] = d_w_dot_d_C_Ds;
     let minus_air_velocity_product_2 = minus_air_velocity_3_inv_V * inv_V_two;
     let inv_V_two_air_product = inv_V_two * air_velocity_12_inv_V;
-    let z_dot = minus_sin_theta_u_minus_w_cos_sum_2.mul_add(cos_phi, sin_phi * v);
+    let z_dot = minus_sin_theta_u_minus_w_cos_sum_2.mul_add(cos_phi, v * sin_phi);
     dx[2] = z_dot;
     let d_y_dot_d_phi = -z_dot;
     j[6] = d_y_dot_d_phi;
@@ -614,7 +614,7 @@ pub fn f_jac_par<T: Real>(
         .mul_add(part_of_d_thetadot_dot_d_theta, part_of_d_thetadot_dot_d_theta_3);
     j[48] = d_thetadot_dot_d_theta;
     let part_of_sin_theta_d_product_sum = cos_theta * air_velocity_1_inv_sum;
-    let d_v_dot_d_theta = x_dot.neg_mul_add(phidot, part_of_d_v_dot_d_theta_2);
+    let d_v_dot_d_theta = phidot.neg_mul_add(x_dot, part_of_d_v_dot_d_theta_2);
     j[24] = d_v_dot_d_theta;
     let minus_d_minus_thetadot_r_product_d_wind_y = sin_phi
         .mul_add(sin_theta_d_minus_sum, cos_phi * d_phidot_dot_d_v);
@@ -627,13 +627,13 @@ pub fn f_jac_par<T: Real>(
         .mul_add(sin_theta_d_product_sum, part_of_d_thetadot_dot_d_phi);
     j[47] = d_thetadot_dot_d_phi;
     let part_of_d_thetadot_dot_d_wind_x = sin_theta * air_velocity_1_inv_sum;
-    let y_dot = minus_sin_theta_u_minus_w_cos_sum_2.neg_mul_add(sin_phi, cos_phi * v);
+    let y_dot = minus_sin_theta_u_minus_w_cos_sum_2.neg_mul_add(sin_phi, v * cos_phi);
     dx[1] = y_dot;
     j[11] = y_dot; // d_z_dot_d_phi
     let d_air_velocity_1_d_wind_z = sin_theta * cos_phi;
     jp[3] = d_air_velocity_1_d_wind_z; // d_u_dot_d_g
     let d_gammadot_dot_d_phidot = sin_theta
-        .mul_sub(part_of_d_gammadot_dot_d_phidot, cos_theta * thetadot);
+        .mul_sub(part_of_d_gammadot_dot_d_phidot, thetadot * cos_theta);
     j[57] = d_gammadot_dot_d_phidot;
     let d_thetadot_dot_d_wind_x = cos_theta
         .neg_mul_add(d_thetadot_dot_d_air_velocity_1_2, part_of_d_thetadot_dot_d_wind_x);
@@ -661,7 +661,7 @@ pub fn f_jac_par<T: Real>(
     j[8] = d_z_dot_d_u;
     let d_z_dot_d_theta = -(x_dot * cos_phi);
     j[12] = d_z_dot_d_theta;
-    let d_w_dot_d_phidot = -(cos_theta * v);
+    let d_w_dot_d_phidot = -(v * cos_theta);
     j[31] = d_w_dot_d_phidot;
     let d_gammadot_dot_d_v = -(sin_theta * d_phidot_dot_d_v);
     j[53] = d_gammadot_dot_d_v;

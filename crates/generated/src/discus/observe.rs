@@ -23,8 +23,8 @@ pub fn observe<T: Real>(
     let (sin_phi, cos_phi) = phi.sin_cos();
     let mark_y = marker[1];
     let mark_x = marker[0];
-    let minus_sin_gamma_mark_y_sum = sin_gamma.neg_mul_add(mark_y, cos_gamma * mark_x);
-    let sin_gamma_mark_x_plus_sum = mark_y.mul_add(cos_gamma, sin_gamma * mark_x);
+    let minus_sin_gamma_mark_y_sum = mark_y.neg_mul_add(sin_gamma, mark_x * cos_gamma);
+    let sin_gamma_mark_x_plus_sum = mark_y.mul_add(cos_gamma, mark_x * sin_gamma);
     let mark_z = marker[2];
     let minus_sin_theta_minus_sum = sin_theta
         .neg_mul_add(minus_sin_gamma_mark_y_sum, mark_z * cos_theta);

@@ -53,7 +53,7 @@ pub fn prepare<T: Real>(parameters: &[T; 18], prepared: &mut [T; 29]) {
     prepared[7] = minus_wind_z;
     let inv_I_d_I_a = I_a * inv_I_d;
     prepared[4] = inv_I_d_I_a;
-    let d_inv_I_d = inv_I_d * d;
+    let d_inv_I_d = d * inv_I_d;
     prepared[18] = d_inv_I_d;
     let C_Nr = parameters[14];
     let C_Nr_inv_I_a = C_Nr * inv_I_a;
