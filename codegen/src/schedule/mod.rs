@@ -342,6 +342,12 @@ impl Schedule<'_> {
             let value = self.value(divisor);
             steps.push((Binary::Div, value));
         }
+        // An input stands before what is computed, as in `C_Da * alpha`.
+        if let [(_, Operand::Temp(_)), (Binary::Mul, second), ..] = steps[..]
+            && is_input(second)
+        {
+            steps.swap(0, 1);
+        }
         let start = match steps.first() {
             Some(&(Binary::Mul, value)) => {
                 steps.remove(0);
@@ -357,13 +363,7 @@ impl Schedule<'_> {
     fn in_turn(&mut self, mut value: Operand, steps: Vec<(Binary, Operand)>, id: DefId) -> Operand {
         let many = steps.len();
         for (k, (binary, operand)) in steps.into_iter().enumerate() {
-            let op = match (binary, value) {
-                // The same bits; as in the model's text, `C_Da * alpha`, an input stands before what is computed.
-                (Binary::Mul, Operand::Temp(_)) if k == 0 && is_input(operand) => {
-                    Op::Binary(binary, operand, value)
-                }
-                _ => Op::Binary(binary, value, operand),
-            };
+            let op = Op::Binary(binary, value, operand);
             value = if k + 1 == many {
                 self.finish(op, id)
             } else {
