@@ -10,13 +10,13 @@ use std::path::{Path, PathBuf};
 const TABLES: [(&str, &str, &str, &str); 7] = [
     (
         "MODELS",
-        "Built-in models with generated Rust code in this repository, as pairs of name and text.",
+        "Built-in models that `hyzer verify` checks by default, as pairs of name and text.",
         "models",
         "hyz",
     ),
     (
         "BODIES",
-        "Built-in models without generated Rust code in this repository, as pairs of name and text.",
+        "Built-in models of measured bodies, as pairs of name and text.",
         "bodies",
         "hyz",
     ),

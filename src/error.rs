@@ -33,7 +33,7 @@ pub enum Error {
     /// A sweep cannot be computed, or its results cannot be written.
     #[cfg(feature = "sweep")]
     #[error(transparent)]
-    Sweep(#[from] ::sweep::SweepError),
+    Sweep(#[from] analysis::sweep::SweepError),
     /// There is no built-in release (launch conditions of a flight) of the given name.
     #[error("no built-in release {name:?}; expected one of {}", known.join(", "))]
     UnknownRelease {

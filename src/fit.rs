@@ -43,7 +43,7 @@ impl Fit {
 
     /// Root mean square residual of the measured coordinates over the fitted flights, m.
     pub fn rms(&self) -> f64 {
-        self.fit.report.rms_m
+        self.fit.report.rms()
     }
 
     /// Whether the iteration of the fit converged; without convergence the estimates are not reliable.
@@ -51,14 +51,14 @@ impl Fit {
         self.fit.report.iterations.converged
     }
 
-    /// Whether the estimates can be relied on; otherwise [`Fit::reasons_against`] states the reasons.
+    /// Whether the estimates can be relied on; otherwise [`Fit::cautions`] states the reasons.
     pub fn is_reliable(&self) -> bool {
         self.fit.report.reliable
     }
 
     /// Reasons not to rely on the estimates, such as excluded flights; empty for a reliable fit.
-    pub fn reasons_against(&self) -> &[String] {
-        &self.fit.report.why
+    pub fn cautions(&self) -> &[String] {
+        &self.fit.report.cautions
     }
 
     /// Mistakes found in the measured data, such as exchanged markers or wrong units, each with an instruction for

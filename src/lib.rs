@@ -37,8 +37,8 @@ pub use model::Model;
 pub use ode::{IntegrationOptions, Trajectory};
 
 // Throws for a purpose, and stability.
-pub use design::{Bounds, Design, Goal, SearchOptions, ThrownBody, design};
-pub use stability::{Body as LinearisedBody, Mode, ModeKind, modes};
+pub use analysis::design::{Bounds, Design, Goal, SearchOptions, ThrownBody, design};
+pub use analysis::stability::{Body as LinearisedBody, Mode, ModeKind, modes};
 
 // Datasets.
 pub use ::dataset::{Dataset, Flight as MeasuredFlight, KnownValue, Marker, Role};
@@ -59,5 +59,5 @@ pub use diagnosis::{Diagnosis, DiagnosisOptions, diagnose};
 /// Crates of the workspace on which this library is built, for functions that it does not re-export itself.
 pub mod crates {
     pub use {::dataset, ::flight};
-    pub use {codegen, design, diagnose, identify, model_spec, ode, stability};
+    pub use {analysis, codegen, diagnose, identify, model_spec, ode};
 }

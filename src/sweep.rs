@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use ::sweep::{SweepOptions, plan, run};
+use analysis::sweep::{SweepOptions, plan, run};
 use serde_json::Value;
 
 use crate::Error;

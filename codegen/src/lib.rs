@@ -6,6 +6,7 @@
 //! subexpressions and lists the definitions; [`schedule`] orders the definitions as the statements of a [`program`].
 
 pub mod backend;
+pub mod build;
 mod cases;
 pub mod compile;
 pub mod count;

@@ -163,7 +163,7 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
 fn unknown(out: &mut String, what: &str, unknown: &EffectUnknown, unit: &str) -> std::fmt::Result {
     let value = |value: f64| with_unit(value, unit);
     write!(out, "  {what} vanishes at {}", value(unknown.null_value))?;
-    if let Some(size) = unknown.smallest_of_interest {
+    if let Some(size) = unknown.smallest_effect_of_interest {
         write!(out, ", a departure below {} does not matter", value(size))?;
     }
     writeln!(out)

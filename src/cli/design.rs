@@ -8,7 +8,7 @@ use clap::Args;
 #[derive(Args)]
 pub struct Design {
     /// Goal: the purpose of the throw
-    #[arg(long, value_name = "GOAL", value_parser = clap::builder::PossibleValuesParser::new(design::GOALS))]
+    #[arg(long, value_name = "GOAL", value_parser = clap::builder::PossibleValuesParser::new(analysis::design::GOALS))]
     pub goal: String,
     /// Point to hit, to curve to, to flare over or to land at, m; on the ground if Z is 0
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]

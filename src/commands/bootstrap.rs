@@ -3,12 +3,12 @@
 mod parts;
 mod summary;
 
+use analysis::sweep::folder::{PartsFolder, fingerprint, share_of};
 use anyhow::{Context, bail};
 use dataset::{Dataset, Role};
 use identify::{Fit, FitOptions};
 use model_spec::model::Model;
 use serde_json::{Value, json};
-use sweep::folder::{PartsFolder, fingerprint, share_of};
 
 use super::fit::{held, model_of, priors};
 use crate::cli::{Bootstrap, FitInputs};
@@ -103,7 +103,7 @@ fn answer(summary: &Value) -> Answer {
     if summary["reliable"] == json!(true) {
         return Answer::Yes;
     }
-    let why = summary["why"].as_array().into_iter().flatten();
+    let why = summary["cautions"].as_array().into_iter().flatten();
     let why: Vec<&str> = why.filter_map(Value::as_str).collect();
     eprintln!("do not rely on this fit: {}", why.join("; "));
     Answer::No

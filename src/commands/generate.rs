@@ -15,6 +15,8 @@ use crate::{Answer, output, progress};
 const SOURCES: &str = "crates/generated/src";
 /// Folder of the model files, relative to the root of the repository.
 const MODELS: &str = "model-spec/models";
+/// Models whose code is committed in `crates/generated`; the others run by tape.
+const GENERATED: [&str; 2] = ["ball", "disc"];
 
 /// Runs `hyzer generate`: writes the generated files that changed. With `--check` prints the differences instead, and
 /// returns `Answer::No` if there are any.
@@ -119,30 +121,17 @@ fn repository() -> anyhow::Result<PathBuf> {
     }
 }
 
-/// Loads the model files of the repository, which may differ from the models built into `hyzer`.
+/// Loads the models of `crates/generated` from their files in the repository, which may differ from the models built
+/// into `hyzer`.
 fn models(folder: &Path) -> anyhow::Result<Vec<Model>> {
-    let entries =
-        std::fs::read_dir(folder).with_context(|| format!("cannot read {}", folder.display()))?;
-    let mut paths: Vec<PathBuf> = entries
-        .map(|entry| Ok(entry?.path()))
-        .collect::<std::io::Result<_>>()?;
-    paths.retain(|path| path.extension().is_some_and(|extension| extension == "hyz"));
-    paths.sort();
-    if paths.is_empty() {
-        bail!("found no .hyz file in {}", folder.display());
-    }
-    let mut models = Vec::with_capacity(paths.len());
-    for path in paths {
-        let name = path
-            .file_name()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned();
+    let load = |name: &&str| {
+        // Only the file name: the location of the repository must not appear in the generated text.
+        let name = format!("{name}.hyz");
+        let path = folder.join(&name);
         let text =
             std::fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
-        // Only the file name: the location of the repository must not appear in the generated text.
         let text = load::decode(&name, text)?;
-        models.push(load::from_text(&name, &text, &[])?);
-    }
-    Ok(models)
+        Ok(load::from_text(&name, &text, &[])?)
+    };
+    GENERATED.iter().map(load).collect()
 }

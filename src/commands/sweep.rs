@@ -4,9 +4,9 @@ use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
 
+use analysis::sweep::{Plan, SweepOptions, plan, run as fly};
 use anyhow::{Context, bail};
 use serde_json::Value;
-use sweep::{Plan, SweepOptions, plan, run as fly};
 
 use crate::cli::Sweep;
 use crate::progress::{self, Progress};

@@ -392,13 +392,13 @@ fn the_examples_of_the_effects_run() {
 fn drag(folder: &Path) -> (f64, f64, f64) {
     let text = std::fs::read_to_string(folder.join("report.json")).expect("a report");
     let report: serde_json::Value = serde_json::from_str(&text).expect("JSON");
-    assert_eq!(report["schema"], "hyzer.fit/1");
+    assert_eq!(report["schema"], "hyzer.fit/2");
     let number = |value: &serde_json::Value| value.as_f64().expect("a number");
     let drag = &report["coefficients"]["C_D"];
     (
         number(&drag["value"]),
         number(&drag["std_error"]),
-        number(&report["rms_m"]),
+        number(&report["residual_rms"]["marker"]["value"]),
     )
 }
 

@@ -19,9 +19,9 @@ fn the_readme_s_command_names_what_was_hidden_and_measures_the_gain() {
     assert_eq!(status, 0, "{errors}");
     assert!(text.starts_with("named: "), "{text}");
     let report = report(&out);
-    assert_eq!(report["schema"], "hyzer.diagnosis/1");
-    assert_eq!(report["verdict"], "named");
-    let effect = &report["causes"][0]["effects"][0];
+    assert_eq!(report["schema"], "hyzer.diagnosis/2");
+    assert_eq!(report["verdict"], "identified");
+    let effect = &report["explanations"][0]["effects"][0];
     assert_eq!(
         (&effect["name"], &effect["site"]),
         (&"stall".into(), &"lift".into())
@@ -31,9 +31,9 @@ fn the_readme_s_command_names_what_was_hidden_and_measures_the_gain() {
     let (value, error) = (number(&found["value"]), number(&found["std_error"]));
     // What examples/mystery/truth.toml says.
     assert!((value - 4.0).abs() < 4.0 * error, "{value} ± {error}");
-    let gain = &report["gain"];
+    let gain = &report["predictive_gain"];
     let [before, after] =
-        ["held_out_rms_before_m", "held_out_rms_after_m"].map(|key| number(&gain[key]));
+        ["rms_before_m", "rms_after_m"].map(|key| number(&gain[key]));
     assert!(after < 0.5 * before && after > 0.0, "{gain}");
     for key in [
         "noise",
@@ -98,8 +98,8 @@ fn where_nothing_is_hidden_nothing_is_found() {
         let (status, text, errors) = told(hyzer().args(["diagnose", example, "--out"]).arg(&out));
         assert_eq!(status, 0, "{errors}");
         let report = report(&out);
-        assert_eq!(report["verdict"], "none", "{text}");
-        assert_eq!(report["causes"], serde_json::json!([]));
+        assert_eq!(report["verdict"], "adequate", "{text}");
+        assert_eq!(report["explanations"], serde_json::json!([]));
         assert!(report["extended_model"].is_null() && !out.join("extended.hyz").exists());
     }
 }

@@ -22,15 +22,15 @@ fn the_readme_s_command_writes_a_page_that_needs_no_network() {
     let report: serde_json::Value =
         serde_json::from_slice(&std::fs::read(out.join("report.json")).expect("a report"))
             .expect("JSON");
-    assert_eq!(report["schema"], "hyzer.fit/1");
+    assert_eq!(report["schema"], "hyzer.fit/2");
     for key in [
         "model",
-        "rms_m",
+        "residual_rms",
         "noise",
         "coefficients",
         "correlations",
         "flights",
-        "undetermined",
+        "not_identifiable",
         "seconds",
     ] {
         assert!(!report[key].is_null(), "{key}");

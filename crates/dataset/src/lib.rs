@@ -76,7 +76,7 @@ pub struct Marker {
 
 /// Use of a flight: for the estimation of parameters (fitted), or only to test predictions (held out).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[serde(rename_all = "snake_case")]
 pub enum Role {
     /// The parameters of the model are estimated from the flight.
     #[default]

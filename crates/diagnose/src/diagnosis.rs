@@ -15,9 +15,9 @@ use crate::extension::ExtendedModel;
 use crate::lack_of_fit::LackOfFit;
 use crate::noise::random_walk_loads;
 use crate::offer::{ChosenExtension, measure};
-use crate::optimal_design::next_throw;
+use crate::optimal_design::proposed_throw;
 use crate::parallel::join;
-use crate::report::{self, Consensus, Report, Verdict};
+use crate::report::{self, Consensus, Report, Verdict, Verified};
 use crate::selection::{
     FittedTerms, Search, StepwiseModel, Weights, are_alternative, select_by_bic,
 };
@@ -34,6 +34,14 @@ pub struct Diagnosis {
     pub before: Fit,
     /// The model extended by the missing effects that were found, and its fit; `None` if the model is not extended.
     pub after: Option<(ExtendedModel, Fit)>,
+}
+
+impl Diagnosis {
+    /// Records the result of verifying the extended model. A refuted model makes the diagnosis unreliable.
+    pub fn set_verified(&mut self, verified: Option<Verified>) {
+        let after = self.after.as_ref().map(|(_, fit)| fit);
+        self.report.assess(&self.before, after, verified);
+    }
 }
 
 /// Tests a model against the flights of a dataset, identifies physical effects that the model lacks, and measures how
@@ -127,16 +135,16 @@ fn without_discordant<R: Send>(
     let base = BaseFit::new(context)?;
     let mut found = Analysis::new(context, base)?.finish(on_extension)?;
     let report = &mut found.0.report;
-    if report.verdict == Verdict::Unattributed || report.causes.is_empty() {
+    if report.verdict == Verdict::Unattributed || report.explanations.is_empty() {
         return Ok(None);
     }
-    let explained = report
+    let explained_fraction = report
         .consensus
         .as_ref()
-        .and_then(|consensus| consensus.explained);
+        .and_then(|consensus| consensus.explained_fraction);
     report.consensus = Some(Consensus {
         flights: fitted,
-        explained,
+        explained_fraction,
         p_value: discordant.p_value,
         discordant: discordant.files.clone(),
     });
@@ -207,7 +215,7 @@ impl<'a> Analysis<'a> {
         let (mut search, residuals) = (search?, if_possible(residuals)?.flatten());
         let unexplained = residuals
             .as_ref()
-            .filter(|residuals| residuals.p < options.alpha_detect);
+            .filter(|residuals| residuals.p_value < options.alpha_detect);
         if let Some(residuals) = unexplained
             && !search.is_significant()
         {
@@ -293,7 +301,7 @@ impl<'a> Analysis<'a> {
             let names = report::display_names(&chosen.extension.effects);
             let is_candidate = !self.search.accepted.is_empty();
             let applies = report.consensus.is_some();
-            let noise = report.noise.sigma_m;
+            let noise = report.leading_noise().sigma;
             let measured = measure(
                 context,
                 &self.before,
@@ -328,17 +336,18 @@ impl<'a> Analysis<'a> {
             report::note_incomplete(&mut report, is_out_of_time);
         }
         if !is_out_of_time {
-            let found = next_throw(&self.model, &self.search);
-            report.next_throw = if_possible(found)?.flatten();
+            let found = proposed_throw(&self.model, &self.search);
+            report.proposed_throw = if_possible(found)?.flatten();
         }
         report.summary = report::summary(&report);
         self.clock.record("total");
         report.seconds = self.clock.seconds;
-        let diagnosis = Diagnosis {
+        let mut diagnosis = Diagnosis {
             report,
             before: self.before,
             after,
         };
+        diagnosis.set_verified(None);
         Ok((diagnosis, made))
     }
 
@@ -469,10 +478,12 @@ mod tests {
         let (diagnosis, _) = analysis.finish(&|_| ()).unwrap();
         let report = diagnosis.report;
         assert_eq!(report.verdict, Verdict::Ambiguous);
-        let [first, second] = &report.causes[..] else {
+        let [first, second] = &report.explanations[..] else {
             panic!("two explanations: {}", report.summary);
         };
-        let names = |cause: &report::Cause| cause.effects.iter().map(|e| e.name.clone()).collect();
+        let names = |explanation: &report::Explanation| {
+            explanation.effects.iter().map(|e| e.name.clone()).collect()
+        };
         let names: [Vec<String>; 2] = [names(first), names(second)];
         assert!(names[0].contains(&"stall".to_owned()), "{names:?}");
         assert!(

@@ -61,12 +61,12 @@ pub use validation::held_out_gain;
 // What a diagnosis reports.
 pub use lack_of_fit::{LackOfFit, SmoothMisfit};
 pub use noise::LoadHistory;
-pub use optimal_design::NextThrow;
+pub use optimal_design::ProposedThrow;
 pub use power::{MinDetectableEffect, NotIdentifiable};
 pub use report::{
-    CandidateTest, Cause, CauseEffect, Coefficient, CoefficientCurve, Consensus, Estimate,
-    FlightGain, LoadChannel, NoiseSummary, RemainingEffect, Report, ScoreCorrelations, Threshold,
-    Unattributed, Verdict, Verified,
+    CandidateTest, Coefficient, CoefficientCurve, Consensus, Estimate, Explanation,
+    ExplanationEffect, FlightGain, LoadChannel, RemainingEffect, Report, ScoreCorrelations,
+    Threshold, Unattributed, Verdict, Verified,
 };
 pub use selection::StepwiseTerm;
 pub use validation::PredictiveGain;

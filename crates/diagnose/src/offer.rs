@@ -131,7 +131,7 @@ impl<R> MeasuredExtension<R> {
         context: Context<'_>,
     ) -> Result<Option<OfferedExtension<R>>, DiagnosisError> {
         let is_worse = self.gain.as_ref().is_some_and(PredictiveGain::is_worse);
-        report.gain = self.gain;
+        report.predictive_gain = self.gain;
         if is_worse {
             report::note_not_offered(report, &self.extension);
             return Ok(None);

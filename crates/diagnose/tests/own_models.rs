@@ -89,7 +89,7 @@ fn a_hidden_side_force_of_a_model_of_ones_own_is_found_at_its_site() {
     let dataset = shuttlecock(0.4 * GRAVITY, 1);
     let found = diagnose(&model(), &dataset, &DiagnosisOptions::default()).unwrap();
     let report = found.report;
-    let best = report.causes.first().expect("a cause");
+    let best = report.explanations.first().expect("a explanation");
     let sites: Vec<&str> = best
         .effects
         .iter()
@@ -109,5 +109,9 @@ fn a_hidden_side_force_of_a_model_of_ones_own_is_found_at_its_site() {
 fn a_right_model_of_ones_own_gets_no_cause() {
     let dataset = shuttlecock(0.0, 2);
     let found = diagnose(&model(), &dataset, &DiagnosisOptions::default()).unwrap();
-    assert!(found.report.causes.is_empty(), "{}", found.report.summary);
+    assert!(
+        found.report.explanations.is_empty(),
+        "{}",
+        found.report.summary
+    );
 }

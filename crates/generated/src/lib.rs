@@ -14,15 +14,6 @@ pub mod ball;
 pub mod disc;
 
 #[rustfmt::skip]
-pub mod disc_appendix;
-
-#[rustfmt::skip]
-pub mod disc_quaternion;
-
-#[rustfmt::skip]
-pub mod discus;
-
-#[rustfmt::skip]
 mod model;
 
 #[rustfmt::skip]

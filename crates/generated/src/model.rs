@@ -163,9 +163,6 @@ pub trait Equations {
 pub static MODELS: &[&Model] = &[
     &crate::ball::MODEL,
     &crate::disc::MODEL,
-    &crate::disc_appendix::MODEL,
-    &crate::disc_quaternion::MODEL,
-    &crate::discus::MODEL,
 ];
 
 /// The model with a given name.
@@ -186,11 +183,6 @@ pub fn visit<V: Visitor>(name: &str, visitor: V) -> Option<V::Output> {
     match name {
         "ball" => Some(visitor.visit::<crate::ball::Ball>()),
         "disc" => Some(visitor.visit::<crate::disc::Disc>()),
-        "disc_appendix" => Some(visitor.visit::<crate::disc_appendix::DiscAppendix>()),
-        "disc_quaternion" => {
-            Some(visitor.visit::<crate::disc_quaternion::DiscQuaternion>())
-        }
-        "discus" => Some(visitor.visit::<crate::discus::Discus>()),
         _ => None,
     }
 }

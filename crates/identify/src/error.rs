@@ -67,7 +67,7 @@ pub enum FlightError {
         needed: usize,
     },
     /// Screening found a fault in the data of the flight.
-    #[error("{}; {}", .0.detail, .0.mend)]
+    #[error("{}; {}", .0.detail, .0.correction)]
     DataFault(DataFault),
     /// No two samples with a pose are near enough in time to give an angular velocity.
     #[error("no two neighbouring samples show three markers each")]

@@ -42,8 +42,8 @@ pub use options::{CancellationToken, FitOptions, Prior, Progress};
 // The report of a fit.
 pub use report::{
     AxisNoise, AxisResiduals, Coefficient, Estimate, FitReport, FitStatus, FlightEvidence,
-    FlightOutcome, FlightReport, Iterations, MarkerDistance, NoiseReport, NonIdentifiable, Profile,
-    SensorEvidence, SensorReport, Truncation,
+    FlightOutcome, FlightReport, Iterations, MARKER, MarkerDistance, NoiseReport, NonIdentifiable,
+    Profile, Rms, SensorEvidence, SensorReport, Truncation, leading_noise,
 };
 pub use uncertainty::interval;
 

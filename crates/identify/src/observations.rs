@@ -184,14 +184,14 @@ impl Observations {
     }
 
     /// Drops all but the first `samples` samples, and records the time and the reason `why` of the truncation.
-    pub fn truncate(&mut self, samples: usize, why: String) {
+    pub fn truncate(&mut self, samples: usize, reason: String) {
         let dropped = self.times.len() - samples;
         self.keep(samples);
         self.samples -= dropped;
         self.truncation = Some(Truncation {
             t: self.origin + self.times.last().copied().unwrap_or(0.0),
             samples: dropped,
-            why,
+            reason,
         });
     }
 

@@ -104,7 +104,7 @@ const NOISE_RATIO: f64 = 1.1;
 
 /// Whether the residuals of a fit are at the level of the measurement noise.
 fn reaches_noise(found: &Fit) -> bool {
-    let floor = found.report.noise.floor_m;
+    let floor = found.report.position_noise().and_then(|noise| noise.floor);
     floor.is_some_and(|floor| misfit(found) < NOISE_RATIO * floor)
 }
 
@@ -112,7 +112,7 @@ fn reaches_noise(found: &Fit) -> bool {
 /// (1 + number of excluded flights).
 fn misfit(found: &Fit) -> f64 {
     let excluded = found.report.excluded().count() as f64;
-    found.report.rms_m * (1.0 + excluded)
+    found.report.rms() * (1.0 + excluded)
 }
 
 /// Estimated angles, rad, by which the axes of the measured positions are rotated from the vertical, about x and then

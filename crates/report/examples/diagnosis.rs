@@ -17,11 +17,11 @@ fn main() -> std::io::Result<()> {
     let mut arguments = std::env::args().skip(1);
     let folder = PathBuf::from(arguments.next().unwrap_or_else(|| "page".into()));
     let verdict = match arguments.next().as_deref() {
-        Some("none") => Verdict::None,
+        Some("adequate") => Verdict::Adequate,
         Some("ambiguous") => Verdict::Ambiguous,
-        Some("outside") => Verdict::Unattributed,
-        Some("immaterial") => Verdict::Negligible,
-        _ => Verdict::Named,
+        Some("unattributed") => Verdict::Unattributed,
+        Some("negligible") => Verdict::Negligible,
+        _ => Verdict::Identified,
     };
     let flights = arguments.next().and_then(|n| n.parse().ok()).unwrap_or(9);
     let after = made::evidence(flights);
@@ -31,8 +31,7 @@ fn main() -> std::io::Result<()> {
     let page = DiagnosisPage {
         report: &report,
         fits: None,
-        reasons_against: &[],
-        before: if verdict == Verdict::None {
+        before: if verdict == Verdict::Adequate {
             &after
         } else {
             &before

@@ -23,8 +23,8 @@ pub struct PredictionBand {
 /// Standard error of a coefficient: the larger of the Cramér–Rao and the cluster-robust (by flight) value; 0 if the
 /// coefficient is fixed.
 pub(crate) fn std_error(coefficient: &Coefficient) -> f64 {
-    let clustered = coefficient.std_error_clustered.unwrap_or(0.0);
-    match coefficient.held {
+    let clustered = coefficient.std_error_cluster_robust.unwrap_or(0.0);
+    match coefficient.fixed {
         true => 0.0,
         false => coefficient.std_error.max(clustered),
     }

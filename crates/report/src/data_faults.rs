@@ -19,7 +19,7 @@ struct Row {
     file: String,
     fault: String,
     detail: String,
-    mend: String,
+    correction: String,
 }
 
 /// Builds the table of the faults found in measured data, limited to [`MAX_ROWS`] rows.
@@ -28,7 +28,7 @@ pub(crate) fn table(faults: &[DataFault]) -> Table {
         file: fault.file.clone(),
         fault: fault.fault.name().replace('-', " "),
         detail: fault.detail.clone(),
-        mend: fault.mend.clone(),
+        correction: fault.correction.clone(),
     };
     Table {
         all: faults.len(),

@@ -140,7 +140,7 @@ fn of(model: &Model, effect: &AppliedEffect, known: &KnownEffect) -> Listed {
             name: constant.name.clone(),
             unit: constant.unit_text.clone(),
             null_value: plain(own.null_value),
-            negligible: own.smallest_of_interest.map(plain),
+            negligible: own.smallest_effect_of_interest.map(plain),
             of_each_flight: false,
         }
     });
@@ -150,7 +150,7 @@ fn of(model: &Model, effect: &AppliedEffect, known: &KnownEffect) -> Listed {
             name: state.name.clone(),
             unit: state.unit_text.clone(),
             null_value: plain(own.null_value),
-            negligible: own.smallest_of_interest.map(plain),
+            negligible: own.smallest_effect_of_interest.map(plain),
             of_each_flight: true,
         }
     });

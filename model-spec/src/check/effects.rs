@@ -38,7 +38,8 @@ impl Checker<'_> {
                 unknowns.push(EffectUnknown {
                     index,
                     null_value,
-                    smallest_of_interest: self.smallest_of_interest(applied, name, unit),
+                    smallest_effect_of_interest: self
+                        .smallest_effect_of_interest(applied, name, unit),
                 });
             }
             self.model.effects.push(AppliedEffect {
@@ -98,7 +99,12 @@ impl Checker<'_> {
 
     /// Smallest effect size of interest (difference from the null value that matters in practice), SI, of a coefficient
     /// or state `name` of an effect, as stated by `negligible NAME …;`; `None` if not stated.
-    fn smallest_of_interest(&mut self, applied: &Applied, name: &Name, unit: Unit) -> Option<f64> {
+    fn smallest_effect_of_interest(
+        &mut self,
+        applied: &Applied,
+        name: &Name,
+        unit: Unit,
+    ) -> Option<f64> {
         let mut stated = applied.negligible.iter();
         let (_, quantity) = stated.find(|(own, _)| own.text == name.text)?;
         let measure = self.measure_or_one(quantity.unit.as_ref())?;

@@ -73,5 +73,5 @@ pub struct EffectUnknown {
     pub null_value: f64,
     /// Smallest difference from [`EffectUnknown::null_value`] that matters in practice (smallest effect size of
     /// interest), SI; `None` if not stated.
-    pub smallest_of_interest: Option<f64>,
+    pub smallest_effect_of_interest: Option<f64>,
 }

@@ -116,7 +116,7 @@ fn an_effect_adds_states_with_their_equations() {
     let effect = &model.effects[0];
     let states = effect.states.iter();
     let states: Vec<_> = states
-        .map(|own| (own.index, own.smallest_of_interest))
+        .map(|own| (own.index, own.smallest_effect_of_interest))
         .collect();
     assert_eq!(states, [(6, None), (7, Some(0.1))]);
     let told = summary(&model);
@@ -176,7 +176,7 @@ let a_seen = a;
         [EffectUnknown {
             index: 2,
             null_value: model.states[2].value,
-            smallest_of_interest: None
+            smallest_effect_of_interest: None
         }]
     );
     let model = from_text("pendulum.hyz", text, &[]).unwrap();

@@ -42,7 +42,7 @@ fn any_model_gets_candidates_that_can_be_applied_alone_and_together() {
             let effect = &alone.effects[0];
             for own in &effect.coefficients {
                 assert_eq!(own.null_value, 0.0, "{}", effect.name);
-                assert!(own.smallest_of_interest.is_some_and(|n| n > 0.0));
+                assert!(own.smallest_effect_of_interest.is_some_and(|n| n > 0.0));
             }
             assert!(!effect.variables.is_empty() && !effect.doc.is_empty());
             all = all

@@ -68,12 +68,18 @@ fn all_effects_apply_together_in_any_order() {
                 assert!(!effect.citation.is_empty(), "{}", effect.name);
                 for own in &effect.states {
                     let name = &with.states[own.index].name;
-                    assert!(own.smallest_of_interest.is_some_and(|n| n > 0.0), "{name}");
+                    assert!(
+                        own.smallest_effect_of_interest.is_some_and(|n| n > 0.0),
+                        "{name}"
+                    );
                 }
                 for c in &effect.coefficients {
                     let name = &with.coefficients[c.index].name;
                     assert_eq!(c.null_value, 0.0, "{name}");
-                    assert!(c.smallest_of_interest.is_some_and(|n| n > 0.0), "{name}");
+                    assert!(
+                        c.smallest_effect_of_interest.is_some_and(|n| n > 0.0),
+                        "{name}"
+                    );
                 }
             }
             names.reverse();
@@ -173,7 +179,10 @@ fn an_effect_keeps_its_vanishing_value() {
     let coefficient = effect.coefficients[0];
     assert_eq!(model.coefficients[coefficient.index].name, "alpha_0");
     assert_eq!(
-        (coefficient.null_value, coefficient.smallest_of_interest),
+        (
+            coefficient.null_value,
+            coefficient.smallest_effect_of_interest
+        ),
         (0.0, Some(2e-4))
     );
     let drag = model

@@ -4,9 +4,9 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
+use analysis::sweep::folder::PartsFolder;
 use anyhow::Result;
 use identify::{Fit, FitError, FitOptions};
-use sweep::folder::PartsFolder;
 
 /// Number of refits in one part of a bootstrap (a block of consecutive refits whose results are stored in one file).
 pub(super) const LEN: u64 = 16;

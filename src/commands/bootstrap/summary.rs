@@ -35,7 +35,7 @@ pub(super) fn json(fit: &Fit, refits: &[Refit], options: &Bootstrap) -> Value {
             "unit": of_fit.unit,
             "std_error": column.sd,
             "std_error_fit": of_fit.std_error,
-            "std_error_clustered": of_fit.std_error_clustered,
+            "std_error_cluster_robust": of_fit.std_error_cluster_robust,
             "mean": column.mean,
             "interval": [column.quantile(0.025), column.quantile(0.975)],
         });
@@ -59,7 +59,7 @@ pub(super) fn json(fit: &Fit, refits: &[Refit], options: &Bootstrap) -> Value {
         "seed": options.seed,
         "flights": super::flights(fit),
         "reliable": fit.report.reliable,
-        "why": fit.report.why,
+        "cautions": fit.report.cautions,
         "coefficients": coefficients,
         "correlations": correlations,
     })
@@ -130,7 +130,7 @@ pub(super) fn text(summary: &Value) -> String {
                 .as_f64()
                 .map_or("–".to_owned(), |value| written(value, digits))
         };
-        let clustered = &column["std_error_clustered"];
+        let clustered = &column["std_error_cluster_robust"];
         let of_fit = if clustered.is_null() {
             &column["std_error_fit"]
         } else {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use ::design::CoefficientErrors;
+use analysis::design::CoefficientErrors;
 use anyhow::{Context, bail};
 use serde_json::Value;
 

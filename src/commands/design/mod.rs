@@ -5,7 +5,7 @@ mod page;
 
 use std::fmt::Write;
 
-use ::design::{
+use analysis::design::{
     Bounds, Design, Goal, SampleOptions, Scattered, SearchOptions, Spread, ThrownBody, design,
     numbers, spread,
 };

@@ -1,7 +1,7 @@
 //! The report page of a design: path from above and from the side, landings, and the effect of each quantity of the
 //! throw.
 
-use ::design::{Band, Bounds, Design, Landings, Path, QUANTILES, Spread, numbers};
+use analysis::design::{Band, Bounds, Design, Landings, Path, QUANTILES, Spread, numbers};
 use flight::throw::FIELDS;
 use nalgebra::{Vector2, Vector3};
 use report::figures::{Dots, Line, Look, Mark, Panel};

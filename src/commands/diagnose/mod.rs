@@ -7,7 +7,7 @@ use ::diagnose::{Diagnosis, DiagnosisOptions, ExtendedModel, Verified, diagnose_
 use anyhow::Context;
 use codegen::generate::generate_with;
 use dataset::Dataset;
-use identify::{FitOptions, FitStatus};
+use identify::FitOptions;
 use report::diagnosis::{DiagnosisPage, Fits};
 use report::viewer::View;
 use report::{CertificateNote, ResultFile, WithCertificate};
@@ -69,17 +69,16 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     drop(progress);
     let (mut found, verified) =
         found.with_context(|| format!("cannot diagnose {}", options.inputs.dataset.display()))?;
-    found.report.verified = verified.transpose()?;
-    let reasons = reasons_against(&found);
+    found.set_verified(verified.transpose()?);
     let has_extension = found.after.is_some();
     if let Some(folder) = &out {
         found.report.extended_model = has_extension.then(|| EXTENDED.to_owned());
         let note = certificate.note(&model);
-        let mut files = results(&dataset, &name, &found, &reasons, &note)?;
+        let mut files = results(&dataset, &name, &found, &note)?;
         output::add_figures(&mut files, &options.figures)?;
         output::replace(folder, &files)?;
     }
-    output::print(summary::summary(&found.report, &reasons))?;
+    output::print(summary::summary(&found.report))?;
     if let Some(folder) = &options.out {
         let extended = match has_extension {
             true => "the extended model, ",
@@ -90,47 +89,12 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
             folder.display()
         );
     }
-    if reasons.is_empty() {
+    if found.report.reliable {
         return Ok(Answer::Yes);
     }
-    eprintln!("do not rely on this diagnosis: {}", reasons.join("; "));
+    let cautions = found.report.cautions.join("; ");
+    eprintln!("do not rely on this diagnosis: {cautions}");
     Ok(Answer::No)
-}
-
-/// Fraction of excluded flights above which a diagnosis is unreliable.
-const MAX_EXCLUDED: f64 = 1.0 / 3.0;
-
-/// Reasons not to rely on a diagnosis; empty if there are none. Large residuals do not count as a reason, because the
-/// diagnosis searches for their cause.
-fn reasons_against(found: &Diagnosis) -> Vec<String> {
-    let mut reasons = Vec::new();
-    let (what, fit) = match &found.after {
-        Some((_, fit)) => ("the extended model", fit),
-        None => ("the model", &found.before),
-    };
-    match fit.report.iterations.status {
-        FitStatus::Converged => {}
-        FitStatus::Deadline => reasons.push(format!(
-            "the time limit was reached before the fit of {what} converged"
-        )),
-        FitStatus::MaxSteps | FitStatus::NoDescent | FitStatus::NoiseNotConverged => {
-            reasons.push(format!("the fit of {what} did not converge"));
-        }
-    }
-    if !found.report.complete {
-        reasons.push("the search was not completed".to_owned());
-    }
-    let (all, excluded) = (
-        found.before.report.flights.len(),
-        found.before.report.excluded().count(),
-    );
-    if excluded as f64 > MAX_EXCLUDED * all as f64 {
-        reasons.push(format!("{excluded} of {all} flights were excluded"));
-    }
-    if found.report.verified.as_ref().is_some_and(|v| !v.holds) {
-        reasons.push("the extended model fails an independent check".to_owned());
-    }
-    reasons
 }
 
 /// Sentence appended to the documentation of the model that a diagnosis extended: the added effects and the dataset.
@@ -173,7 +137,6 @@ fn results(
     dataset: &Dataset,
     name: &str,
     found: &Diagnosis,
-    reasons_against: &[String],
     certificate: &CertificateNote,
 ) -> anyhow::Result<Vec<ResultFile>> {
     let json = serde_json::to_string_pretty(&WithCertificate {
@@ -208,7 +171,6 @@ fn results(
             before: &found.before,
             after: after.map(|(_, fitted)| fitted),
         }),
-        reasons_against,
         extended: extended.as_deref(),
         certificate,
     };

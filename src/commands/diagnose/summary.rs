@@ -13,18 +13,22 @@ use crate::commands::fit::cautions;
 const LISTED: usize = 10;
 
 /// Text of the terminal summary of a diagnosis.
-pub fn summary(report: &Report, reasons_against: &[String]) -> String {
-    let mut text = cautions("diagnosis", reasons_against, &report.data_faults);
+pub fn summary(report: &Report) -> String {
+    let mut text = cautions("diagnosis", &report.cautions, &report.data_faults);
     let _ = write!(
         text,
         "{}: {}\n\n",
         verdict_name(report.verdict),
         wrapped(&report.summary)
     );
-    for (index, cause) in report.causes.iter().enumerate() {
-        let names: Vec<&str> = cause.effects.iter().map(|e| e.name.as_str()).collect();
-        let _ = write!(text, "cause {}: {}", index + 1, names.join(" with "));
-        for effect in &cause.effects {
+    for (index, explanation) in report.explanations.iter().enumerate() {
+        let names: Vec<&str> = explanation
+            .effects
+            .iter()
+            .map(|e| e.name.as_str())
+            .collect();
+        let _ = write!(text, "explanation {}: {}", index + 1, names.join(" with "));
+        for effect in &explanation.effects {
             for (name, estimate) in &effect.estimates {
                 let unit = if estimate.unit == "1" {
                     ""
@@ -38,17 +42,17 @@ pub fn summary(report: &Report, reasons_against: &[String]) -> String {
                 );
             }
         }
-        if cause.explained > 0.0 {
+        if explanation.explained_fraction > 0.0 {
             let _ = write!(
                 text,
                 "; explains {:.0} % of the misfit, {:.2} mm remain beyond the noise",
-                1e2 * cause.explained,
-                1e3 * cause.remaining_m
+                1e2 * explanation.explained_fraction,
+                1e3 * explanation.remaining_rms_m
             );
         }
         text.push('\n');
     }
-    if let Some(gain) = &report.gain {
+    if let Some(gain) = &report.predictive_gain {
         let how = if gain.held_out_by_dataset {
             "held-out flights"
         } else {
@@ -58,14 +62,14 @@ pub fn summary(report: &Report, reasons_against: &[String]) -> String {
             text,
             "{how} ({} flights): RMS prediction error {:.2} mm before, {:.2} mm after (gain {:.2} ± {:.2} mm; noise {:.2} mm)",
             gain.flights,
-            1e3 * gain.held_out_rms_before_m,
-            1e3 * gain.held_out_rms_after_m,
-            1e3 * (gain.held_out_rms_before_m - gain.held_out_rms_after_m),
-            1e3 * gain.standard_error_m,
-            1e3 * gain.noise_floor_m,
+            1e3 * gain.rms_before_m,
+            1e3 * gain.rms_after_m,
+            1e3 * (gain.rms_before_m - gain.rms_after_m),
+            1e3 * gain.std_error_m,
+            1e3 * gain.noise_m,
         );
     }
-    if let Some(gain) = &report.gain
+    if let Some(gain) = &report.predictive_gain
         && let Some(paired) = paired_gain_sentence(gain)
     {
         let _ = writeln!(text, "{}", wrapped(&paired));
@@ -76,8 +80,8 @@ pub fn summary(report: &Report, reasons_against: &[String]) -> String {
     for note in &report.notes {
         let _ = writeln!(text, "note: {note}");
     }
-    if let Some(throw) = &report.next_throw {
-        let _ = writeln!(text, "next throw: {}", throw.says);
+    if let Some(throw) = &report.proposed_throw {
+        let _ = writeln!(text, "proposed throw: {}", throw.description);
     }
     if let Some(verified) = &report.verified {
         let holds = if verified.holds { "passes" } else { "FAILS" };
@@ -88,9 +92,9 @@ pub fn summary(report: &Report, reasons_against: &[String]) -> String {
         );
     }
     let _ = writeln!(text, "\n{}\n", candidates(report));
-    if !report.undetectable.is_empty() {
+    if !report.not_identifiable.is_empty() {
         text.push_str("not identifiable from these flights:\n");
-        for hidden in &report.undetectable {
+        for hidden in &report.not_identifiable {
             let by = match hidden.confounded_with.as_slice() {
                 [] => "no influence here".to_owned(),
                 names => format!("confounded with {}", names.join(", ")),
@@ -101,9 +105,9 @@ pub fn summary(report: &Report, reasons_against: &[String]) -> String {
     let _ = writeln!(
         text,
         "noise per coordinate: {:.2} mm, lag-1 autocorrelation {:.2}, {:.1} % outliers",
-        1e3 * report.noise.sigma_m,
-        report.noise.ar1,
-        1e2 * report.noise.outlier_fraction
+        1e3 * report.leading_noise().sigma,
+        report.leading_noise().lag1_autocorrelation,
+        1e2 * report.leading_noise().outlier_fraction
     );
     text
 }
@@ -138,18 +142,18 @@ fn candidates(report: &Report) -> Table {
         "z",
         "tolerance",
     ]);
-    for candidate in report.candidates.iter().take(LISTED) {
+    for candidate in report.tests.iter().take(LISTED) {
         let mark = if candidate.significant { " *" } else { "" };
         table.add_row(vec![
             format!("{}{mark}", candidate.name),
             candidate.site.clone(),
-            format!("{:.1}", candidate.statistic),
-            candidate.dof.to_string(),
+            format!("{:.1}", candidate.score_chi2),
+            candidate.degrees_of_freedom.to_string(),
             format!("{:.1}", candidate.z),
             format!("{:.1e}", candidate.tolerance),
         ]);
     }
-    let rest = report.candidates.len().saturating_sub(LISTED);
+    let rest = report.tests.len().saturating_sub(LISTED);
     if rest > 0 {
         table.add_row(vec![format!("… and {rest} more")]);
     }

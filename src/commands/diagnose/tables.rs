@@ -10,20 +10,20 @@ pub fn candidates(report: &Report) -> anyhow::Result<Vec<u8>> {
     table.write_record([
         "name",
         "site",
-        "statistic",
-        "dof",
-        "ln_p",
+        "score_chi2",
+        "degrees_of_freedom",
+        "ln_p_value",
         "z",
         "significant",
         "tolerance",
     ])?;
-    for candidate in &report.candidates {
+    for candidate in &report.tests {
         table.write_record([
             &candidate.name,
             &candidate.site,
-            &candidate.statistic.to_string(),
-            &candidate.dof.to_string(),
-            &candidate.ln_p.to_string(),
+            &candidate.score_chi2.to_string(),
+            &candidate.degrees_of_freedom.to_string(),
+            &candidate.ln_p_value.to_string(),
             &candidate.z.to_string(),
             &candidate.significant.to_string(),
             &candidate.tolerance.to_string(),
@@ -61,7 +61,7 @@ pub fn flights(report: &Report) -> anyhow::Result<Vec<u8>> {
         "reason",
         "rms_before_m",
         "rms_after_m",
-        "p",
+        "p_value",
     ])?;
     for flight in &report.flights {
         let before = flight.rms_before_m.map(|before| before.to_string());
@@ -71,8 +71,8 @@ pub fn flights(report: &Report) -> anyhow::Result<Vec<u8>> {
         table.write_record([
             &flight.file,
             role(flight.role),
-            flight.outcome.as_deref().unwrap_or_default(),
-            flight.reason.as_deref().unwrap_or_default(),
+            flight.outcome.name(),
+            flight.outcome.reason().unwrap_or_default(),
             &before.unwrap_or_default(),
             &after.unwrap_or_default(),
             &p.map(f64::to_string).unwrap_or_default(),

@@ -76,7 +76,10 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     if fitted.report.reliable {
         return Ok(Answer::Yes);
     }
-    eprintln!("do not rely on this fit: {}", fitted.report.why.join("; "));
+    eprintln!(
+        "do not rely on this fit: {}",
+        fitted.report.cautions.join("; ")
+    );
     Ok(Answer::No)
 }
 

@@ -17,7 +17,7 @@ const LISTED: usize = 20;
 /// Text of the terminal summary of a fit.
 pub fn summary(model: &Model, report: &FitReport) -> String {
     let left_out = report.excluded().count();
-    let mut text = cautions("fit", &report.why, &report.data_faults);
+    let mut text = cautions("fit", &report.cautions, &report.data_faults);
     let _ = write!(
         text,
         "{}{}: {} flights fitted, {} held out",
@@ -33,19 +33,18 @@ pub fn summary(model: &Model, report: &FitReport) -> String {
     if left_out > 0 {
         let _ = write!(text, ", {left_out} excluded");
     }
-    let noise = &report.noise;
-    if report.sees_positions {
+    if let Some(noise) = report.position_noise() {
         let _ = writeln!(
             text,
             "; rms {:.2} mm\nnoise per coordinate: {:.2} mm ({}), lag-1 autocorrelation {:.2}, {} of {} points outliers",
-            1e3 * report.rms_m,
-            1e3 * noise.sigma_m,
+            1e3 * report.rms(),
+            1e3 * noise.sigma,
             if noise.estimated {
                 "estimated"
             } else {
                 "given"
             },
-            noise.ar1,
+            noise.lag1_autocorrelation,
             noise.outliers,
             noise.points,
         );
@@ -60,7 +59,7 @@ pub fn summary(model: &Model, report: &FitReport) -> String {
             sensor.measures,
             sensor.rms,
             sensor.sigma,
-            sensor.ar1,
+            sensor.lag1_autocorrelation,
             sensor.outliers,
             sensor.points,
             unit = sensor.unit,
@@ -68,8 +67,8 @@ pub fn summary(model: &Model, report: &FitReport) -> String {
     }
     text.push('\n');
     let _ = writeln!(text, "{}\n", coefficients(model, report));
-    for undetermined in &report.undetermined {
-        let _ = writeln!(text, "not identifiable: {}\n", undetermined.why);
+    for undetermined in &report.not_identifiable {
+        let _ = writeln!(text, "not identifiable: {}\n", undetermined.reason);
     }
     if let Some(scatter) = scatter(report) {
         let _ = writeln!(text, "{scatter}\n");
@@ -110,12 +109,12 @@ pub fn cautions(what: &str, reasons: &[String], faults: &[DataFault]) -> String 
                 file,
                 fault,
                 detail,
-                mend,
+                correction,
             } = fault;
             let _ = writeln!(
                 text,
-                "  {file}: {}: {detail}; {mend}",
-                fault.name().replace('-', " ")
+                "  {file}: {}: {detail}; {correction}",
+                fault.name().replace('_', " ")
             );
         }
         if faults.len() > LISTED {
@@ -158,7 +157,7 @@ fn coefficients(model: &Model, report: &FitReport) -> Table {
         };
         let digits = digits(found.std_error);
         let number = |value: f64| written(value, digits);
-        let interval = match found.held {
+        let interval = match found.fixed {
             true => String::new(),
             false => format!(
                 "{} .. {}",
@@ -166,11 +165,11 @@ fn coefficients(model: &Model, report: &FitReport) -> Table {
                 number(found.interval[1])
             ),
         };
-        let error = match found.held {
+        let error = match found.fixed {
             true => String::new(),
             false => format!("{:.1e}", found.std_error),
         };
-        let remark = match (found.held, found.at_bound, found.prior) {
+        let remark = match (found.fixed, found.at_bound, found.prior) {
             (true, ..) => "fixed",
             (_, true, _) => "at its bound",
             (.., Some(_)) => "with a prior",
@@ -213,7 +212,7 @@ fn scatter(report: &FitReport) -> Option<String> {
     let worst = report
         .coefficients
         .iter()
-        .filter_map(|(name, found)| Some((name, found.std_error_clustered? / found.std_error)))
+        .filter_map(|(name, found)| Some((name, found.std_error_cluster_robust? / found.std_error)))
         .filter(|(_, ratio)| ratio.is_finite())
         .max_by(|a, b| a.1.total_cmp(&b.1))?;
     (worst.1 > 1.7).then(|| {
@@ -240,7 +239,7 @@ fn flights(report: &FitReport) -> String {
         let cut = flight
             .cut
             .iter()
-            .map(|cut| format!("cut at {:.3} s: {}", cut.t, cut.why));
+            .map(|cut| format!("cut at {:.3} s: {}", cut.t, cut.reason));
         let remarks: Vec<String> = cut.chain(flight.notes.iter().cloned()).collect();
         let rms = match flight.is_used() {
             true => format!("{:.2}", 1e3 * flight.rms()),

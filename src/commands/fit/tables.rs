@@ -10,15 +10,17 @@ pub fn coefficients(report: &FitReport) -> anyhow::Result<Vec<u8>> {
         "name",
         "value",
         "std_error",
-        "std_error_clustered",
+        "std_error_cluster_robust",
         "low_95",
         "high_95",
         "unit",
         "at_bound",
-        "held",
+        "fixed",
     ])?;
     for (name, found) in &report.coefficients {
-        let clustered = found.std_error_clustered.map(|error| error.to_string());
+        let clustered = found
+            .std_error_cluster_robust
+            .map(|error| error.to_string());
         table.write_record([
             name,
             &found.value.to_string(),
@@ -28,7 +30,7 @@ pub fn coefficients(report: &FitReport) -> anyhow::Result<Vec<u8>> {
             &found.interval[1].to_string(),
             &found.unit,
             &found.at_bound.to_string(),
-            &found.held.to_string(),
+            &found.fixed.to_string(),
         ])?;
     }
     Ok(table.into_inner()?)
@@ -46,24 +48,38 @@ pub fn correlations(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// CSV table of the flights of a fit: one line per flight, with its role, its number of samples, the RMS residual (m),
+/// CSV table of the flights of a fit: one line per flight, with its role, its number of samples, the RMS residual of each kind of sensor
+/// in its unit,
 /// the number of outliers and the time (s) at which the flight was truncated.
 pub fn flights(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
-    table.write_record([
-        "file", "role", "samples", "rms_m", "outliers", "cut_at_s", "notes",
-    ])?;
+    let kinds: Vec<&String> = report.residual_rms.keys().collect();
+    let mut header: Vec<String> = ["file", "role", "outcome", "reason", "samples"]
+        .map(str::to_owned)
+        .into();
+    header.extend(kinds.iter().map(|kind| format!("residual_rms_{kind}")));
+    header.extend(["outliers", "cut_at_s", "notes"].map(str::to_owned));
+    table.write_record(header)?;
     for flight in &report.flights {
         let cut = flight.cut.as_ref().map(|cut| cut.t.to_string());
-        table.write_record([
-            flight.file.as_str(),
-            role(flight.role),
-            &flight.samples.to_string(),
-            &flight.rms_m.map(|rms| rms.to_string()).unwrap_or_default(),
-            &flight.outliers.to_string(),
-            &cut.unwrap_or_default(),
-            &flight.notes.join("; "),
-        ])?;
+        let rms = kinds.iter().map(|kind| {
+            let rms = flight.residual_rms.get(*kind);
+            rms.map(|rms| rms.value.to_string()).unwrap_or_default()
+        });
+        let mut row = vec![
+            flight.file.clone(),
+            role(flight.role).to_owned(),
+            flight.outcome.name().to_owned(),
+            flight.outcome.reason().unwrap_or_default().to_owned(),
+            flight.samples.to_string(),
+        ];
+        row.extend(rms);
+        row.extend([
+            flight.outliers.to_string(),
+            cut.unwrap_or_default(),
+            flight.notes.join("; "),
+        ]);
+        table.write_record(row)?;
     }
     Ok(table.into_inner()?)
 }

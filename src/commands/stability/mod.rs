@@ -4,7 +4,7 @@
 mod page;
 mod words;
 
-use ::stability::{Body, Instant, along, at, map, trim};
+use analysis::stability::{Body, Instant, along, at, map, trim};
 use anyhow::bail;
 use flight::simulate;
 use flight::throw::Throw;
@@ -32,7 +32,7 @@ pub struct Found {
     /// Modes and stability criteria along the flight to the ground; empty if the flight cannot be simulated.
     pub flight: Vec<Instant>,
     /// Steady (trimmed) flight with the same spin as at release, and its modes; `None` if no steady flight is found.
-    pub trim: Option<(::stability::Trim, ::stability::Modes)>,
+    pub trim: Option<(analysis::stability::Trim, analysis::stability::Modes)>,
     /// Modes and stability criteria at release for each point of a grid of speed and spin, which replace the speed and
     /// spin of the throw.
     pub map: Vec<Instant>,
@@ -91,7 +91,7 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
     let found = Found {
         map: map(&bound, &first.throw, &SPEEDS, &spins),
         trim: trim(&bound, spin).map(|trim| {
-            let modes = ::stability::modes(&trim.linearised, trim.turn);
+            let modes = analysis::stability::modes(&trim.linearised, trim.turn);
             (trim, modes)
         }),
         release: first,

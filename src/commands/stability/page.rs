@@ -1,7 +1,7 @@
 //! The report page of a stability analysis: modes at release, along the flight, in steady flight, and over speed and
 //! spin.
 
-use ::stability::{Instant, ModeKind, Modes};
+use analysis::stability::{Instant, ModeKind, Modes};
 use report::figures::{Dots, Line, Look, Panel};
 use report::{Section, Sheet, SheetFigure, Table};
 
@@ -138,7 +138,7 @@ fn along(flight: &[Instant]) -> SheetFigure {
         name: name.into(),
         points,
     };
-    let fast = |i: &Instant, of: &dyn Fn(&::stability::Mode) -> f64| {
+    let fast = |i: &Instant, of: &dyn Fn(&analysis::stability::Mode) -> f64| {
         nutation(&i.modes).map_or(f64::NAN, of)
     };
     let panel = |title: &str, lines| Panel {
@@ -147,7 +147,7 @@ fn along(flight: &[Instant]) -> SheetFigure {
         lines,
         ..Panel::default()
     };
-    let slow = |of: &dyn Fn(&::stability::Mode) -> f64| {
+    let slow = |of: &dyn Fn(&analysis::stability::Mode) -> f64| {
         let points = flight.iter().flat_map(|i| {
             let modes = i
                 .modes
@@ -175,24 +175,27 @@ fn along(flight: &[Instant]) -> SheetFigure {
             panel(
                 "Frequency of the nutation, rad/s",
                 vec![
-                    line("modes", of(&|i| fast(i, &::stability::Mode::frequency))),
+                    line(
+                        "modes",
+                        of(&|i| fast(i, &analysis::stability::Mode::frequency)),
+                    ),
                     line("closed", of(&|i| i.criteria.nutation)),
                 ],
             ),
             panel(
                 "Decay of the nutation, 1/s",
                 vec![
-                    line("modes", of(&|i| fast(i, &::stability::Mode::decay))),
+                    line("modes", of(&|i| fast(i, &analysis::stability::Mode::decay))),
                     line("closed", of(&|i| i.criteria.nutation_decay)),
                 ],
             ),
             dots(
                 "Decay of the slow modes, 1/s",
-                slow(&::stability::Mode::decay),
+                slow(&analysis::stability::Mode::decay),
             ),
             dots(
                 "Their frequencies, rad/s",
-                slow(&::stability::Mode::frequency),
+                slow(&analysis::stability::Mode::frequency),
             ),
         ],
     }
@@ -236,7 +239,7 @@ fn over(map: &[Instant]) -> SheetFigure {
         panels: vec![
             panel(
                 "Frequency of the fast mode, rad/s",
-                &|i| nutation(&i.modes).map_or(f64::NAN, ::stability::Mode::frequency),
+                &|i| nutation(&i.modes).map_or(f64::NAN, analysis::stability::Mode::frequency),
                 Vec::new(),
             ),
             panel(

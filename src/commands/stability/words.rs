@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use ::stability::{Criteria, Instant, Mode, ModeKind, Modes};
+use analysis::stability::{Criteria, Instant, Mode, ModeKind, Modes};
 use serde_json::{Value, json};
 
 use super::Found;

@@ -43,7 +43,7 @@ pub(crate) struct Consensus {
     /// Fraction, 0 … 1, of the excess χ² that the best hypothesis explains, over all flights, or over the concordant
     /// flights if `hypotheses` is empty. The excess χ² is the weighted sum of squares minus its expectation for pure
     /// noise.
-    pub explained: f64,
+    pub explained_fraction: f64,
     /// Familywise p-value of the sign-flip test of the effect of the best hypothesis: probability that the flights
     /// agree as much under the null hypothesis.
     pub p_value: f64,
@@ -82,7 +82,7 @@ pub(crate) fn consensus(
         return Ok(of_most);
     };
     Ok(Some(Consensus {
-        explained: explained(&best.hypothesis),
+        explained_fraction: explained(&best.hypothesis),
         p_value: best.p_value,
         hypotheses: agreed.into_iter().map(|agreed| agreed.hypothesis).collect(),
         discordant: of_most.map(|most| most.discordant).unwrap_or_default(),
@@ -158,11 +158,13 @@ fn explained_without_discordant(
         let explained = found.chi2_decrease / test.excess_chi2(concordant);
         let count = flights - discordant.len();
         let are_enough = count >= MIN_FLIGHTS && count as f64 >= MIN_CONCORDANT * flights as f64;
-        let is_best = best.as_ref().is_none_or(|best| explained > best.explained);
+        let is_best = best
+            .as_ref()
+            .is_none_or(|best| explained > best.explained_fraction);
         if are_enough && explained >= MIN_EXPLAINED && is_best {
             best = Some(Consensus {
                 hypotheses: Vec::new(),
-                explained,
+                explained_fraction: explained,
                 p_value: *p_value,
                 discordant,
             });

@@ -37,7 +37,7 @@ pub(crate) struct CandidateParameter<Id> {
     pub null_value: f64,
     /// Smallest effect size of interest, SI: a smaller difference of the value from the null value is negligible.
     /// `None` if the effect declares none.
-    pub smallest_of_interest: Option<f64>,
+    pub smallest_effect_of_interest: Option<f64>,
     /// Minimum and maximum value, SI; `None` if unbounded.
     pub bounds: Option<(f64, f64)>,
 }
@@ -62,7 +62,7 @@ impl Candidate {
                 id: layout.coefficient(own.index),
                 unit: constant.unit_text.clone(),
                 null_value: own.null_value,
-                smallest_of_interest: own.smallest_of_interest,
+                smallest_effect_of_interest: own.smallest_effect_of_interest,
                 bounds: constant.bounds,
             }
         });
@@ -73,7 +73,7 @@ impl Candidate {
                 id: StateId::new(own.index),
                 unit: state.unit_text.clone(),
                 null_value: own.null_value,
-                smallest_of_interest: own.smallest_of_interest,
+                smallest_effect_of_interest: own.smallest_effect_of_interest,
                 bounds: None,
             }
         });

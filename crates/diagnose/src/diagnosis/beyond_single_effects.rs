@@ -104,7 +104,7 @@ impl Analysis<'_> {
             self.search.accepted = found.hypotheses;
             self.consensus = Some(Consensus {
                 flights: self.model.flights.len(),
-                explained: Some(found.explained),
+                explained_fraction: Some(found.explained_fraction),
                 p_value: found.p_value,
                 discordant: Vec::new(),
             });

@@ -21,8 +21,8 @@ pub(super) struct ScaledStatistic {
     /// Test statistic: sum of squares over the estimated noise variance.
     pub value: f64,
     /// Expectation of the statistic under the null hypothesis: its degrees of freedom.
-    pub dof: f64,
-    /// Additional variance of the statistic because the noise is estimated, beyond the variance of χ² with `dof`
+    pub degrees_of_freedom: f64,
+    /// Additional variance of the statistic because the noise is estimated, beyond the variance of χ² with `degrees_of_freedom`
     /// degrees of freedom.
     pub noise_variance: f64,
 }
@@ -31,18 +31,21 @@ impl ScaledStatistic {
     /// Adds `other`, a statistic with an independent estimate of the noise variance, such as from another flight.
     pub fn add(&mut self, other: &Self) {
         self.value += other.value;
-        self.dof += other.dof;
+        self.degrees_of_freedom += other.degrees_of_freedom;
         self.noise_variance += other.noise_variance;
     }
 
     /// p-value of the statistic under the null hypothesis, by the F distribution.
     pub fn p_value(&self) -> f64 {
-        if self.dof <= 0.0 {
+        if self.degrees_of_freedom <= 0.0 {
             return 1.0;
         }
-        let relative = self.noise_variance / (self.dof * self.dof);
+        let relative = self.noise_variance / (self.degrees_of_freedom * self.degrees_of_freedom);
         let dof2 = 2.0 / relative.max(1e-9);
-        f_survival(self.value / self.dof, (self.dof, dof2))
+        f_survival(
+            self.value / self.degrees_of_freedom,
+            (self.degrees_of_freedom, dof2),
+        )
     }
 }
 
@@ -53,13 +56,13 @@ mod tests {
     #[test]
     fn tails_are_those_of_tables() {
         // 1 % and 5 % points of F(10, 20), F(60, 120), F(5, 1e6) = chi squared(5) / 5.
-        for (value, dof, expected) in [
+        for (value, degrees_of_freedom, expected) in [
             (3.368, (10.0, 20.0), 0.01),
             (2.348, (10.0, 20.0), 0.05),
             (1.656, (60.0, 120.0), 0.01),
             (3.017, (5.0, 1e9), 0.01),
         ] {
-            let found = f_survival(value, dof);
+            let found = f_survival(value, degrees_of_freedom);
             assert!((found / expected - 1.0).abs() < 0.06, "{found} {expected}");
         }
         assert_eq!(f_survival(0.0, (3.0, 3.0)), 1.0);

@@ -24,10 +24,9 @@ pub struct SmoothMisfit {
     /// Maximum of the smooth deviation, measured − predicted, with sign, in `unit`.
     pub size_m: f64,
     /// Unit of the deviation; `m` for positions.
-    #[serde(default)]
     pub unit: String,
     /// p-value of the lack-of-fit test of this flight alone.
-    pub p: f64,
+    pub p_value: f64,
 }
 
 /// Largest smooth deviation of a flight. Splines are fitted to the residuals of each measured coordinate; the result is
@@ -81,6 +80,6 @@ pub(super) fn greatest_misfit(
         from_s: times[from.unwrap_or(greatest)],
         to_s: times[to.unwrap_or(greatest)],
         size_m: size / channel.scale,
-        p: 1.0,
+        p_value: 1.0,
     })
 }

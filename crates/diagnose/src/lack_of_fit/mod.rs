@@ -58,15 +58,14 @@ const MAX_DESCRIBED: usize = 6;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LackOfFit {
     /// Familywise p-value of the joint test of all flights and the tests of the single flights.
-    pub p: f64,
+    pub p_value: f64,
     /// p-value of the lack-of-fit test of each fitted flight, by file name.
     pub flights: BTreeMap<String, f64>,
     /// Largest smooth deviation of each of the most significant flights, smallest p-value first; empty in a report if
     /// the test passes.
-    #[serde(rename = "where", default)]
-    pub departures: Vec<SmoothMisfit>,
+    pub largest_misfits: Vec<SmoothMisfit>,
     /// Standard deviation of the noise of one coordinate, m, estimated from changes that no smooth motion can follow.
-    pub noise_floor_m: f64,
+    pub noise_m: f64,
     /// Root mean square of the residuals in excess of the noise, m: √(mean square of the residuals − noise variance),
     /// or 0 if the difference is negative.
     pub beyond_noise_m: f64,
@@ -140,21 +139,22 @@ impl LackOfFit {
         let count = p_values.len() as f64;
         sort_by_number(&mut p_values, |p_value| p_value.1);
         let least = p_values.first().map_or(1.0, |(_, p)| count * p);
-        let p = (2.0 * least_p(slow, fine, error).min(least)).min(1.0);
-        let departures = p_values
-            .iter()
-            .take(MAX_DESCRIBED)
-            .filter_map(|&(index, p)| {
-                let flight = &flights[index];
-                let basis = flight.slow();
-                let found = greatest_misfit(&series[index], &basis, &floor.noise, channels)?;
-                Some(SmoothMisfit {
-                    file: flight.observed.file.clone(),
-                    p,
-                    ..found
-                })
-            });
-        let departures = departures.collect();
+        let p_value = (2.0 * least_p(slow, fine, error).min(least)).min(1.0);
+        let largest_misfits =
+            p_values
+                .iter()
+                .take(MAX_DESCRIBED)
+                .filter_map(|&(index, p_value)| {
+                    let flight = &flights[index];
+                    let basis = flight.slow();
+                    let found = greatest_misfit(&series[index], &basis, &floor.noise, channels)?;
+                    Some(SmoothMisfit {
+                        file: flight.observed.file.clone(),
+                        p_value,
+                        ..found
+                    })
+                });
+        let largest_misfits = largest_misfits.collect();
         let (mut squares, mut points) = (0.0, 0.0);
         for series in series
             .iter()
@@ -163,18 +163,20 @@ impl LackOfFit {
             squares += series.sides.iter().map(|r| r * r).sum::<f64>();
             points += series.sides.len() as f64;
         }
-        let noise_floor_m = floor.noise.overall();
-        let beyond = squares / f64::max(points, 1.0) - noise_floor_m * noise_floor_m;
+        let noise_m = floor.noise.overall();
+        let beyond = squares / f64::max(points, 1.0) - noise_m * noise_m;
         Self {
-            p,
+            p_value,
             flights: p_values
                 .iter()
                 .map(|&(index, p)| (flights[index].observed.file.clone(), p))
                 .collect(),
-            departures,
-            noise_floor_m,
+            largest_misfits,
+            noise_m,
             beyond_noise_m: beyond.max(0.0).sqrt(),
-            excess_chi2: (slow.value - slow.dof).max(fine.value - fine.dof).max(0.0),
+            excess_chi2: (slow.value - slow.degrees_of_freedom)
+                .max(fine.value - fine.degrees_of_freedom)
+                .max(0.0),
             noise: floor.noise.clone(),
         }
     }
@@ -340,28 +342,22 @@ mod tests {
     #[test]
     fn residuals_of_the_true_model_are_noise_and_those_of_another_are_not() {
         let found = tested(&["stall"]);
-        assert!(found.p > 0.05, "{found:?}");
+        assert!(found.p_value > 0.05, "{found:?}");
         // The dataset was made with noise of 1.5 mm.
-        assert!(
-            (found.noise_floor_m / 0.0015 - 1.0).abs() < 0.05,
-            "{found:?}"
-        );
+        assert!((found.noise_m / 0.0015 - 1.0).abs() < 0.05, "{found:?}");
         assert!(found.beyond_noise_m < 0.0005, "{found:?}");
         let wrong = tested(&[]);
-        assert!(wrong.p < 1e-6, "{wrong:?}");
+        assert!(wrong.p_value < 1e-6, "{wrong:?}");
         // The noise floor does not depend on the misfit of the model.
-        assert!(
-            (wrong.noise_floor_m / 0.0015 - 1.0).abs() < 0.05,
-            "{wrong:?}"
-        );
+        assert!((wrong.noise_m / 0.0015 - 1.0).abs() < 0.05, "{wrong:?}");
         assert!(
             wrong.beyond_noise_m > 0.002 && wrong.excess_chi2 > 100.0,
             "{wrong:?}"
         );
         assert_eq!(wrong.flights.len(), 6);
-        let first = &wrong.departures[0];
+        let first = &wrong.largest_misfits[0];
         let least = wrong.flights.values().copied().fold(1.0, f64::min);
-        assert_eq!((wrong.flights[&first.file], first.p), (least, least));
+        assert_eq!((wrong.flights[&first.file], first.p_value), (least, least));
         assert!(
             first.size_m.abs() > 0.002 && first.from_s < first.to_s,
             "{first:?}"

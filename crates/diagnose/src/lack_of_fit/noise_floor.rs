@@ -1,7 +1,7 @@
 //! Noise floor: the part of the residuals that no smooth motion can follow, modelled as an AR(1) process along each
 //! axis.
 //!
-//! Splines with closely spaced knots remove everything smooth from the residuals, whatever its cause. Restricted
+//! Splines with closely spaced knots remove everything smooth from the residuals, whatever its explanation. Restricted
 //! maximum likelihood gives variance and autocorrelation of the remainder, without bias from estimating the splines'
 //! coefficients.
 
@@ -54,7 +54,7 @@ struct Likelihood {
     /// the innovation's variance to the noise variance.
     squares: f64,
     /// Number of residuals minus the number of fitted splines.
-    dof: f64,
+    degrees_of_freedom: f64,
 }
 
 impl NoiseFloor {
@@ -145,7 +145,7 @@ fn of_axis(
     }
     let ar1 = (low + high) / 2.0;
     let found = at(ar1);
-    if !(found.dof >= 1.0 && found.squares.is_finite()) {
+    if !(found.degrees_of_freedom >= 1.0 && found.squares.is_finite()) {
         return None;
     }
     let around = [-1.0, 1.0].map(|side| deviance(ar1 + side * CURVATURE_STEP));
@@ -157,7 +157,9 @@ fn of_axis(
         true => (2.0 / curvature).sqrt().min(widest),
         false => widest,
     };
-    let sigma = (found.squares / found.dof).sqrt().max(1e-150);
+    let sigma = (found.squares / found.degrees_of_freedom)
+        .sqrt()
+        .max(1e-150);
     Some((ar1, std_error, sigma))
 }
 
@@ -176,19 +178,19 @@ fn likelihood(
     noise.ar1[axis] = ar1;
     let mut total = Likelihood::default();
     for flight in flights {
-        let (mut squares, mut dof, mut ln) = (0.0, 0.0, 0.0);
+        let (mut squares, mut degrees_of_freedom, mut ln) = (0.0, 0.0, 0.0);
         let of_group = flight.series.iter().zip(group_of);
         for (series, _) in of_group.filter(|(_, own)| **own == group) {
             let found = series[axis].whitened(&flight.fine, &noise, axis);
             let on_splines: f64 = found.projected.coordinates.iter().map(|c| c * c).sum();
             squares += (found.products[0] - on_splines).max(0.0);
-            dof += found.samples as f64 - found.projected.rank as f64;
+            degrees_of_freedom += found.samples as f64 - found.projected.rank as f64;
             ln += found.ln_variances + found.projected.ln_determinant;
         }
-        if dof > 0.0 {
-            total.deviance += dof * squares.max(1e-300).ln() + ln;
+        if degrees_of_freedom > 0.0 {
+            total.deviance += degrees_of_freedom * squares.max(1e-300).ln() + ln;
             total.squares += squares;
-            total.dof += dof;
+            total.degrees_of_freedom += degrees_of_freedom;
         }
     }
     total

@@ -63,21 +63,21 @@ impl FlightMisfit {
         let (of_locals, locals) = decrease(&of_fine.local, &of_fine.gradient, &scale);
         let statistic = |found: &Projection| {
             let (left, rank) = decrease(&found.left, &found.left_gradient, &scale);
-            let dof = (found.rank + rank).saturating_sub(locals) as f64;
-            (found.squares + left - of_locals, dof, rank)
+            let degrees_of_freedom = (found.rank + rank).saturating_sub(locals) as f64;
+            (found.squares + left - of_locals, degrees_of_freedom, rank)
         };
         let (fine, fine_dof, rank) = statistic(&of_fine);
         let (slow, slow_dof, _) = statistic(&of_slow);
-        let dof = of_fine.samples as f64 - (of_fine.rank + rank) as f64;
-        if dof < 1.0 {
+        let degrees_of_freedom = of_fine.samples as f64 - (of_fine.rank + rank) as f64;
+        if degrees_of_freedom < 1.0 {
             return None;
         }
         let remaining = (of_fine.total - of_locals - fine).max(0.0);
-        let variance = (remaining / dof).max(least_ratio * least_ratio);
+        let variance = (remaining / degrees_of_freedom).max(least_ratio * least_ratio);
         let scaled = |value: f64, of: f64| ScaledStatistic {
             value: value.max(0.0) / variance,
-            dof: of,
-            noise_variance: of * of * 2.0 / dof,
+            degrees_of_freedom: of,
+            noise_variance: of * of * 2.0 / degrees_of_freedom,
         };
         Some(Self {
             slow: scaled(slow, slow_dof),
@@ -97,7 +97,7 @@ impl FlightMisfit {
 /// frequencies; it widens the null distributions of both statistics.
 pub(super) fn least_p(slow: ScaledStatistic, fine: ScaledStatistic, relative_error: f64) -> f64 {
     let p = [slow, fine].map(|mut statistic| {
-        statistic.noise_variance += (statistic.dof * relative_error).powi(2);
+        statistic.noise_variance += (statistic.degrees_of_freedom * relative_error).powi(2);
         statistic.p_value()
     });
     (2.0 * p[0].min(p[1])).min(1.0)

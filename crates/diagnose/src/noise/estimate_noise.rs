@@ -70,7 +70,7 @@ impl ScoreTestModel<'_> {
         let mut with = conditioned_on.to_vec();
         for (id, candidate) in self.candidates() {
             let test = tests.candidates[id].as_ref();
-            let is_significant = test.is_some_and(|test| test.ln_p < MAX_LN_P_OF_STATES);
+            let is_significant = test.is_some_and(|test| test.ln_p_value < MAX_LN_P_OF_STATES);
             if candidate.is_per_flight() && is_significant {
                 with.push(id);
             }

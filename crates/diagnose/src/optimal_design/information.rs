@@ -32,7 +32,7 @@ pub(super) struct Alternative {
     columns: Vec<ColumnId>,
     /// For each column of the normal equations in `columns`: fitted value minus null value, SI, of the coefficient to
     /// which the column belongs.
-    departures: Vec<f64>,
+    largest_misfits: Vec<f64>,
 }
 
 impl Alternative {
@@ -48,7 +48,7 @@ impl Alternative {
             hypothesis.iterate.global[column.index()] - null_value
         };
         Self {
-            departures: columns.iter().map(departure).collect(),
+            largest_misfits: columns.iter().map(departure).collect(),
             columns,
         }
     }
@@ -66,9 +66,9 @@ pub(super) fn separation(
     let mut least = f64::INFINITY;
     for truth in hypotheses {
         for other in hypotheses {
-            let own = truth.columns.iter().zip(&truth.departures);
+            let own = truth.columns.iter().zip(&truth.largest_misfits);
             let own = own.filter(|(column, _)| !other.columns.contains(column));
-            let (own, departures): (Vec<ColumnId>, Vec<f64>) = own.unzip();
+            let (own, largest_misfits): (Vec<ColumnId>, Vec<f64>) = own.unzip();
             if own.is_empty() {
                 continue;
             }
@@ -78,8 +78,10 @@ pub(super) fn separation(
             };
             let cross = select(information, &free, &own);
             let effective = select(information, &own, &own) - cross.tr_mul(&(inverse * &cross));
-            let departures = DVector::from_vec(departures);
-            let chi2 = departures.dot(&(effective * &departures)).max(0.0);
+            let largest_misfits = DVector::from_vec(largest_misfits);
+            let chi2 = largest_misfits
+                .dot(&(effective * &largest_misfits))
+                .max(0.0);
             least = least.min(chi2.sqrt());
         }
     }
@@ -94,7 +96,7 @@ mod tests {
     fn hypotheses_are_as_far_apart_as_their_columns_are_independent() {
         let alternative = |column: usize| Alternative {
             columns: vec![ColumnId::new(column)],
-            departures: vec![2.0],
+            largest_misfits: vec![2.0],
         };
         let both = [alternative(0), alternative(1)];
         // Orthogonal columns: the other hypothesis explains nothing.

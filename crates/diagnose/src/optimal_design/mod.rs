@@ -1,9 +1,9 @@
 //! Discrimination (T-optimal) design: the next throw that would best distinguish the remaining hypotheses.
 
 mod information;
-mod next_throw;
+mod proposed_throw;
 mod release;
 
-pub(crate) use next_throw::next_throw;
+pub(crate) use proposed_throw::proposed_throw;
 
-pub use next_throw::NextThrow;
+pub use proposed_throw::ProposedThrow;

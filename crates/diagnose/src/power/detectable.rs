@@ -32,7 +32,6 @@ pub struct NotIdentifiable {
     pub name: String,
     /// Names of the coefficients of the model under test with which the effect is confounded, or `initial states`;
     /// empty if the effect does not influence these flights.
-    #[serde(rename = "absorbed_by")]
     pub confounded_with: Vec<String>,
 }
 
@@ -75,7 +74,7 @@ pub(crate) fn detectable(
             })
             .collect();
         let has_size = candidate.is_per_flight() || !sizes.is_empty();
-        if test.dof > 0 && has_size {
+        if test.degrees_of_freedom > 0 && has_size {
             detectable.extend(sizes);
         } else {
             hidden.push(NotIdentifiable {
@@ -175,7 +174,7 @@ mod tests {
             .as_ref()
             .unwrap();
         // An estimate of this size is 1.28 standard errors above the threshold.
-        let z = stall.value / test.one_step[0].std_error;
+        let z = stall.value / test.one_step_estimates[0].std_error;
         assert!((z - ln_p_to_z(detect) - Z_OF_POWER).abs() < 1e-6, "{z}");
     }
 }

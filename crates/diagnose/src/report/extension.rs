@@ -3,7 +3,7 @@
 use identify::Fit;
 
 use super::report_builder::{add_share, coefficients, note_convergence, verdict};
-use super::types::{Cause, CauseEffect, Estimate, Report};
+use super::types::{Estimate, Explanation, ExplanationEffect, Report};
 use crate::context::display_name;
 use crate::extension::ExtendedModel;
 use crate::selection::{FittedTerms, Search};
@@ -12,15 +12,15 @@ use crate::selection::{FittedTerms, Search};
 /// lack of fit. The data do not distinguish it from the other explanations.
 pub(crate) fn add_alternative(report: &mut Report, terms: &FittedTerms, search: &Search) {
     let chi2_decrease = (search.at_base.squares - terms.squares).max(0.0);
-    let mut cause = cause(&terms.extension, &terms.fit, chi2_decrease);
+    let mut explanation = explanation(&terms.extension, &terms.fit, chi2_decrease);
     if let Some(residuals) = &report.lack_of_fit {
-        add_share(&mut cause, residuals);
+        add_share(&mut explanation, residuals);
     }
-    report.causes.push(cause);
-    report.verdict = verdict(true, &report.causes);
+    report.explanations.push(explanation);
+    report.verdict = verdict(true, &report.explanations);
 }
 
-/// Adds the fit of the extended model to the report. If the report contains no explanation (`causes`) yet, the effects
+/// Adds the fit of the extended model to the report. If the report contains no explanation (`explanations`) yet, the effects
 /// created from library terms (products of variables added to loads) are added as an explanation; `chi2_decrease` is
 /// their decrease of χ².
 pub(crate) fn add_extension(
@@ -30,29 +30,31 @@ pub(crate) fn add_extension(
     after: &Fit,
 ) {
     for (flight, after) in report.flights.iter_mut().zip(&after.report.flights) {
-        flight.rms_after_m = after.rms_m;
+        flight.rms_after_m = after.position_rms();
     }
     report.coefficients = coefficients(after, Some(before));
     note_convergence(report, after, "the extended model");
-    if report.causes.is_empty() {
-        report.causes.push(cause(extension, after, chi2_decrease));
+    if report.explanations.is_empty() {
+        report
+            .explanations
+            .push(explanation(extension, after, chi2_decrease));
     }
 }
 
 /// Explanation of the lack of fit by the effects of an extended model. The fraction of the excess χ² that it explains
 /// is not computed.
-fn cause(extension: &ExtendedModel, fit: &Fit, chi2_decrease: f64) -> Cause {
-    Cause {
+fn explanation(extension: &ExtendedModel, fit: &Fit, chi2_decrease: f64) -> Explanation {
+    Explanation {
         effects: extension_effects(extension, fit),
         chi2_decrease,
-        explained: 0.0,
-        remaining_m: 0.0,
+        explained_fraction: 0.0,
+        remaining_rms_m: 0.0,
         strongest_remaining: None,
     }
 }
 
 /// Effects by which a model was extended, with estimates of their coefficients from the fit of the extended model.
-fn extension_effects(extension: &ExtendedModel, after: &Fit) -> Vec<CauseEffect> {
+fn extension_effects(extension: &ExtendedModel, after: &Fit) -> Vec<ExplanationEffect> {
     let effects = extension.model.effects.iter();
     let added = effects.filter(|effect| extension.effects.contains(&effect.name));
     let effects = added.map(|effect| {
@@ -63,17 +65,17 @@ fn extension_effects(extension: &ExtendedModel, after: &Fit) -> Vec<CauseEffect>
                 value: found.value,
                 std_error: found.std_error,
                 unit: coefficient.unit_text.clone(),
-                smallest_of_interest: own.smallest_of_interest,
+                smallest_effect_of_interest: own.smallest_effect_of_interest,
             };
             Some((coefficient.name.clone(), estimate))
         });
-        CauseEffect {
+        ExplanationEffect {
             name: display_name(&effect.name),
-            doc: effect.doc.clone(),
+            description: effect.doc.clone(),
             site: effect.site.clone(),
             variables: effect.variables.clone(),
             estimates: estimates.collect(),
-            statistic: 0.0,
+            score_chi2: 0.0,
             negligible: false,
         }
     });
@@ -82,11 +84,11 @@ fn extension_effects(extension: &ExtendedModel, after: &Fit) -> Vec<CauseEffect>
 
 /// Replaces standard errors in the report by cluster-robust (by flight) standard errors where these are larger, because
 /// misfit that the added effects do not explain is correlated within a flight. Also replaces the estimates of the first
-/// explanation (`causes`) by those of `after`, the fit of the extended model.
+/// explanation (`explanations`) by those of `after`, the fit of the extended model.
 pub(crate) fn use_clustered_errors(report: &mut Report, after: &Fit) {
     let fitted = |name: &str| {
         let found = after.report.coefficients.get(name)?;
-        let clustered = found.std_error_clustered.unwrap_or(0.0);
+        let clustered = found.std_error_cluster_robust.unwrap_or(0.0);
         Some((found.value, found.std_error.max(clustered)))
     };
     for (name, coefficient) in &mut report.coefficients {
@@ -94,8 +96,8 @@ pub(crate) fn use_clustered_errors(report: &mut Report, after: &Fit) {
             coefficient.std_error = std_error;
         }
     }
-    let first = report.causes.iter_mut().take(1);
-    for effect in first.flat_map(|cause| &mut cause.effects) {
+    let first = report.explanations.iter_mut().take(1);
+    for effect in first.flat_map(|explanation| &mut explanation.effects) {
         for (name, estimate) in &mut effect.estimates {
             if let Some((value, std_error)) = fitted(name) {
                 (estimate.value, estimate.std_error) = (value, std_error);

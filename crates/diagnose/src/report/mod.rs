@@ -3,6 +3,7 @@
 mod curves;
 mod extension;
 mod narrative;
+mod reliability;
 mod report_builder;
 mod residuals;
 mod types;
@@ -19,7 +20,7 @@ pub(crate) use residuals::{
 
 pub use curves::CoefficientCurve;
 pub use types::{
-    CandidateTest, Cause, CauseEffect, Coefficient, Consensus, Estimate, FlightGain, LoadChannel,
-    NoiseSummary, RemainingEffect, Report, ScoreCorrelations, Threshold, Unattributed, Verdict,
+    CandidateTest, Coefficient, Consensus, Estimate, Explanation, ExplanationEffect, FlightGain,
+    LoadChannel, RemainingEffect, Report, ScoreCorrelations, Threshold, Unattributed, Verdict,
     Verified,
 };

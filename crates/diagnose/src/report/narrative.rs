@@ -1,6 +1,6 @@
 //! Summary of a diagnosis as text.
 
-use super::types::{Cause, CauseEffect, Consensus, LoadChannel, Report, Verdict};
+use super::types::{Consensus, Explanation, ExplanationEffect, LoadChannel, Report, Verdict};
 use crate::selection::{StepwiseModel, StepwiseTerm};
 use crate::text::{millimetres, three_figures};
 use crate::validation::{PredictiveGain, Validated};
@@ -19,7 +19,7 @@ pub(crate) fn summary(report: &Report) -> String {
     if let Some(consensus) = &report.consensus {
         text.push_str(&agreement(consensus));
     }
-    if let Some(gain) = &report.gain {
+    if let Some(gain) = &report.predictive_gain {
         text.push_str(&prediction(gain));
     }
     text.push_str(&omitted_variable_bias(report));
@@ -29,39 +29,42 @@ pub(crate) fn summary(report: &Report) -> String {
 fn answer(report: &Report) -> String {
     let model = &report.model;
     match report.verdict {
-        Verdict::None => format!(
+        Verdict::Adequate => format!(
             "No error of the model {model} is detected: none of {} candidate effects is significant (familywise p-value {}).",
-            report.candidates.len(),
+            report.tests.len(),
             three_figures(report.threshold.alpha)
         ),
-        Verdict::Named => format!("The model {model} lacks {}", described(&report.causes[0])),
+        Verdict::Identified => format!(
+            "The model {model} lacks {}",
+            described(&report.explanations[0])
+        ),
         Verdict::Negligible => format!(
             "The model {model} lacks a significant but negligible effect: {}",
-            described(&report.causes[0])
+            described(&report.explanations[0])
         ),
         Verdict::Ambiguous => {
-            if let Some(undecided) = undecided(&report.causes) {
+            if let Some(undecided) = undecided(&report.explanations) {
                 return format!(
                     "The model {model} lacks {} These flights do not decide whether it lacks {undecided} too.",
-                    described(&report.causes[0])
+                    described(&report.explanations[0])
                 );
             }
-            let names: Vec<String> = report.causes.iter().map(name).collect();
+            let names: Vec<String> = report.explanations.iter().map(name).collect();
             format!(
                 "The model {model} lacks an effect, and these flights do not tell which of {}: {}. The best fit: {}",
-                report.causes.len(),
+                report.explanations.len(),
                 names.join("; "),
-                described(&report.causes[0])
+                described(&report.explanations[0])
             )
         }
         Verdict::Unattributed => unattributed_answer(report),
     }
 }
 
-/// If there are two explanations (`causes`), and the second consists of all effects of the first and one more effect:
+/// If there are two explanations (`explanations`), and the second consists of all effects of the first and one more effect:
 /// name of this further effect; otherwise `None`.
-fn undecided(causes: &[Cause]) -> Option<String> {
-    let [first, second] = causes else {
+fn undecided(explanations: &[Explanation]) -> Option<String> {
+    let [first, second] = explanations else {
         return None;
     };
     let is_in_first = |name: &str| first.effects.iter().any(|effect| effect.name == name);
@@ -79,14 +82,14 @@ fn undecided(causes: &[Cause]) -> Option<String> {
 fn unattributed_answer(report: &Report) -> String {
     let model = &report.model;
     match &report.unattributed {
-        Some(found) if !report.causes.is_empty() => format!(
+        Some(found) if !report.explanations.is_empty() => format!(
             "The model {model} has a lack of fit that no candidate effect explains. {} An effect was written for it: {}.",
-            found.says,
-            name(&report.causes[0])
+            found.description,
+            name(&report.explanations[0])
         ),
         Some(found) => format!(
             "The model {model} has a lack of fit that neither a candidate effect nor a term of the library explains. {}",
-            found.says
+            found.description
         ),
         None => format!("The model {model} has a lack of fit that no candidate effect explains."),
     }
@@ -99,7 +102,7 @@ fn agreement(consensus: &Consensus) -> String {
         consensus.flights,
         three_figures(consensus.p_value),
     );
-    if let Some(explained) = consensus.explained {
+    if let Some(explained) = consensus.explained_fraction {
         text.push_str(&format!(
             " It explains {:.0} % of the excess \u{3c7}\u{b2}; the rest differs from flight to flight and follows none of the laws \
              that were tested. Standard errors are cluster-robust (by flight).",
@@ -130,9 +133,9 @@ fn prediction(gain: &PredictiveGain) -> String {
     };
     let mut text = format!(
         " The RMS prediction error on {how} falls from {} to {} (noise {}).",
-        millimetres(gain.held_out_rms_before_m),
-        millimetres(gain.held_out_rms_after_m),
-        millimetres(gain.noise_floor_m)
+        millimetres(gain.rms_before_m),
+        millimetres(gain.rms_after_m),
+        millimetres(gain.noise_m)
     );
     if gain.error_reduction_m() < 0.0 {
         text = text.replace(" falls from ", " rises from ");
@@ -196,17 +199,21 @@ fn omitted_variable_bias(report: &Report) -> String {
     }
 }
 
-fn name(cause: &Cause) -> String {
-    let names: Vec<&str> = cause.effects.iter().map(|e| e.name.as_str()).collect();
+fn name(explanation: &Explanation) -> String {
+    let names: Vec<&str> = explanation
+        .effects
+        .iter()
+        .map(|e| e.name.as_str())
+        .collect();
     names.join(" with ")
 }
 
-fn described(cause: &Cause) -> String {
-    let each: Vec<String> = cause.effects.iter().map(described_effect).collect();
+fn described(explanation: &Explanation) -> String {
+    let each: Vec<String> = explanation.effects.iter().map(described_effect).collect();
     each.join(" And ")
 }
 
-fn described_effect(effect: &CauseEffect) -> String {
+fn described_effect(effect: &ExplanationEffect) -> String {
     let values: Vec<String> = effect
         .estimates
         .iter()
@@ -217,7 +224,7 @@ fn described_effect(effect: &CauseEffect) -> String {
             text.trim_end().to_owned()
         })
         .collect();
-    let doc = effect.doc.replace('\n', " ");
+    let doc = effect.description.replace('\n', " ");
     let doc = doc.trim().trim_end_matches('.');
     format!(
         "{} ({}): {doc}; {}.",
@@ -232,7 +239,7 @@ fn described_effect(effect: &CauseEffect) -> String {
 pub(crate) fn refused(validated: &Validated) -> String {
     let names = validated.extension.effects.join(" with ");
     let errors = validated.gain.as_ref().map_or_else(String::new, |gain| {
-        let (before, after) = (gain.held_out_rms_before_m, gain.held_out_rms_after_m);
+        let (before, after) = (gain.rms_before_m, gain.rms_after_m);
         format!(
             " (RMS {} without, {} with)",
             millimetres(before),
@@ -252,17 +259,17 @@ pub(crate) fn unattributed(model: &StepwiseModel, channels: &[LoadChannel]) -> S
     let selected: Vec<&StepwiseTerm> = model.terms.iter().filter(|term| term.selected).collect();
     let most = channels
         .iter()
-        .max_by(|a, b| a.explained.total_cmp(&b.explained));
+        .max_by(|a, b| a.explained_fraction.total_cmp(&b.explained_fraction));
     if let Some(most) = most.filter(|_| selected.is_empty() && model.has_significant_term) {
         return format!(
             "Most of it is a missing load in {} ({:.0} % of what loads explain), and no product of angle of attack, spin, speed, rates, \
              height and time on it predicts flights better out of sample.",
             most.site,
-            100.0 * most.explained
+            100.0 * most.explained_fraction
         );
     }
     if selected.is_empty() {
-        let greatest = model.terms.first().map_or(0.0, |term| term.statistic);
+        let greatest = model.terms.first().map_or(0.0, |term| term.score_chi2);
         return format!(
             "No product of angle of attack, spin, speed, rates, height and time on one of the loads is significant (greatest score \
              \u{3c7}\u{b2} {greatest:.1})."
@@ -295,10 +302,10 @@ mod tests {
 
     fn gain(after: f64) -> PredictiveGain {
         PredictiveGain {
-            held_out_rms_before_m: 0.02,
-            held_out_rms_after_m: after,
-            standard_error_m: 0.001,
-            noise_floor_m: 0.0015,
+            rms_before_m: 0.02,
+            rms_after_m: after,
+            std_error_m: 0.001,
+            noise_m: 0.0015,
             flights: 4,
             without: 0,
             held_out_by_dataset: true,

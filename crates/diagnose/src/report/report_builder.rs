@@ -2,14 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use dataset::Role;
-use identify::{Fit, FlightReport};
+use identify::{Fit, FlightReport, MARKER, NoiseReport};
 use model_spec::sort_by_number;
 
 use super::narrative;
 use super::types::{
-    CandidateTest, Cause, CauseEffect, Coefficient, Estimate, FlightGain, LoadChannel,
-    NoiseSummary, RemainingEffect, Report, ScoreCorrelations, Threshold, Unattributed, Verdict,
+    CandidateTest, Coefficient, Estimate, Explanation, ExplanationEffect, FlightGain, LoadChannel,
+    RemainingEffect, Report, ScoreCorrelations, Threshold, Unattributed, Verdict,
 };
 use crate::context::{Candidate, CandidateParameter, ColumnId, ScoreTestModel, display_name};
 use crate::lack_of_fit::LackOfFit;
@@ -26,19 +25,22 @@ pub(crate) fn build_report(
     search: &Search,
 ) -> Report {
     let context = model.context;
-    let causes = search.accepted.iter();
-    let mut causes: Vec<Cause> = causes.map(|h| cause(model, search, h)).collect();
+    let explanations = search.accepted.iter();
+    let mut explanations: Vec<Explanation> = explanations
+        .map(|h| explanation(model, search, h))
+        .collect();
     if let Some(residuals) = residuals {
-        causes
+        explanations
             .iter_mut()
-            .for_each(|cause| add_share(cause, residuals));
+            .for_each(|explanation| add_share(explanation, residuals));
     }
     let alpha = context.options.alpha_detect;
-    let is_noise = residuals.is_none_or(|residuals| residuals.p >= alpha);
+    let is_noise = residuals.is_none_or(|residuals| residuals.p_value >= alpha);
     let detect = search.at_base.thresholds.detect;
-    let (undetectable, smallest_detectable) = detectable(model, &search.at_base.tests, detect);
+    let (not_identifiable, minimum_detectable_effects) =
+        detectable(model, &search.at_base.tests, detect);
     let mut report = Report {
-        schema: "hyzer.diagnosis/1".into(),
+        schema: "hyzer.diagnosis/2".into(),
         dataset: context.options.dataset.to_owned(),
         model: context.model.name.clone(),
         effects: context
@@ -47,21 +49,23 @@ pub(crate) fn build_report(
             .iter()
             .map(|e| display_name(&e.name))
             .collect(),
-        verdict: verdict(search.is_significant() || !is_noise, &causes),
+        reliable: true,
+        cautions: Vec::new(),
+        verdict: verdict(search.is_significant() || !is_noise, &explanations),
         summary: String::new(),
-        causes,
-        noise: noise(model, search),
-        gain: None,
+        explanations,
+        noise: noise(before, model, search),
+        predictive_gain: None,
         coefficients: coefficients(before, None),
-        undetectable,
-        smallest_detectable,
-        next_throw: None,
+        not_identifiable,
+        minimum_detectable_effects,
+        proposed_throw: None,
         extended_model: None,
         seconds: BTreeMap::new(),
-        candidates: candidate_tests(model, search),
+        tests: candidate_tests(model, search),
         threshold: Threshold {
             alpha: context.options.alpha_detect,
-            ln_p: detect,
+            ln_p_value: detect,
             z: ln_p_to_z(detect),
         },
         score_correlations: score_correlations(model, search),
@@ -80,29 +84,36 @@ pub(crate) fn build_report(
     report
 }
 
-/// Derives the outcome of the diagnosis (verdict) from `causes`, the accepted explanations of the lack of fit.
+/// Derives the outcome of the diagnosis (verdict) from `explanations`, the accepted explanations of the lack of fit.
 /// `is_significant` states whether a candidate effect or the lack of fit of the model under test is significant.
-pub(super) fn verdict(is_significant: bool, causes: &[Cause]) -> Verdict {
-    let is_negligible = |cause: &Cause| cause.effects.iter().all(|effect| effect.negligible);
-    match causes {
-        _ if !is_significant => Verdict::None,
+pub(super) fn verdict(is_significant: bool, explanations: &[Explanation]) -> Verdict {
+    let is_negligible =
+        |explanation: &Explanation| explanation.effects.iter().all(|effect| effect.negligible);
+    match explanations {
+        _ if !is_significant => Verdict::Adequate,
         [] => Verdict::Unattributed,
-        causes if causes.iter().all(is_negligible) => Verdict::Negligible,
-        [_] => Verdict::Named,
+        explanations if explanations.iter().all(is_negligible) => Verdict::Negligible,
+        [_] => Verdict::Identified,
         _ => Verdict::Ambiguous,
     }
 }
 
-/// Sets the fields `explained` and `remaining_m` of `cause`, an explanation of the misfit. `explained` is the fraction
-/// of the excess χ² (misfit beyond noise) that it accounts for. `remaining_m` is the root mean square, m, of the
+/// Sets the fields `explained` and `remaining_rms_m` of `explanation`, an explanation of the misfit. `explained` is the fraction
+/// of the excess χ² (misfit beyond noise) that it accounts for. `remaining_rms_m` is the root mean square, m, of the
 /// residuals in excess of the noise in the model that includes its effects.
-pub(super) fn add_share(cause: &mut Cause, residuals: &LackOfFit) {
-    let share = cause.chi2_decrease / residuals.excess_chi2.max(f64::MIN_POSITIVE);
-    cause.explained = share.clamp(0.0, 1.0);
-    cause.remaining_m = residuals.beyond_noise_m * (1.0 - cause.explained).sqrt();
+pub(super) fn add_share(explanation: &mut Explanation, residuals: &LackOfFit) {
+    let share = explanation.chi2_decrease / residuals.excess_chi2.max(f64::MIN_POSITIVE);
+    explanation.explained_fraction = share.clamp(0.0, 1.0);
+    explanation.remaining_rms_m =
+        residuals.beyond_noise_m * (1.0 - explanation.explained_fraction).sqrt();
 }
 
-fn noise(model: &ScoreTestModel<'_>, search: &Search) -> NoiseSummary {
+/// Noise as in the fit of the model under test; that of the positions is estimated by the search.
+fn noise(
+    before: &Fit,
+    model: &ScoreTestModel<'_>,
+    search: &Search,
+) -> BTreeMap<String, NoiseReport> {
     let flights = model.flights.iter();
     let points: usize = flights
         .clone()
@@ -111,26 +122,21 @@ fn noise(model: &ScoreTestModel<'_>, search: &Search) -> NoiseSummary {
     let outliers: usize = flights
         .map(|f| f.outlier.iter().filter(|o| **o).count())
         .sum();
-    NoiseSummary {
-        sigma_m: search.noise.overall(),
-        ar1: search.noise.ar1.iter().sum::<f64>() / 3.0,
-        outlier_fraction: outliers as f64 / points.max(1) as f64,
+    let mut noise = before.report.noise.clone();
+    if let Some(positions) = noise.get_mut(MARKER) {
+        positions.sigma = search.noise.overall();
+        positions.lag1_autocorrelation = search.noise.ar1.iter().sum::<f64>() / 3.0;
+        positions.outlier_fraction = outliers as f64 / points.max(1) as f64;
     }
+    noise
 }
 
 fn flight_before(flight: &FlightReport) -> FlightGain {
-    let outcome = match (flight.is_used(), flight.role) {
-        (false, _) => "excluded",
-        (true, Role::Fit) => "fitted",
-        (true, Role::HeldOut) => "held-out",
-    };
-    let reason = flight.notes.last().filter(|_| !flight.is_used());
     FlightGain {
         file: flight.file.clone(),
         role: flight.role,
-        outcome: Some(outcome.to_owned()),
-        reason: reason.cloned(),
-        rms_before_m: flight.rms_m,
+        outcome: flight.outcome.clone(),
+        rms_before_m: flight.position_rms(),
         rms_after_m: None,
     }
 }
@@ -156,19 +162,20 @@ fn candidate_tests(model: &ScoreTestModel<'_>, search: &Search) -> Vec<Candidate
         let test = search.at_base.tests.candidates[id].as_ref()?;
         Some(CandidateTest {
             name: candidate.name.clone(),
-            doc: candidate.doc.clone(),
+            description: candidate.doc.clone(),
             site: candidate.site.clone(),
-            statistic: test.statistic,
-            dof: test.dof,
-            ln_p: test.ln_p,
-            z: ln_p_to_z(test.ln_p),
-            significant: test.dof > 0 && test.ln_p < search.at_base.thresholds.detect,
+            score_chi2: test.score_chi2,
+            degrees_of_freedom: test.degrees_of_freedom,
+            ln_p_value: test.ln_p_value,
+            z: ln_p_to_z(test.ln_p_value),
+            significant: test.degrees_of_freedom > 0
+                && test.ln_p_value < search.at_base.thresholds.detect,
             tolerance: test.tolerance,
-            one_step: one_step(candidate, model.columns_of(id), test),
+            one_step_estimates: one_step(candidate, model.columns_of(id), test),
         })
     });
     let mut all: Vec<CandidateTest> = each.collect();
-    sort_by_number(&mut all, |test| test.ln_p);
+    sort_by_number(&mut all, |test| test.ln_p_value);
     all
 }
 
@@ -179,7 +186,10 @@ fn one_step(
 ) -> BTreeMap<String, Estimate> {
     let each = columns.iter().zip(&candidate.coefficients);
     let each = each.filter_map(|(column, parameter)| {
-        let found = test.one_step.iter().find(|found| found.column == *column)?;
+        let found = test
+            .one_step_estimates
+            .iter()
+            .find(|found| found.column == *column)?;
         Some((
             parameter.name.clone(),
             estimate(parameter, found.value, found.std_error),
@@ -193,7 +203,7 @@ fn estimate<Id>(parameter: &CandidateParameter<Id>, value: f64, std_error: f64) 
         value,
         std_error,
         unit: parameter.unit.clone(),
-        smallest_of_interest: parameter.smallest_of_interest,
+        smallest_effect_of_interest: parameter.smallest_effect_of_interest,
     }
 }
 
@@ -212,14 +222,18 @@ fn score_correlations(model: &ScoreTestModel<'_>, search: &Search) -> ScoreCorre
     }
 }
 
-fn cause(model: &ScoreTestModel<'_>, search: &Search, hypothesis: &Hypothesis) -> Cause {
+fn explanation(
+    model: &ScoreTestModel<'_>,
+    search: &Search,
+    hypothesis: &Hypothesis,
+) -> Explanation {
     let std_error = hypothesis.tests.nuisance_std_errors();
     let effects = hypothesis.effects.iter().map(|&id| {
         let candidate = model.candidate(id);
         let mut estimates = BTreeMap::new();
         let mut negligible = true;
         let mut add = |name: &str, departure: f64, estimate: Estimate| {
-            let limit = estimate.smallest_of_interest;
+            let limit = estimate.smallest_effect_of_interest;
             negligible &= limit.is_some_and(|limit| departure < limit);
             estimates.insert(name.to_owned(), estimate);
         };
@@ -234,9 +248,9 @@ fn cause(model: &ScoreTestModel<'_>, search: &Search, hypothesis: &Hypothesis) -
         }
         for state in &candidate.states {
             let locals = hypothesis.iterate.local.iter();
-            let departures = locals.map(|local| local[state.id.index()] - state.null_value);
+            let largest_misfits = locals.map(|local| local[state.id.index()] - state.null_value);
             let count = hypothesis.iterate.local.len().max(1) as f64;
-            let rms = (departures.map(|d| d * d).sum::<f64>() / count).sqrt();
+            let rms = (largest_misfits.map(|d| d * d).sum::<f64>() / count).sqrt();
             add(
                 &state.name,
                 rms,
@@ -251,27 +265,27 @@ fn cause(model: &ScoreTestModel<'_>, search: &Search, hypothesis: &Hypothesis) -
         let departure = first.map_or(0.0, |(parameter, column)| {
             hypothesis.iterate.global[column.index()] - parameter.null_value
         });
-        CauseEffect {
+        ExplanationEffect {
             name: candidate.name.clone(),
-            doc: candidate.sentence(departure).to_owned(),
+            description: candidate.sentence(departure).to_owned(),
             site: candidate.site.clone(),
             variables: candidate.variables.clone(),
             estimates,
-            statistic: test.map_or(0.0, |test| test.statistic),
+            score_chi2: test.map_or(0.0, |test| test.score_chi2),
             negligible,
         }
     });
-    let mut effects: Vec<CauseEffect> = effects.collect();
-    sort_by_number(&mut effects, |effect| -effect.statistic);
+    let mut effects: Vec<ExplanationEffect> = effects.collect();
+    sort_by_number(&mut effects, |effect| -effect.score_chi2);
     let remaining = hypothesis.strongest_remaining();
-    Cause {
+    Explanation {
         effects,
         chi2_decrease: (search.at_base.squares - hypothesis.squares).max(0.0),
-        explained: 0.0,
-        remaining_m: 0.0,
-        strongest_remaining: remaining.map(|(id, ln_p)| RemainingEffect {
+        explained_fraction: 0.0,
+        remaining_rms_m: 0.0,
+        strongest_remaining: remaining.map(|(id, ln_p_value)| RemainingEffect {
             name: model.candidate(id).name.clone(),
-            p: ln_p.exp(),
+            p_value: ln_p_value.exp(),
         }),
     }
 }
@@ -286,7 +300,7 @@ pub(crate) fn unattributed_report(
 ) -> Unattributed {
     let channels = load_channels(model, search, histories);
     Unattributed {
-        says: narrative::unattributed(stepwise, &channels),
+        description: narrative::unattributed(stepwise, &channels),
         channels,
         terms: stepwise.terms.clone(),
     }
@@ -319,7 +333,7 @@ fn load_channels(
             .joint_statistic(|column| columns.contains(&column));
         LoadChannel {
             site: site.to_owned(),
-            explained: (own / all).clamp(0.0, 1.0),
+            explained_fraction: (own / all).clamp(0.0, 1.0),
             histories,
         }
     });
@@ -341,6 +355,8 @@ pub(crate) fn note_convergence(report: &mut Report, fit: &Fit, what: &str) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use identify::FlightOutcome;
+
     use crate::context::{Context, DiagnosisOptions, EncompassingModel};
     use crate::selection::Weights;
     use crate::test_support::mystery;
@@ -379,9 +395,9 @@ mod tests {
         let [excluded, fitted, ..] = &report.flights[..] else {
             panic!("four flights");
         };
-        assert_eq!(excluded.outcome.as_deref(), Some("excluded"));
-        assert!(excluded.rms_before_m.is_none() && excluded.reason.is_some());
-        assert_eq!(fitted.outcome.as_deref(), Some("fitted"));
+        assert!(matches!(excluded.outcome, FlightOutcome::Excluded { .. }));
+        assert!(excluded.rms_before_m.is_none());
+        assert_eq!(fitted.outcome, FlightOutcome::Fitted);
         assert!(fitted.rms_before_m.is_some_and(|rms| rms > 0.0));
         assert!(!report.converged);
         assert!(
@@ -392,12 +408,7 @@ mod tests {
         );
         // The verdict and the candidates' significance follow the same threshold.
         assert_eq!(significant, [true, false]);
-        assert_eq!(report.verdict, Verdict::None);
-        assert!(
-            report
-                .candidates
-                .iter()
-                .all(|candidate| !candidate.significant)
-        );
+        assert_eq!(report.verdict, Verdict::Adequate);
+        assert!(report.tests.iter().all(|candidate| !candidate.significant));
     }
 }

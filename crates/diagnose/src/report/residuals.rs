@@ -10,15 +10,15 @@ use crate::text::{millimetres, three_figures};
 const MAX_DEPARTURES: usize = 3;
 
 /// Replaces the lack-of-fit test in the report by `residuals`, the test of the extended model; `None` leaves the report
-/// unchanged. Also updates, for the first explanation (`causes`), the fraction of the misfit beyond noise that it
+/// unchanged. Also updates, for the first explanation (`explanations`), the fraction of the misfit beyond noise that it
 /// explains, and the RMS residual in excess of the noise that remains.
 pub(crate) fn add_residuals(report: &mut Report, residuals: Option<LackOfFit>) {
     if let (Some(before), Some(after)) = (&report.lack_of_fit, &residuals)
-        && let Some(first) = report.causes.first_mut()
+        && let Some(first) = report.explanations.first_mut()
     {
         let left = after.excess_chi2 / before.excess_chi2.max(f64::MIN_POSITIVE);
-        first.explained = (1.0 - left).clamp(0.0, 1.0);
-        first.remaining_m = after.beyond_noise_m;
+        first.explained_fraction = (1.0 - left).clamp(0.0, 1.0);
+        first.remaining_rms_m = after.beyond_noise_m;
     }
     report.lack_of_fit = residuals.or(report.lack_of_fit.take());
 }
@@ -30,19 +30,25 @@ pub(crate) fn describe_departures(report: &mut Report) {
     let Some(found) = &mut report.lack_of_fit else {
         return;
     };
-    if found.p >= alpha {
-        found.departures.clear();
+    if found.p_value >= alpha {
+        found.largest_misfits.clear();
         return;
     }
     let limit = alpha / found.flights.len().max(1) as f64;
-    let alone = found.departures.iter().filter(|d| d.p < limit).count();
-    found.departures.truncate(alone.max(MAX_DEPARTURES));
+    let alone = found
+        .largest_misfits
+        .iter()
+        .filter(|d| d.p_value < limit)
+        .count();
+    found.largest_misfits.truncate(alone.max(MAX_DEPARTURES));
     let says = departures(found);
     match (&mut report.unattributed, report.verdict) {
-        (Some(unattributed), _) => unattributed.says = format!("{} {says}", unattributed.says),
+        (Some(unattributed), _) => {
+            unattributed.description = format!("{} {says}", unattributed.description)
+        }
         (none, Verdict::Unattributed) => {
             *none = Some(Unattributed {
-                says,
+                description: says,
                 channels: Vec::new(),
                 terms: Vec::new(),
             });
@@ -52,13 +58,13 @@ pub(crate) fn describe_departures(report: &mut Report) {
 }
 
 fn departures(found: &LackOfFit) -> String {
-    let each = found.departures.iter().take(MAX_DEPARTURES);
+    let each = found.largest_misfits.iter().take(MAX_DEPARTURES);
     let each: Vec<String> = each.map(departure).collect();
     format!(
-        "The residuals are not noise (p = {}): {} beyond the noise of {} that no smooth motion can follow. The greatest departures: {}.",
-        three_figures(found.p),
+        "The residuals are not noise (p = {}): {} beyond the noise of {} that no smooth motion can follow. The greatest largest_misfits: {}.",
+        three_figures(found.p_value),
         millimetres(found.beyond_noise_m),
-        millimetres(found.noise_floor_m),
+        millimetres(found.noise_m),
         each.join("; ")
     )
 }

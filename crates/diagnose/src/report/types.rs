@@ -3,21 +3,21 @@
 use std::collections::BTreeMap;
 
 use dataset::Role;
-use identify::DataFault;
+use identify::{DataFault, FlightOutcome, NoiseReport, leading_noise};
 use serde::{Deserialize, Serialize};
 
 use super::curves::CoefficientCurve;
 use crate::lack_of_fit::LackOfFit;
 use crate::noise::LoadHistory;
-use crate::optimal_design::NextThrow;
+use crate::optimal_design::ProposedThrow;
 use crate::power::{MinDetectableEffect, NotIdentifiable};
 use crate::selection::StepwiseTerm;
 use crate::validation::PredictiveGain;
 
-/// Contents of the file `report.json` of a diagnosis, schema `hyzer.diagnosis/1`.
+/// Contents of the file `report.json` of a diagnosis, schema `hyzer.diagnosis/2`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Report {
-    /// Identifier of the schema: `hyzer.diagnosis/1`.
+    /// Identifier of the schema: `hyzer.diagnosis/2`.
     pub schema: String,
     /// Name of the dataset of measured flights.
     pub dataset: String,
@@ -25,41 +25,44 @@ pub struct Report {
     pub model: String,
     /// Names of the effects (optional extensions) that were switched on in the model under test.
     pub effects: Vec<String>,
+    /// Whether the result is reliable: the fits converged, the search was completed, few flights are excluded, and no
+    /// check refuted the extended model.
+    pub reliable: bool,
+    /// Reasons why the result is not reliable; empty if it is.
+    pub cautions: Vec<String>,
     /// Outcome of the diagnosis: whether the model has an error, and whether the missing effects are identified.
     pub verdict: Verdict,
     /// Summary of the result, one paragraph of text.
     pub summary: String,
     /// Model confidence set: every explanation (set of effects that the model may lack) that the data do not reject,
     /// the best fit first.
-    pub causes: Vec<Cause>,
-    /// Estimated noise of the measured coordinates.
-    pub noise: NoiseSummary,
+    pub explanations: Vec<Explanation>,
+    /// Measurement noise by kind of sensor, as in [`FitReport::noise`](identify::FitReport::noise).
+    pub noise: BTreeMap<String, NoiseReport>,
     /// Reduction of the out-of-sample prediction error by the effects added to the model; `None` if the model is not
     /// extended or no flight can be predicted.
-    pub gain: Option<PredictiveGain>,
+    pub predictive_gain: Option<PredictiveGain>,
     /// Coefficients by name: those of the extended model, or of the model under test if it is not extended.
     pub coefficients: BTreeMap<String, Coefficient>,
     /// Candidate effects (effects that the model may lack) that these flights cannot identify.
-    pub undetectable: Vec<NotIdentifiable>,
+    pub not_identifiable: Vec<NotIdentifiable>,
     /// Minimum detectable sizes of the coefficients of those candidate effects that the flights can identify, for power
     /// 0.9.
-    pub smallest_detectable: Vec<MinDetectableEffect>,
-    /// Throw that would best distinguish the accepted explanations (`causes`); `None` if fewer than two are accepted.
-    pub next_throw: Option<NextThrow>,
+    pub minimum_detectable_effects: Vec<MinDetectableEffect>,
+    /// Throw that would best distinguish the accepted explanations (`explanations`); `None` if fewer than two are accepted.
+    pub proposed_throw: Option<ProposedThrow>,
     /// File name of the extended model, in the folder of the report; `None` if the model is not extended.
     pub extended_model: Option<String>,
     /// Computing time, s, by stage (`fit` and `search`): time from the start of the diagnosis to the end of the stage.
     /// `total` is the time of the whole diagnosis.
     pub seconds: BTreeMap<String, f64>,
     /// Score test of each candidate effect (effect that the model may lack), smallest p-value first.
-    pub candidates: Vec<CandidateTest>,
+    pub tests: Vec<CandidateTest>,
     /// Significance threshold of the score tests of the candidate effects.
     pub threshold: Threshold,
     /// Correlations between the effective scores of the coefficients of the candidate effects.
-    #[serde(rename = "alike")]
     pub score_correlations: ScoreCorrelations,
     /// Detected errors in the data of the flights, in the order of the dataset.
-    #[serde(default)]
     pub data_faults: Vec<DataFault>,
     /// Residuals of each flight without and with the effects added to the model, in the order of the dataset.
     pub flights: Vec<FlightGain>,
@@ -67,33 +70,30 @@ pub struct Report {
     /// is not extended.
     pub curves: Vec<CoefficientCurve>,
     /// Lack of fit that no candidate effect (effect that the model may lack) explains; `None` if there is none.
-    #[serde(rename = "outside")]
     pub unattributed: Option<Unattributed>,
-    /// Agreement of the flights on the explanations in `causes`; `None` if these explain the entire misfit of every
+    /// Agreement of the flights on the explanations in `explanations`; `None` if these explain the entire misfit of every
     /// flight.
-    #[serde(rename = "agreement")]
     pub consensus: Option<Consensus>,
     /// Lack-of-fit test of the residuals of the final model; `None` if the residuals are too few to separate noise
-    /// from smooth motion. The verdict [`Verdict::None`] requires that this test is absent or not significant.
-    #[serde(default)]
+    /// from smooth motion. The verdict [`Verdict::Adequate`] requires that this test is absent or not significant.
     pub lack_of_fit: Option<LackOfFit>,
     /// Result of verifying the extended model: the result of each check, and whether any of them refuted the model.
     /// `None` if it was not verified.
     pub verified: Option<Verified>,
     /// Whether every fit of the diagnosis converged.
-    #[serde(default = "converged_by_default")]
     pub converged: bool,
     /// Whether the search was completed. If false, the deadline or the maximum number of least-squares steps was
     /// reached, and the report contains the best result until then.
-    #[serde(default = "converged_by_default")]
     pub complete: bool,
     /// Messages on limitations of the result.
     pub notes: Vec<String>,
 }
 
-/// Value (`true`) of `converged` and `complete` in reports that were written before these fields existed.
-fn converged_by_default() -> bool {
-    true
+impl Report {
+    /// Noise of the measured positions; without positions, that of the first kind of sensor in `noise`.
+    pub fn leading_noise(&self) -> &NoiseReport {
+        leading_noise(&self.noise)
+    }
 }
 
 /// Outcome of a diagnosis: whether the model has an error, and whether the missing effects are identified.
@@ -101,65 +101,59 @@ fn converged_by_default() -> bool {
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
     /// No error of the model is detected: no candidate effect is significant, and the residuals are noise.
-    None,
+    Adequate,
     /// Exactly one explanation (set of missing effects) is accepted, and its effects are not negligible.
-    Named,
+    Identified,
     /// Several explanations (sets of missing effects) are accepted, not all of them negligible, and these flights
     /// cannot distinguish them.
     Ambiguous,
     /// There is a significant lack of fit, and no candidate effect explains it.
-    #[serde(rename = "outside")]
     Unattributed,
     /// Every accepted explanation (set of missing effects) is significant but negligible: all estimates are below the
     /// smallest effect size of interest.
-    #[serde(rename = "immaterial")]
     Negligible,
 }
 
 /// One explanation of the misfit: a single effect that the model lacks, or several such effects together.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Cause {
+pub struct Explanation {
     /// The effects that the model lacks according to this explanation.
-    pub effects: Vec<CauseEffect>,
+    pub effects: Vec<ExplanationEffect>,
     /// Decrease of the weighted sum of squares, χ², when the effects of this explanation are added to the model under
     /// test.
-    #[serde(rename = "gain")]
     pub chi2_decrease: f64,
     /// Fraction, 0 … 1, of the excess χ² that this explanation accounts for; 0 if there is no lack-of-fit test. The
     /// excess χ² is that of this test: the sum of squares that splines remove from the residuals of the model under
     /// test, divided by the noise variance, minus the expectation of this ratio for pure noise.
-    #[serde(default)]
-    pub explained: f64,
+    pub explained_fraction: f64,
     /// Root mean square of the residuals in excess of the noise, m, of the model that includes the effects of this
     /// explanation.
-    #[serde(default)]
-    pub remaining_m: f64,
+    pub remaining_rms_m: f64,
     /// The most significant candidate effect outside this explanation, tested with the effects of this explanation
     /// included in the model; `None` if no such candidate can be tested.
-    #[serde(rename = "rival")]
     pub strongest_remaining: Option<RemainingEffect>,
 }
 
-/// The most significant candidate effect that an explanation (a [`Cause`]) does not include.
+/// The most significant candidate effect that an explanation (a [`Explanation`]) does not include.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RemainingEffect {
     /// Display name of the effect: its identifier in the model language, with hyphens instead of underscores.
     pub name: String,
     /// p-value of the effect's score test in the model that includes the effects of the explanation.
-    pub p: f64,
+    pub p_value: f64,
 }
 
-/// One effect (named change to the model) of those that together explain the misfit (a [`Cause`]), with the estimates
+/// One effect (named change to the model) of those that together explain the misfit (a [`Explanation`]), with the estimates
 /// of its coefficients.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct CauseEffect {
+pub struct ExplanationEffect {
     /// Display name, with hyphens, of the candidate effect or of the effect created from library terms (products of
     /// variables added to loads).
     pub name: String,
     /// Description of the effect. For a candidate effect, the text depends on whether the estimate of its first
     /// coefficient is above or below the null value; for an effect created from library terms (products of variables
     /// added to loads), it is the doc comment in the model language.
-    pub doc: String,
+    pub description: String,
     /// Site of the effect: the load (force or moment component) or the equation of the model that it changes.
     pub site: String,
     /// Names of the variables on which the effect depends.
@@ -170,10 +164,9 @@ pub struct CauseEffect {
     pub estimates: BTreeMap<String, Estimate>,
     /// Score statistic of the effect, χ², tested at the fit of the model under test; 0 for an effect created from
     /// library terms (products of variables added to loads).
-    pub statistic: f64,
+    pub score_chi2: f64,
     /// Whether every estimate of the effect differs from its null value by less than the smallest effect size of
     /// interest.
-    #[serde(rename = "immaterial")]
     pub negligible: bool,
 }
 
@@ -188,19 +181,7 @@ pub struct Estimate {
     pub unit: String,
     /// Smallest effect size of interest, SI: a smaller difference from the null value is negligible. `None` if the
     /// effect declares none.
-    #[serde(rename = "negligible")]
-    pub smallest_of_interest: Option<f64>,
-}
-
-/// Estimated noise of the measured coordinates, over all flights.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct NoiseSummary {
-    /// Standard deviation of the noise of one coordinate, m.
-    pub sigma_m: f64,
-    /// Lag-1 autocorrelation of the noise, averaged over the three coordinate axes.
-    pub ar1: f64,
-    /// Fraction of the measured positions that are outliers, 0 … 1.
-    pub outlier_fraction: f64,
+    pub smallest_effect_of_interest: Option<f64>,
 }
 
 /// Fitted coefficient of the model, without and with the effects that the diagnosis adds.
@@ -223,40 +204,34 @@ pub struct CandidateTest {
     /// Display name of the effect: its identifier in the model language, with hyphens instead of underscores.
     pub name: String,
     /// Description of the candidate effect: the doc comment of its declaration in the model language.
-    pub doc: String,
+    pub description: String,
     /// Site of the effect: the load (force or moment component) or the equation of the model that it changes.
     pub site: String,
-    /// Score statistic; distributed as χ² with `dof` degrees of freedom under the null hypothesis.
-    pub statistic: f64,
+    /// Score statistic; distributed as χ² with `degrees_of_freedom` degrees of freedom under the null hypothesis.
+    pub score_chi2: f64,
     /// Number of degrees of freedom of the test.
-    #[serde(rename = "freedom")]
-    pub dof: usize,
+    pub degrees_of_freedom: usize,
     /// Natural logarithm of the p-value.
-    pub ln_p: f64,
+    pub ln_p_value: f64,
     /// Equivalent z of the p-value: the two-sided standard normal quantile that has this p-value.
-    #[serde(rename = "sigmas")]
     pub z: f64,
     /// Whether the p-value is below the familywise threshold.
     pub significant: bool,
     /// Tolerance 1 − R² of the best determined direction of the effect's coefficients: the fraction of its squared
     /// sensitivity that the nuisance parameters do not explain.
-    #[serde(rename = "visible")]
     pub tolerance: f64,
     /// One-step estimates of the effect's coefficients by name, with all other candidates at their null value.
-    #[serde(rename = "expected")]
-    pub one_step: BTreeMap<String, Estimate>,
+    pub one_step_estimates: BTreeMap<String, Estimate>,
 }
 
 /// Significance threshold of the score tests, corrected for multiple testing.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Threshold {
     /// Familywise probability of a false alarm: that any candidate effect is significant although the model is correct.
-    #[serde(rename = "false_alarms")]
     pub alpha: f64,
     /// Natural logarithm of the p-value below which a single test is significant.
-    pub ln_p: f64,
+    pub ln_p_value: f64,
     /// Equivalent z of the threshold (two-sided standard normal quantile), above which a single test is significant.
-    #[serde(rename = "sigmas")]
     pub z: f64,
 }
 
@@ -276,12 +251,9 @@ pub struct FlightGain {
     pub file: String,
     /// Role of the flight declared in the dataset: fitted or held out.
     pub role: Role,
-    /// Use of the flight: `fitted`, `held-out` or `excluded`; `None` in reports written before this field existed.
-    #[serde(default)]
-    pub outcome: Option<String>,
-    /// Reason why the flight was excluded from the fit or from the prediction; `None` if it was not excluded.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub reason: Option<String>,
+    /// Whether the flight was fitted, predicted or excluded, and why.
+    #[serde(flatten)]
+    pub outcome: FlightOutcome,
     /// Root mean square residual of one coordinate without the added effects, m; `None` if the flight was excluded.
     pub rms_before_m: Option<f64>,
     /// Root mean square residual of one coordinate with the added effects, m; `None` if the flight was excluded or the
@@ -294,7 +266,7 @@ pub struct FlightGain {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Unattributed {
     /// Sentences that state in which load channels (force or moment components) the lack of fit lies.
-    pub says: String,
+    pub description: String,
     /// Estimated missing load of each load channel (force or moment component).
     pub channels: Vec<LoadChannel>,
     /// Tested library terms (products of variables added to one load), most significant first.
@@ -310,15 +282,12 @@ pub struct Consensus {
     pub flights: usize,
     /// Fraction, 0 … 1, of the excess χ² (weighted sum of squares minus its expectation for pure noise) that the first
     /// explanation accounts for; `None` if the explanations account for the entire misfit of the concordant flights.
-    #[serde(rename = "part")]
-    pub explained: Option<f64>,
+    pub explained_fraction: Option<f64>,
     /// p-value of the sign-flip test of whether the flights agree on an effect, familywise over all candidate effects
     /// and library terms (products of variables added to loads).
-    #[serde(rename = "chance")]
     pub p_value: f64,
     /// File names of the discordant fitted flights: they contradict the explanations and are excluded from all other
     /// results of the report.
-    #[serde(rename = "contradicting")]
     pub discordant: Vec<String>,
 }
 
@@ -329,8 +298,7 @@ pub struct LoadChannel {
     pub site: String,
     /// Ratio of the χ² decrease by the library terms of this load (force or moment component) alone to the decrease by
     /// the terms of all loads, 0 … 1.
-    #[serde(rename = "explains")]
-    pub explained: f64,
+    pub explained_fraction: f64,
     /// Time history, in each flight, of the coefficient of the missing load.
     pub histories: Vec<LoadHistory>,
 }

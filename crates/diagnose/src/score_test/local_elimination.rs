@@ -26,7 +26,7 @@ pub(super) struct PerFlightCandidate {
     /// (common to all flights) fixed.
     pub decrease: f64,
     /// Number of the states of the candidate effect, over all flights, that the samples determine.
-    pub dof: usize,
+    pub degrees_of_freedom: usize,
 }
 
 /// Normal equations of the global unknowns (parameters and library-term coefficients), summed over all flights, with
@@ -78,7 +78,7 @@ impl LocalElimination {
             is_tested.then(|| PerFlightCandidate {
                 equations: GlobalEquations::zero(size),
                 decrease: 0.0,
-                dof: 0,
+                degrees_of_freedom: 0,
             })
         });
         let mut total = Self {
@@ -143,7 +143,7 @@ impl PerFlightCandidate {
                 self.decrease -= blocks[0].local_gradient.dot(step);
                 self.equations.matrix += &next.reduced;
                 self.equations.gradient += &next.gradient;
-                self.dof += states.len();
+                self.degrees_of_freedom += states.len();
             }
             // The flight does not determine these states: they stay at their null value.
             Err(_) => {

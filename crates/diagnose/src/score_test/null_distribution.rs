@@ -9,11 +9,11 @@ use statrs::function::gamma::ln_gamma;
 /// Maximum number of terms of the series and the continued fraction of the incomplete gamma function.
 const MAX_TERMS: usize = 500;
 
-/// Log survival function of the χ² distribution: ln P(χ²(dof) > statistic). The logarithm is used because strong
+/// Log survival function of the χ² distribution: ln P(χ²(degrees_of_freedom) > statistic). The logarithm is used because strong
 /// effects have p-values below the range of `f64`.
-pub(crate) fn chi2_ln_sf(statistic: f64, dof: usize) -> f64 {
-    let (a, x) = (dof as f64 / 2.0, statistic / 2.0);
-    if dof == 0 || x <= 0.0 {
+pub(crate) fn chi2_ln_sf(statistic: f64, degrees_of_freedom: usize) -> f64 {
+    let (a, x) = (degrees_of_freedom as f64 / 2.0, statistic / 2.0);
+    if degrees_of_freedom == 0 || x <= 0.0 {
         return 0.0;
     }
     let front = a * x.ln() - x - ln_gamma(a);
@@ -57,12 +57,12 @@ fn upper_fraction(a: f64, x: f64) -> f64 {
     fraction
 }
 
-/// Equivalent z of a p-value: the two-sided standard normal quantile of exp(`ln_p`).
-pub(crate) fn ln_p_to_z(ln_p: f64) -> f64 {
+/// Equivalent z of a p-value: the two-sided standard normal quantile of exp(`ln_p_value`).
+pub(crate) fn ln_p_to_z(ln_p_value: f64) -> f64 {
     let (mut low, mut high) = (0.0_f64, 1e4_f64);
     for _ in 0..100 {
         let middle = (low + high) / 2.0;
-        if chi2_ln_sf(middle * middle, 1) > ln_p {
+        if chi2_ln_sf(middle * middle, 1) > ln_p_value {
             low = middle;
         } else {
             high = middle;
@@ -141,16 +141,16 @@ fn least_ln_p(dofs: &[usize], normal: &[f64]) -> f64 {
     // Among tests with equal degrees of freedom, the largest statistic has the smallest p-value.
     let mut greatest: Vec<f64> = vec![0.0; 1 + dofs.iter().copied().max().unwrap_or(0)];
     let mut first = 0;
-    for &dof in dofs {
-        let statistic = normal[first..first + dof]
+    for &degrees_of_freedom in dofs {
+        let statistic = normal[first..first + degrees_of_freedom]
             .iter()
             .map(|v| v * v)
             .sum::<f64>();
-        greatest[dof] = greatest[dof].max(statistic);
-        first += dof;
+        greatest[degrees_of_freedom] = greatest[degrees_of_freedom].max(statistic);
+        first += degrees_of_freedom;
     }
     let each = greatest.iter().enumerate();
-    each.map(|(dof, statistic)| chi2_ln_sf(*statistic, dof))
+    each.map(|(degrees_of_freedom, statistic)| chi2_ln_sf(*statistic, degrees_of_freedom))
         .fold(0.0, f64::min)
 }
 
@@ -161,13 +161,16 @@ mod tests {
 
     #[test]
     fn the_survival_function_agrees_with_statrs_and_its_asymptote() {
-        for dof in [1, 2, 3, 7, 40] {
-            let chi = ChiSquared::new(dof as f64).unwrap();
+        for degrees_of_freedom in [1, 2, 3, 7, 40] {
+            let chi = ChiSquared::new(degrees_of_freedom as f64).unwrap();
             for statistic in [0.1, 1.0, 3.84, 9.0, 40.0, 90.0] {
-                let (own, other) = (chi2_ln_sf(statistic, dof), chi.sf(statistic).ln());
+                let (own, other) = (
+                    chi2_ln_sf(statistic, degrees_of_freedom),
+                    chi.sf(statistic).ln(),
+                );
                 assert!(
                     (own - other).abs() < 1e-8 * (1.0 + other.abs()),
-                    "{statistic} {dof}: {own} {other}"
+                    "{statistic} {degrees_of_freedom}: {own} {other}"
                 );
             }
         }

@@ -73,16 +73,16 @@ pub(crate) struct ColumnNorms {
 #[derive(Clone, Debug)]
 pub(crate) struct ScoreTest {
     /// Score statistic: the decrease of the weighted sum of squares that a refit would give, to second order.
-    /// Distributed as χ² with `dof` degrees of freedom under the null hypothesis.
-    pub statistic: f64,
+    /// Distributed as χ² with `degrees_of_freedom` degrees of freedom under the null hypothesis.
+    pub score_chi2: f64,
     /// Degrees of freedom: number of principal directions of the tested columns whose tolerance 1 − R² exceeds
     /// [`MIN_TOLERANCE`]. R² is the fraction of a direction's squared sensitivity that the nuisance parameters explain.
-    pub dof: usize,
+    pub degrees_of_freedom: usize,
     /// Natural logarithm of the p-value.
-    pub ln_p: f64,
+    pub ln_p_value: f64,
     /// One-step estimates of the coefficients, with all other candidate effects at their null value; empty for a
     /// candidate that is represented by states.
-    pub one_step: Vec<OneStepEstimate>,
+    pub one_step_estimates: Vec<OneStepEstimate>,
     /// Tolerance 1 − R² of the best determined direction: the fraction of its squared sensitivity that the nuisance
     /// parameters do not explain.
     pub tolerance: f64,
@@ -102,10 +102,10 @@ pub(crate) struct OneStepEstimate {
 impl ScoreTest {
     /// Result of a score test without tested columns, which has no degrees of freedom.
     const EMPTY: ScoreTest = ScoreTest {
-        statistic: 0.0,
-        dof: 0,
-        ln_p: 0.0,
-        one_step: Vec::new(),
+        score_chi2: 0.0,
+        degrees_of_freedom: 0,
+        ln_p_value: 0.0,
+        one_step_estimates: Vec::new(),
         tolerance: 0.0,
     };
 }
@@ -222,7 +222,7 @@ impl ScoreTests {
             }
         }
         let normal = &whitening * &self.score;
-        let one_step = at.iter().enumerate().map(|(i, &column)| {
+        let one_step_estimates = at.iter().enumerate().map(|(i, &column)| {
             let directions = kept.iter().map(|&k| direction(i, k));
             let step: f64 = directions
                 .clone()
@@ -241,15 +241,15 @@ impl ScoreTests {
                 },
             }
         });
-        let (statistic, dof) = (normal.norm_squared(), kept.len());
+        let (statistic, degrees_of_freedom) = (normal.norm_squared(), kept.len());
         let test = ScoreTest {
-            statistic,
-            dof,
-            ln_p: chi2_ln_sf(statistic, dof),
-            one_step: one_step.collect(),
+            score_chi2: statistic,
+            degrees_of_freedom,
+            ln_p_value: chi2_ln_sf(statistic, degrees_of_freedom),
+            one_step_estimates: one_step_estimates.collect(),
             tolerance: eigen.eigenvalues.iter().copied().fold(0.0, f64::max),
         };
-        if dof > 0 {
+        if degrees_of_freedom > 0 {
             self.whitenings.push(whitening);
         }
         test
@@ -329,11 +329,11 @@ impl PerFlightCandidate {
     fn test(&self, nuisance_decrease: f64) -> ScoreTest {
         let statistic = (self.decrease + nuisance_decrease).max(0.0);
         ScoreTest {
-            statistic,
-            dof: self.dof,
-            ln_p: chi2_ln_sf(statistic, self.dof),
-            one_step: Vec::new(),
-            tolerance: f64::from(u8::from(self.dof > 0)),
+            score_chi2: statistic,
+            degrees_of_freedom: self.degrees_of_freedom,
+            ln_p_value: chi2_ln_sf(statistic, self.degrees_of_freedom),
+            one_step_estimates: Vec::new(),
+            tolerance: f64::from(u8::from(self.degrees_of_freedom > 0)),
         }
     }
 }
@@ -351,8 +351,8 @@ fn least_p<'s, I: Idx>(
     tests: impl Iterator<Item = (I, &'s ScoreTest)>,
 ) -> Option<(I, &'s ScoreTest)> {
     tests
-        .filter(|(_, test)| test.dof > 0)
-        .min_by(|a, b| a.1.ln_p.total_cmp(&b.1.ln_p))
+        .filter(|(_, test)| test.degrees_of_freedom > 0)
+        .min_by(|a, b| a.1.ln_p_value.total_cmp(&b.1.ln_p_value))
 }
 
 #[cfg(test)]
@@ -371,7 +371,7 @@ mod tests {
         let stall = fixture.candidate("stall");
         let (strongest, test) = tests.strongest_candidate().unwrap();
         assert_eq!(strongest, stall);
-        assert!(test.ln_p < tests.thresholds([0.004])[0]);
+        assert!(test.ln_p_value < tests.thresholds([0.004])[0]);
         assert!(test.tolerance > MIN_TOLERANCE && test.tolerance <= 1.0);
         // The statistic predicts the decrease of the sum of squares by the refit.
         let Refitted {
@@ -381,12 +381,12 @@ mod tests {
         } = model.refit(&[stall], &fixture.iterate, noise).unwrap();
         let before = model.normal_equations(&model.problem, &fixture.iterate, noise);
         let before: f64 = before.unwrap().iter().map(|block| block.squares).sum();
-        let relative = (before - squares) / test.statistic;
+        let relative = (before - squares) / test.score_chi2;
         assert!((0.5..1.5).contains(&relative), "{relative}");
         let [column] = model.columns_of(stall)[..] else {
             panic!("one coefficient");
         };
-        let estimate = test.one_step[0];
+        let estimate = test.one_step_estimates[0];
         assert_eq!(estimate.column, column);
         let fitted = refitted.global[column.index()];
         assert!(
@@ -408,6 +408,6 @@ mod tests {
         assert!(tests.candidates[stall].is_none());
         let [threshold] = tests.thresholds([0.002]);
         let (_, strongest) = tests.strongest_candidate().unwrap();
-        assert!(strongest.ln_p > threshold, "{strongest:?}");
+        assert!(strongest.ln_p_value > threshold, "{strongest:?}");
     }
 }

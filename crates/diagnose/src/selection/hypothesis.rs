@@ -43,7 +43,7 @@ impl Hypothesis {
     /// no candidate can be tested.
     pub fn strongest_remaining(&self) -> Option<(CandidateId, f64)> {
         let strongest = self.tests.strongest_candidate();
-        strongest.map(|(id, test)| (id, test.ln_p))
+        strongest.map(|(id, test)| (id, test.ln_p_value))
     }
 
     /// Whether the hypothesis contains several effects, and all of them change the same load or equation, such as lift.
@@ -142,12 +142,12 @@ impl ScoreTestModel<'_> {
         thresholds: Thresholds,
     ) -> Result<bool, DiagnosisError> {
         let remaining = hypothesis.strongest_remaining();
-        if remaining.is_some_and(|(_, ln_p)| ln_p < thresholds.reject) {
+        if remaining.is_some_and(|(_, ln_p_value)| ln_p_value < thresholds.reject) {
             return Ok(false);
         }
         let tests = self.tests_given(hypothesis, noise)?;
         let term = tests.strongest_term();
-        Ok(term.is_none_or(|(_, test)| test.ln_p >= thresholds.reject))
+        Ok(term.is_none_or(|(_, test)| test.ln_p_value >= thresholds.reject))
     }
 }
 

@@ -128,14 +128,14 @@ impl Search {
     /// Whether a candidate or a library term (product of variables added to a load) is significant at the fit of the
     /// model under test.
     pub fn is_significant(&self) -> bool {
-        let ln_p = |test: Option<&ScoreTest>| test.map_or(0.0, |test| test.ln_p);
+        let ln_p_value = |test: Option<&ScoreTest>| test.map_or(0.0, |test| test.ln_p_value);
         let candidate = self
             .at_base
             .tests
             .strongest_candidate()
             .map(|(_, test)| test);
         let term = self.at_base.tests.strongest_term().map(|(_, test)| test);
-        ln_p(candidate).min(ln_p(term)) < self.at_base.thresholds.detect
+        ln_p_value(candidate).min(ln_p_value(term)) < self.at_base.thresholds.detect
     }
 
     /// Whether the sum of squares `expected` from linearization is below `fitted`, or exceeds it by less than a margin.
@@ -301,7 +301,7 @@ impl Search {
         };
         let limit = (ALPHA_UNDECIDED / model.candidates().len() as f64).ln();
         let remaining = best.strongest_remaining();
-        let Some((candidate, _)) = remaining.filter(|(_, ln_p)| *ln_p < limit) else {
+        let Some((candidate, _)) = remaining.filter(|(_, ln_p_value)| *ln_p_value < limit) else {
             return Ok(());
         };
         model.context.check_cancelled()?;
@@ -348,7 +348,7 @@ impl Search {
 
 /// Score statistic minus the Akaike penalty of 2 for each degree of freedom.
 fn penalized(test: &ScoreTest) -> f64 {
-    test.statistic - 2.0 * test.dof as f64
+    test.score_chi2 - 2.0 * test.degrees_of_freedom as f64
 }
 
 /// Hypotheses of a single candidate effect that are worth fitting, in descending order of the penalized score statistic
@@ -358,7 +358,7 @@ fn strongest_singles(tests: &ScoreTests) -> Vec<Vec<CandidateId>> {
     let each = tests.candidates.iter_enumerated();
     let mut decreases: Vec<(CandidateId, f64)> = each
         .filter_map(|(id, test)| Some((id, test.as_ref()?)))
-        .filter(|(_, test)| test.dof > 0)
+        .filter(|(_, test)| test.degrees_of_freedom > 0)
         .map(|(id, test)| (id, penalized(test)))
         .collect();
     sort_by_number(&mut decreases, |decrease| -decrease.1);
@@ -377,7 +377,7 @@ fn strongest_additions(rejected: &[Hypothesis], count: usize) -> Vec<(Vec<Candid
     let mut all: Vec<(Vec<CandidateId>, usize, f64)> = Vec::new();
     for (parent, hypothesis) in rejected.iter().enumerate().take(MAX_PARENTS) {
         for (id, test) in hypothesis.tests.candidates.iter_enumerated() {
-            let Some(test) = test.as_ref().filter(|test| test.dof > 0) else {
+            let Some(test) = test.as_ref().filter(|test| test.degrees_of_freedom > 0) else {
                 continue;
             };
             let mut effects = hypothesis.effects.clone();

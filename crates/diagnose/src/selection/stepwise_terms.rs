@@ -35,13 +35,12 @@ pub struct StepwiseTerm {
     /// Formula of the product of variables of the library term, in the model language.
     pub formula: String,
     /// Score statistic, χ² with one degree of freedom.
-    pub statistic: f64,
+    pub score_chi2: f64,
     /// One-step estimate of the coefficient of the library term (product of variables added to a load), SI.
     pub value: f64,
     /// Standard error of `value`, SI.
     pub std_error: f64,
     /// Whether the library term (product of variables added to a load) is part of the extended model.
-    #[serde(rename = "taken")]
     pub selected: bool,
 }
 
@@ -226,7 +225,7 @@ impl StepwiseModel {
                 return Ok(());
             };
             let remaining = tests.strongest_candidate();
-            let is_rejected = remaining.is_some_and(|(_, test)| test.ln_p < reject);
+            let is_rejected = remaining.is_some_and(|(_, test)| test.ln_p_value < reject);
             let next = next_term(&tests, reject, &selected);
             self.is_adequate = !is_rejected && next.is_none();
             self.next = next.filter(|_| !self.is_adequate);
@@ -335,7 +334,7 @@ fn step(
 /// if the log p-value is not below `reject`, or the term is already in `selected`.
 fn next_term(tests: &ScoreTests, reject: f64, selected: &[TermId]) -> Option<(TermId, f64)> {
     let (term, test) = tests.strongest_term()?;
-    (test.ln_p < reject && !selected.contains(&term)).then_some((term, test.statistic))
+    (test.ln_p_value < reject && !selected.contains(&term)).then_some((term, test.score_chi2))
 }
 
 /// Results of the score tests of all library terms (products of variables added to loads), in the form in which the
@@ -350,8 +349,10 @@ fn reported(terms: &LibraryTerms, tests: &ScoreTests) -> IndexVec<TermId, Stepwi
 /// most [`MAX_REPORTED`].
 fn strongest_terms(terms: &LibraryTerms, tests: &ScoreTests) -> Vec<StepwiseTerm> {
     let each = tests.terms.iter_enumerated();
-    let mut order: Vec<(TermId, &ScoreTest)> = each.filter(|(_, test)| test.dof > 0).collect();
-    sort_by_number(&mut order, |term| -term.1.statistic);
+    let mut order: Vec<(TermId, &ScoreTest)> = each
+        .filter(|(_, test)| test.degrees_of_freedom > 0)
+        .collect();
+    sort_by_number(&mut order, |term| -term.1.score_chi2);
     order.truncate(MAX_REPORTED);
     let each = order.into_iter();
     each.map(|(id, test)| StepwiseTerm::new(terms, id, test))
@@ -360,12 +361,12 @@ fn strongest_terms(terms: &LibraryTerms, tests: &ScoreTests) -> Vec<StepwiseTerm
 
 impl StepwiseTerm {
     fn new(terms: &LibraryTerms, term: TermId, test: &ScoreTest) -> Self {
-        let estimate = test.one_step.first();
+        let estimate = test.one_step_estimates.first();
         Self {
             name: terms.name(term),
             site: terms.site(term).to_owned(),
             formula: terms.formula(term),
-            statistic: test.statistic,
+            score_chi2: test.score_chi2,
             value: estimate.map_or(0.0, |estimate| estimate.value),
             std_error: estimate.map_or(0.0, |estimate| estimate.std_error),
             selected: false,
@@ -379,7 +380,7 @@ fn evidence(dataset: &str, flights: usize, term: Option<&StepwiseTerm>) -> Strin
     let test = term.map_or_else(String::new, |term| {
         format!(
             " score \u{3c7}\u{b2}(1) = {:.0}, one-step estimate {} \u{b1} {}",
-            term.statistic,
+            term.score_chi2,
             three_figures(term.value),
             three_figures(term.std_error)
         )
@@ -428,9 +429,9 @@ mod tests {
         let terms = model.terms.as_ref().unwrap();
         let reported = strongest_terms(terms, &tests);
         assert_eq!(reported.len(), MAX_REPORTED);
-        assert!(reported.is_sorted_by(|a, b| a.statistic >= b.statistic));
+        assert!(reported.is_sorted_by(|a, b| a.score_chi2 >= b.score_chi2));
         let (next, statistic) = next_term(&tests, -20.0, &[]).unwrap();
-        assert_eq!(statistic, reported[0].statistic);
+        assert_eq!(statistic, reported[0].score_chi2);
         assert_eq!(terms.name(next), reported[0].name);
         assert_eq!(next_term(&tests, -20.0, &[next]), None);
         assert_eq!(next_term(&tests, -1e9, &[]), None);

@@ -24,7 +24,7 @@ pub(crate) fn cross_validate(
     dataset: &Dataset,
     options: &FitOptions<'_>,
     apply_to: ApplyTo,
-    noise_floor_m: f64,
+    noise_m: f64,
 ) -> Result<Option<PredictiveGain>, FitError> {
     if dataset.flights.len() < 2 {
         return Ok(None);
@@ -55,27 +55,27 @@ pub(crate) fn cross_validate(
             _ => {}
         }
     }
-    Ok(summarize(all, noise_floor_m, false))
+    Ok(summarize(all, noise_m, false))
 }
 
 /// Out-of-sample gain (reduction of the prediction error) of the second model over the first, each given with its fit
 /// to the flights of the diagnosis: on the held-out flights if the dataset declares some, otherwise by
-/// cross-validation. `noise_floor_m` is the standard deviation of the noise of one coordinate, m.
+/// cross-validation. `noise_m` is the standard deviation of the noise of one coordinate, m.
 ///
 /// # Errors
 /// [`FitError::Interrupted`] if the caller cancelled.
 pub(super) fn out_of_sample_gain(
     context: Context<'_>,
     [before, after]: [(&Model, &Fit); 2],
-    noise_floor_m: f64,
+    noise_m: f64,
 ) -> Result<Option<PredictiveGain>, FitError> {
     if context.has_held_out() {
         let (before, after) = (&before.1.report, &after.1.report);
-        return Ok(held_out_gain(before, after, noise_floor_m));
+        return Ok(held_out_gain(before, after, noise_m));
     }
     let (models, options) = ([before.0, after.0], &context.options.fit);
     let all = ApplyTo::AllFlights;
-    cross_validate(models, context.dataset, options, all, noise_floor_m)
+    cross_validate(models, context.dataset, options, all, noise_m)
 }
 
 /// Copy of the dataset in which every [`FOLDS`]th flight, from index `fold` on, is held out and all others are
@@ -119,10 +119,7 @@ mod tests {
         let gain = cross_validate(models, &dataset, &options, ApplyTo::AllFlights, 0.0015);
         let gain = gain.unwrap().unwrap();
         assert!(!gain.held_out_by_dataset && gain.flights == 10);
-        assert!(
-            gain.held_out_rms_after_m < gain.held_out_rms_before_m,
-            "{gain:?}"
-        );
+        assert!(gain.rms_after_m < gain.rms_before_m, "{gain:?}");
         let one = mystery(1);
         let none = cross_validate(models, &one, &options, ApplyTo::AllFlights, 0.0015);
         assert_eq!(none.unwrap(), None);

@@ -34,13 +34,13 @@ impl Validated {
         model: &ScoreTestModel<'_>,
         hypothesis: &Hypothesis,
         before: &Fit,
-        noise_floor_m: f64,
+        noise_m: f64,
     ) -> Result<Self, DiagnosisError> {
         let context = model.context;
         let extension = hypothesis.extension(model)?;
         let fit = fit(&extension.model, context.dataset, &context.options.fit)?;
         let models = [(context.model, before), (&extension.model, &fit)];
-        let gain = out_of_sample_gain(context, models, noise_floor_m)?;
+        let gain = out_of_sample_gain(context, models, noise_m)?;
         Ok(Self {
             extension,
             fit,

@@ -14,56 +14,47 @@ use serde::{Deserialize, Serialize};
 pub struct PredictiveGain {
     /// RMS prediction error of one coordinate by the model without the added effects, m; the mean is over all predicted
     /// flights.
-    pub held_out_rms_before_m: f64,
+    pub rms_before_m: f64,
     /// RMS prediction error of one coordinate by the extended model, m; the mean is over all predicted flights.
-    pub held_out_rms_after_m: f64,
+    pub rms_after_m: f64,
     /// Jackknife standard error, over flights, of the RMS error without the extension minus the RMS error with it, m;
     /// NaN for a single flight.
-    pub standard_error_m: f64,
+    pub std_error_m: f64,
     /// Standard deviation of the noise of one coordinate, m: the smallest possible prediction error.
-    pub noise_floor_m: f64,
+    pub noise_m: f64,
     /// Number of flights predicted both without and with the added effects; flights in `set_apart` are not counted.
     pub flights: usize,
     /// Number of predicted flights to which the added effects are not applied, because they contradict the first
     /// samples of these flights.
-    #[serde(default)]
     pub without: usize,
     /// Whether the held-out flights are declared in the dataset. If false, every flight is predicted by a fit of
     /// other flights (2-fold cross-validation).
     pub held_out_by_dataset: bool,
     /// Number of flights whose RMS prediction error is smaller with the added effects than without them.
-    #[serde(default)]
     pub improved: usize,
     /// Number of flights whose RMS prediction error is larger with the added effects than without them.
-    #[serde(default)]
     pub worsened: usize,
     /// Median, over the predicted flights, of the RMS prediction error of a flight by the model without the added
     /// effects, m.
-    #[serde(default)]
     pub median_before_m: f64,
     /// Median, over the predicted flights, of the RMS prediction error of a flight by the extended model, m.
-    #[serde(default)]
     pub median_after_m: f64,
     /// p-value of the sign test: probability that at least `improved` flights improve if improvement and worsening are
     /// equally likely.
-    #[serde(default)]
-    pub p_sign: f64,
+    pub sign_test_p_value: f64,
     /// Number of flights that only the extended model predicts: their trajectories by the model without the added
     /// effects cannot be computed. They are not among the `flights`.
-    #[serde(default)]
     pub predicted_only_after: usize,
     /// Number of flights that only the model without the added effects predicts. They are not among the `flights`.
-    #[serde(default)]
     pub predicted_only_before: usize,
     /// File names of the flights that are excluded from the statistics because neither model predicts them.
-    #[serde(default)]
     pub set_apart: Vec<String>,
 }
 
 impl PredictiveGain {
     /// RMS prediction error without the added effects minus RMS prediction error with them, m.
     pub fn error_reduction_m(&self) -> f64 {
-        self.held_out_rms_before_m - self.held_out_rms_after_m
+        self.rms_before_m - self.rms_after_m
     }
 
     /// Whether the added effects improve the predictions: they reduce the RMS prediction error by more than the standard
@@ -82,7 +73,7 @@ impl PredictiveGain {
 
     /// Whether the predictions with the added effects are better (`Greater`) or worse (`Less`) than those without.
     fn change(&self) -> Ordering {
-        let (reduction, error) = (self.error_reduction_m(), self.standard_error_m);
+        let (reduction, error) = (self.error_reduction_m(), self.std_error_m);
         let by_errors = match reduction {
             _ if reduction > error => Ordering::Greater,
             _ if reduction < -error => Ordering::Less,
@@ -101,10 +92,10 @@ impl PredictiveGain {
     /// flights, and the difference of the RMS errors and its standard error are below the fraction [`SAME_ERROR`] of the
     /// noise standard deviation.
     pub(crate) fn changes_nothing(&self) -> bool {
-        let same = SAME_ERROR * self.noise_floor_m;
+        let same = SAME_ERROR * self.noise_m;
         self.predicted_only_after + self.predicted_only_before == 0
             && self.error_reduction_m().abs() < same
-            && self.standard_error_m < same
+            && self.std_error_m < same
     }
 }
 
@@ -152,14 +143,14 @@ impl Predictions {
 }
 
 /// Reduction of the out-of-sample error from the fit `before` to the fit `after`, on the held-out flights of the
-/// dataset; `None` if no held-out flight is predicted. `noise_floor_m` is the standard deviation of the noise of one
+/// dataset; `None` if no held-out flight is predicted. `noise_m` is the standard deviation of the noise of one
 /// coordinate, m.
 pub fn held_out_gain(
     before: &FitReport,
     after: &FitReport,
-    noise_floor_m: f64,
+    noise_m: f64,
 ) -> Option<PredictiveGain> {
-    summarize(predictions(before, after, &[]), noise_floor_m, true)
+    summarize(predictions(before, after, &[]), noise_m, true)
 }
 
 /// Reduction of the out-of-sample error from the fit `before` to the fit `after` of the extended model, on the held-out
@@ -169,10 +160,10 @@ pub(crate) fn gain_of_fits(
     before: &Fit,
     after: &Fit,
     not_applied: &[usize],
-    noise_floor_m: f64,
+    noise_m: f64,
 ) -> Option<PredictiveGain> {
     let predictions = predictions(&before.report, &after.report, not_applied);
-    summarize(predictions, noise_floor_m, true)
+    summarize(predictions, noise_m, true)
 }
 
 /// Predictions of the held-out flights by two fits. For the flights in `not_applied` (dataset indices), the prediction
@@ -207,10 +198,10 @@ pub(super) fn predictions(
 /// models predict.
 pub(super) fn summarize(
     predictions: Predictions,
-    noise_floor_m: f64,
+    noise_m: f64,
     held_out_by_dataset: bool,
 ) -> Option<PredictiveGain> {
-    let (apart, flights) = without_set_apart(predictions.errors, noise_floor_m);
+    let (apart, flights) = without_set_apart(predictions.errors, noise_m);
     if flights.is_empty() {
         return None;
     }
@@ -229,13 +220,13 @@ pub(super) fn summarize(
     let improved = flights.iter().filter(|f| f.after < f.before).count();
     let worsened = flights.iter().filter(|f| f.after > f.before).count();
     Some(PredictiveGain {
-        held_out_rms_before_m: rms(before, count),
-        held_out_rms_after_m: rms(after, count),
-        standard_error_m: match flights.len() {
+        rms_before_m: rms(before, count),
+        rms_after_m: rms(after, count),
+        std_error_m: match flights.len() {
             1 => f64::NAN,
             _ => (spread * (count - 1.0) / count).sqrt(),
         },
-        noise_floor_m,
+        noise_m,
         flights: flights.len(),
         without: flights.iter().filter(|flight| !flight.is_applied).count(),
         held_out_by_dataset,
@@ -243,7 +234,7 @@ pub(super) fn summarize(
         worsened,
         median_before_m: median(|f| f.before),
         median_after_m: median(|f| f.after),
-        p_sign: sign_test(improved, improved + worsened),
+        sign_test_p_value: sign_test(improved, improved + worsened),
         predicted_only_after: predictions.only_after,
         predicted_only_before: predictions.only_before,
         set_apart: apart.into_iter().map(|flight| flight.file).collect(),
@@ -252,18 +243,18 @@ pub(super) fn summarize(
 
 /// Splits the flights into those set apart, first, and all others. A flight is set apart if the smaller of its two RMS
 /// errors is not a number, or exceeds [`SET_APART`] times the larger of the median of this error over the flights and
-/// `noise_floor_m`, the noise standard deviation of one coordinate, m. No flight is set apart if this holds for more
+/// `noise_m`, the noise standard deviation of one coordinate, m. No flight is set apart if this holds for more
 /// than a quarter of the flights, or if there are fewer than [`MIN_FLIGHTS`] flights.
 fn without_set_apart(
     flights: Vec<FlightErrors>,
-    noise_floor_m: f64,
+    noise_m: f64,
 ) -> (Vec<FlightErrors>, Vec<FlightErrors>) {
     if flights.len() < MIN_FLIGHTS {
         return (Vec::new(), flights);
     }
     let least = |flight: &FlightErrors| flight.before.min(flight.after).sqrt();
     let typical = median_of(flights.iter().map(least)).unwrap_or(0.0);
-    let limit = SET_APART * typical.max(noise_floor_m);
+    let limit = SET_APART * typical.max(noise_m);
     let is_apart = |flight: &FlightErrors| least(flight) > limit || least(flight).is_nan();
     if flights.iter().filter(|flight| is_apart(flight)).count() > flights.len() / 4 {
         return (Vec::new(), flights);
@@ -335,11 +326,8 @@ mod tests {
             })
             .collect();
         let found = summarize(of_both(flights), 0.001, true).unwrap();
-        assert!((found.held_out_rms_before_m - 0.1).abs() < 1e-12);
-        assert!(
-            (found.standard_error_m - 0.000_645).abs() < 2e-5,
-            "{found:?}"
-        );
+        assert!((found.rms_before_m - 0.1).abs() < 1e-12);
+        assert!((found.std_error_m - 0.000_645).abs() < 2e-5, "{found:?}");
         assert!(found.is_improvement());
         assert!(summarize(Predictions::default(), 0.0, true).is_none());
     }
@@ -361,12 +349,12 @@ mod tests {
         assert_eq!(found.set_apart, ["f19.csv"]);
         assert_eq!((found.improved, found.worsened, found.flights), (16, 3, 19));
         assert!((found.median_after_m - 0.028).abs() < 1e-12);
-        assert!(found.held_out_rms_before_m < 0.042);
+        assert!(found.rms_before_m < 0.042);
         // 1160 of 2^19 sequences have at least 16 heads.
         assert!(
-            (found.p_sign - 1160.0 / 524_288.0).abs() < 1e-9,
+            (found.sign_test_p_value - 1160.0 / 524_288.0).abs() < 1e-9,
             "{}",
-            found.p_sign
+            found.sign_test_p_value
         );
         // If two of four flights are off by metres, they are not exceptions.
         let half = vec![
@@ -381,11 +369,11 @@ mod tests {
 
     #[test]
     fn an_extension_that_changes_nothing_is_no_gain() {
-        let gain = |after: f64, standard_error_m: f64| PredictiveGain {
-            held_out_rms_before_m: 0.002,
-            held_out_rms_after_m: after,
-            standard_error_m,
-            noise_floor_m: 0.0015,
+        let gain = |after: f64, std_error_m: f64| PredictiveGain {
+            rms_before_m: 0.002,
+            rms_after_m: after,
+            std_error_m,
+            noise_m: 0.0015,
             ..PredictiveGain::default()
         };
         assert!(gain(0.002, 1e-9).changes_nothing());

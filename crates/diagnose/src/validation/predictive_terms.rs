@@ -8,14 +8,14 @@ use crate::selection::StepwiseModel;
 /// Number of selected library terms (products of variables added to loads) that are retained, counted in the order of
 /// their selection. The first term is always retained. A further term is retained if it reduces the out-of-sample
 /// prediction error by more than the standard error of the reduction; the first term that does not, and all after it,
-/// are dropped. `noise_floor_m` is the standard deviation of the noise of one coordinate, m.
+/// are dropped. `noise_m` is the standard deviation of the noise of one coordinate, m.
 ///
 /// # Errors
 /// [`DiagnosisError::Fit`] if the caller cancelled.
 pub(crate) fn predictive_terms(
     context: Context<'_>,
     stepwise: &StepwiseModel,
-    noise_floor_m: f64,
+    noise_m: f64,
 ) -> Result<usize, DiagnosisError> {
     let mut count = stepwise.fitted.len().min(1);
     for pair in stepwise.fitted.windows(2) {
@@ -23,7 +23,7 @@ pub(crate) fn predictive_terms(
             break;
         }
         let models = [&pair[0], &pair[1]].map(|terms| (&terms.extension.model, &terms.fit));
-        let gain = if_possible(out_of_sample_gain(context, models, noise_floor_m))?.flatten();
+        let gain = if_possible(out_of_sample_gain(context, models, noise_m))?.flatten();
         if !gain.is_some_and(|gain| gain.is_improvement()) {
             break;
         }

@@ -7,6 +7,7 @@ use nalgebra::{DMatrix, DVector};
 use super::initial_guess::{observations_and_poses, refined_guesses};
 use super::one_flight::FixedGlobal;
 use super::outcome::initial_state_report;
+use super::post_fit::{channel_sums, square_sums};
 use super::{FitError, FittedFlight, FlightResult};
 use crate::error::FlightError;
 use crate::ground_contact::ContactSearch;
@@ -15,7 +16,7 @@ use crate::least_squares::{StoppingCriteria, eliminate};
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::outliers;
-use crate::predict::{Loss, Residuals, residuals};
+use crate::predict::{Loss, residuals};
 use crate::problem::FitProblem;
 use crate::report::{FlightOutcome, FlightReport};
 use dataset::{Dataset, Flight};
@@ -83,14 +84,17 @@ fn predict(
     let system = system.map_err(|_| FlightError::SingularInitialState)?;
     let covariance = system.local_covariance(0, &DMatrix::zeros(0, 0));
     let residuals = residuals(problem, &observations, (global, &local), all)?;
-    let rms = rms_from(problem, &observations, &residuals, samples);
-    let rms = rms.ok_or(FlightError::NothingMeasuredToPredict)?;
+    let sums = channel_sums(problem, &observations, &residuals, samples);
+    let residual_rms = square_sums(problem, &sums).rms();
+    if residual_rms.is_empty() {
+        return Err(FlightError::NothingMeasuredToPredict);
+    }
     let report = FlightReport {
         file: observations.file.clone(),
         role: observations.role,
         outcome: FlightOutcome::HeldOut,
         samples: observations.samples,
-        rms_m: Some(rms),
+        residual_rms,
         outliers: observations.outliers(),
         initial: initial_state_report(problem, &observations, &local, &covariance),
         cut: observations.truncation.clone(),
@@ -104,29 +108,6 @@ fn predict(
         report: Some(report),
         fitted,
     })
-}
-
-/// Root mean square residual of one position coordinate, over all measured positions in the samples from `first` to the
-/// end of the flight, outliers excluded, m; `None` if there are no residuals. If no positions are measured, the
-/// residuals of all channels are used, each multiplied by the scale of its channel.
-fn rms_from(
-    problem: &FitProblem,
-    observations: &Observations,
-    residuals: &Residuals,
-    first: usize,
-) -> Option<f64> {
-    let (mut squares, mut count) = (0.0, 0_usize);
-    let series = residuals.iter().enumerate();
-    for (channel, series) in series.filter(|(channel, _)| problem.is_scored(*channel)) {
-        for (sample, residual) in series.iter().enumerate().skip(first) {
-            let Some(residual) = residual else { continue };
-            if !observations.is_outlier(sample, channel) {
-                squares += residual.iter().map(|r| r * r).sum::<f64>();
-                count += 3;
-            }
-        }
-    }
-    (count > 0).then(|| (squares / count as f64).sqrt())
 }
 
 /// Marks as outliers the values whose residuals deviate from the line through the neighbouring residuals, so that a

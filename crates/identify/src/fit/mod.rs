@@ -49,7 +49,7 @@ use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
-use crate::report::{FitReport, FlightEvidence, FlightOutcome, FlightReport, reasons_against};
+use crate::report::{FitReport, FlightEvidence, FlightOutcome, FlightReport, MARKER, cautions};
 use crate::screening::{self, DataFault, FaultKind, Screening};
 use crate::tolerance;
 use crate::vertical;
@@ -176,7 +176,13 @@ fn fit_within(
             continued::continued(&problem, dataset, &fitted, earlier, options)
         {
             state.excluded.extend(doubtful);
-            let floors = (earlier.noise_floor, earlier.report.noise.floor_m);
+            let floors = (
+                earlier.noise_floor,
+                earlier
+                    .report
+                    .position_noise()
+                    .and_then(|noise| noise.floor),
+            );
             return screened.finish(state, (cache, None), floors, clock.elapsed().as_secs_f64());
         }
     }
@@ -271,10 +277,12 @@ impl Screened<'_> {
         self.data_faults
             .retain(|fault| options.trust_data || is_excluded(fault));
         report.data_faults = self.data_faults;
-        report.noise.floor_m = floor_m;
+        if let Some(noise) = report.noise.get_mut(MARKER) {
+            noise.floor = floor_m;
+        }
         report.marker_distances = marker_distances;
-        report.why = reasons_against(&report);
-        report.reliable = report.why.is_empty();
+        report.cautions = cautions(&report);
+        report.reliable = report.cautions.is_empty();
         let total = self.clock.elapsed().as_secs_f64();
         let seconds = [
             ("start", started),
@@ -335,7 +343,7 @@ impl FlightResult {
             file: flight.file.clone(),
             role: flight.role,
             samples: flight.times.len(),
-            rms_m: None,
+            residual_rms: BTreeMap::new(),
             outliers: 0,
             initial: BTreeMap::new(),
             cut: None,

@@ -1,12 +1,12 @@
 //! Creates the report of a fit and the reports of its flights.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use flight::batch;
 use nalgebra::{DMatrix, DVector};
 
 use super::output_error::OutputError;
-use super::post_fit::{ChannelSum, EMPTY_RANGE, PostFit, joined, post_fit};
+use super::post_fit::{ChannelSum, EMPTY_RANGE, PostFit, joined, post_fit, square_sums};
 use super::reweighting::Reweighted;
 use super::state::State;
 use super::{FitError, flight_error, solve_error};
@@ -19,7 +19,7 @@ use crate::observations::Observations;
 use crate::predict::Loss;
 use crate::problem::FitProblem;
 use crate::report::{
-    AxisNoise, Coefficient, Estimate, FitReport, FlightOutcome, FlightReport, Iterations,
+    AxisNoise, Coefficient, Estimate, FitReport, FlightOutcome, FlightReport, Iterations, MARKER,
     NoiseReport, Profile, ResidualPool, SensorReport,
 };
 use crate::uncertainty::{Covariance, interval, non_identifiable, profile};
@@ -70,22 +70,22 @@ pub fn reports(
     note_misfits(&mut flights);
     let ranges = names.zip(ranges).filter(|(_, range)| *range != EMPTY_RANGE);
     let effects = problem.model.effects.iter();
+    let sensors = sensors(problem, &fitted.noise, &channels);
     let report = FitReport {
-        schema: "hyzer.fit/1".into(),
+        schema: "hyzer.fit/2".into(),
         model: problem.model.name.clone(),
         effects: effects.map(|effect| effect.name.clone()).collect(),
         reliable: true,
-        why: Vec::new(),
-        rms_m: pool.rms(),
-        sees_positions: problem.sees_positions(),
-        noise: noise_report(state, &fitted.noise),
+        cautions: Vec::new(),
+        residual_rms: square_sums(problem, &channels).rms(),
+        noise: noise_by_kind(state, &fitted.noise, &sensors),
         coefficients: coefficients(problem, fitted, &covariance),
         correlations: correlations(problem, &covariance),
         flights: Vec::new(),
         data_faults: Vec::new(),
         marker_distances: Vec::new(),
-        sensors: sensors(problem, &fitted.noise, &channels),
-        undetermined: non_identifiable(
+        sensors,
+        not_identifiable: non_identifiable(
             &problem.model,
             &problem.globals,
             &covariance.model,
@@ -148,12 +148,49 @@ fn sensors(problem: &FitProblem, noise: &NoiseModel, sums: &[ChannelSum]) -> Vec
             unit: own.unit.to_owned(),
             rms: (sum.squares / (own.components * sum.count).max(1) as f64).sqrt(),
             sigma: noise.overall() / own.scale,
-            ar1: noise.ar1.iter().sum::<f64>() / 3.0,
+            lag1_autocorrelation: noise.ar1.iter().sum::<f64>() / 3.0,
             points: sum.count + sum.outliers,
             outliers: sum.outliers,
         })
     });
     sensors.collect()
+}
+
+/// Noise by kind of sensor: that of the positions, and the mean over the sensors of each other kind.
+fn noise_by_kind(
+    state: &State<'_>,
+    noise: &NoiseModel,
+    sensors: &[SensorReport],
+) -> BTreeMap<String, NoiseReport> {
+    let mut by_kind = BTreeMap::new();
+    if state.problem.sees_positions() {
+        by_kind.insert(MARKER.to_owned(), noise_report(state, noise));
+    }
+    let others = sensors
+        .iter()
+        .filter(|sensor| sensor.measures != "position");
+    let kinds: BTreeSet<&str> = others.map(|sensor| &*sensor.measures).collect();
+    for kind in kinds {
+        let own: Vec<&SensorReport> = sensors.iter().filter(|s| s.measures == kind).collect();
+        let count = own.len() as f64;
+        let squares: f64 = own.iter().map(|s| s.sigma * s.sigma).sum();
+        let correlations: f64 = own.iter().map(|s| s.lag1_autocorrelation).sum();
+        let points = own.iter().map(|s| s.points).sum();
+        let outliers = own.iter().map(|s| s.outliers).sum();
+        let report = NoiseReport {
+            sigma: (squares / count).sqrt(),
+            unit: own[0].unit.clone(),
+            lag1_autocorrelation: correlations / count,
+            estimated: true,
+            interval_s: noise.interval,
+            points,
+            outliers,
+            outlier_fraction: outliers as f64 / f64::max(points as f64, 1.0),
+            ..NoiseReport::default()
+        };
+        by_kind.insert(kind.to_owned(), report);
+    }
+    by_kind
 }
 
 fn noise_report(state: &State<'_>, noise: &NoiseModel) -> NoiseReport {
@@ -163,20 +200,24 @@ fn noise_report(state: &State<'_>, noise: &NoiseModel) -> NoiseReport {
     let all: usize = flights.iter().map(|f| f.measured.len()).sum();
     let outliers: usize = flights.iter().map(Observations::outliers).sum();
     let axis = |(k, name): (usize, &&str)| {
-        let (sigma_m, ar1) = (noise.sigma[k], noise.ar1[k]);
-        ((*name).to_owned(), AxisNoise { sigma_m, ar1 })
+        let axis = AxisNoise {
+            sigma: noise.sigma[k],
+            lag1_autocorrelation: noise.ar1[k],
+        };
+        ((*name).to_owned(), axis)
     };
     NoiseReport {
-        sigma_m: noise.overall(),
-        ar1: noise.ar1.iter().sum::<f64>() / 3.0,
+        sigma: noise.overall(),
+        unit: "m".to_owned(),
+        lag1_autocorrelation: noise.ar1.iter().sum::<f64>() / 3.0,
         estimated: state.problem.sigma.is_none(),
         axes: AXES.iter().enumerate().map(axis).collect(),
         interval_s: noise.interval,
         points,
         outliers,
         outlier_fraction: outliers as f64 / points.max(1) as f64,
-        dropouts: all - points,
-        floor_m: None,
+        missing: all - points,
+        floor: None,
     }
 }
 
@@ -194,11 +235,11 @@ fn coefficients(
         let coefficient = Coefficient {
             value,
             std_error: errors[i],
-            std_error_clustered: clustered.as_ref().map(|errors| errors[i]),
+            std_error_cluster_robust: clustered.as_ref().map(|errors| errors[i]),
             interval: interval(value, errors[i]),
             unit: global.unit.clone(),
             at_bound: value <= low || value >= high,
-            held: false,
+            fixed: false,
             model_value: global.model_value,
             prior: prior.map(|(value, sigma)| [value, sigma]),
         };
@@ -210,11 +251,11 @@ fn coefficients(
         let coefficient = Coefficient {
             value: *value,
             std_error: 0.0,
-            std_error_clustered: None,
+            std_error_cluster_robust: None,
             interval: [*value; 2],
             unit: of_model.map(|c| c.unit_text.clone()).unwrap_or_default(),
             at_bound: false,
-            held: true,
+            fixed: true,
             model_value: of_model.map_or(*value, |c| c.value),
             prior: None,
         };
@@ -275,7 +316,7 @@ fn evaluate(
             role: observations.role,
             outcome: FlightOutcome::Fitted,
             samples: observations.samples,
-            rms_m: Some(post_fit.pool.rms()),
+            residual_rms: square_sums(problem, &post_fit.channels).rms(),
             outliers: observations.outliers(),
             initial: initial_state_report(problem, observations, local, &covariance),
             cut: observations.truncation.clone(),

@@ -4,12 +4,13 @@
 use nalgebra::DVector;
 
 use super::residual_cache::Path;
+use crate::channel::ChannelKind;
 use crate::channel_observers::ChannelConditions;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
-use crate::predict::states;
+use crate::predict::{Residuals, states};
 use crate::problem::FitProblem;
-use crate::report::{FlightEvidence, ResidualPool, SensorEvidence};
+use crate::report::{FlightEvidence, MARKER, ResidualPool, SensorEvidence, SquareSums};
 
 /// Residual statistics of one flight, and the minimum and maximum over the flight of each state and auxiliary variable
 /// of the model.
@@ -36,12 +37,18 @@ pub struct ChannelSum {
     pub outliers: usize,
 }
 
-/// For each channel of a flight, the sum of its squared residuals, and the numbers of values and outliers.
-fn channel_sums(problem: &FitProblem, observations: &Observations, path: &Path) -> Vec<ChannelSum> {
-    let series = path.residuals.iter().zip(&problem.channels).enumerate();
+/// For each channel of a flight, the sum of its squared residuals in the samples from `first` on, and the numbers of
+/// values and outliers.
+pub fn channel_sums(
+    problem: &FitProblem,
+    observations: &Observations,
+    residuals: &Residuals,
+    first: usize,
+) -> Vec<ChannelSum> {
+    let series = residuals.iter().zip(&problem.channels).enumerate();
     let sums = series.map(|(channel, (series, own))| {
         let mut sum = ChannelSum::default();
-        for (sample, residual) in series.iter().enumerate() {
+        for (sample, residual) in series.iter().enumerate().skip(first) {
             let Some(residual) = residual else { continue };
             if observations.is_outlier(sample, channel) {
                 sum.outliers += 1;
@@ -54,6 +61,22 @@ fn channel_sums(problem: &FitProblem, observations: &Observations, path: &Path) 
         sum
     });
     sums.collect()
+}
+
+/// Squared residuals by kind of sensor. Where markers are tracked, positions of pose sensors are not counted.
+pub fn square_sums(problem: &FitProblem, channels: &[ChannelSum]) -> SquareSums {
+    let mut sums = SquareSums::default();
+    for (index, (sum, own)) in channels.iter().zip(&problem.channels).enumerate() {
+        let kind = match own.kind {
+            ChannelKind::Marker(_) => MARKER,
+            ChannelKind::Position if problem.is_scored(index) => MARKER,
+            ChannelKind::Position => continue,
+            ChannelKind::Attitude => "attitude",
+            ChannelKind::Instrument(place) => problem.instruments[place].0.name(),
+        };
+        sums.add(kind, own.unit, sum.squares, own.components * sum.count);
+    }
+    sums
 }
 
 /// Approximate number of samples of a flight at which the model's auxiliary variables are evaluated to find their
@@ -104,7 +127,7 @@ pub fn post_fit(
         }
     }
     PostFit {
-        channels: channel_sums(problem, observations, path),
+        channels: channel_sums(problem, observations, &path.residuals, 0),
         pool,
         ranges,
     }

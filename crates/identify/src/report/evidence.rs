@@ -22,7 +22,6 @@ pub struct FlightEvidence {
     /// Predicted positions as `predicted[sample][marker]`, m, inertial frame.
     pub predicted: Vec<Vec<[f64; 3]>>,
     /// Channels that measure other quantities than positions.
-    #[serde(default)]
     pub sensors: Vec<SensorEvidence>,
     /// Names of the model's states.
     pub state_names: Vec<String>,

@@ -3,6 +3,7 @@
 mod evidence;
 mod outcome;
 mod reliability;
+mod residual_rms;
 mod residuals;
 
 use std::collections::BTreeMap;
@@ -11,16 +12,18 @@ use serde::{Deserialize, Serialize};
 
 pub use evidence::{AxisResiduals, FlightEvidence, SensorEvidence};
 pub use outcome::{FitStatus, FlightOutcome, Iterations};
-pub(crate) use reliability::reasons_against;
+pub(crate) use reliability::cautions;
+pub(crate) use residual_rms::SquareSums;
+pub use residual_rms::{MARKER, Rms};
 pub(crate) use residuals::ResidualPool;
 
 use crate::screening::DataFault;
 use dataset::Role;
 
-/// Content of `report.json` of a fit, schema `hyzer.fit/1`.
+/// Content of `report.json` of a fit, schema `hyzer.fit/2`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FitReport {
-    /// Schema identifier, `hyzer.fit/1`.
+    /// Schema identifier, `hyzer.fit/2`.
     pub schema: String,
     /// Name of the model.
     pub model: String,
@@ -30,16 +33,12 @@ pub struct FitReport {
     /// residuals are near the noise floor, and neither the fitted data nor the marker positions have faults.
     pub reliable: bool,
     /// Reasons why the fit is not reliable; empty if it is.
-    pub why: Vec<String>,
-    /// Root mean square residual of one coordinate over the fitted flights, outliers excluded, m. Without measured
-    /// positions, it is the root mean square of the residuals of all sensors, each divided by the noise of its channel,
-    /// multiplied by 1 mm to give a length.
-    pub rms_m: f64,
-    /// Whether positions of the body are measured, by markers or pose sensors.
-    #[serde(default = "yes")]
-    pub sees_positions: bool,
-    /// Estimated measurement noise.
-    pub noise: NoiseReport,
+    pub cautions: Vec<String>,
+    /// Root mean square residual of one component over the fitted flights, outliers excluded, by kind of sensor:
+    /// `marker` for positions, `attitude`, `gyroscope`, `accelerometer`, `speed`.
+    pub residual_rms: BTreeMap<String, Rms>,
+    /// Measurement noise by kind of sensor, with the keys of `residual_rms`.
+    pub noise: BTreeMap<String, NoiseReport>,
     /// Coefficients and other global parameters, keyed by their names.
     pub coefficients: BTreeMap<String, Coefficient>,
     /// Correlation matrix of the estimated global parameters, indexed by the names of two parameters.
@@ -47,17 +46,14 @@ pub struct FitReport {
     /// Reports of all flights, in the order of the dataset.
     pub flights: Vec<FlightReport>,
     /// Faults in the data of the flights, in the order of the dataset.
-    #[serde(default)]
     pub data_faults: Vec<DataFault>,
     /// Pairs of markers whose measured distance differs significantly from the predicted one.
-    #[serde(default)]
     pub marker_distances: Vec<MarkerDistance>,
     /// Residuals and noise of sensor channels other than markers.
-    #[serde(default)]
     pub sensors: Vec<SensorReport>,
     /// Coefficients and combinations of coefficients that are not identifiable, in the order of decreasing standard
     /// error.
-    pub undetermined: Vec<NonIdentifiable>,
+    pub not_identifiable: Vec<NonIdentifiable>,
     /// Profile likelihoods that the options request.
     pub profiles: Vec<Profile>,
     /// Residual diagnostics along each axis of the inertial frame, keyed by the names `x`, `y` and `z`.
@@ -67,10 +63,6 @@ pub struct FitReport {
     /// Computing times, s: `start` for the preparation and the initial guesses, `fit` for the estimation, and `total`
     /// for everything including the evaluation of the result.
     pub seconds: BTreeMap<String, f64>,
-}
-
-fn yes() -> bool {
-    true
 }
 
 /// Two markers of a rigid body whose measured distance differs from the predicted one.
@@ -101,25 +93,27 @@ pub struct SensorReport {
     /// or estimated.
     pub sigma: f64,
     /// Lag-1 autocorrelation of the noise, mean over the components.
-    pub ar1: f64,
+    pub lag1_autocorrelation: f64,
     /// Number of measured values in the fitted flights, including outliers.
     pub points: usize,
     /// Number of measured values in the fitted flights that are excluded as outliers.
     pub outliers: usize,
 }
 
-/// Noise of the measured coordinates: a stationary AR(1) process along each axis.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+/// Noise of the measurements of one kind of sensor: a stationary AR(1) process along each axis.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct NoiseReport {
-    /// Root mean square of the standard deviations along the axes, m; given by the dataset or estimated.
-    pub sigma_m: f64,
+    /// Root mean square of the standard deviations along the axes, in `unit`; given by the dataset or estimated.
+    pub sigma: f64,
+    /// Unit of the measured quantity.
+    pub unit: String,
     /// Lag-1 autocorrelation of the noise, mean over the axes.
-    pub ar1: f64,
-    /// Whether `sigma_m` was estimated; `false` if the dataset gives it.
+    pub lag1_autocorrelation: f64,
+    /// Whether `sigma` was estimated; `false` if the dataset gives it.
     pub estimated: bool,
-    /// Noise along each axis, keyed by the names `x`, `y` and `z`.
+    /// Noise along each axis, keyed by the names `x`, `y` and `z`; empty for sensors other than markers and poses.
     pub axes: BTreeMap<String, AxisNoise>,
-    /// Time between samples to which `ar1` refers, s.
+    /// Time between samples to which `lag1_autocorrelation` refers, s.
     pub interval_s: f64,
     /// Number of measured values (for markers: positions) in the fitted flights, including outliers.
     pub points: usize,
@@ -128,32 +122,32 @@ pub struct NoiseReport {
     /// Fraction of measured values excluded as outliers: `outliers / points`.
     pub outlier_fraction: f64,
     /// Number of missing values (for markers: positions) in the fitted flights.
-    pub dropouts: usize,
+    pub missing: usize,
     /// Noise floor: root mean square over the axes of the noise standard deviations that are estimated without a model,
     /// from the scatter about smooth curves, m; for correlated noise, it is an underestimate. With too few samples, it
     /// is estimated from the rigidity of the markers. `None` if the samples do not determine it.
-    pub floor_m: Option<f64>,
+    pub floor: Option<f64>,
 }
 
 /// Measurement noise along one axis.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AxisNoise {
-    /// Standard deviation of the noise, m.
-    pub sigma_m: f64,
+    /// Standard deviation of the noise, in the unit of the measured quantity.
+    pub sigma: f64,
     /// Lag-1 autocorrelation of the noise.
-    pub ar1: f64,
+    pub lag1_autocorrelation: f64,
 }
 
 /// Estimate of a coefficient or another global parameter.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Coefficient {
-    /// Estimated value, or the fixed value if `held`, SI.
+    /// Estimated value, or the fixed value if `fixed`, SI.
     pub value: f64,
     /// Cramér–Rao standard error under the estimated noise, SI; 0 if the parameter is fixed.
     pub std_error: f64,
     /// Cluster-robust standard error with flights as clusters, SI; `None` for fewer than 8 flights or a fixed
     /// parameter.
-    pub std_error_clustered: Option<f64>,
+    pub std_error_cluster_robust: Option<f64>,
     /// 95 % confidence interval (lower, upper limit), SI.
     pub interval: [f64; 2],
     /// Unit as written in the model.
@@ -161,7 +155,7 @@ pub struct Coefficient {
     /// Whether the estimate is at a bound of the parameter.
     pub at_bound: bool,
     /// Whether the parameter is fixed and not estimated.
-    pub held: bool,
+    pub fixed: bool,
     /// Initial value of the parameter in the fit, SI: from the prior, the dataset or the model.
     pub model_value: f64,
     /// Mean and standard deviation of the prior, SI; `None` without a prior.
@@ -180,9 +174,10 @@ pub struct FlightReport {
     pub outcome: FlightOutcome,
     /// Number of samples in the table of the flight, not counting those after the truncation `cut`.
     pub samples: usize,
-    /// Root mean square residual of one coordinate, m. For a held-out flight, it covers the samples after the
-    /// conditioning segment, the first samples, to which the initial state is fitted. `None` if the flight is excluded.
-    pub rms_m: Option<f64>,
+    /// Root mean square residual of one component by kind of sensor, as in [`FitReport::residual_rms`]. For a held-out
+    /// flight, it covers the samples after the conditioning segment, the first samples, to which the initial state is
+    /// fitted. Empty if the flight is excluded.
+    pub residual_rms: BTreeMap<String, Rms>,
     /// Number of measured values of the flight that are excluded as outliers.
     pub outliers: usize,
     /// Estimated initial state, keyed by the names of the states; empty if the flight is excluded.
@@ -193,7 +188,42 @@ pub struct FlightReport {
     pub notes: Vec<String>,
 }
 
+/// Noise of the measured positions among the kinds of sensors of `noise`; without positions, that of the first kind.
+pub fn leading_noise(noise: &BTreeMap<String, NoiseReport>) -> &NoiseReport {
+    static NONE: NoiseReport = NoiseReport {
+        sigma: f64::NAN,
+        unit: String::new(),
+        lag1_autocorrelation: f64::NAN,
+        estimated: false,
+        axes: BTreeMap::new(),
+        interval_s: f64::NAN,
+        points: 0,
+        outliers: 0,
+        outlier_fraction: 0.0,
+        missing: 0,
+        floor: None,
+    };
+    let leading = noise.get(MARKER).or_else(|| noise.values().next());
+    leading.unwrap_or(&NONE)
+}
+
 impl FitReport {
+    /// Root mean square residual of one coordinate of the positions over the fitted flights, m; without positions, that
+    /// of the first kind of sensor in `residual_rms`, in its unit.
+    pub fn rms(&self) -> f64 {
+        residual_rms::leading(&self.residual_rms)
+    }
+
+    /// Noise of the measured positions; without positions, that of the first kind of sensor in `noise`.
+    pub fn leading_noise(&self) -> &NoiseReport {
+        leading_noise(&self.noise)
+    }
+
+    /// Noise of the measured positions; `None` where no positions are measured.
+    pub fn position_noise(&self) -> Option<&NoiseReport> {
+        self.noise.get(MARKER)
+    }
+
     /// Flights with the role `role` (to be fitted, or held out) that are not excluded, in the order of the dataset.
     pub fn used(&self, role: Role) -> impl Iterator<Item = &FlightReport> {
         let flights = self.flights.iter();
@@ -212,9 +242,16 @@ impl FlightReport {
         !matches!(self.outcome, FlightOutcome::Excluded { .. })
     }
 
-    /// Root mean square residual of one coordinate, m; NaN if the flight is excluded.
+    /// Root mean square residual of one coordinate of the positions, m; `None` without positions or if the flight is
+    /// excluded.
+    pub fn position_rms(&self) -> Option<f64> {
+        self.residual_rms.get(MARKER).map(|rms| rms.value)
+    }
+
+    /// Root mean square residual of one coordinate of the positions, m; without positions, that of the first kind of
+    /// sensor in `residual_rms`, in its unit. NaN if the flight is excluded.
     pub fn rms(&self) -> f64 {
-        self.rms_m.unwrap_or(f64::NAN)
+        residual_rms::leading(&self.residual_rms)
     }
 }
 
@@ -226,7 +263,7 @@ pub struct Truncation {
     /// Number of samples after the time `t`, which were dropped.
     pub samples: usize,
     /// Reason for the truncation of the flight, as text for the report.
-    pub why: String,
+    pub reason: String,
 }
 
 /// Estimated value with its standard error.
@@ -250,7 +287,7 @@ pub struct NonIdentifiable {
     /// Standard error along the non-identifiable direction, in units of the parameters' typical magnitudes.
     pub relative_error: f64,
     /// Explanation of the non-identifiability, as text.
-    pub why: String,
+    pub reason: String,
 }
 
 /// Profile likelihood of one global parameter.

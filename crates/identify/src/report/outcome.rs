@@ -6,7 +6,7 @@ use crate::least_squares::StopReason;
 
 /// Outcome of a flight in a fit.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(tag = "outcome", rename_all = "kebab-case")]
+#[serde(tag = "outcome", rename_all = "snake_case")]
 pub enum FlightOutcome {
     /// The initial state of the flight was fitted together with the global parameters.
     Fitted,
@@ -20,9 +20,28 @@ pub enum FlightOutcome {
     },
 }
 
+impl FlightOutcome {
+    /// Name of the outcome in reports: `fitted`, `held_out` or `excluded`.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Fitted => "fitted",
+            Self::HeldOut => "held_out",
+            Self::Excluded { .. } => "excluded",
+        }
+    }
+
+    /// Reason for the exclusion of the flight; `None` if it was used.
+    pub fn reason(&self) -> Option<&str> {
+        match self {
+            Self::Fitted | Self::HeldOut => None,
+            Self::Excluded { reason } => Some(reason),
+        }
+    }
+}
+
 /// Convergence status of a fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[serde(rename_all = "snake_case")]
 pub enum FitStatus {
     /// The last least-squares minimisation converged, and the noise model agrees with its residuals.
     Converged,

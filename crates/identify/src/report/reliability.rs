@@ -17,37 +17,53 @@ const MIN_NOISE_FLOOR: f64 = 1e-5;
 const MAX_EXCLUDED: f64 = 1.0 / 3.0;
 
 /// Reasons, as text for the report, why a fit is not reliable; empty if it is reliable.
-pub(crate) fn reasons_against(report: &FitReport) -> Vec<String> {
-    let reasons = [
-        not_converged(report),
-        excluded_flights(report),
+pub(crate) fn cautions(report: &FitReport) -> Vec<String> {
+    let cautions = [
+        report.convergence_caution("the fit"),
+        report.exclusion_caution(),
         above_noise_floor(report),
         data_faults(report),
         marker_distances(report),
     ];
-    reasons.into_iter().flatten().collect()
+    cautions.into_iter().flatten().collect()
 }
 
-fn not_converged(report: &FitReport) -> Option<String> {
-    let steps = count(report.iterations.steps, "step");
-    match report.iterations.status {
-        FitStatus::Converged => None,
-        FitStatus::Deadline => Some(format!(
-            "the time limit was reached after {steps}, before the fit converged"
-        )),
-        FitStatus::MaxSteps | FitStatus::NoDescent | FitStatus::NoiseNotConverged => {
-            Some(format!("the fit did not converge in {steps}"))
+impl FitReport {
+    /// Caution that the fit, called `fit` in the sentence, did not converge; `None` if it converged.
+    pub fn convergence_caution(&self, fit: &str) -> Option<String> {
+        let steps = count(self.iterations.steps, "step");
+        match self.iterations.status {
+            FitStatus::Converged => None,
+            FitStatus::Deadline => Some(format!(
+                "the time limit was reached after {steps}, before {fit} converged"
+            )),
+            FitStatus::MaxSteps | FitStatus::NoDescent | FitStatus::NoiseNotConverged => {
+                Some(format!("{fit} did not converge in {steps}"))
+            }
         }
+    }
+
+    /// Caution that more than a third of the flights to be fitted are excluded; `None` if fewer are.
+    pub fn exclusion_caution(&self) -> Option<String> {
+        let to_fit = self.flights.iter().filter(|f| f.role == Role::Fit);
+        let (all, used) = (to_fit.count(), self.used(Role::Fit).count());
+        let excluded = all - used;
+        (excluded as f64 > MAX_EXCLUDED * all as f64).then(|| {
+            format!(
+                "{excluded} of {} to be fitted were excluded",
+                count(all, "flight")
+            )
+        })
     }
 }
 
 fn above_noise_floor(report: &FitReport) -> Option<String> {
-    let floor = report.noise.floor_m?.max(MIN_NOISE_FLOOR);
-    let ratio = report.rms_m / floor;
+    let floor = report.position_noise()?.floor?.max(MIN_NOISE_FLOOR);
+    let ratio = report.rms() / floor;
     (ratio > MAX_NOISE_RATIO).then(|| {
         format!(
             "the residuals ({:.1} mm) are {ratio:.0} times the noise of the measurements ({:.2} mm): the model does not fly as these flights do",
-            1e3 * report.rms_m,
+            1e3 * report.rms(),
             1e3 * floor
         )
     })
@@ -87,16 +103,4 @@ fn marker_distances(report: &FitReport) -> Option<String> {
         difference.abs(),
         1e3 * worst.std_error_m
     ))
-}
-
-fn excluded_flights(report: &FitReport) -> Option<String> {
-    let to_fit = report.flights.iter().filter(|f| f.role == Role::Fit);
-    let (all, used) = (to_fit.count(), report.used(Role::Fit).count());
-    let excluded = all - used;
-    (excluded as f64 > MAX_EXCLUDED * all as f64).then(|| {
-        format!(
-            "{excluded} of {} to be fitted were left out",
-            count(all, "flight")
-        )
-    })
 }

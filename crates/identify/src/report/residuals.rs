@@ -27,7 +27,6 @@ const QUANTILES: usize = 61;
 #[derive(Clone, Debug)]
 pub struct ResidualPool {
     axes: [Axis; 3],
-    points: usize,
 }
 
 #[derive(Clone, Debug)]
@@ -49,7 +48,6 @@ impl Default for ResidualPool {
         };
         Self {
             axes: [axis(), axis(), axis()],
-            points: 0,
         }
     }
 }
@@ -59,7 +57,6 @@ impl ResidualPool {
     /// the sums and histograms; `None` marks a missing value. `noise` is the noise model of the channel, with which the
     /// residuals are whitened.
     pub fn add(&mut self, times: &[f64], residuals: &[Option<[f64; 3]>], noise: &AxesNoise) {
-        self.points += residuals.iter().flatten().count();
         for (k, axis) in self.axes.iter_mut().enumerate() {
             let series: Vec<Option<f64>> = residuals.iter().map(|r| r.map(|r| r[k])).collect();
             let mut whitened = vec![None; series.len()];
@@ -88,7 +85,6 @@ impl ResidualPool {
 
     /// Adds the sums and histograms of `other`, such as those of other flights, to those of `self`.
     pub fn join(&mut self, other: ResidualPool) {
-        self.points += other.points;
         for (axis, other) in self.axes.iter_mut().zip(other.axes) {
             for (sums, others) in [
                 (&mut axis.raw, other.raw),
@@ -103,12 +99,6 @@ impl ResidualPool {
                 *bin += other;
             }
         }
-    }
-
-    /// Root mean square of all residuals, m; 0 if there are none.
-    pub fn rms(&self) -> f64 {
-        let squares: f64 = self.axes.iter().map(|axis| axis.raw[0].0).sum();
-        (squares / (3 * self.points).max(1) as f64).sqrt()
     }
 
     /// Residual diagnostics of each axis, keyed by the names `x`, `y` and `z`.
@@ -256,6 +246,5 @@ mod tests {
         let axes = pool.axes();
         assert!((axes["x"].autocorrelation[1] + 1.0).abs() < 1e-12);
         assert!((axes["z"].autocorrelation[2] - 1.0).abs() < 1e-12);
-        assert_eq!(pool.rms(), 1.0);
     }
 }

@@ -16,12 +16,12 @@ pub struct DataFault {
     /// Message for the user that describes the mistake, with the values that reveal it.
     pub detail: String,
     /// Instruction for the user: how to correct the data.
-    pub mend: String,
+    pub correction: String,
 }
 
 /// Kind of a mistake in the data of a flight.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[serde(rename_all = "snake_case")]
 pub enum FaultKind {
     /// Names of markers are exchanged, in the whole flight or in a part of it.
     LabelsExchanged,
@@ -42,33 +42,33 @@ pub enum FaultKind {
 }
 
 impl DataFault {
-    /// Creates the data fault of `flight`. `detail` describes the mistake, and `mend` tells the user how to correct the
+    /// Creates the data fault of `flight`. `detail` describes the mistake, and `correction` tells the user how to correct the
     /// data.
     pub(crate) fn new(
         flight: &Flight,
         fault: FaultKind,
         detail: impl Into<String>,
-        mend: impl Into<String>,
+        correction: impl Into<String>,
     ) -> Self {
         Self {
             file: flight.file.clone(),
             fault,
             detail: detail.into(),
-            mend: mend.into(),
+            correction: correction.into(),
         }
     }
 }
 
 impl FaultKind {
-    /// Name of the kind of mistake in reports, such as `labels-exchanged`.
+    /// Name of the kind of mistake in reports, such as `labels_exchanged`.
     pub fn name(self) -> &'static str {
         match self {
-            Self::LabelsExchanged => "labels-exchanged",
+            Self::LabelsExchanged => "labels_exchanged",
             Self::Mirrored => "mirrored",
             Self::Units => "units",
             Self::Axes => "axes",
-            Self::TimeUnit => "time-unit",
-            Self::NotFreeFlight => "not-free-flight",
+            Self::TimeUnit => "time_unit",
+            Self::NotFreeFlight => "not_free_flight",
             Self::Frozen => "frozen",
             Self::Other => "other",
         }
@@ -83,7 +83,7 @@ impl fmt::Display for FaultKind {
 
 impl fmt::Display for DataFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}; {}", self.file, self.detail, self.mend)
+        write!(f, "{}: {}; {}", self.file, self.detail, self.correction)
     }
 }
 

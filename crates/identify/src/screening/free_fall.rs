@@ -130,12 +130,12 @@ impl<'a> FreeFall<'a> {
         let is_noise = error.is_some_and(|error| fixed.remaining < NOISE * error);
         if !is_noise
             && let Some(free) = regress(&all, None)
-            && let Some((fault, detail, mend)) = self.common_fault(&fixed, &free)
+            && let Some((fault, detail, correction)) = self.common_fault(&fixed, &free)
         {
             let flights = self.dataset.flights.iter().zip(&self.rows);
             let seen = flights.filter(|(_, rows)| !rows.is_empty());
             let fault =
-                |flight: &Flight| DataFault::new(flight, fault, detail.clone(), mend.clone());
+                |flight: &Flight| DataFault::new(flight, fault, detail.clone(), correction.clone());
             return seen.map(|(flight, _)| fault(flight)).collect();
         }
         self.single_faults(&fixed)
@@ -213,8 +213,8 @@ impl<'a> FreeFall<'a> {
                 format!("multiply the positions by {length}"),
             );
         }
-        let (told, mend) = time_words(ratio);
-        (FaultKind::TimeUnit, format!("{detail}{told}"), mend)
+        let (told, correction) = time_words(ratio);
+        (FaultKind::TimeUnit, format!("{detail}{told}"), correction)
     }
 
     /// Whether it is already known that lengths are in metres: with more than one marker, an earlier check has compared
@@ -309,7 +309,9 @@ impl<'a> FreeFall<'a> {
         rows: &[Row],
         enough: f64,
     ) -> Option<DataFault> {
-        let fault = |fault, detail: String, mend: &str| DataFault::new(flight, fault, detail, mend);
+        let fault = |fault, detail: String, correction: &str| {
+            DataFault::new(flight, fault, detail, correction)
+        };
         let as_others = "unlike in the other flights,";
         // Velocities and accelerations both scale with the unit of time such that the coefficients of the loads are
         // unchanged.
@@ -336,10 +338,10 @@ impl<'a> FreeFall<'a> {
             ));
         }
         if is_down && !(0.75..1.33).contains(&ratio) && of_time < enough {
-            let (told, mend) = time_words(ratio);
+            let (told, correction) = time_words(ratio);
             let detail =
                 format!("{as_others} free fall is {ratio:.3} times as fast as gravity{told}");
-            return Some(fault(FaultKind::TimeUnit, detail, &mend));
+            return Some(fault(FaultKind::TimeUnit, detail, &correction));
         }
         let mirror = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0));
         for (axis, change, to_up) in orientations().into_iter().skip(1) {

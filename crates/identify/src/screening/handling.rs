@@ -33,7 +33,9 @@ const CATCH: (f64, f64) = (3.0, 5.0);
 /// holds the body; `None` if all samples are of free flight.
 pub fn check(track: &Track, gravity: Vector3<f64>, flight: &Flight) -> Option<DataFault> {
     let examined = Examined::new(track, gravity)?;
-    let fault = |detail: &str, mend| DataFault::new(flight, FaultKind::NotFreeFlight, detail, mend);
+    let fault = |detail: &str, correction| {
+        DataFault::new(flight, FaultKind::NotFreeFlight, detail, correction)
+    };
     if examined.is_at_rest_throughout() {
         return Some(fault(
             "the body does not move",

@@ -54,7 +54,7 @@ pub fn check(track: &Track, flight: &Flight) -> Option<DataFault> {
         }
         let size = jump.norm();
         let time = points[index].time;
-        let (detail, mend) = match jump.dot(&step) > AHEAD * size * step.norm() {
+        let (detail, correction) = match jump.dot(&step) > AHEAD * size * step.norm() {
             true => (
                 format!(
                     "the body jumps ahead by {size:.2} m at t = {time:.3} s, as where frames are missing and the times do not say so"
@@ -66,7 +66,7 @@ pub fn check(track: &Track, flight: &Flight) -> Option<DataFault> {
                 "end the table there, or check that the track is of one body",
             ),
         };
-        return Some(DataFault::new(flight, FaultKind::Other, detail, mend));
+        return Some(DataFault::new(flight, FaultKind::Other, detail, correction));
     }
     None
 }

@@ -73,8 +73,9 @@ fn frozen(dataset: &Dataset, flight: usize, marker: usize) -> Option<DataFault> 
         return None;
     }
     let name = &dataset.markers[marker].name;
-    let fault =
-        |detail: String, mend: &str| Some(DataFault::new(this, FaultKind::Frozen, detail, mend));
+    let fault = |detail: String, correction: &str| {
+        Some(DataFault::new(this, FaultKind::Frozen, detail, correction))
+    };
     let zeros = track.iter().filter(|(_, point)| *point == [0.0; 3]).count();
     let far = |point: &[f64; 3]| point.iter().any(|axis| axis.abs() > 0.05);
     if zeros >= 2 && 2 * zeros < track.len() && track.iter().filter(|(_, p)| far(p)).count() > zeros

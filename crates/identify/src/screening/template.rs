@@ -33,7 +33,7 @@ fn units(distances: &Distances, flight: &Flight) -> Option<DataFault> {
         return None;
     }
     let of_template = unit(1.0 / ratio);
-    let (detail, mend) = match (unit(ratio), of_template) {
+    let (detail, correction) = match (unit(ratio), of_template) {
         (Some((length, name)), _) => (
             format!(
                 "distances between markers are {ratio:.4} times those of the template, as if positions were in {name}"
@@ -52,7 +52,7 @@ fn units(distances: &Distances, flight: &Flight) -> Option<DataFault> {
                 .into(),
         ),
     };
-    Some(DataFault::new(flight, FaultKind::Units, detail, mend))
+    Some(DataFault::new(flight, FaultKind::Units, detail, correction))
 }
 
 /// Data fault of a flight due to a marker whose measured distances to the other markers are grossly wrong in many

@@ -68,13 +68,13 @@ pub fn non_identifiable(
                 combination: members.iter().map(|&i| global[i].name.clone()).collect(),
                 weights,
                 relative_error: error,
-                why: why(model, global, &members, error, ranges),
+                reason: reason(model, global, &members, error, ranges),
             }
         })
         .collect()
 }
 
-fn why(
+fn reason(
     model: &Model,
     global: &[GlobalParameter],
     members: &[usize],

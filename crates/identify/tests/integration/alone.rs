@@ -57,7 +57,10 @@ fn away(fitted: &Fit, apart: f64) -> (DVector<f64>, Vec<DVector<f64>>) {
 #[test]
 fn they_come_back_from_three_standard_errors_away() {
     let fitted = fitted();
-    assert!(fitted.report.noise.outliers > 0, "outliers stay out");
+    assert!(
+        fitted.report.noise["marker"].outliers > 0,
+        "outliers stay out"
+    );
     let (global, local) = away(&fitted, 3.0);
     let found = fitted.warm_start(&global, &local, fitted.noise(), &FitOptions::default());
     let found = found.expect("a solution");

@@ -67,7 +67,7 @@ fn flights_that_cannot_be_fitted_are_excluded_and_the_others_fitted() {
         )
     };
     let excluded: Vec<usize> = (0..8).filter(|&flight| is_excluded(flight)).collect();
-    let flights: Vec<_> = found.flights.iter().map(|f| (f.rms_m, &f.notes)).collect();
+    let flights: Vec<_> = found.flights.iter().map(|f| (f.rms(), &f.notes)).collect();
     assert_eq!(excluded, [3], "{flights:?} {:?}", found.iterations);
     assert_eq!(found.used(Role::Fit).count(), 5);
     for (name, coefficient) in &found.coefficients {
@@ -78,7 +78,7 @@ fn flights_that_cannot_be_fitted_are_excluded_and_the_others_fitted() {
     assert!(
         found.reliable,
         "one of six flights left out: {:?}",
-        found.why
+        found.cautions
     );
 }
 
@@ -121,7 +121,7 @@ fn a_fit_of_bodies_that_never_move_is_not_to_be_relied_on() {
     assert!(matches!(error, Some(identify::FitError::FaultyData(faults)) if faults.len() == 2));
     // Flights that are used all the same are excluded, or give a fit that says what is wrong with it.
     match fit(&model, &dataset, &trusting()) {
-        Ok(found) => assert!(!found.report.reliable && !found.report.why.is_empty()),
+        Ok(found) => assert!(!found.report.reliable && !found.report.cautions.is_empty()),
         Err(error) => assert!(error.to_string().contains("flight02.csv"), "{error}"),
     }
 }
@@ -148,7 +148,7 @@ fn markers_that_are_not_where_they_are_stated_are_named() {
     assert!(
         !found.reliable
             && found
-                .why
+                .cautions
                 .join(" ")
                 .contains("correct the positions of the markers")
     );
@@ -171,13 +171,13 @@ fn residuals_of_few_samples_are_held_against_the_rigidity_of_the_markers() {
     let found = fit(&model, &dataset, &FitOptions::default())
         .expect("a fit")
         .report;
-    let floor = found.noise.floor_m.expect("a noise floor");
+    let floor = found.noise["marker"].floor.expect("a noise floor");
     assert!((floor / 0.0015 - 1.0).abs() < 0.3, "{floor}");
     assert!(
-        found.reliable && found.rms_m < 0.002,
+        found.reliable && found.rms() < 0.002,
         "{} {:?}",
-        found.rms_m,
-        found.why
+        found.rms(),
+        found.cautions
     );
 }
 
@@ -192,7 +192,7 @@ fn a_deadline_ends_a_fit_with_an_answer_that_says_so() {
     let report = fit(&model, &dataset, &options).expect("a fit").report;
     assert_eq!(report.iterations.status, FitStatus::Deadline);
     assert!(!report.iterations.converged && !report.reliable);
-    assert!(report.why.iter().any(|why| why.contains("time limit")));
+    assert!(report.cautions.iter().any(|why| why.contains("time limit")));
 }
 
 #[test]
@@ -218,5 +218,5 @@ fn an_angle_that_has_no_effect_at_a_bound_is_found() {
         (alpha_0.value - 0.12).abs() < 4.0 * alpha_0.std_error,
         "{alpha_0:?}"
     );
-    assert!(report.rms_m < 1.6e-3, "{}", report.rms_m);
+    assert!(report.rms() < 1.6e-3, "{}", report.rms());
 }

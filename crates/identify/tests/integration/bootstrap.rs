@@ -29,7 +29,7 @@ fn its_scatter_is_the_cluster_robust_standard_error() {
     let mean = estimates.iter().sum::<f64>() / 300.0;
     let square = |estimate: &f64| (estimate - mean).powi(2);
     let sd = (estimates.iter().map(square).sum::<f64>() / 299.0).sqrt();
-    let robust = coefficient.std_error_clustered.expect("of 40 flights");
+    let robust = coefficient.std_error_cluster_robust.expect("of 40 flights");
     // 300 draws of 40 flights: 4 % by their number, and as much again by the shape of the distribution.
     assert!((sd / robust - 1.0).abs() < 0.15, "{sd} {robust}");
     assert!(

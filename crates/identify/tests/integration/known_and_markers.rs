@@ -65,6 +65,6 @@ fn each_marker_of_a_point_mass_has_its_own_offset() {
     );
     let start = &fitted.report.flights[0].initial;
     let (_, state) = fitted.flight(identify::FlightId::new(0)).expect("fitted");
-    assert!(fitted.report.rms_m < 0.002, "rms {}", fitted.report.rms_m);
+    assert!(fitted.report.rms() < 0.002, "rms {}", fitted.report.rms());
     assert_eq!(start.len(), state.len());
 }

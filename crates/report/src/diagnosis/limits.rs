@@ -15,8 +15,8 @@ const MAX_ROWS: usize = 60;
 
 /// Effects that are not identifiable from the flights: name of the effect, and names of the parameters with which it is
 /// confounded.
-pub(super) fn undetectable(report: &Report) -> Vec<[String; 2]> {
-    let all = report.undetectable.iter().take(MAX_ROWS);
+pub(super) fn not_identifiable(report: &Report) -> Vec<[String; 2]> {
+    let all = report.not_identifiable.iter().take(MAX_ROWS);
     all.map(|u| {
         let absorbed = names(&u.confounded_with);
         let by = if absorbed.is_empty() {
@@ -32,7 +32,7 @@ pub(super) fn undetectable(report: &Report) -> Vec<[String; 2]> {
 /// Table of minimum detectable effects: for each coefficient of an effect, the name of the effect, the coefficient, the
 /// minimum detectable size and its unit.
 pub(super) fn detectable(report: &Report) -> Vec<[String; 4]> {
-    let all = report.smallest_detectable.iter().take(MAX_ROWS);
+    let all = report.minimum_detectable_effects.iter().take(MAX_ROWS);
     all.map(|d| {
         let size = significant(d.value, 2);
         [d.name.clone(), d.coefficient.clone(), size, unit(&d.unit)]
@@ -45,7 +45,7 @@ pub(super) fn detectable(report: &Report) -> Vec<[String; 4]> {
 pub(super) struct TermRow {
     site: String,
     formula: String,
-    statistic: String,
+    score_chi2: String,
     value: String,
     error: String,
     taken: bool,
@@ -58,7 +58,7 @@ pub(super) fn terms(terms: &[StepwiseTerm]) -> Vec<TermRow> {
         TermRow {
             site: words::site(&term.site).to_owned(),
             formula: term.formula.clone(),
-            statistic: significant(term.statistic, 4),
+            score_chi2: significant(term.score_chi2, 4),
             value: digits.one(term.value),
             error: digits.one(term.std_error),
             taken: term.selected,
@@ -74,7 +74,7 @@ pub(super) struct Score {
     doc: String,
     site: String,
     sigmas: String,
-    statistic: String,
+    score_chi2: String,
     freedom: usize,
     p: String,
     visible: String,
@@ -86,7 +86,7 @@ pub(super) struct Score {
 /// first.
 pub(super) fn scores(report: &Report) -> Vec<Score> {
     let row = |c: &CandidateTest| {
-        let expected = c.one_step.iter().take(6).map(|(name, e)| {
+        let expected = c.one_step_estimates.iter().take(6).map(|(name, e)| {
             let digits = Digits::of(e.value, e.std_error);
             let (value, error) = (digits.one(e.value), digits.one(e.std_error));
             let unit = unit(&e.unit);
@@ -95,18 +95,18 @@ pub(super) fn scores(report: &Report) -> Vec<Score> {
         });
         Score {
             name: c.name.clone(),
-            doc: c.doc.replace('\n', " "),
+            doc: c.description.replace('\n', " "),
             site: words::site(&c.site).to_owned(),
             sigmas: words::equivalent_z(c.z),
-            statistic: significant(c.statistic, 4),
-            freedom: c.dof,
-            p: words::probability_of_ln(c.ln_p),
+            score_chi2: significant(c.score_chi2, 4),
+            freedom: c.degrees_of_freedom,
+            p: words::probability_of_ln(c.ln_p_value),
             visible: crate::fit::numbers::percent(c.tolerance),
             expected: expected.collect::<Vec<_>>().join("; "),
             significant: c.significant,
         }
     };
-    report.candidates.iter().take(MAX_ROWS).map(row).collect()
+    report.tests.iter().take(MAX_ROWS).map(row).collect()
 }
 
 /// Table row of a flight in the report of a diagnosis: file, role, and RMS residual without and with the effects added
@@ -146,7 +146,7 @@ pub(super) fn flights(report: &Report) -> Vec<Flight> {
     }
     let tested = report.lack_of_fit.as_ref().map(|test| &test.flights);
     let is_apart = |f: &FlightGain| {
-        let gain = report.gain.as_ref();
+        let gain = report.predictive_gain.as_ref();
         gain.is_some_and(|gain| gain.set_apart.contains(&f.file))
     };
     let gain = |f: &FlightGain| Some(f.rms_before_m? - f.rms_after_m?);
@@ -157,8 +157,7 @@ pub(super) fn flights(report: &Report) -> Vec<Flight> {
             .and_then(|tested| tested.get(&f.file))
             .map_or("–".to_owned(), |p| words::probability(*p)),
         apart: is_apart(f),
-        excluded: (f.outcome.as_deref() == Some("excluded"))
-            .then(|| short(f.reason.as_deref().unwrap_or_default())),
+        excluded: f.outcome.reason().map(short),
         file: f.file.clone(),
         held_out: f.role == Role::HeldOut,
         before: f.rms_before_m.map_or("–".to_owned(), millimetres),
@@ -170,11 +169,11 @@ pub(super) fn flights(report: &Report) -> Vec<Flight> {
 /// Lack-of-fit test of the residuals of the fit, with all values formatted as text.
 #[derive(Serialize)]
 pub(super) struct LackOfFitText {
-    says: String,
+    description: String,
     head: [&'static str; 6],
     /// Rows of the largest smooth deviations of the residuals from zero, smallest p-value first; the field `head` names
     /// the columns.
-    departures: Vec<[String; 6]>,
+    largest_misfits: Vec<[String; 6]>,
 }
 
 /// Formats the lack-of-fit test with a table of the largest smooth deviations of the residuals from zero.
@@ -189,11 +188,11 @@ pub(super) fn lack_of_fit(test: &LackOfFit) -> LackOfFitText {
                 "" | "m" => millimetres(d.size_m),
                 unit => format!("{} {unit}", significant(d.size_m, 3)),
             },
-            words::probability(d.p),
+            words::probability(d.p_value),
         ]
     };
     LackOfFitText {
-        says: words::lack_of_fit(test),
+        description: words::lack_of_fit(test),
         head: [
             "flight",
             "coordinate",
@@ -202,6 +201,11 @@ pub(super) fn lack_of_fit(test: &LackOfFit) -> LackOfFitText {
             "largest departure",
             "p",
         ],
-        departures: test.departures.iter().take(MAX_ROWS).map(row).collect(),
+        largest_misfits: test
+            .largest_misfits
+            .iter()
+            .take(MAX_ROWS)
+            .map(row)
+            .collect(),
     }
 }

@@ -1,8 +1,8 @@
 //! HTML report of a diagnosis: one self-contained file, and each figure as a separate SVG file.
 
-mod causes;
 mod coefficients;
 mod draw;
+mod explanations;
 mod finding;
 mod limits;
 mod page;
@@ -31,8 +31,6 @@ pub struct DiagnosisPage<'a> {
     /// Fits of the model under test and of the extended model, from which curves and confidence bands are computed;
     /// `None` omits these figures.
     pub fits: Option<Fits<'a>>,
-    /// Reasons not to rely on the diagnosis; empty if there are none.
-    pub reasons_against: &'a [String],
     /// Text of the effect that the diagnosis added, or of the extended model file, in the model language; `None` if the
     /// model was not extended.
     pub extended: Option<&'a str>,

@@ -8,7 +8,7 @@ use minijinja::value::Value;
 
 use super::draw::{self, Figures};
 use super::finding::Finding;
-use super::{DiagnosisPage, causes, coefficients, limits, words};
+use super::{DiagnosisPage, coefficients, explanations, limits, words};
 use crate::data_faults;
 use crate::figures::svg::STYLE;
 use crate::fit::Drawn;
@@ -41,11 +41,11 @@ pub(super) fn html(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figure
         .take(MAX_NOTES)
         .map(|n| sentence(n))
         .collect();
-    let reasons = page.reasons_against.iter();
-    let reasons_against: Vec<String> = reasons.map(|reason| capitalized(reason)).collect();
+    let reasons = page.report.cautions.iter();
+    let cautions: Vec<String> = reasons.map(|reason| capitalized(reason)).collect();
     let number = |role| report.flights.iter().filter(|f| f.role == role).count();
-    let looked_for = report.candidates.len();
-    let alarms = report.candidates.iter().filter(|c| c.significant).count();
+    let looked_for = report.tests.len();
+    let alarms = report.tests.iter().filter(|c| c.significant).count();
     let outside = report.unattributed.as_ref();
     let context = context! {
         css => Value::from_safe_string(include_str!("../fit/page.css").to_owned() + include_str!("page.css")),
@@ -61,15 +61,15 @@ pub(super) fn html(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figure
         gain => words::gain(report),
         certificate => page.certificate.sentence(),
         certified => page.certificate.is_verified(),
-        paired => report.gain.as_ref().and_then(words::paired),
+        paired => report.predictive_gain.as_ref().and_then(words::paired),
         lack_of_fit => report.lack_of_fit.as_ref().map(|test| plain_values(&limits::lack_of_fit(test))),
         notes => plain_values(&notes),
-        reasons_against => plain_values(&reasons_against),
+        cautions => plain_values(&cautions),
         faults => plain_values(&data_faults::table(&report.data_faults)),
         gain_figure => figures.gain.iter().map(|f| one(&reached(f))).collect::<Vec<_>>(),
-        causes => plain_values(&causes::explanations(page)),
-        more_causes => report.causes.len().saturating_sub(causes::MAX_HYPOTHESES),
-        throw => report.next_throw.as_ref().map(|t| plain_values(&causes::throw(t))),
+        explanations => plain_values(&explanations::explanations(page)),
+        more_causes => report.explanations.len().saturating_sub(explanations::MAX_EXPLANATIONS),
+        throw => report.proposed_throw.as_ref().map(|t| plain_values(&explanations::throw(t))),
         candidates => figures.score_tests.iter().map(one).collect::<Vec<_>>(),
         alike => figures.score_correlations.iter().map(one).collect::<Vec<_>>(),
         scores => plain_values(&limits::scores(report)),
@@ -87,9 +87,9 @@ pub(super) fn html(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figure
         held_out => number(Role::HeldOut),
         coefficients => plain_values(&coefficients::rows(report)),
         extended => coefficients::extended(report),
-        undetectable => plain_values(&limits::undetectable(report)),
+        not_identifiable => plain_values(&limits::not_identifiable(report)),
         detectable => plain_values(&limits::detectable(report)),
-        outside => outside.map(|o| o.says.trim()),
+        outside => outside.map(|o| o.description.trim()),
         channels => shown(channels),
         more_channels => shown(more_channels),
         terms => outside.map(|o| plain_values(&limits::terms(&o.terms))),
@@ -126,12 +126,12 @@ fn verified(found: &Verified) -> Value {
 
 /// Sentence for the report that states the estimated measurement noise.
 fn noise(report: &Report) -> String {
-    let noise = &report.noise;
+    let noise = report.leading_noise();
     format!(
         "The noise per coordinate is {} (standard deviation), with a lag-1 autocorrelation of {}; {} of the points were \
          classified as outliers.",
-        millimetres(noise.sigma_m),
-        plain(noise.ar1, 2),
+        millimetres(noise.sigma),
+        plain(noise.lag1_autocorrelation, 2),
         percent(noise.outlier_fraction)
     )
 }

@@ -1,16 +1,20 @@
 //! Sentences and formatted values of a diagnosis.
 
-use diagnose::{Cause, LackOfFit, PredictiveGain, Report, Verdict};
+use diagnose::{Explanation, LackOfFit, PredictiveGain, Report, Verdict};
 use identify::wording::count;
 
 use crate::fit::numbers::{millimetres, plain, raised, significant};
 use crate::fit::words::names;
 
-/// Name of a hypothesis on the cause of a misfit: the joined names of its effects.
-pub(super) fn cause(cause: &Cause) -> String {
-    let effects: Vec<&str> = cause.effects.iter().map(|e| e.name.as_str()).collect();
+/// Name of a hypothesis on the explanation of a misfit: the joined names of its effects.
+pub(super) fn explanation(explanation: &Explanation) -> String {
+    let effects: Vec<&str> = explanation
+        .effects
+        .iter()
+        .map(|e| e.name.as_str())
+        .collect();
     let effects = names(&effects);
-    match cause.effects.len() {
+    match explanation.effects.len() {
         0 => "an explanation without effects".to_owned(),
         1 => effects,
         _ => format!("{effects} together"),
@@ -24,21 +28,21 @@ pub(super) fn readable(name: &str) -> String {
 
 /// Sentence that states the outcome (verdict) of the diagnosis.
 pub(super) fn verdict(report: &Report) -> String {
-    let first = report.causes.first();
+    let first = report.explanations.first();
     match report.verdict {
-        Verdict::None => "No model error detected.".to_owned(),
-        Verdict::Named => match first {
+        Verdict::Adequate => "No model error detected.".to_owned(),
+        Verdict::Identified => match first {
             Some(found) if found.effects.len() > 1 => {
                 format!(
                     "The model lacks {} effects, {}.",
                     found.effects.len(),
-                    cause(found)
+                    explanation(found)
                 )
             }
-            Some(found) => format!("The model lacks one effect: {}.", cause(found)),
+            Some(found) => format!("The model lacks one effect: {}.", explanation(found)),
             None => "The model lacks an effect.".to_owned(),
         },
-        Verdict::Ambiguous => match report.causes.len() {
+        Verdict::Ambiguous => match report.explanations.len() {
             0 | 1 => "The model lacks an effect, but these flights cannot show which.".to_owned(),
             n => format!(
                 "The model lacks one of {n} effects; these flights cannot distinguish them."
@@ -50,7 +54,7 @@ pub(super) fn verdict(report: &Report) -> String {
         Verdict::Negligible => match first {
             Some(found) => format!(
                 "The model lacks an effect below the smallest size of interest: {}.",
-                cause(found)
+                explanation(found)
             ),
             None => "The model lacks an effect below the smallest size of interest.".to_owned(),
         },
@@ -61,25 +65,25 @@ pub(super) fn verdict(report: &Report) -> String {
 /// class.
 pub fn verdict_name(verdict: Verdict) -> &'static str {
     match verdict {
-        Verdict::None => "none",
-        Verdict::Named => "named",
+        Verdict::Adequate => "adequate",
+        Verdict::Identified => "identified",
         Verdict::Ambiguous => "ambiguous",
-        Verdict::Unattributed => "outside",
-        Verdict::Negligible => "immaterial",
+        Verdict::Unattributed => "unattributed",
+        Verdict::Negligible => "negligible",
     }
 }
 
 /// Sentences on the reduction of the prediction error of held-out flights by the effects added to the model, or the
 /// reason why it was not measured.
 pub(super) fn gain(report: &Report) -> String {
-    let Some(gain) = &report.gain else {
+    let Some(gain) = &report.predictive_gain else {
         return match report.extended_model {
             Some(_) => "The gain on flights that were not fitted could not be measured.".to_owned(),
             None => "The model is not extended.".to_owned(),
         };
     };
-    let after = millimetres(gain.held_out_rms_after_m);
-    let before = millimetres(gain.held_out_rms_before_m);
+    let after = millimetres(gain.rms_after_m);
+    let before = millimetres(gain.rms_before_m);
     let how = match (gain.held_out_by_dataset, gain.flights) {
         (true, 0) => "On held-out flights".to_owned(),
         (true, 1) => "On the one held-out flight".to_owned(),
@@ -96,7 +100,7 @@ pub(super) fn gain(report: &Report) -> String {
         "{how} the RMS prediction error per coordinate is {before} without the extension and {after} with it: a gain of \
          {}.{without} The noise, {}, is the lower limit of any model.",
         gained(gain),
-        millimetres(gain.noise_floor_m)
+        millimetres(gain.noise_m)
     )
 }
 
@@ -114,7 +118,7 @@ pub fn paired(gain: &PredictiveGain) -> Option<String> {
             gain.improved,
             count(compared, "flight"),
             if gain.improved == 1 { "s" } else { "" },
-            probability(gain.p_sign),
+            probability(gain.sign_test_p_value),
             millimetres(gain.median_before_m),
             millimetres(gain.median_after_m)
         );
@@ -128,9 +132,9 @@ pub fn paired(gain: &PredictiveGain) -> Option<String> {
 
 /// Sentence on the result of the lack-of-fit test.
 pub fn lack_of_fit(test: &LackOfFit) -> String {
-    let p = probability(test.p);
-    let floor = millimetres(test.noise_floor_m);
-    match test.departures.is_empty() {
+    let p = probability(test.p_value);
+    let floor = millimetres(test.noise_m);
+    match test.largest_misfits.is_empty() {
         true => format!(
             "The residuals are compatible with noise of {floor} (lack-of-fit test, p = {p})."
         ),
@@ -144,8 +148,8 @@ pub fn lack_of_fit(test: &LackOfFit) -> String {
 /// Formats the reduction of the RMS prediction error by the effects added to the model, with its standard error, such
 /// as `19.4 ± 0.4 mm`.
 pub(super) fn gained(gain: &PredictiveGain) -> String {
-    let value = 1e3 * (gain.held_out_rms_before_m - gain.held_out_rms_after_m);
-    let error = 1e3 * gain.standard_error_m;
+    let value = 1e3 * (gain.rms_before_m - gain.rms_after_m);
+    let error = 1e3 * gain.std_error_m;
     let digits = crate::fit::numbers::Digits::of(value, error);
     if error.is_finite() && error > 0.0 {
         format!("{} ± {}\u{a0}mm", digits.one(value), digits.one(error))
@@ -184,14 +188,14 @@ pub(super) fn probability(p: f64) -> String {
 }
 
 /// Formats a p-value given as its natural logarithm, which may represent a value below the range of `f64`.
-pub(super) fn probability_of_ln(ln_p: f64) -> String {
-    if ln_p.is_nan() || ln_p > 0.0 {
+pub(super) fn probability_of_ln(ln_p_value: f64) -> String {
+    if ln_p_value.is_nan() || ln_p_value > 0.0 {
         return "–".to_owned();
     }
-    if ln_p > -20.0 {
-        return probability(ln_p.exp());
+    if ln_p_value > -20.0 {
+        return probability(ln_p_value.exp());
     }
-    let power = ln_p / std::f64::consts::LN_10;
+    let power = ln_p_value / std::f64::consts::LN_10;
     if power < -1e9 {
         return "0".to_owned();
     }

@@ -52,7 +52,7 @@ fn row(page: &FitPage<'_>, name: &str, found: &Coefficient, sources: &[Source]) 
     let mut known = page.model.coefficients.iter().chain(&page.model.params);
     let known = known.find(|c| c.name == name);
     let mut notes = Vec::new();
-    if found.held {
+    if found.fixed {
         notes.push("held".to_owned());
     }
     if let Some([mean, deviation]) = found.prior {
@@ -60,8 +60,8 @@ fn row(page: &FitPage<'_>, name: &str, found: &Coefficient, sources: &[Source]) 
         let prior = format!("prior {} ± {}", digits.one(mean), digits.one(deviation));
         notes.push(prior);
     }
-    let estimated = !found.held && found.std_error > 0.0;
-    let if_estimated = |text: String| if found.held { "–".to_owned() } else { text };
+    let estimated = !found.fixed && found.std_error > 0.0;
+    let if_estimated = |text: String| if found.fixed { "–".to_owned() } else { text };
     let mut literature = vec![stated(found.model_value)];
     for source in sources {
         let value = source.value(name);
@@ -74,12 +74,12 @@ fn row(page: &FitPage<'_>, name: &str, found: &Coefficient, sources: &[Source]) 
         interval: if_estimated(digits.range(found.interval)),
         error: if_estimated(digits.one(found.std_error)),
         clustered: found
-            .std_error_clustered
+            .std_error_cluster_robust
             .map_or("–".to_owned(), |e| digits.one(e)),
         doubtful: found
-            .std_error_clustered
+            .std_error_cluster_robust
             .is_some_and(|e| e > 1.5 * found.std_error)
-            && !found.held,
+            && !found.fixed,
         unit: unit(&found.unit),
         at_bound: found.at_bound,
         notes,

@@ -91,7 +91,7 @@ fn row(page: &FitPage<'_>, flight: &FlightReport) -> Row {
         let (t, samples) = (plain(cut.t, 3), cut.samples);
         format!(
             "after {t} s, {samples} samples not used: {}",
-            short(&cut.why)
+            short(&cut.reason)
         )
     });
     Row {

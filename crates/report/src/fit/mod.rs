@@ -95,7 +95,7 @@ impl Figures {
             predictions: predictions.unwrap_or_default(),
             profiles: draw::profiles(page.report),
             tracks: draw::tracks(page.evidence),
-            residuals: draw::residuals(page.evidence, &page.report.noise),
+            residuals: draw::residuals(page.evidence, page.report.leading_noise()),
             states: draw::states(page.evidence, page.model),
             correlations: draw::correlations(page),
             whiteness: draw::whiteness(page.report),

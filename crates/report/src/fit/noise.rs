@@ -19,7 +19,7 @@ pub(super) struct Row {
 
 /// Rows of the table of the measurement noise: one for each axis, then one for all axes together.
 pub(super) fn rows(report: &FitReport) -> Vec<Row> {
-    let noise = &report.noise;
+    let noise = report.leading_noise();
     let row = |axis: &str, sigma: f64, ar1: f64| Row {
         axis: axis.to_owned(),
         sigma: millimetres(sigma),
@@ -27,8 +27,10 @@ pub(super) fn rows(report: &FitReport) -> Vec<Row> {
         memory: memory(ar1, noise.interval_s),
     };
     let axes = noise.axes.iter().take(3);
-    let mut rows: Vec<Row> = axes.map(|(name, n)| row(name, n.sigma_m, n.ar1)).collect();
-    rows.push(row("all", noise.sigma_m, noise.ar1));
+    let mut rows: Vec<Row> = axes
+        .map(|(name, n)| row(name, n.sigma, n.lag1_autocorrelation))
+        .collect();
+    rows.push(row("all", noise.sigma, noise.lag1_autocorrelation));
     rows
 }
 

@@ -55,10 +55,10 @@ pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
         alarms => plain_values(&words::alarms(page)),
         certificate => page.certificate.sentence(),
         verified => page.certificate.is_verified(),
-        reasons_against => plain_values(&reasons_against(report)),
+        cautions => plain_values(&cautions(report)),
         faults => plain_values(&data_faults::table(&report.data_faults)),
         coefficients => plain_values(&coefficients::rows(page)),
-        clustered => report.coefficients.values().any(|c| c.std_error_clustered.is_some()),
+        clustered => report.coefficients.values().any(|c| c.std_error_cluster_robust.is_some()),
         sources => plain_values(&sources(page.model.reference.as_deref()).iter().map(|s| (s.short, s.long)).collect::<Vec<_>>()),
         undetermined => plain_values(&undetermined(page)),
         profiles => shown(&figures.profiles),
@@ -77,13 +77,13 @@ pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
         held_out => plain_values(&flights::table(page, Role::HeldOut)),
         left_out => plain_values(&flights::left_out(page)),
         noise => plain_values(&noise::rows(report)),
-        noise_how => if report.noise.estimated { "estimated" } else { "given by the dataset" },
-        estimated => report.noise.estimated,
-        interval => super::numbers::significant(1e3 * report.noise.interval_s, 3),
-        points => report.noise.points,
-        outliers => report.noise.outliers,
-        outlier_share => percent(report.noise.outlier_fraction),
-        dropouts => report.noise.dropouts,
+        noise_how => if report.leading_noise().estimated { "estimated" } else { "given by the dataset" },
+        estimated => report.leading_noise().estimated,
+        interval => super::numbers::significant(1e3 * report.leading_noise().interval_s, 3),
+        points => report.leading_noise().points,
+        outliers => report.leading_noise().outliers,
+        outlier_share => percent(report.leading_noise().outlier_fraction),
+        dropouts => report.leading_noise().missing,
         schema => &report.schema,
         steps => count(report.iterations.steps, "step"),
         rounds => count(report.iterations.rounds, "time"),
@@ -94,11 +94,11 @@ pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
 }
 
 /// Reasons not to rely on the fit, as sentences; empty if the fit is reliable.
-fn reasons_against(report: &FitReport) -> Vec<String> {
+fn cautions(report: &FitReport) -> Vec<String> {
     match report.reliable {
         true => Vec::new(),
         false => report
-            .why
+            .cautions
             .iter()
             .map(|reason| capitalized(reason))
             .collect(),
@@ -222,7 +222,7 @@ pub(crate) fn capitalized(text: &str) -> String {
 }
 
 fn undetermined(page: &FitPage<'_>) -> Vec<Undetermined> {
-    let found = page.report.undetermined.iter().take(MAX_UNDETERMINED);
+    let found = page.report.not_identifiable.iter().take(MAX_UNDETERMINED);
     found
         .map(|u| {
             let mut weights: Vec<(&String, f64)> = u.weights.iter().map(|(n, w)| (n, *w)).collect();
@@ -246,7 +246,7 @@ fn undetermined(page: &FitPage<'_>) -> Vec<Undetermined> {
                 names: words::names(&u.combination),
                 direction,
                 error: percent(u.relative_error),
-                why: sentence(&u.why),
+                why: sentence(&u.reason),
             }
         })
         .collect()

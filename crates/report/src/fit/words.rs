@@ -22,7 +22,7 @@ pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
     let number = |role: Role| report.used(role).count();
     let (fitted, held_out) = (number(Role::Fit), number(Role::HeldOut));
     let left_out = report.excluded().count();
-    let noise = &report.noise;
+    let noise = report.leading_noise();
     let mut text = format!("The model ‘{}’", report.model);
     if !report.effects.is_empty() {
         let effects = names(&report.effects);
@@ -42,9 +42,9 @@ pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
     if left_out > 0 {
         text += &format!(" {} excluded.", were(left_out));
     }
-    let rms = millimetres(report.rms_m);
-    let sigma = millimetres(noise.sigma_m);
-    let ratio = report.rms_m / noise.sigma_m;
+    let rms = millimetres(report.rms());
+    let sigma = millimetres(noise.sigma);
+    let ratio = report.rms() / noise.sigma;
     let fits = if noise.estimated {
         format!(
             "The RMS residual per coordinate is {rms}. The noise was estimated from the same residuals, as {sigma}, so \
@@ -74,7 +74,7 @@ fn held_out_words(report: &FitReport) -> Option<String> {
         .collect();
     rms.sort_by(f64::total_cmp);
     let (least, most) = (rms.first()?, rms.last()?);
-    let times = |rms: f64| match rms / report.noise.sigma_m {
+    let times = |rms: f64| match rms / report.leading_noise().sigma {
         ratio if ratio.is_finite() => format!(", {} times the noise", plain(ratio, 1)),
         _ => String::new(),
     };
@@ -134,7 +134,7 @@ fn by_precision(page: &FitPage<'_>) -> [String; 4] {
     for (name, found) in page.coefficients() {
         let [low, high] = found.interval;
         let kind = match () {
-            () if found.held => 3,
+            () if found.fixed => 3,
             () if found.std_error <= GOOD * found.value.abs() => 0,
             () if low > 0.0 || high < 0.0 => 1,
             () => 2,
@@ -168,8 +168,11 @@ pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
         !broken.is_empty(),
         format!("Without a finite value or standard error: {broken}."),
     );
-    let scattered =
-        chosen(&|c| !c.held && c.std_error_clustered.is_some_and(|e| e > 2.0 * c.std_error));
+    let scattered = chosen(&|c| {
+        !c.fixed
+            && c.std_error_cluster_robust
+                .is_some_and(|e| e > 2.0 * c.std_error)
+    });
     add(
         !scattered.is_empty(),
         format!(
@@ -177,7 +180,7 @@ pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
              too small: {scattered}."
         ),
     );
-    let noise = &report.noise;
+    let noise = report.leading_noise();
     let fraction = noise.outlier_fraction;
     add(
         fraction > 0.01,
@@ -187,7 +190,7 @@ pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
         ),
     );
     let held_out = report.used(Role::HeldOut);
-    let bad = |f: &&FlightReport| f.rms() > FAR * noise.sigma_m;
+    let bad = |f: &&FlightReport| f.rms() > FAR * noise.sigma;
     let far = held_out.filter(bad).count();
     add(
         far > 0,

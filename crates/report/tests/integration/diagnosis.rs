@@ -28,7 +28,6 @@ fn page(report: &Report, before: &[FlightEvidence], after: &[FlightEvidence]) ->
     let made = make(&DiagnosisPage {
         report,
         fits: None,
-        reasons_against: &[],
         before,
         after,
         extended,
@@ -106,9 +105,9 @@ fn has(made: &Made, section: &str) -> bool {
 #[test]
 fn verdicts_have_their_words() {
     for (verdict, words) in [
-        (Verdict::None, "No model error detected."),
+        (Verdict::Adequate, "No model error detected."),
         (
-            Verdict::Named,
+            Verdict::Identified,
             "The model lacks one effect: zero-lift-drag-angle.",
         ),
         (
@@ -128,15 +127,15 @@ fn verdicts_have_their_words() {
         assert!(made.html.contains(&format!("\">{words}</p>")), "{words}");
     }
     let (mut report, _) = of(Verdict::Ambiguous);
-    report.verdict = Verdict::Named;
-    report.causes.swap(0, 2);
-    report.causes.truncate(1);
+    report.verdict = Verdict::Identified;
+    report.explanations.swap(0, 2);
+    report.explanations.truncate(1);
     let made = page(&report, &[], &[]);
     assert!(
         made.html
             .contains("The model lacks 2 effects, side-force-by-spin and wind together.")
     );
-    assert!(made.html.contains("<h2>Cause</h2>"));
+    assert!(made.html.contains("<h2>Explanation</h2>"));
 }
 
 #[test]
@@ -156,7 +155,7 @@ fn sections_stand_where_their_data_do() {
         .map(|section| has(&made, section))
     };
     assert_eq!(
-        sections(Verdict::Named),
+        sections(Verdict::Identified),
         [true, false, true, false, false, true, true, true]
     );
     assert_eq!(
@@ -168,7 +167,7 @@ fn sections_stand_where_their_data_do() {
         [true, false, true, true, true, true, true, true]
     );
     assert_eq!(
-        sections(Verdict::None),
+        sections(Verdict::Adequate),
         [false, false, false, false, false, false, false, true]
     );
     let (_, ambiguous) = of(Verdict::Ambiguous);
@@ -187,7 +186,7 @@ fn sections_stand_where_their_data_do() {
     ] {
         assert!(ambiguous.html.contains(text), "{text}");
     }
-    let (_, none) = of(Verdict::None);
+    let (_, none) = of(Verdict::Adequate);
     for text in [
         "before</th>",
         "extended</th>\n",
@@ -205,15 +204,15 @@ fn sections_stand_where_their_data_do() {
 
 #[test]
 fn nothing_at_all_reads_well() {
-    let (mut report, _) = of(Verdict::None);
+    let (mut report, _) = of(Verdict::Adequate);
     report.summary.clear();
-    report.candidates.clear();
+    report.tests.clear();
     report.score_correlations = Default::default();
     report.flights.clear();
     report.curves.clear();
     report.coefficients.clear();
-    report.undetectable.clear();
-    report.smallest_detectable.clear();
+    report.not_identifiable.clear();
+    report.minimum_detectable_effects.clear();
     report.seconds.clear();
     let made = page(&report, &[], &[]);
     assert_eq!(made.figures, []);
@@ -229,14 +228,14 @@ fn nothing_at_all_reads_well() {
         assert!(made.html.contains(text), "{text}");
     }
     assert!(!made.html.contains("<p></p>") && !made.html.contains("<tbody>\n</tbody>"));
-    // One of everything, and no coefficient known of a cause.
-    let (mut report, _) = of(Verdict::Named);
-    report.causes[0].effects[0].estimates.clear();
-    report.causes[0].effects[0].variables.clear();
-    report.causes[0].effects[0].doc.clear();
-    report.causes[0].strongest_remaining = None;
-    report.gain = None;
-    report.candidates.truncate(1);
+    // One of everything, and no coefficient known of a explanation.
+    let (mut report, _) = of(Verdict::Identified);
+    report.explanations[0].effects[0].estimates.clear();
+    report.explanations[0].effects[0].variables.clear();
+    report.explanations[0].effects[0].description.clear();
+    report.explanations[0].strongest_remaining = None;
+    report.predictive_gain = None;
+    report.tests.truncate(1);
     report.score_correlations.names.truncate(1);
     report.flights.truncate(1);
     let made = page(&report, &made::evidence(1), &made::evidence(1));
@@ -258,9 +257,9 @@ fn names_from_outside_are_escaped() {
     after[0].file = evil();
     after[0].markers[0] = evil();
     let mut report = found::report(Verdict::Unattributed, &after);
-    let causes = found::report(Verdict::Ambiguous, &after);
-    report.causes = causes.causes;
-    report.next_throw = causes.next_throw;
+    let explanations = found::report(Verdict::Ambiguous, &after);
+    report.explanations = explanations.explanations;
+    report.proposed_throw = explanations.proposed_throw;
     report.schema = evil();
     report.dataset = evil();
     report.model = evil();
@@ -269,38 +268,42 @@ fn names_from_outside_are_escaped() {
     report.extended_model = Some(evil());
     report.seconds.insert(evil(), 1.0);
     report.notes = vec![evil()];
-    report.next_throw.as_mut().unwrap().says = evil();
-    let cause = &mut report.causes[0];
-    cause.strongest_remaining.as_mut().unwrap().name = evil();
-    let effect = &mut cause.effects[0];
-    (effect.name, effect.doc, effect.site, effect.variables) =
-        (evil(), evil(), evil(), vec![evil()]);
+    report.proposed_throw.as_mut().unwrap().description = evil();
+    let explanation = &mut report.explanations[0];
+    explanation.strongest_remaining.as_mut().unwrap().name = evil();
+    let effect = &mut explanation.effects[0];
+    (
+        effect.name,
+        effect.description,
+        effect.site,
+        effect.variables,
+    ) = (evil(), evil(), evil(), vec![evil()]);
     let mut estimate = effect.estimates["alpha_0"].clone();
     estimate.unit = evil();
     effect.estimates.insert(evil(), estimate.clone());
-    let score = &mut report.candidates[0];
-    (score.name, score.doc, score.site) = (evil(), evil(), evil());
-    score.one_step.insert(evil(), estimate);
+    let score = &mut report.tests[0];
+    (score.name, score.description, score.site) = (evil(), evil(), evil());
+    score.one_step_estimates.insert(evil(), estimate);
     let mut coefficient = report.coefficients["C_D0"].clone();
     coefficient.unit = evil();
     report.coefficients.insert(evil(), coefficient);
     report.score_correlations.names[0] = evil();
-    report.undetectable[0].name = evil();
-    report.undetectable[0].confounded_with = vec![evil()];
-    let least = &mut report.smallest_detectable[0];
+    report.not_identifiable[0].name = evil();
+    report.not_identifiable[0].confounded_with = vec![evil()];
+    let least = &mut report.minimum_detectable_effects[0];
     (least.name, least.coefficient, least.unit) = (evil(), evil(), evil());
     let curve = &mut report.curves[0];
     (curve.quantity, curve.over, curve.unit) = (evil(), evil(), evil());
     let outside = report.unattributed.as_mut().unwrap();
-    outside.says = evil();
+    outside.description = evil();
     outside.channels[0].site = evil();
     outside.channels[0].histories[0].file = evil();
     (outside.terms[0].site, outside.terms[0].formula) = (evil(), evil());
     report.verified.as_mut().unwrap().checks[0] = (evil(), evil());
+    report.cautions = vec![evil()];
     let made = make(&DiagnosisPage {
         report: &report,
         fits: None,
-        reasons_against: &[EVIL.to_owned()],
         before: &after,
         after: &after,
         extended: Some(EVIL),
@@ -322,60 +325,60 @@ fn what_is_no_number_breaks_nothing() {
     ] {
         let mut after = made::evidence(5);
         let mut report = found::report(Verdict::Unattributed, &after);
-        let causes = found::report(Verdict::Ambiguous, &after);
-        report.causes = causes.causes;
-        report.next_throw = causes.next_throw;
-        report.noise.sigma_m = bad;
-        report.noise.ar1 = bad;
-        let gain = report.gain.as_mut().unwrap();
-        (
-            gain.held_out_rms_after_m,
-            gain.standard_error_m,
-            gain.noise_floor_m,
-        ) = (bad, bad, bad);
+        let explanations = found::report(Verdict::Ambiguous, &after);
+        report.explanations = explanations.explanations;
+        report.proposed_throw = explanations.proposed_throw;
+        let noise = report.noise.get_mut(identify::MARKER).unwrap();
+        (noise.sigma, noise.lag1_autocorrelation) = (bad, bad);
+        let gain = report.predictive_gain.as_mut().unwrap();
+        (gain.rms_after_m, gain.std_error_m, gain.noise_m) = (bad, bad, bad);
         report.flights[0].rms_before_m = Some(bad);
         report.flights[1].rms_after_m = Some(bad);
         report.flights[3].rms_after_m = Some(bad);
         report.threshold.z = bad;
         report.threshold.alpha = bad;
-        for (i, score) in report.candidates.iter_mut().enumerate() {
+        for (i, score) in report.tests.iter_mut().enumerate() {
             match i % 4 {
                 0 => score.z = bad,
-                1 => score.statistic = bad,
-                2 => score.ln_p = bad,
+                1 => score.score_chi2 = bad,
+                2 => score.ln_p_value = bad,
                 _ => score.tolerance = bad,
             }
         }
-        report.causes[0].chi2_decrease = bad;
-        report.causes[0].strongest_remaining.as_mut().unwrap().p = bad;
-        report.causes[0].effects[0]
+        report.explanations[0].chi2_decrease = bad;
+        report.explanations[0]
+            .strongest_remaining
+            .as_mut()
+            .unwrap()
+            .p_value = bad;
+        report.explanations[0].effects[0]
             .estimates
             .get_mut("alpha_0")
             .unwrap()
             .value = bad;
-        report.causes[1].effects[0]
+        report.explanations[1].effects[0]
             .estimates
             .get_mut("C_Daaa")
             .unwrap()
             .std_error = bad;
-        report.next_throw.as_mut().unwrap().spin = bad;
-        report.next_throw.as_mut().unwrap().separation = bad;
+        report.proposed_throw.as_mut().unwrap().spin = bad;
+        report.proposed_throw.as_mut().unwrap().separation = bad;
         report.coefficients.get_mut("C_D0").unwrap().before = Some(bad);
         report.coefficients.get_mut("C_Da").unwrap().std_error = bad;
         report.score_correlations.matrix[3][1] = bad;
         report.score_correlations.matrix[5].clear();
         report.score_correlations.matrix.truncate(9);
-        report.smallest_detectable[0].value = bad;
+        report.minimum_detectable_effects[0].value = bad;
         report.curves[0].x[3] = bad;
         report.curves[1].after[2] = bad;
         report.curves[1].before.truncate(4);
         let outside = report.unattributed.as_mut().unwrap();
-        outside.channels[0].explained = bad;
+        outside.channels[0].explained_fraction = bad;
         outside.channels[0].histories[0].value[3] = bad;
         outside.channels[1].histories[0].std_error[2] = bad;
         outside.channels[2].histories[1].t[2] = bad;
         outside.channels[2].histories[2].t.clear();
-        outside.terms[0].statistic = bad;
+        outside.terms[0].score_chi2 = bad;
         after[0].predicted[10][0] = [bad; 3];
         after[1].measured[3][1] = Some([bad; 3]);
         page(&report, &after, &after);
@@ -402,14 +405,16 @@ fn much_stays_small() {
         flight.rms_before_m = Some(0.01 + 1e-6 * f64::from(i));
         report.flights.push(flight.clone());
     }
-    let score = report.candidates[0].clone();
+    let score = report.tests[0].clone();
     for i in 0..500 {
-        report.candidates.push(diagnose::CandidateTest {
+        report.tests.push(diagnose::CandidateTest {
             name: format!("effect-{i}"),
             ..score.clone()
         });
         report.score_correlations.names.push(format!("C_{i}"));
-        report.undetectable.push(report.undetectable[0].clone());
+        report
+            .not_identifiable
+            .push(report.not_identifiable[0].clone());
     }
     let channel = &mut report.unattributed.as_mut().unwrap().channels[0];
     let history = channel.histories[0].clone();
@@ -436,28 +441,29 @@ fn the_same_report_gives_the_same_page() {
 
 #[test]
 fn what_cannot_be_relied_on_says_so_first_and_flights_are_compared_in_pairs() {
-    let (mut report, _) = of(Verdict::Named);
+    let (mut report, _) = of(Verdict::Identified);
     report.data_faults = vec![identify::DataFault {
         file: "throw03.csv".to_owned(),
         fault: identify::FaultKind::LabelsExchanged,
         detail: "m2 and m3".to_owned(),
-        mend: "rename the columns".to_owned(),
+        correction: "rename the columns".to_owned(),
     }];
-    report.flights[0].outcome = Some("excluded".to_owned());
-    report.flights[0].reason = Some("a metre off".to_owned());
+    report.flights[0].outcome = identify::FlightOutcome::Excluded {
+        reason: "a metre off".to_owned(),
+    };
+    report.cautions = vec!["the time limit was reached".to_owned()];
     report.flights[0].rms_before_m = None;
-    let gain = report.gain.as_mut().unwrap();
-    (gain.improved, gain.worsened, gain.p_sign) = (16, 3, 0.0022);
+    let gain = report.predictive_gain.as_mut().unwrap();
+    (gain.improved, gain.worsened, gain.sign_test_p_value) = (16, 3, 0.0022);
     (gain.median_before_m, gain.median_after_m) = (0.041, 0.030);
     gain.set_apart = vec!["throw09.csv".to_owned()];
-    report.causes[0].explained = 0.93;
-    report.causes[0].remaining_m = 4e-4;
+    report.explanations[0].explained_fraction = 0.93;
+    report.explanations[0].remaining_rms_m = 4e-4;
     let made = make(&DiagnosisPage {
         report: &report,
         before: &[],
         after: &[],
         fits: None,
-        reasons_against: &["the time limit was reached".to_owned()],
         extended: None,
         certificate: &CertificateNote::none(),
     });

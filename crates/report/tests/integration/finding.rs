@@ -41,7 +41,6 @@ fn page() -> (String, Vec<Figure>) {
             before: &found.before,
             after,
         }),
-        reasons_against: &[],
         extended: None,
         certificate: &CertificateNote::none(),
     })
@@ -49,7 +48,7 @@ fn page() -> (String, Vec<Figure>) {
 
 #[test]
 fn the_page_opens_with_what_is_wrong_and_how_sure_it_is() {
-    assert_eq!(mystery().report.verdict, Verdict::Named);
+    assert_eq!(mystery().report.verdict, Verdict::Identified);
     let (html, figures) = page();
     let opening = &html[..html.find("id=\"causes\"").unwrap()];
     for text in [

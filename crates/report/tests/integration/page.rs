@@ -3,7 +3,7 @@
 use crate::made;
 use std::collections::BTreeMap;
 
-use identify::{FitReport, FlightEvidence};
+use identify::{FitReport, FlightEvidence, MARKER};
 use model_spec::model::Model;
 use report::CertificateNote;
 use report::fit::{Figure, FitPage, html_and_figures};
@@ -117,8 +117,8 @@ fn names_from_outside_are_escaped() {
     report.model = EVIL.into();
     report.schema = EVIL.into();
     report.effects = vec![EVIL.into()];
-    report.undetermined[0].why = EVIL.into();
-    report.undetermined[0].combination = vec![EVIL.into()];
+    report.not_identifiable[0].reason = EVIL.into();
+    report.not_identifiable[0].combination = vec![EVIL.into()];
     report.flights[1].file = EVIL.into();
     report.flights[2].notes = vec![EVIL.into()];
     report.profiles[0].name = EVIL.into();
@@ -130,10 +130,8 @@ fn names_from_outside_are_escaped() {
     report.correlations.insert(EVIL.into(), row);
     let axis = report.residuals["x"].clone();
     report.residuals = BTreeMap::from([(EVIL.into(), axis)]);
-    report
-        .noise
-        .axes
-        .insert(format!("a{EVIL}"), report.noise.axes["x"]);
+    let noise = report.noise.get_mut(MARKER).unwrap();
+    noise.axes.insert(format!("a{EVIL}"), noise.axes["x"]);
     evidence[0].file = EVIL.into();
     evidence[0].markers[0] = EVIL.into();
     evidence[0].state_names[0] = EVIL.into();
@@ -163,20 +161,21 @@ fn what_is_no_number_breaks_nothing() {
         -1e-300,
     ] {
         let (mut report, mut evidence) = (made::report(9), made::evidence(2));
-        report.rms_m = bad;
-        report.noise.sigma_m = bad;
-        report.noise.ar1 = bad;
-        report.noise.interval_s = bad;
-        report.noise.outlier_fraction = bad;
-        for axis in report.noise.axes.values_mut() {
-            axis.sigma_m = bad;
+        report.residual_rms = made::marker_rms(bad);
+        let noise = report.noise.get_mut(MARKER).unwrap();
+        noise.sigma = bad;
+        noise.lag1_autocorrelation = bad;
+        noise.interval_s = bad;
+        noise.outlier_fraction = bad;
+        for axis in noise.axes.values_mut() {
+            axis.sigma = bad;
         }
         for (i, coefficient) in report.coefficients.values_mut().enumerate() {
             match i {
                 0 => coefficient.value = bad,
                 1 => coefficient.std_error = bad,
                 2 => coefficient.interval = [bad, bad],
-                3 => coefficient.std_error_clustered = Some(bad),
+                3 => coefficient.std_error_cluster_robust = Some(bad),
                 4 => coefficient.model_value = bad,
                 _ => coefficient.prior = Some([bad, bad]),
             }
@@ -184,9 +183,12 @@ fn what_is_no_number_breaks_nothing() {
         report.correlations.values_mut().for_each(|row| {
             row.values_mut().for_each(|v| *v = bad);
         });
-        report.flights.iter_mut().for_each(|f| f.rms_m = Some(bad));
-        report.undetermined[0].relative_error = bad;
-        report.undetermined[0].weights.insert("C_L0".into(), bad);
+        let flights = report.flights.iter_mut();
+        flights.for_each(|f| f.residual_rms = made::marker_rms(bad));
+        report.not_identifiable[0].relative_error = bad;
+        report.not_identifiable[0]
+            .weights
+            .insert("C_L0".into(), bad);
         for profile in &mut report.profiles {
             profile.points[3] = [bad, bad];
             profile.interval[0] = Some(bad);
@@ -231,9 +233,9 @@ fn little_is_enough() {
     empty.coefficients.clear();
     empty.correlations.clear();
     empty.profiles.clear();
-    empty.undetermined.clear();
+    empty.not_identifiable.clear();
     empty.residuals.clear();
-    empty.noise.axes.clear();
+    empty.noise.clear();
     empty.seconds.clear();
     let (_, figures) = made(&empty, &[]);
     assert_eq!(figures, []);
@@ -278,20 +280,20 @@ fn alarms_are_said() {
     let (calm, _) = made(&report, &[]);
     assert!(!calm.contains("Do not rely") && !calm.contains("At a bound"));
     report.reliable = false;
-    report.why = vec!["the fit did not converge in 9 steps".to_owned()];
-    report.noise.outlier_fraction = 0.04;
+    report.cautions = vec!["the fit did not converge in 9 steps".to_owned()];
+    report.noise.get_mut(MARKER).unwrap().outlier_fraction = 0.04;
     report.coefficients.get_mut("C_D0").unwrap().at_bound = true;
     report
         .coefficients
         .get_mut("C_La")
         .unwrap()
-        .std_error_clustered = Some(0.3);
+        .std_error_cluster_robust = Some(0.3);
     report
         .residuals
         .get_mut("y")
         .unwrap()
         .whitened_autocorrelation[1] = 0.4;
-    report.flights[7].rms_m = Some(0.01);
+    report.flights[7].residual_rms = made::marker_rms(0.01);
     let (html, _) = made(&report, &[]);
     for text in [
         "1 held-out flight was predicted with an error above 3 times",
@@ -317,7 +319,7 @@ fn what_was_left_out_is_counted_by_itself() {
         let kept = ["throw01.csv", "throw02.csv", "throw04.csv"];
         if !kept.contains(&flight.file.as_str()) {
             flight.initial.clear();
-            flight.rms_m = None;
+            flight.residual_rms.clear();
             flight.outcome = identify::FlightOutcome::Excluded {
                 reason: String::new(),
             };

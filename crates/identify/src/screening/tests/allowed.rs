@@ -81,7 +81,7 @@ fn known_faults_replace_the_screening() {
         file: file(4),
         fault: FaultKind::Other,
         detail: "a mistake".into(),
-        mend: "none".into(),
+        correction: "none".into(),
     };
     assert_eq!(excluded(Some(&[other])), [file(4)]);
 }

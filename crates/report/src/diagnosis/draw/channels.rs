@@ -40,7 +40,7 @@ fn figure(index: usize, channel: &LoadChannel) -> Drawn {
     let title = format!(
         "{}: {} explained",
         words::site(&channel.site),
-        percent(channel.explained)
+        percent(channel.explained_fraction)
     );
     let left_out = channel.histories.len().saturating_sub(MAX_HISTORIES);
     let left_out = not_drawn(left_out, "more flights");

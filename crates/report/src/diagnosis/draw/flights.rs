@@ -27,7 +27,7 @@ pub(super) fn flights(report: &Report) -> Option<Drawn> {
     }
     let title = "Fitted flights";
     if fitted.len() > MAX_ROWS {
-        return Some(ranked(title, &fitted, 1e3 * report.noise.sigma_m));
+        return Some(ranked(title, &fitted, 1e3 * report.leading_noise().sigma));
     }
     let rows: Vec<Row> = fitted.iter().map(|f| row(f)).collect();
     let values = fitted.iter().flat_map(|f| [f.rms_before_m, f.rms_after_m]);
@@ -42,10 +42,10 @@ pub(super) fn flights(report: &Report) -> Option<Drawn> {
             values
                 .flatten()
                 .map(|rms| 1e3 * rms)
-                .chain([1e3 * report.noise.sigma_m]),
+                .chain([1e3 * report.leading_noise().sigma]),
         ),
         across: "RMS residual, mm".into(),
-        level: Some((1e3 * report.noise.sigma_m, "noise".into())),
+        level: Some((1e3 * report.leading_noise().sigma, "noise".into())),
     };
     let caption = "RMS residuals of the fitted flights, without and with the extension.";
     Some(drawn_chart("flights", &chart, caption, Layout::SMALL))

@@ -16,7 +16,7 @@ const MAX_FLIGHTS: usize = 12;
 /// Draws the RMS prediction errors without and with the effects added to the model, mm: one chart row for all flights
 /// and one for each held-out flight. `None` if the errors were not compared.
 pub(super) fn gain(report: &Report) -> Option<Drawn> {
-    let gain = report.gain.as_ref()?;
+    let gain = report.predictive_gain.as_ref()?;
     let mm = |metres: f64| 1e3 * metres;
     let mut held_out: Vec<&FlightGain> = Vec::new();
     if gain.held_out_by_dataset {
@@ -29,11 +29,8 @@ pub(super) fn gain(report: &Report) -> Option<Drawn> {
         sort_by_number(&mut held_out, |flight| -size(flight));
         held_out.truncate(MAX_FLIGHTS);
     }
-    let (before, after) = (
-        mm(gain.held_out_rms_before_m),
-        mm(gain.held_out_rms_after_m),
-    );
-    let error = mm(gain.standard_error_m);
+    let (before, after) = (mm(gain.rms_before_m), mm(gain.rms_after_m));
+    let error = mm(gain.std_error_m);
     let all = Row {
         name: "all".into(),
         class: "strong",
@@ -50,7 +47,7 @@ pub(super) fn gain(report: &Report) -> Option<Drawn> {
     let rows: Vec<Row> = std::iter::once(all)
         .chain(shown.iter().map(|f| row(f)))
         .collect();
-    let floor = mm(gain.noise_floor_m);
+    let floor = mm(gain.noise_m);
     let values = rows.iter().flat_map(|r| &r.shapes).filter_map(|s| match s {
         Shape::Dot(value, _) => Some(*value),
         _ => None,

@@ -18,7 +18,7 @@ use crate::fit::draw::predictions;
 use crate::fit::{Drawn, Figure};
 
 /// Style sheet of the diagnosis figures; supplements the common style sheet of figures.
-pub(super) const STYLE: &str = r"rect.bar.cause { fill: #0072b2 } rect.bar.alarm { fill: #d9813f } rect.bar.calm { fill: #b4b9c0 }
+pub(super) const STYLE: &str = r"rect.bar.explanation { fill: #0072b2 } rect.bar.alarm { fill: #d9813f } rect.bar.calm { fill: #b4b9c0 }
 circle.before { fill: #fff; stroke: #d55e00; stroke-width: 2 } circle.after { fill: #0072b2 } line.join { stroke: #9aa0a8; stroke-width: 2 }
 line.reach { stroke: #0072b2; stroke-width: 2 } text.strong { font-weight: 600; fill: #0060a0 } text.weak { fill: #777 }
 rect.alike { fill: #00437c } rect.unknown { fill: #c9b9b9 }

@@ -17,7 +17,7 @@ const NARROW_DOTS: usize = 400;
 /// model under test, blue for the extended model. If the model was not extended, the colours distinguish the markers
 /// instead. A figure without flights is omitted.
 pub(super) fn residuals(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
-    let sigma = page.report.noise.sigma_m;
+    let sigma = page.report.leading_noise().sigma;
     let figure = |before: FlightsOfRole<'_>| {
         let after = flights_of(page.after, before.role());
         let axes = ["x", "y", "z"].into_iter().enumerate();

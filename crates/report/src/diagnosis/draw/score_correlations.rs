@@ -60,9 +60,9 @@ pub(super) fn score_correlations(report: &Report) -> Option<Drawn> {
 fn strongest(report: &Report) -> Vec<usize> {
     let equivalent_z = |name: &String| {
         let owner = report
-            .candidates
+            .tests
             .iter()
-            .find(|c| c.one_step.contains_key(name));
+            .find(|c| c.one_step_estimates.contains_key(name));
         let size = owner.map_or(f64::NEG_INFINITY, |c| c.z);
         if size.is_nan() {
             f64::NEG_INFINITY
@@ -89,7 +89,12 @@ fn draw(report: &Report, order: &[usize], title: &str, layout: Layout) -> String
     let side = ((layout.width - room - 8.0) / (names.len() - 1) as f64).min(34.0);
     let tall = side.max(letters + 3.0);
     let (left, top) = (4.0, 2.0 * letters + 14.0);
-    let effects = || report.causes.iter().flat_map(|cause| &cause.effects);
+    let effects = || {
+        report
+            .explanations
+            .iter()
+            .flat_map(|explanation| &explanation.effects)
+    };
     let named = |name: &str| effects().any(|e| e.estimates.contains_key(name));
     let mut svg = Svg::new();
     svg.text("title", (2.0, 2.0 * letters), "start", title);

@@ -16,7 +16,7 @@ const MAX_CANDIDATES: usize = 60;
 /// Draws the score test of each candidate effect as a bar of the equivalent standard normal quantile z, the most
 /// significant first; `None` if there are no candidates.
 pub(super) fn score_tests(report: &Report) -> Option<Drawn> {
-    let mut all: Vec<&CandidateTest> = report.candidates.iter().collect();
+    let mut all: Vec<&CandidateTest> = report.tests.iter().collect();
     // Candidates without a finite z-equivalent come last.
     let size = |c: &CandidateTest| {
         if c.z.is_nan() { f64::NEG_INFINITY } else { c.z }
@@ -28,12 +28,15 @@ pub(super) fn score_tests(report: &Report) -> Option<Drawn> {
         return None;
     }
     let named = |c: &CandidateTest| {
-        let effects = report.causes.iter().flat_map(|cause| &cause.effects);
+        let effects = report
+            .explanations
+            .iter()
+            .flat_map(|explanation| &explanation.effects);
         effects.into_iter().any(|e| e.name == c.name)
     };
     let row = |c: &&CandidateTest| {
         let (class, bar) = match (named(c), c.significant) {
-            (true, _) => ("strong", "bar cause"),
+            (true, _) => ("strong", "bar explanation"),
             (false, true) => ("tick", "bar alarm"),
             (false, false) => ("weak", "bar calm"),
         };
@@ -46,7 +49,7 @@ pub(super) fn score_tests(report: &Report) -> Option<Drawn> {
     };
     let rows: Vec<Row> = all.iter().map(row).collect();
     let kinds = [
-        ("bar cause", "part of an explanation"),
+        ("bar explanation", "part of an explanation"),
         (
             "bar alarm",
             "significant alone, explained by the selected effects",
@@ -58,7 +61,7 @@ pub(super) fn score_tests(report: &Report) -> Option<Drawn> {
         rows.iter().any(has)
     });
     let legend = drawn_kinds.map(|(class, words)| {
-        let words = if report.causes.is_empty() && class == "bar alarm" {
+        let words = if report.explanations.is_empty() && class == "bar alarm" {
             "significant"
         } else {
             words
@@ -78,9 +81,9 @@ pub(super) fn score_tests(report: &Report) -> Option<Drawn> {
         )),
     };
     let more = not_drawn(left_out, "more with smaller z");
-    let along = match report.causes.is_empty() {
+    let along = match report.explanations.is_empty() {
         true => "",
-        false => " Effects with a signature like that of a cause are significant with it.",
+        false => " Effects with a signature like that of a explanation are significant with it.",
     };
     let caption = format!(
         "Score test of each effect alone, as the standard normal quantile z of equal p-value. The familywise error rate \

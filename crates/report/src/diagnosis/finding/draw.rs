@@ -66,13 +66,13 @@ pub(super) fn curve(curve: &Curve) -> Drawn {
 /// Draws the estimated coefficients of the hypothesis that fits best, in units of their smallest effect sizes of
 /// interest if all are declared, otherwise in standard errors. `None` if there are no estimates.
 pub(super) fn estimates(report: &Report) -> Option<Drawn> {
-    let effects = report.causes.first()?.effects.iter();
+    let effects = report.explanations.first()?.effects.iter();
     let all = effects.flat_map(|e| &e.estimates);
     let all: Vec<_> = all
         .filter(|(_, e)| e.value.is_finite() && e.std_error > 0.0)
         .take(MAX_ROWS)
         .collect();
-    let interest = |e: &diagnose::Estimate| e.smallest_of_interest.filter(|s| *s > 0.0);
+    let interest = |e: &diagnose::Estimate| e.smallest_effect_of_interest.filter(|s| *s > 0.0);
     let by_interest = !all.is_empty() && all.iter().all(|(_, e)| interest(e).is_some());
     let rows = all.iter().map(|(name, e)| {
         let scale = match by_interest {
@@ -120,7 +120,7 @@ pub(super) fn estimates(report: &Report) -> Option<Drawn> {
 /// Draws the most significant score tests of candidate effects with the significance threshold; `None` if there are no
 /// candidates.
 pub(super) fn strongest(report: &Report) -> Option<Drawn> {
-    let mut all: Vec<&CandidateTest> = report.candidates.iter().collect();
+    let mut all: Vec<&CandidateTest> = report.tests.iter().collect();
     all.retain(|c| c.z.is_finite());
     sort_by_number(&mut all, |test| -test.z);
     all.truncate(MAX_ROWS);
@@ -149,7 +149,7 @@ pub(super) fn strongest(report: &Report) -> Option<Drawn> {
         level: Some((report.threshold.z, "significant".into())),
     };
     let caption = match report.verdict {
-        Verdict::None => {
+        Verdict::Adequate => {
             "The effects with the largest test statistics; none reaches the threshold."
         }
         _ => "The effects with the largest test statistics.",

@@ -26,16 +26,18 @@ pub(super) struct Finding {
 pub(super) fn finding(page: &DiagnosisPage<'_>) -> (Finding, Option<Drawn>) {
     let report = page.report;
     let effects = || {
-        let first = report.causes.first();
-        first.into_iter().flat_map(|cause| &cause.effects)
+        let first = report.explanations.first();
+        first
+            .into_iter()
+            .flat_map(|explanation| &explanation.effects)
     };
-    let is_drawable = report.verdict != Verdict::None;
+    let is_drawable = report.verdict != Verdict::Adequate;
     let fits = page.fits.as_ref().filter(|_| is_drawable);
     let curve = fits.and_then(|fits| curve::of(fits, effects().map(|e| e.name.as_str())));
     let figure = match (&curve, report.verdict) {
         (_, Verdict::Negligible) => draw::estimates(report),
         (Some(curve), _) => Some(draw::curve(curve)),
-        (None, Verdict::None) => draw::strongest(report),
+        (None, Verdict::Adequate) => draw::strongest(report),
         (None, Verdict::Unattributed) => None,
         (None, _) => draw::estimates(report),
     };
@@ -45,7 +47,7 @@ pub(super) fn finding(page: &DiagnosisPage<'_>) -> (Finding, Option<Drawn>) {
         .is_none_or(|u| u.channels.is_empty());
     let figure = match (figure, report.verdict) {
         (None, Verdict::Unattributed) if !no_channel => None,
-        (None, Verdict::None) => None,
+        (None, Verdict::Adequate) => None,
         (None, _) => draw::strongest(report),
         (drawn, _) => drawn,
     };

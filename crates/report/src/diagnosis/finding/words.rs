@@ -1,6 +1,6 @@
 //! Sentences of the opening section: the finding, its certainty, and the recommended next step.
 
-use diagnose::{Cause, CauseEffect, Estimate, Report, Verdict};
+use diagnose::{Estimate, Explanation, ExplanationEffect, Report, Verdict};
 use identify::wording::count;
 
 use super::super::{DiagnosisPage, words};
@@ -23,41 +23,41 @@ const MIN_SHARE: f64 = 0.025;
 
 /// Sentences that state which effect the model lacks, and the size of this effect.
 pub(super) fn what(report: &Report, curve: Option<&Curve>) -> String {
-    let first = report.causes.first();
+    let first = report.explanations.first();
     let model = &report.model;
     match report.verdict {
-        Verdict::None => format!(
+        Verdict::Adequate => format!(
             "Nothing that these flights can show is missing in {model}: its residuals look like the noise of the measurement."
         ),
-        Verdict::Named => match first {
-            Some(cause) => joined([says(cause), size(curve, first)]),
+        Verdict::Identified => match first {
+            Some(explanation) => joined([says(explanation), size(curve, first)]),
             None => "The model lacks an effect.".to_owned(),
         },
         Verdict::Ambiguous => match first {
-            Some(cause) => joined([
+            Some(explanation) => joined([
                 "Something is missing, and these flights cannot show which of several effects it is. The one that fits best:"
                     .to_owned(),
-                says(cause),
+                says(explanation),
                 size(curve, first),
             ]),
             None => "Something is missing, and these flights cannot show what.".to_owned(),
         },
         Verdict::Negligible => match first {
-            Some(cause) => joined([
+            Some(explanation) => joined([
                 "There is an effect that the model lacks, and it is too small to matter:".to_owned(),
-                says(cause),
+                says(explanation),
                 size(None, first),
             ]),
             None => "What the model lacks is too small to matter.".to_owned(),
         },
         Verdict::Unattributed => {
             let channels = report.unattributed.iter().flat_map(|u| &u.channels);
-            let most = channels.max_by(|a, b| a.explained.total_cmp(&b.explained));
-            let place = most.filter(|c| c.explained.is_finite()).map(|c| {
+            let most = channels.max_by(|a, b| a.explained_fraction.total_cmp(&b.explained_fraction));
+            let place = most.filter(|c| c.explained_fraction.is_finite()).map(|c| {
                 format!(
                     "Most of it acts as {}: that alone explains {} of what all terms explain.",
                     words::site(&c.site),
-                    percent(c.explained)
+                    percent(c.explained_fraction)
                 )
             });
             joined([
@@ -74,21 +74,26 @@ fn joined(parts: impl IntoIterator<Item = String>) -> String {
     parts.collect::<Vec<_>>().join(" ")
 }
 
-/// Sentences that describe the effects of the hypothesis `cause`, one of those that may explain the misfit of the
+/// Sentences that describe the effects of the hypothesis `explanation`, one of those that may explain the misfit of the
 /// model.
-fn says(cause: &Cause) -> String {
-    let each = cause.effects.iter().map(|effect| match effect.doc.trim() {
-        "" => sentence(&words::readable(&effect.name)),
-        doc => sentence(&doc.replace('\n', " ")),
-    });
+fn says(explanation: &Explanation) -> String {
+    let each = explanation
+        .effects
+        .iter()
+        .map(|effect| match effect.description.trim() {
+            "" => sentence(&words::readable(&effect.name)),
+            doc => sentence(&doc.replace('\n', " ")),
+        });
     joined(each)
 }
 
 /// Sentence on the size of the missing effects: the quantity of `curve` at the point where the model under test and the
-/// extended model differ most; without a curve, the estimates of the hypothesis `cause`.
-fn size(curve: Option<&Curve>, cause: Option<&Cause>) -> String {
+/// extended model differ most; without a curve, the estimates of the hypothesis `explanation`.
+fn size(curve: Option<&Curve>, explanation: Option<&Explanation>) -> String {
     let estimates = || {
-        let effects = cause.into_iter().flat_map(|cause| &cause.effects);
+        let effects = explanation
+            .into_iter()
+            .flat_map(|explanation| &explanation.effects);
         let all = effects.flat_map(|e| &e.estimates).take(3);
         let all: Vec<String> = all.map(|(name, e)| estimate(name, e)).collect();
         match all.is_empty() {
@@ -167,10 +172,10 @@ fn estimate(name: &str, e: &Estimate) -> String {
     text.trim_end().to_owned()
 }
 
-/// Coefficient of the hypothesis `cause` with the largest absolute ratio of estimate to standard error: the effect, the
+/// Coefficient of the hypothesis `explanation` with the largest absolute ratio of estimate to standard error: the effect, the
 /// name of the coefficient, and the ratio. `None` if no ratio is finite.
-fn clearest(cause: &Cause) -> Option<(&CauseEffect, &String, f64)> {
-    let effects = cause.effects.iter();
+fn clearest(explanation: &Explanation) -> Option<(&ExplanationEffect, &String, f64)> {
+    let effects = explanation.effects.iter();
     let all = effects.flat_map(|effect| effect.estimates.iter().map(move |(n, e)| (effect, n, e)));
     let all = all.map(|(effect, name, e)| (effect, name, (e.value / e.std_error).abs()));
     let known = all.filter(|(_, _, z)| z.is_finite());
@@ -180,9 +185,9 @@ fn clearest(cause: &Cause) -> Option<(&CauseEffect, &String, f64)> {
 /// Sentences that state how certain the result of the diagnosis is: how far the estimate is from zero, and whether
 /// another candidate effect could also explain the flights.
 pub(super) fn sure(report: &Report) -> String {
-    let tested = count(report.candidates.len(), "effect");
+    let tested = count(report.tests.len(), "effect");
     let threshold = words::equivalent_z(report.threshold.z);
-    let first = report.causes.first();
+    let first = report.explanations.first();
     let far = first.and_then(clearest).map(|(_, name, z)| {
         format!(
             "{name} is {} standard errors away from zero{}.",
@@ -196,14 +201,14 @@ pub(super) fn sure(report: &Report) -> String {
     });
     let rival = first.and_then(|c| c.strongest_remaining.as_ref());
     let alone = match rival {
-        _ if report.candidates.is_empty() => String::new(),
+        _ if report.tests.is_empty() => String::new(),
         Some(r) => format!(
             "Of the {tested} tested only this one explains the flights: with it in the model, the strongest of the others \
              is {} (p = {}{}).",
             words::readable(&r.name),
-            words::probability(r.p),
+            words::probability(r.p_value),
             // Bonferroni correction for the number of candidates.
-            match r.p * report.candidates.len() as f64 > USUAL {
+            match r.p_value * report.tests.len() as f64 > USUAL {
                 true => ", as chance gives among so many",
                 false => "",
             }
@@ -211,12 +216,8 @@ pub(super) fn sure(report: &Report) -> String {
         None => format!("Of the {tested} tested only this one explains the flights."),
     };
     match report.verdict {
-        Verdict::None => {
-            let strongest = report
-                .candidates
-                .iter()
-                .map(|c| c.z)
-                .filter(|z| z.is_finite());
+        Verdict::Adequate => {
+            let strongest = report.tests.iter().map(|c| c.z).filter(|z| z.is_finite());
             let strongest = strongest.fold(f64::NAN, f64::max);
             joined([
                 format!(
@@ -229,11 +230,11 @@ pub(super) fn sure(report: &Report) -> String {
                     .to_owned(),
             ])
         }
-        Verdict::Named if first.is_some_and(|c| c.effects.len() > 1) => joined([
+        Verdict::Identified if first.is_some_and(|c| c.effects.len() > 1) => joined([
             far.unwrap_or_default(),
             format!("Of the {tested} tested, only these together explain the flights."),
         ]),
-        Verdict::Named => joined([far.unwrap_or_default(), alone]),
+        Verdict::Identified => joined([far.unwrap_or_default(), alone]),
         Verdict::Ambiguous => joined([
             "That something is missing is sure".to_owned()
                 + &match far {
@@ -242,7 +243,13 @@ pub(super) fn sure(report: &Report) -> String {
                 },
             format!(
                 "Which it is, is open: {}.",
-                names(&report.causes.iter().map(words::cause).collect::<Vec<_>>())
+                names(
+                    &report
+                        .explanations
+                        .iter()
+                        .map(words::explanation)
+                        .collect::<Vec<_>>()
+                )
             ),
         ]),
         Verdict::Negligible => joined([
@@ -263,7 +270,7 @@ pub(super) fn sure(report: &Report) -> String {
 /// Sentences that recommend to the user what to do after the diagnosis.
 pub(super) fn next(page: &DiagnosisPage<'_>) -> String {
     let report = page.report;
-    if !page.reasons_against.is_empty() {
+    if !page.report.cautions.is_empty() {
         return "First remove the reasons above; until then this is a hint, not a result."
             .to_owned();
     }
@@ -276,14 +283,14 @@ pub(super) fn next(page: &DiagnosisPage<'_>) -> String {
         format!("The extended model is {file}, with the values found{checks}.")
     });
     let throw = report
-        .next_throw
+        .proposed_throw
         .as_ref()
         .map(|_| "The throw proposed below would best distinguish the explanations.".to_owned());
     match report.verdict {
-        Verdict::None => {
+        Verdict::Adequate => {
             "Use the model as it is. Flights at other speeds, angles and spins would test it where these do not.".to_owned()
         }
-        Verdict::Named => joined([
+        Verdict::Identified => joined([
             extended.unwrap_or_default(),
             "Use it in place of the model, and diagnose it again with new flights.".to_owned(),
         ]),

@@ -18,7 +18,7 @@ const MAX_NAMED: usize = 8;
 /// Draws the lower triangle of the correlation matrix of the estimated coefficients; `None` for fewer than two.
 pub(in super::super) fn correlations(page: &FitPage<'_>) -> Option<Drawn> {
     let report = page.report;
-    let estimated = |name: &&String| report.coefficients.get(*name).is_none_or(|c| !c.held);
+    let estimated = |name: &&String| report.coefficients.get(*name).is_none_or(|c| !c.fixed);
     let mut names: Vec<&String> = report.correlations.keys().filter(estimated).collect();
     names.sort_by_key(|name| page.place(name));
     let names = &names[..names.len().min(MAX_COEFFICIENTS)];

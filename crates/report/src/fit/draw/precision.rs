@@ -20,7 +20,7 @@ pub(in super::super) fn precision(page: &FitPage<'_>) -> Option<Drawn> {
     let found = page.coefficients().into_iter();
     let sizes = found.map(|(name, c)| (name, c, std_error(c) / c.value.abs()));
     let mut sizes: Vec<_> = sizes
-        .filter(|(_, c, size)| !c.held && size.is_finite())
+        .filter(|(_, c, size)| !c.fixed && size.is_finite())
         .collect();
     sort_by_number(&mut sizes, |size| size.2);
     let left_out = sizes.len().saturating_sub(MAX_ROWS);

@@ -96,7 +96,7 @@ pub(in super::super) fn residuals(evidence: &[FlightEvidence], noise: &NoiseRepo
     let figure = |of: FlightsOfRole<'_>| {
         let axes = ["x", "y", "z"].into_iter().enumerate();
         let panels = axes.map(|(i, axis)| {
-            let sigma = noise.axes.get(axis).map_or(noise.sigma_m, |n| n.sigma_m);
+            let sigma = noise.axes.get(axis).map_or(noise.sigma, |n| n.sigma);
             panel(&of.flights, i, axis, sigma)
         });
         let panels: Vec<Panel> = panels.collect();

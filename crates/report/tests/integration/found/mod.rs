@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use diagnose::*;
-use identify::FlightEvidence;
+use identify::{FlightEvidence, FlightOutcome, MARKER, NoiseReport};
 
 /// Standard deviation of the noise of a measured marker coordinate in the example, m.
 const SIGMA: f64 = 0.0015;
@@ -43,29 +43,31 @@ fn estimate(value: f64, std_error: f64, unit: &str, negligible: Option<f64>) -> 
         value,
         std_error,
         unit: unit.into(),
-        smallest_of_interest: negligible,
+        smallest_effect_of_interest: negligible,
     }
 }
 
-fn cause(at: usize, value: f64, std_error: f64) -> Cause {
+fn explanation(at: usize, value: f64, std_error: f64) -> Explanation {
     let (name, coefficient, unit, site, sigmas) = LOOKED_FOR[at];
     let found = estimate(value, std_error, unit, Some(0.002));
-    Cause {
-        effects: vec![CauseEffect {
+    Explanation {
+        effects: vec![ExplanationEffect {
             name: name.into(),
-            doc: format!("What {name} says, in the words of its own file: it acts on the {site}"),
+            description: format!(
+                "What {name} says, in the words of its own file: it acts on the {site}"
+            ),
             site: site.into(),
             variables: vec!["alpha".into(), "speed".into()],
             estimates: BTreeMap::from([(coefficient.to_owned(), found)]),
-            statistic: sigmas * sigmas,
+            score_chi2: sigmas * sigmas,
             negligible: false,
         }],
         chi2_decrease: 659_973.0,
-        explained: 0.98,
-        remaining_m: 0.0002,
+        explained_fraction: 0.98,
+        remaining_rms_m: 0.0002,
         strongest_remaining: Some(RemainingEffect {
             name: "tilted-vertical".into(),
-            p: 0.31,
+            p_value: 0.31,
         }),
     }
 }
@@ -74,38 +76,42 @@ fn cause(at: usize, value: f64, std_error: f64) -> Cause {
 pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
     let extended = matches!(
         verdict,
-        Verdict::Named | Verdict::Ambiguous | Verdict::Unattributed
+        Verdict::Identified | Verdict::Ambiguous | Verdict::Unattributed
     );
-    let causes = match verdict {
-        Verdict::None | Verdict::Unattributed => Vec::new(),
-        Verdict::Named => vec![cause(0, -0.0702, 0.0021)],
+    let explanations = match verdict {
+        Verdict::Adequate | Verdict::Unattributed => Vec::new(),
+        Verdict::Identified => vec![explanation(0, -0.0702, 0.0021)],
         Verdict::Ambiguous => {
-            let mut both = cause(2, 0.0123, 0.0011);
-            both.effects.extend(cause(3, -0.41, 0.05).effects);
-            vec![cause(0, -0.0702, 0.0021), cause(1, 4.23, 0.17), both]
+            let mut both = explanation(2, 0.0123, 0.0011);
+            both.effects.extend(explanation(3, -0.41, 0.05).effects);
+            vec![
+                explanation(0, -0.0702, 0.0021),
+                explanation(1, 4.23, 0.17),
+                both,
+            ]
         }
         Verdict::Negligible => {
-            let mut small = cause(0, -0.0009, 0.0001);
+            let mut small = explanation(0, -0.0009, 0.0001);
             small.effects[0].negligible = true;
             vec![small]
         }
     };
-    let weak = if causes.is_empty() { 0.004 } else { 1.0 };
+    let weak = if explanations.is_empty() { 0.004 } else { 1.0 };
     let candidates = LOOKED_FOR
         .iter()
         .map(|(name, coefficient, unit, site, sigmas)| {
             let sigmas = sigmas * weak;
             CandidateTest {
                 name: (*name).into(),
-                doc: format!("What {name} says"),
+                description: format!("What {name} says"),
                 site: (*site).into(),
-                statistic: sigmas * sigmas,
-                dof: 1,
-                ln_p: -0.5 * sigmas * sigmas - 0.7,
+                score_chi2: sigmas * sigmas,
+                degrees_of_freedom: 1,
+                ln_p_value: -0.5 * sigmas * sigmas - 0.7,
                 z: sigmas,
                 significant: sigmas > 4.1,
                 tolerance: 0.8 / (1.0 + sigmas / 50.0),
-                one_step: BTreeMap::from([(
+                one_step_estimates: BTreeMap::from([(
                     (*coefficient).to_owned(),
                     estimate(-0.071, 0.0023, unit, None),
                 )]),
@@ -151,8 +157,7 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
     let each = |(i, f): (usize, &FlightEvidence)| FlightGain {
         file: f.file.clone(),
         role: f.role,
-        outcome: None,
-        reason: None,
+        outcome: FlightOutcome::Fitted,
         rms_before_m: Some(if extended {
             0.012 + 0.004 * (i as f64 * 2.3).sin()
         } else {
@@ -182,29 +187,36 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
         curve("C_D", &before, if extended { &after } else { &before }),
     ];
     Report {
-        schema: "hyzer.diagnosis/1".into(),
+        schema: "hyzer.diagnosis/2".into(),
         dataset: "throws".into(),
         model: "disc".into(),
         effects: Vec::new(),
+        reliable: true,
+        cautions: Vec::new(),
         verdict,
-        summary: if verdict == Verdict::None {
+        summary: if verdict == Verdict::Adequate {
             "The flights are what the model and the noise say.".into()
         } else {
             "The drag is least not at zero angle of attack but at −0.0702 ± 0.0021 rad; without it the model's drag is \
              wrong by up to a third at the angles of these flights."
                 .into()
         },
-        causes,
-        noise: NoiseSummary {
-            sigma_m: SIGMA,
-            ar1: 0.24,
-            outlier_fraction: 0.006,
-        },
-        gain: extended.then_some(PredictiveGain {
-            held_out_rms_before_m: 0.0137,
-            held_out_rms_after_m: 0.00162,
-            standard_error_m: 0.0009,
-            noise_floor_m: SIGMA,
+        explanations,
+        noise: BTreeMap::from([(
+            MARKER.to_owned(),
+            NoiseReport {
+                sigma: SIGMA,
+                unit: "m".into(),
+                lag1_autocorrelation: 0.24,
+                outlier_fraction: 0.006,
+                ..NoiseReport::default()
+            },
+        )]),
+        predictive_gain: extended.then_some(PredictiveGain {
+            rms_before_m: 0.0137,
+            rms_after_m: 0.00162,
+            std_error_m: 0.0009,
+            noise_m: SIGMA,
             flights: flights.len() / 4,
             without: 0,
             held_out_by_dataset: true,
@@ -214,7 +226,7 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
             ..PredictiveGain::default()
         }),
         coefficients,
-        undetectable: vec![
+        not_identifiable: vec![
             NotIdentifiable {
                 name: "air-density".into(),
                 confounded_with: ["C_L0", "C_La", "C_D0", "C_Da"].map(str::to_owned).to_vec(),
@@ -224,7 +236,7 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
                 confounded_with: Vec::new(),
             },
         ],
-        smallest_detectable: LOOKED_FOR
+        minimum_detectable_effects: LOOKED_FOR
             .iter()
             .map(|(name, coefficient, unit, _, _)| MinDetectableEffect {
                 name: (*name).into(),
@@ -233,8 +245,8 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
                 unit: (*unit).into(),
             })
             .collect(),
-        next_throw: (verdict == Verdict::Ambiguous).then(|| NextThrow {
-            says: "A fast flat throw with little spin, nose up".into(),
+        proposed_throw: (verdict == Verdict::Ambiguous).then(|| ProposedThrow {
+            description: "A fast flat throw with little spin, nose up".into(),
             speed: 18.2,
             launch: 0.12,
             nose: 0.21,
@@ -246,10 +258,10 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
         }),
         extended_model: extended.then(|| "extended.hyz".into()),
         seconds: BTreeMap::from([("total".into(), 2.31), ("scores".into(), 0.4)]),
-        candidates,
+        tests: candidates,
         threshold: Threshold {
             alpha: 0.001,
-            ln_p: -10.2,
+            ln_p_value: -10.2,
             z: 4.1,
         },
         score_correlations: ScoreCorrelations {
@@ -276,7 +288,7 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
                 ),
             ],
         }),
-        notes: if verdict == Verdict::None {
+        notes: if verdict == Verdict::Adequate {
             Vec::new()
         } else {
             vec!["throw03.csv was cut where it touched the ground".into()]
@@ -287,7 +299,7 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
 fn outside(flights: &[FlightEvidence]) -> Unattributed {
     let channel = |site: &str, explains: f64, size: f64| LoadChannel {
         site: site.into(),
-        explained: explains,
+        explained_fraction: explains,
         histories: flights
             .iter()
             .enumerate()
@@ -303,17 +315,17 @@ fn outside(flights: &[FlightEvidence]) -> Unattributed {
             })
             .collect(),
     };
-    let term = |formula: &str, statistic: f64, taken: bool| StepwiseTerm {
+    let term = |formula: &str, score_chi2: f64, taken: bool| StepwiseTerm {
         name: formula.to_owned(),
         site: "drag".into(),
         formula: formula.into(),
-        statistic,
+        score_chi2,
         value: -0.0213,
         std_error: 0.0021,
         selected: taken,
     };
     Unattributed {
-        says: "The error sits in the drag; it grows with the angle of attack and does not depend on speed.".into(),
+        description: "The error sits in the drag; it grows with the angle of attack and does not depend on speed.".into(),
         channels: vec![channel("drag", 0.83, 0.04), channel("pitch", 0.12, 3.1e-4), channel("side", 0.02, 2e-3)],
         terms: vec![
             term("abs(alpha)*alpha", 512.3, true),

@@ -6,6 +6,20 @@ use std::collections::BTreeMap;
 use dataset::Role;
 use identify::*;
 
+/// Root mean square residuals of the positions, m, as in a report.
+pub fn marker_rms(value: f64) -> BTreeMap<String, Rms> {
+    let rms = Rms {
+        value,
+        unit: "m".into(),
+    };
+    BTreeMap::from([(MARKER.to_owned(), rms)])
+}
+
+/// Noise of the positions, as in a report.
+pub fn marker_noise(noise: NoiseReport) -> BTreeMap<String, NoiseReport> {
+    BTreeMap::from([(MARKER.to_owned(), noise)])
+}
+
 /// Random number generator whose numbers are the same on every machine.
 struct Random(u64);
 
@@ -118,12 +132,12 @@ pub fn report(flights: usize) -> FitReport {
         let c = Coefficient {
             value: *value,
             std_error: *error,
-            std_error_clustered: (flights >= 8)
+            std_error_cluster_robust: (flights >= 8)
                 .then_some(if *name == "C_Da" { 2.4 } else { 1.1 } * error),
             interval: [value - 1.96 * error, value + 1.96 * error],
             unit: (*unit).to_owned(),
             at_bound: false,
-            held: false,
+            fixed: false,
             model_value: *model,
             prior: None,
         };
@@ -161,7 +175,7 @@ pub fn report(flights: usize) -> FitReport {
         } else {
             FlightOutcome::Fitted
         },
-        rms_m: Some(
+        residual_rms: marker_rms(
             SIGMA
                 * (1.0 + 0.06 * random.normal().abs())
                 * if number.is_multiple_of(4) { 1.5 } else { 1.0 },
@@ -177,7 +191,7 @@ pub fn report(flights: usize) -> FitReport {
         cut: (number == 3).then(|| Truncation {
             t: 1.083,
             samples: 14,
-            why: "the velocity jumps by 3.1 m/s: the disc touched the ground".into(),
+            reason: "the velocity jumps by 3.1 m/s: the disc touched the ground".into(),
         }),
         notes: if number == 2 {
             vec!["fitted again from the pose of its markers".into()]
@@ -232,17 +246,17 @@ pub fn report(flights: usize) -> FitReport {
     };
     let axes = [("x", 1.48, 0.24), ("y", 1.52, 0.26), ("z", 1.55, 0.22)];
     FitReport {
-        schema: "hyzer.fit/1".into(),
+        schema: "hyzer.fit/2".into(),
         model: "disc".into(),
         effects: Vec::new(),
         reliable: true,
-        why: Vec::new(),
-        rms_m: 0.001523,
-        sees_positions: true,
+        cautions: Vec::new(),
+        residual_rms: marker_rms(0.001523),
         sensors: Vec::new(),
-        noise: NoiseReport {
-            sigma_m: 0.001517,
-            ar1: 0.24,
+        noise: marker_noise(NoiseReport {
+            sigma: 0.001517,
+            unit: "m".into(),
+            lag1_autocorrelation: 0.24,
             estimated: true,
             axes: axes
                 .into_iter()
@@ -250,8 +264,8 @@ pub fn report(flights: usize) -> FitReport {
                     (
                         name.to_owned(),
                         AxisNoise {
-                            sigma_m: 1e-3 * mm,
-                            ar1,
+                            sigma: 1e-3 * mm,
+                            lag1_autocorrelation: ar1,
                         },
                     )
                 })
@@ -260,19 +274,19 @@ pub fn report(flights: usize) -> FitReport {
             points: 1104,
             outliers: 7,
             outlier_fraction: 7.0 / 1104.0,
-            dropouts: 21,
-            floor_m: Some(0.00149),
-        },
+            missing: 21,
+            floor: Some(0.00149),
+        }),
         coefficients: found.iter().map(coefficient).collect(),
         correlations,
         flights,
         data_faults: Vec::new(),
         marker_distances: Vec::new(),
-        undetermined: vec![NonIdentifiable {
+        not_identifiable: vec![NonIdentifiable {
             combination: vec!["C_Rr".into()],
             weights: BTreeMap::from([("C_Rr".into(), 0.99), ("C_Mq".into(), -0.12)]),
             relative_error: 1.15,
-            why: "its moment turns the disc by less than the noise in flights as short as these"
+            reason: "its moment turns the disc by less than the noise in flights as short as these"
                 .into(),
         }],
         profiles: vec![

@@ -1,0 +1,128 @@
+//! Configuration of the compilation: models, effects, output directory and scalar type.
+
+use crate::backend::{Backend, SourceFile};
+use crate::build::BuildError;
+use crate::generate;
+use crate::rust::{LanesRust, PlainRust};
+use model_spec::load;
+use std::env;
+use std::path::{Path, PathBuf};
+
+/// Builder that compiles flight models to Rust modules. It holds the models, their effects (named changes to a model)
+/// and the output directory.
+#[derive(Clone, Debug, Default)]
+pub struct Config {
+    models: Vec<ModelSource>,
+    /// Effects (named changes to a model) passed to [`Config::with`] before any model was added; [`Config::compile`]
+    /// reports them as an error.
+    orphans: Vec<String>,
+    out_dir: Option<PathBuf>,
+    lanes: bool,
+}
+
+#[derive(Clone, Debug)]
+struct ModelSource {
+    /// Name of a built-in model, or path of a model file.
+    model: String,
+    effects: Vec<String>,
+}
+
+impl Config {
+    /// Creates a configuration without models. By default, the generated code computes with `f64`, and the output
+    /// directory is the value of the environment variable `OUT_DIR`.
+    pub fn new() -> Config {
+        Config::default()
+    }
+
+    /// Adds a model: the path of a `.hyz` file, relative to the root of the package, or the name of a built-in model.
+    pub fn model(&mut self, name_or_path: impl Into<String>) -> &mut Config {
+        self.models.push(ModelSource {
+            model: name_or_path.into(),
+            effects: Vec::new(),
+        });
+        self
+    }
+
+    /// Applies an effect (a named change, such as an additional force) to the model that was added last. The effect is
+    /// given by the path of its file, or by the name of an effect of the model file or of a built-in effect.
+    pub fn with(&mut self, effect: impl Into<String>) -> &mut Config {
+        match self.models.last_mut() {
+            Some(model) => model.effects.push(effect.into()),
+            None => self.orphans.push(effect.into()),
+        }
+        self
+    }
+
+    /// Sets the output directory; the default is the value of the environment variable `OUT_DIR`.
+    pub fn out_dir(&mut self, directory: impl Into<PathBuf>) -> &mut Config {
+        self.out_dir = Some(directory.into());
+        self
+    }
+
+    /// Sets whether the generated code is generic over `lanes::Real` instead of using `f64` (default: `false`).
+    pub fn lanes(&mut self, lanes: bool) -> &mut Config {
+        self.lanes = lanes;
+        self
+    }
+
+    /// Compiles the models and returns the paths of their modules, in order of the models.
+    ///
+    /// In a build script, the function also asks cargo to run the script again when one of the model or effect files
+    /// changes. Output files whose content is unchanged keep their modification time.
+    ///
+    /// # Errors
+    /// [`BuildError::Model`] if a model or effect is missing or invalid, with diagnostics; the other variants if the
+    /// configuration is invalid or a file cannot be written.
+    pub fn compile(&self) -> Result<Vec<PathBuf>, BuildError> {
+        if let Some(effect) = self.orphans.first() {
+            return Err(BuildError::NoModel {
+                effect: effect.clone(),
+            });
+        }
+        let out_dir = self.out_dir.clone();
+        let out_dir = out_dir
+            .or_else(|| env::var_os("OUT_DIR").map(PathBuf::from))
+            .ok_or(BuildError::NoOutDir)?;
+        self.request_reruns();
+        let files = self.generate()?;
+        generate::write_files(&out_dir, &files).map_err(|source| BuildError::Write {
+            directory: out_dir.clone(),
+            source,
+        })?;
+        Ok(files.iter().map(|file| out_dir.join(&file.path)).collect())
+    }
+
+    fn generate(&self) -> Result<Vec<SourceFile>, BuildError> {
+        let backend: &dyn Backend = if self.lanes { &LanesRust } else { &PlainRust };
+        let mut files: Vec<SourceFile> = Vec::new();
+        for ModelSource { model, effects } in &self.models {
+            let effects: Vec<&str> = effects.iter().map(String::as_str).collect();
+            let loaded = load::load(model, &effects).map_err(|source| BuildError::Model {
+                model: model.clone(),
+                source: Box::new(source),
+            })?;
+            for file in generate::generate_with(backend, &[loaded]) {
+                if files.iter().any(|other| other.path == file.path) {
+                    return Err(BuildError::SamePath { path: file.path });
+                }
+                files.push(file);
+            }
+        }
+        Ok(files)
+    }
+
+    /// Prints `cargo::rerun-if-changed` for the file of each model and effect (named change to a model), if cargo runs
+    /// this process as a build script.
+    fn request_reruns(&self) {
+        if env::var_os("OUT_DIR").is_none() {
+            return;
+        }
+        let names = self
+            .models
+            .iter()
+            .flat_map(|m| m.effects.iter().chain([&m.model]));
+        for path in names.filter(|name| Path::new(name).is_file()) {
+            println!("cargo::rerun-if-changed={path}");
+        }
+    }
+}

@@ -1,0 +1,498 @@
+//! The search for a throw: starts from a low-discrepancy set with flights at a loose tolerance, then descents with
+//! exact derivatives.
+
+use std::cell::RefCell;
+use std::cmp::Ordering;
+
+use flight::batch::each_on;
+use flight::throw::{FIELDS, Throw};
+use nalgebra::{DVector, Vector3};
+use ode::IntegrationOptions;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+use crate::design::bounds::Bounds;
+use crate::design::goal::{Goal, Side};
+use crate::design::optimise::{Arrival, Values, descend, meet};
+use crate::design::sensitivity::{Sensitivity, sensitivities};
+use crate::design::spread::landing_covariance;
+use crate::design::throw_flight::{By, ThrowFlightError, ThrowFlights};
+
+/// Options of the search for the throw that serves a goal best; see [`design`](fn@design).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SearchOptions {
+    /// Number of starting throws that are simulated; local descents start at the best of them. Default 384.
+    pub starts: usize,
+    /// Number of local descents, each from a starting throw; default 12.
+    pub descents: usize,
+    /// Seed of the random shift that is applied to the starting points of the search; default 1.
+    pub seed: u64,
+    /// Number of threads, which does not affect the result; default: all processors.
+    pub threads: usize,
+}
+
+impl Default for SearchOptions {
+    fn default() -> Self {
+        SearchOptions {
+            starts: 384,
+            descents: 12,
+            seed: 1,
+            threads: flight::batch::threads(),
+        }
+    }
+}
+
+/// Result of a search for the throw that serves a goal best: the throw that was found, and its flight.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Design {
+    /// Goal of the throw for which the search was made.
+    pub goal: Goal,
+    /// Whether the throw meets the constraints of the goal: the path reaches the target point, avoids the obstacle and,
+    /// for a flare, is level at the target point. The root sum square of the violations, in m and for a flare also in
+    /// m/s, must be below 1e-3.
+    pub feasible: bool,
+    /// The throw that was found; if no throw meets the constraints, the one that violates them least.
+    pub throw: Throw,
+    /// Minimum distance between the path and the goal's target point, m. For a point on the ground, the horizontal
+    /// distance between the point and the landing; 0 for a goal without a point.
+    pub miss: f64,
+    /// Vertical velocity at the goal's target point, m/s, upwards positive: the remaining error of a flare (level
+    /// flight at the point). `None` for other goals.
+    pub vertical_speed: Option<f64>,
+    /// Minimum lateral distance, m, of the path from the surface of the obstacle on the side `side`; negative if the
+    /// path enters the obstacle or passes it on the opposite side. `None` without an obstacle.
+    pub clearance: Option<f64>,
+    /// Side on which the path is required to pass the obstacle; `None` without an obstacle.
+    pub side: Option<Side>,
+    /// Position of the mass centre at landing, m, in the inertial frame: x = y = 0 at release, z upwards.
+    pub landing: Vector3<f64>,
+    /// Duration of the flight, s.
+    pub time: f64,
+    /// Value by which the goal is judged, such as the range, m; [`Goal::figure`] gives its name and unit.
+    pub figure: f64,
+    /// Influence of each quantity of the throw, such as the speed, on the landing.
+    pub sensitivity: Vec<Sensitivity>,
+    /// Number of starting throws that could be flown to the ground.
+    pub flown: usize,
+}
+
+/// Reason why a search finds no throw that serves the goal.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum DesignError {
+    /// None of the starting throws could be flown to the ground.
+    #[error(
+        "none of {tried} throws within the bounds could be flown to the ground; the last one: {last}"
+    )]
+    NoFlight {
+        /// Number of throws that were attempted.
+        tried: usize,
+        /// Reason why the last attempted throw could not be flown.
+        last: ThrowFlightError,
+    },
+    /// Throws can be flown, but their derivatives cannot be computed.
+    #[error(
+        "throws within the bounds could be flown, but none with derivatives; expected a model that is smooth there"
+    )]
+    NoDescent,
+    /// The goal needs an obstacle, and the bounds have none.
+    #[error(
+        "the goal curve needs an obstacle; expected [obstacle] in the bounds, with x, y and radius"
+    )]
+    NoObstacle,
+    /// The goal's target point is below the ground, by the given depth, m.
+    #[error("the target is {0} m below the ground; expected a height of 0 or more")]
+    Buried(f64),
+    /// The goal is a flare (level flight at a point), and its point is on the ground; a flare is defined only above the
+    /// ground.
+    #[error("the goal flare needs a target above the ground; found a height of 0")]
+    FlareOnGround,
+    /// The throw that the search found cannot be flown at the final, tightest tolerance of the integration.
+    #[error(transparent)]
+    Flight(#[from] ThrowFlightError),
+}
+
+/// Limit on the root sum square of the constraint violations, in m and for a flare (level flight at a point) also in
+/// m/s, below which a throw counts as feasible.
+const SERVES: f64 = 1e-3;
+/// Relative tolerances of the integration of flights: for the starting throws, for the descents, and for the final
+/// flight.
+const TOLERANCES: [f64; 3] = [1e-4, 1e-6, 1e-9];
+/// Bases of the Halton sequence from which starting throws are drawn, one per quantity of a throw.
+const BASES: [u64; 8] = [2, 3, 5, 7, 11, 13, 17, 19];
+/// Minimum Euclidean distance between the starting points of any two local descents, with each quantity scaled from its
+/// range to [0, 1].
+const APART: f64 = 0.1;
+/// Step of the finite differences of the spread of the landings, for the goal [`Goal::Spread`]; each quantity is scaled
+/// from its range to [0, 1].
+const SPREAD_STEP: f64 = 1e-4;
+
+/// Searches for the throw within bounds that serves a goal best.
+///
+/// # Errors
+/// [`DesignError`] if the goal and bounds contradict each other or no throw can be flown. Constraints that cannot be
+/// met are not an error: see [`Design::feasible`].
+pub fn design(
+    flights: &ThrowFlights<'_>,
+    goal: Goal,
+    bounds: &Bounds,
+    options: &SearchOptions,
+) -> Result<Design, DesignError> {
+    match (goal, goal.target()) {
+        (Goal::Curve(_), _) if bounds.obstacle.is_none() => return Err(DesignError::NoObstacle),
+        (_, Some(target)) if target.z < 0.0 => return Err(DesignError::Buried(-target.z)),
+        (Goal::Flare(target), _) if target.z == 0.0 => return Err(DesignError::FlareOnGround),
+        _ => {}
+    }
+    let task = Task {
+        flights,
+        goal,
+        bounds,
+    };
+    let sides = match bounds.obstacle {
+        None => vec![None],
+        Some(obstacle) => match obstacle.side {
+            Some(side) => vec![Some(side)],
+            None => vec![Some(Side::Left), Some(Side::Right)],
+        },
+    };
+    let starts = task.explore(&sides, options)?;
+    let mut jobs: Vec<(Option<Side>, DVector<f64>)> = Vec::new();
+    for (k, side) in sides.iter().enumerate() {
+        let count = options.descents.div_ceil(sides.len());
+        jobs.extend(
+            task.chosen(&starts, k, count)
+                .into_iter()
+                .map(|at| (*side, at)),
+        );
+    }
+    let met = each_on(options.threads, jobs.len(), |k| {
+        let (side, at) = &jobs[k];
+        Some((*side, task.met(*side, at, 1)?))
+    });
+    let mut met: Vec<(Option<Side>, Arrival)> = met.into_iter().flatten().collect();
+    // The sort is stable: equal results stay in the order of the starts.
+    met.sort_by(|a, b| {
+        task.rank(&a.1.values)
+            .partial_cmp(&task.rank(&b.1.values))
+            .unwrap_or(Ordering::Equal)
+    });
+    // All starts are moved to the constraints, but only the best of them along the constraints.
+    if jobs.iter().any(|(side, _)| task.is_constrained(*side)) {
+        met.truncate(options.descents.div_ceil(4));
+    }
+    let best = each_on(options.threads, met.len(), |k| {
+        let (side, from) = &met[k];
+        let serves = from.values.violation() < SERVES;
+        let better = match serves {
+            true => task.least(*side, &from.at),
+            false => task.nearest(*side, &from.at),
+        };
+        (*side, better.unwrap_or_else(|| from.clone()))
+    });
+    let best = best.into_iter().reduce(|best, other| {
+        match task.rank(&other.1.values) < task.rank(&best.1.values) {
+            true => other,
+            false => best,
+        }
+    });
+    let Some((side, best)) = best else {
+        return Err(DesignError::NoDescent);
+    };
+    let last = match best.values.violation() < SERVES {
+        true => task.met(side, &best.at, 2).unwrap_or(best),
+        false => best,
+    };
+    task.finished(side, &last, starts.len())
+}
+
+/// A search for the throw that serves a goal best: the body with its parameters, the goal and the bounds.
+struct Task<'t> {
+    flights: &'t ThrowFlights<'t>,
+    goal: Goal,
+    bounds: &'t Bounds,
+}
+
+/// Starting throw that could be flown to the ground.
+struct Start {
+    /// Point in the unit box, whose coordinates are the free quantities scaled linearly from their ranges to [0, 1].
+    at: DVector<f64>,
+    /// (Constraint violation, objective) of the throw for each side of the obstacle on which the path may pass, left
+    /// before right; a single pair without an obstacle.
+    of_sides: Vec<(f64, f64)>,
+}
+
+impl Task<'_> {
+    fn explore(
+        &self,
+        sides: &[Option<Side>],
+        options: &SearchOptions,
+    ) -> Result<Vec<Start>, DesignError> {
+        let n = self.bounds.free().count();
+        let mut random = ChaCha8Rng::seed_from_u64(options.seed);
+        let shift: Vec<f64> = (0..n).map(|_| random.random::<f64>()).collect();
+        let point = |i: usize| match i {
+            0 => DVector::from_element(n, 0.5),
+            _ => DVector::from_fn(n, |k, _| {
+                (radical_inverse(i as u64, BASES[k]) + shift[k]).fract()
+            }),
+        };
+        let settings = IntegrationOptions::with_tolerance(TOLERANCES[0]);
+        let tried = each_on(options.threads, options.starts.max(1), |i| {
+            let at = point(i);
+            let path = self.flights.fly(&self.bounds.throw(&at), None, &settings)?;
+            let of_sides = sides.iter().map(|side| {
+                let values = self.path_values(&path, *side);
+                (values.violation(), values.objective)
+            });
+            let of_sides = of_sides.collect();
+            Ok(Start { at, of_sides })
+        });
+        let mut last = None;
+        let mut starts = Vec::new();
+        for result in tried {
+            match result {
+                Ok(start) => starts.push(start),
+                Err(error) => last = Some(error),
+            }
+        }
+        match last {
+            Some(last) if starts.is_empty() => Err(DesignError::NoFlight {
+                tried: options.starts.max(1),
+                last,
+            }),
+            _ => Ok(starts),
+        }
+    }
+
+    fn path_values(&self, path: &crate::design::path::Path<'_>, side: Option<Side>) -> Values {
+        let obstacle = self.bounds.obstacle.as_ref();
+        self.goal
+            .values(path, obstacle.and_then(|obstacle| Some((obstacle, side?))))
+    }
+
+    /// Starting points of the descents, in the unit box, for the obstacle side with the index `side` in
+    /// [`Start::of_sides`]: at most `count`, in order of constraint violation, then of objective. Points within
+    /// [`APART`] of a better one are skipped.
+    fn chosen(&self, starts: &[Start], side: usize, count: usize) -> Vec<DVector<f64>> {
+        let mut order: Vec<&Start> = starts.iter().collect();
+        // The sort is stable: equal points stay in the order of the starts.
+        order.sort_by(|a, b| {
+            let [a, b] = [a, b].map(|start| start.of_sides[side]);
+            a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
+        });
+        let mut chosen: Vec<DVector<f64>> = Vec::new();
+        for Start { at, .. } in order {
+            if chosen.len() == count {
+                break;
+            }
+            if chosen.iter().all(|other| (other - at).norm() > APART) {
+                chosen.push(at.clone());
+            }
+        }
+        chosen
+    }
+
+    /// Sort key of the results of a search, the best result having the smallest key: feasible results are ordered by
+    /// objective, then infeasible ones by constraint violation.
+    fn rank(&self, values: &Values) -> (f64, f64) {
+        let violation = values.violation();
+        match violation < SERVES {
+            true => (0.0, values.objective),
+            false => (violation, 0.0),
+        }
+    }
+
+    fn is_constrained(&self, side: Option<Side>) -> bool {
+        self.goal.target().is_some() || side.is_some()
+    }
+
+    /// Changes the starting throw `from`, a point of the unit box, by Gauss–Newton steps until it meets the constraints
+    /// (with the obstacle passed on `side`; `None` without an obstacle) or violates them as little as the bounds allow.
+    /// `accuracy` is an index into [`TOLERANCES`]. `None` if the starting throw cannot be flown, or if the objective of
+    /// the final throw cannot be computed.
+    fn met(&self, side: Option<Side>, from: &DVector<f64>, accuracy: usize) -> Option<Arrival> {
+        let near = RefCell::new(None);
+        if !self.is_constrained(side) {
+            let values = self.values(side, from, accuracy, &near, true)?;
+            return Some(Arrival {
+                at: from.clone(),
+                values,
+            });
+        }
+        let problem =
+            |at: &DVector<f64>, objective: bool| self.values(side, at, accuracy, &near, objective);
+        let mut arrival = meet(&problem, from)?;
+        arrival.values.objective = self.objective(&arrival.at, arrival.values.objective)?;
+        Some(arrival)
+    }
+
+    /// Minimizes the objective among throws that meet the constraints with the obstacle, if any, passed on `side`. The
+    /// starting throw `from`, a point of the unit box, must meet them. `None` if the starting throw cannot be flown.
+    fn least(&self, side: Option<Side>, from: &DVector<f64>) -> Option<Arrival> {
+        let near = RefCell::new(None);
+        let problem =
+            |at: &DVector<f64>, objective: bool| self.values(side, at, 1, &near, objective);
+        descend(&problem, from)
+    }
+
+    /// Minimizes the constraint violation from `from`, a point of the unit box at which [`Task::met`] ended without
+    /// meeting the constraints. Unlike [`Task::met`], this method accounts for the curvature of the constraints, which
+    /// matters when the remaining violation is large. `None` if the throw at `from` cannot be flown.
+    fn nearest(&self, side: Option<Side>, from: &DVector<f64>) -> Option<Arrival> {
+        let near = RefCell::new(None);
+        let problem = |at: &DVector<f64>, _: bool| {
+            Some(self.values(side, at, 1, &near, false)?.violation_alone())
+        };
+        let found = descend(&problem, from)?;
+        let values = self.values(side, &found.at, 1, &near, false)?;
+        Some(Arrival {
+            at: found.at,
+            values,
+        })
+    }
+
+    /// Objective of the goal at a point of the unit box (quantities scaled from their ranges to [0, 1]). `of_path` is
+    /// the objective from [`Goal::values`], which is returned for goals whose objective depends on the path alone.
+    /// `None` if the throw cannot be flown.
+    fn objective(&self, at: &DVector<f64>, of_path: f64) -> Option<f64> {
+        match self.goal {
+            Goal::Hit(_) | Goal::Curve(_) => Some(0.5 * at.map(|v| v - 0.5).norm_squared()),
+            Goal::Spread(_) => {
+                let settings = IntegrationOptions::with_tolerance(TOLERANCES[1]);
+                self.rms_spread(&self.bounds.throw(at), None, &settings)
+            }
+            _ => Some(of_path),
+        }
+    }
+
+    /// Objective and constraints at a point of the unit box (quantities scaled from their ranges to [0, 1]), with
+    /// derivatives with respect to the coordinates of the point. The objective of [`Goal::Spread`] is computed only if
+    /// `objective` is true. `None` if the throw cannot be flown.
+    fn values(
+        &self,
+        side: Option<Side>,
+        at: &DVector<f64>,
+        accuracy: usize,
+        near: &RefCell<Option<Vec<f64>>>,
+        objective: bool,
+    ) -> Option<Values> {
+        let throw = self.bounds.throw(at);
+        let free: Vec<(usize, f64, f64)> = self.bounds.free().copied().collect();
+        let by: Vec<By> = free.iter().map(|(field, ..)| By::Throw(*field)).collect();
+        let settings = IntegrationOptions::with_tolerance(TOLERANCES[accuracy]);
+        let known = near.borrow().clone();
+        let path = self
+            .flights
+            .fly_with_derivatives(&throw, known.as_deref(), &by, &settings)
+            .ok()?;
+        let states = self.flights.body.compiled.layout().states.len();
+        let first = path.trajectory.sample(0.0).map(|x| x[..states].to_vec());
+        *near.borrow_mut() = first.clone();
+        let mut values = self.path_values(&path, side);
+        for (k, (_, least, greatest)) in free.iter().enumerate() {
+            let width = greatest - least;
+            values.gradient[k] *= width;
+            values.equalities_by.column_mut(k).scale_mut(width);
+            values.margins_by.column_mut(k).scale_mut(width);
+        }
+        match self.goal {
+            Goal::Hit(_) | Goal::Curve(_) => {
+                let off = at.map(|v| v - 0.5);
+                values.objective = 0.5 * off.norm_squared();
+                values.gradient = off;
+            }
+            Goal::Spread(_) if objective => {
+                let spread = |at: &DVector<f64>| {
+                    self.rms_spread(&self.bounds.throw(at), first.as_deref(), &settings)
+                };
+                values.objective = spread(at)?;
+                let slopes: Option<Vec<f64>> = (0..at.len())
+                    .map(|k| {
+                        let mut moved = at.clone();
+                        // A step inwards, so that the throw stays within the bounds.
+                        let step = if at[k] > 0.5 {
+                            -SPREAD_STEP
+                        } else {
+                            SPREAD_STEP
+                        };
+                        moved[k] += step;
+                        Some((spread(&moved)? - values.objective) / step)
+                    })
+                    .collect();
+                values.gradient = DVector::from_vec(slopes?);
+            }
+            _ => {}
+        }
+        Some(values)
+    }
+
+    /// Root mean square distance of landings from their mean, m, to first order in the scatter of release, wind and
+    /// parameters ([`Bounds::scatter`]). `near` is the release state of a similar throw, which speeds up the search for
+    /// the release state of `throw`. `None` if the throw cannot be flown.
+    fn rms_spread(
+        &self,
+        throw: &Throw,
+        near: Option<&[f64]>,
+        settings: &IntegrationOptions,
+    ) -> Option<f64> {
+        let covariance =
+            landing_covariance(self.flights, throw, near, &self.bounds.scatter, settings).ok()?;
+        Some(covariance.trace().sqrt())
+    }
+
+    fn finished(
+        &self,
+        side: Option<Side>,
+        found: &Arrival,
+        flown: usize,
+    ) -> Result<Design, DesignError> {
+        let throw = self.bounds.throw(&found.at);
+        let settings = IntegrationOptions::with_tolerance(TOLERANCES[2]);
+        // A separate flight with the model's limits as events and without derivatives.
+        let path = self.flights.fly(&throw, None, &settings)?;
+        let values = self.path_values(&path, side);
+        let landing = path.landing();
+        let point = path.point(self.goal.time(&path));
+        let miss = self.goal.miss(&path);
+        let is_flare = matches!(self.goal, Goal::Flare(_));
+        let figure = match self.goal {
+            Goal::Hit(_) | Goal::Curve(_) => miss,
+            Goal::Range | Goal::HangTime => -values.objective,
+            Goal::Flare(_) => values.objective,
+            Goal::Spread(_) => self.rms_spread(&throw, None, &settings).unwrap_or(f64::NAN),
+        };
+        Ok(Design {
+            goal: self.goal,
+            feasible: values.violation() < SERVES,
+            miss,
+            vertical_speed: is_flare.then_some(point.velocity.z),
+            clearance: values.margins.iter().copied().next(),
+            side,
+            landing: landing.position,
+            time: landing.time,
+            figure,
+            sensitivity: sensitivities(self.flights, &throw, self.goal, &settings)?,
+            throw,
+            flown,
+        })
+    }
+}
+
+/// Radical inverse of an integer: its digits in the given base, mirrored at the radix point; a value in [0, 1).
+fn radical_inverse(mut index: u64, base: u64) -> f64 {
+    let (mut value, mut unit) = (0.0, 1.0 / base as f64);
+    while index > 0 {
+        value += (index % base) as f64 * unit;
+        index /= base;
+        unit /= base as f64;
+    }
+    value
+}
+
+/// Names and values of the quantities of a throw that have a value, in the order and units of [`FIELDS`], the list of
+/// all quantities of a throw.
+pub fn numbers(throw: &Throw) -> impl Iterator<Item = (&'static str, f64)> {
+    FIELDS
+        .iter()
+        .filter_map(|(name, ..)| Some((*name, throw.field(name)?)))
+}

@@ -1,0 +1,371 @@
+//! Smooth optimization problems of a few variables in the unit box, with equality and inequality constraints.
+//! Gauss–Newton steps lead to the constraints; then steps along them, by a damped BFGS matrix of the Lagrangian, are
+//! each followed by a return to the constraints. Both use a trust region in the maximum norm (Nocedal and Wright,
+//! "Numerical Optimization", chapters 4, 10 and 18). The iterates satisfy the constraints, which suits flights: a
+//! step along a curved set of throws that land at one point may be long.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::design::box_quadratic::minimum;
+
+/// Objective and constraints of an optimization problem at a point, with derivatives with respect to the variables.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Values {
+    /// Value of the objective, which is to be minimized.
+    pub objective: f64,
+    /// Values of the equality constraints, which are to be 0; scaled so that 1 is a large violation.
+    pub equalities: DVector<f64>,
+    /// Values of the inequality constraints, which are to be nonnegative; scaled so that −1 is a large violation.
+    pub margins: DVector<f64>,
+    /// Gradient of the objective with respect to the variables.
+    pub gradient: DVector<f64>,
+    /// Jacobian of the equality constraints: one row per constraint, one column per variable.
+    pub equalities_by: DMatrix<f64>,
+    /// Jacobian of the inequality constraints: one row per constraint, one column per variable.
+    pub margins_by: DMatrix<f64>,
+}
+
+impl Values {
+    /// Euclidean norm of the violations of all equality and inequality constraints.
+    pub fn violation(&self) -> f64 {
+        let short = self.margins.iter().map(|margin| margin.min(0.0).powi(2));
+        (self.equalities.norm_squared() + short.sum::<f64>()).sqrt()
+    }
+
+    /// Objective and constraints, at the same point, of the problem to minimize [`Values::violation`] without
+    /// constraints.
+    pub fn violation_alone(&self) -> Values {
+        let n = self.gradient.len();
+        let violation = self.violation();
+        let mut slope = self.equalities_by.tr_mul(&self.equalities);
+        for (row, margin) in self.margins.iter().enumerate() {
+            slope += self.margins_by.row(row).transpose() * margin.min(0.0);
+        }
+        Values {
+            objective: violation,
+            gradient: slope / violation.max(1e-300),
+            equalities: DVector::zeros(0),
+            margins: DVector::zeros(0),
+            equalities_by: DMatrix::zeros(0, n),
+            margins_by: DMatrix::zeros(0, n),
+        }
+    }
+
+    fn is_finite(&self) -> bool {
+        self.objective.is_finite()
+            && self.gradient.iter().all(|v| v.is_finite())
+            && self
+                .equalities
+                .iter()
+                .chain(&self.equalities_by)
+                .all(|v| v.is_finite())
+            && self
+                .margins
+                .iter()
+                .chain(&self.margins_by)
+                .all(|v| v.is_finite())
+    }
+}
+
+/// An optimization problem: a function that returns objective and constraints at a point of the unit box (every
+/// variable between 0 and 1), or `None` if they cannot be computed there. If the second argument is `false`, the
+/// objective is not needed.
+pub type Problem<'p> = &'p dyn Fn(&DVector<f64>, bool) -> Option<Values>;
+
+/// Result of an optimization: the point reached, with the objective and constraints there.
+#[derive(Clone, Debug)]
+pub struct Arrival {
+    /// The point reached in the unit box, in which every variable is scaled to [0, 1].
+    pub at: DVector<f64>,
+    /// Objective and constraints at the point reached.
+    pub values: Values,
+}
+
+/// Initial radius of the trust region: the maximum change of a variable, scaled to [0, 1], in the first step.
+const TRUST: f64 = 0.15;
+/// Radius of the trust region, for variables scaled to [0, 1], below which an optimization ends.
+const MIN_TRUST: f64 = 1e-6;
+/// Maximum numbers of evaluations of the problem: for the first minimization of the constraint violation, and for the
+/// return to the constraints after each step of the minimization of the objective.
+const MAX_EVALUATIONS: (usize, usize) = (40, 5);
+/// Maximum number of steps of a minimization of the objective.
+const MAX_STEPS: usize = 25;
+/// Decrease of the objective predicted for a step, divided by 1 plus the magnitude of the objective, below which a
+/// minimization ends.
+const SETTLED: f64 = 1e-6;
+/// Maximum constraint violation at which a point counts as satisfying the constraints; an inequality constraint with a
+/// value below it counts as active.
+const ON: f64 = 1e-4;
+/// Weight of the linearized constraints relative to the curvature of the Lagrangian in the quadratic model.
+const STIFF: f64 = 1e6;
+
+/// Minimizes the violation of the constraints in the unit box (every variable between 0 and 1), by Gauss–Newton steps
+/// in a trust region. `None` if the problem has no finite values at the start.
+pub fn meet(problem: Problem<'_>, from: &DVector<f64>) -> Option<Arrival> {
+    let at = from.map(|v| v.clamp(0.0, 1.0));
+    let values = problem(&at, false).filter(Values::is_finite)?;
+    Some(meet_from(
+        problem,
+        Arrival { at, values },
+        MAX_EVALUATIONS.0,
+    ))
+}
+
+fn meet_from(problem: Problem<'_>, start: Arrival, most: usize) -> Arrival {
+    let Arrival { mut at, mut values } = start;
+    let mut trust = TRUST;
+    for _ in 0..most {
+        let (hessian, slope) = gauss_newton(&values);
+        let (low, high) = room(&at, trust);
+        let step = minimum(&hessian, &slope, &low, &high);
+        let predicted = -(slope.dot(&step) + 0.5 * (&hessian * &step).dot(&step));
+        if predicted <= 1e-16 || trust < MIN_TRUST {
+            break;
+        }
+        let there = (&at + &step).map(|v| v.clamp(0.0, 1.0));
+        let Some(new) = problem(&there, false).filter(Values::is_finite) else {
+            trust *= 0.25;
+            continue;
+        };
+        let gained = 0.5 * (values.violation().powi(2) - new.violation().powi(2));
+        let (ratio, longest) = (gained / predicted, step.amax());
+        if ratio > 1e-3 {
+            (at, values) = (there, new);
+        }
+        if ratio < 0.25 {
+            trust = 0.35 * longest;
+        } else if ratio > 0.7 && longest > 0.9 * trust {
+            trust = (2.0 * trust).min(1.0);
+        }
+    }
+    Arrival { at, values }
+}
+
+/// Gauss–Newton approximation of the Hessian, and the gradient, of half the squared violation of the constraints.
+fn gauss_newton(values: &Values) -> (DMatrix<f64>, DVector<f64>) {
+    let n = values.gradient.len();
+    let mut hessian = values.equalities_by.tr_mul(&values.equalities_by);
+    let mut slope = values.equalities_by.tr_mul(&values.equalities);
+    for (row, margin) in values.margins.iter().enumerate() {
+        if *margin < 0.0 {
+            let by = values.margins_by.row(row).transpose();
+            slope += &by * *margin;
+            hessian += &by * by.transpose();
+        }
+    }
+    let largest = hessian.diagonal().amax();
+    (
+        hessian + DMatrix::identity(n, n) * (1e-10 * largest + 1e-300),
+        slope,
+    )
+}
+
+/// Lower and upper bounds of a step from `at` that stays in the unit box (0 to 1 for each variable) and in the trust
+/// region of radius `trust`.
+fn room(at: &DVector<f64>, trust: f64) -> (DVector<f64>, DVector<f64>) {
+    (
+        at.map(|v| (-v).max(-trust)),
+        at.map(|v| (1.0 - v).min(trust)),
+    )
+}
+
+/// Minimizes the objective from the point `from`, which must satisfy the constraints. Each iteration steps along the
+/// constraints by a quadratic model of the Lagrangian and then moves back until they are satisfied. The new point is
+/// accepted only if its objective is smaller than that of the last accepted point. Returns the last accepted point,
+/// which is `from` if no step is accepted; `None` if the problem has no finite values at `from`.
+pub fn descend(problem: Problem<'_>, from: &DVector<f64>) -> Option<Arrival> {
+    let values = problem(from, true).filter(Values::is_finite)?;
+    let mut now = Arrival {
+        at: from.clone(),
+        values,
+    };
+    let n = from.len();
+    let mut curvature = DMatrix::identity(n, n) * now.values.gradient.norm().max(1e-3);
+    let mut trust = TRUST;
+    for _ in 0..MAX_STEPS {
+        let (low, high) = room(&now.at, trust);
+        let step = along(&now.values, &curvature, &low, &high);
+        let slope = &now.values.gradient;
+        let predicted = -(slope.dot(&step) + 0.5 * (&curvature * &step).dot(&step));
+        if predicted <= SETTLED * (1.0 + now.values.objective.abs()) || trust < MIN_TRUST {
+            break;
+        }
+        let there = (&now.at + &step).map(|v| v.clamp(0.0, 1.0));
+        let Some(new) = reached(problem, there) else {
+            trust = 0.25 * step.amax();
+            continue;
+        };
+        let multipliers = multipliers(&new.values);
+        let change = lagrangian(&new.values, &multipliers) - lagrangian(&now.values, &multipliers);
+        update(&mut curvature, &(&new.at - &now.at), &change);
+        let ratio = (now.values.objective - new.values.objective) / predicted;
+        let longest = step.amax();
+        if ratio > 1e-3 {
+            now = new;
+        }
+        if ratio < 0.25 {
+            trust = 0.35 * longest;
+        } else if ratio > 0.7 && longest > 0.9 * trust {
+            trust = (2.0 * trust).min(1.0);
+        }
+    }
+    Some(now)
+}
+
+/// Moves a point until its constraint violation is at most [`ON`], and evaluates the objective there; `None` if such a
+/// small violation is not reached or the problem has no values there.
+fn reached(problem: Problem<'_>, there: DVector<f64>) -> Option<Arrival> {
+    let first = problem(&there, false).filter(Values::is_finite)?;
+    let is_free = first.equalities.len() + first.margins.len() == 0;
+    let mut met = Arrival {
+        at: there,
+        values: first,
+    };
+    if met.values.violation() > ON {
+        met = meet_from(problem, met, MAX_EVALUATIONS.1);
+    }
+    if met.values.violation() > ON {
+        return None;
+    }
+    if is_free {
+        return Some(met);
+    }
+    let values = problem(&met.at, true).filter(Values::is_finite)?;
+    Some(Arrival { at: met.at, values })
+}
+
+/// Step of the variables, between `low` and `high`, that minimizes a quadratic model of the Lagrangian with a penalty
+/// on the linearized constraints.
+fn along(
+    values: &Values,
+    curvature: &DMatrix<f64>,
+    low: &DVector<f64>,
+    high: &DVector<f64>,
+) -> DVector<f64> {
+    let weight = |rows: &DMatrix<f64>| STIFF * curvature.norm() / rows.norm_squared().max(1e-300);
+    let mut hessian = curvature.clone();
+    if values.equalities_by.nrows() > 0 {
+        hessian +=
+            values.equalities_by.tr_mul(&values.equalities_by) * weight(&values.equalities_by);
+    }
+    let mut slope = values.gradient.clone();
+    let mut step = minimum(&hessian, &slope, low, high);
+    for (row, margin) in values.margins.iter().enumerate() {
+        let by = values.margins_by.row(row).transpose();
+        if margin + by.dot(&step) < 0.0 {
+            let weight = weight(&values.margins_by);
+            slope += &by * (margin * weight);
+            hessian += &by * by.transpose() * weight;
+            step = minimum(&hessian, &slope, low, high);
+        }
+    }
+    step
+}
+
+/// Least-squares Lagrange multipliers of the constraints, in the order of the rows of [`stacked`]: equality
+/// constraints, then inequality constraints, 0 for inactive ones. They make the gradient computed by [`lagrangian`] as
+/// small as possible.
+fn multipliers(values: &Values) -> DVector<f64> {
+    let rows = stacked(values);
+    if rows.nrows() == 0 {
+        return DVector::zeros(0);
+    }
+    let svd = rows.transpose().svd(true, true);
+    let tolerance = 1e-9 * svd.singular_values.iter().copied().fold(0.0, f64::max);
+    svd.solve(&(-&values.gradient), tolerance)
+        .unwrap_or_else(|_| DVector::zeros(rows.nrows()))
+}
+
+/// Jacobian of all constraints: rows of the equality constraints, then of the inequality constraints; the rows of
+/// inactive inequalities are 0.
+fn stacked(values: &Values) -> DMatrix<f64> {
+    let (m, k, n) = (
+        values.equalities.len(),
+        values.margins.len(),
+        values.gradient.len(),
+    );
+    DMatrix::from_fn(m + k, n, |i, j| match i < m {
+        true => values.equalities_by[(i, j)],
+        false if values.margins[i - m] < ON => values.margins_by[(i - m, j)],
+        false => 0.0,
+    })
+}
+
+/// Gradient of the Lagrangian with respect to the variables. The Lagrangian is the objective plus the sum of the
+/// equality constraints and active inequality constraints, each times its multiplier.
+fn lagrangian(values: &Values, multipliers: &DVector<f64>) -> DVector<f64> {
+    &values.gradient + stacked(values).tr_mul(multipliers)
+}
+
+/// Powell's damped BFGS update of the Hessian approximation `matrix`, for a step and the change of the gradient of the
+/// Lagrangian over this step.
+fn update(matrix: &mut DMatrix<f64>, step: &DVector<f64>, change: &DVector<f64>) {
+    let moved = &*matrix * step;
+    let along = step.dot(&moved);
+    let sy = step.dot(change);
+    if along <= 1e-300 || !sy.is_finite() {
+        return;
+    }
+    let theta = if sy >= 0.2 * along {
+        1.0
+    } else {
+        0.8 * along / (along - sy)
+    };
+    let change = change * theta + &moved * (1.0 - theta);
+    let curvature = step.dot(&change);
+    *matrix += &change * change.transpose() / curvature - &moved * moved.transpose() / along;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rosenbrock's function on the circle x² + y² = 1 with x ≤ 0.7, in the box [-2, 2]².
+    fn valley(u: &DVector<f64>, _: bool) -> Option<Values> {
+        let (x, y) = (4.0 * u[0] - 2.0, 4.0 * u[1] - 2.0);
+        let bend = y - x * x;
+        Some(Values {
+            objective: 10.0 * bend * bend + (1.0 - x) * (1.0 - x),
+            equalities: DVector::from_vec(vec![x * x + y * y - 1.0]),
+            margins: DVector::from_vec(vec![0.7 - x]),
+            gradient: DVector::from_vec(vec![
+                4.0 * (-40.0 * bend * x - 2.0 * (1.0 - x)),
+                4.0 * 20.0 * bend,
+            ]),
+            equalities_by: DMatrix::from_row_slice(1, 2, &[8.0 * x, 8.0 * y]),
+            margins_by: DMatrix::from_row_slice(1, 2, &[-4.0, 0.0]),
+        })
+    }
+
+    #[test]
+    fn a_constrained_valley_is_followed_to_its_margin() {
+        let start = DVector::from_vec(vec![0.62, 0.9]);
+        let met = meet(&valley, &start).expect("values everywhere");
+        assert!(met.values.violation() < 1e-8);
+        let found = descend(&valley, &met.at).expect("values everywhere");
+        assert!(found.values.violation() < ON);
+        let (x, y) = (4.0 * found.at[0] - 2.0, 4.0 * found.at[1] - 2.0);
+        // On the circle the minimum without the inequality is at x = 0.786, outside the constraint.
+        assert!(
+            (x - 0.7).abs() < 1e-3 && (y - 0.51f64.sqrt()).abs() < 1e-3,
+            "{x} {y}"
+        );
+    }
+
+    #[test]
+    fn what_cannot_be_met_is_met_as_nearly_as_the_box_allows() {
+        // x + y = 3 cannot be met in the unit box.
+        let far = |u: &DVector<f64>, _: bool| {
+            Some(Values {
+                objective: 0.0,
+                equalities: DVector::from_vec(vec![u[0] + u[1] - 3.0]),
+                margins: DVector::zeros(0),
+                gradient: DVector::zeros(2),
+                equalities_by: DMatrix::from_row_slice(1, 2, &[1.0, 1.0]),
+                margins_by: DMatrix::zeros(0, 2),
+            })
+        };
+        let found = meet(&far, &DVector::from_vec(vec![0.1, 0.3])).expect("values");
+        assert!((found.values.violation() - 1.0).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,9 @@
+//! Internal crate of hyzer: what follows from a model that flies. [`design`] searches for throws for a purpose,
+//! [`stability`] linearises the motion, and [`sweep`] flies many flights by a plan.
+
+#![forbid(unsafe_code)]
+
+pub mod design;
+pub mod stability;
+#[cfg(feature = "sweep")]
+pub mod sweep;

@@ -1,0 +1,147 @@
+//! Criteria for the stability of the axis of a body of revolution in the air stream, with or without spin: derived from
+//! the linearised equations of the axis.
+//!
+//! Let ω1, ω2 be the angular rates about d1, d2 in axes that do not spin, I_a, I_d the moments of inertia, r the spin
+//! and α the angle of attack, and let the aerodynamic moment be −D ω1 about d1 and −D ω2 − K α about d2:
+//!
+//! ```text
+//! I_d ω̇1 = −D ω1 − I_a r ω2
+//! I_d ω̇2 =  I_a r ω1 − D ω2 − K α
+//! α̇      = −ω2 − a α
+//! ```
+//!
+//! a is the rate at which lift turns the path into the disc's plane. Divided by I_d (δ = D/I_d, κ = K/I_d, ν = I_a
+//! r/I_d), the eigenvalues are the zeros of (s + a)[(s + δ)² + ν²] − κ (s + δ), and the Routh–Hurwitz criterion gives
+//! the three conditions of [`Criteria`]. Without spin, ν = 0, these are the conditions for an ordinary wing.
+
+use nalgebra::{Complex, DMatrix, Vector3};
+
+use crate::stability::linearise::Linearised;
+
+/// Derivatives of the linearised motion that determine how the axis of the body moves in the air stream.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxisDerivatives {
+    /// Decay rate a of the angle of attack due to lift, 1/s. For the built-in discs a = q A (C_La + C_D)/(m V) with the
+    /// dynamic pressure q, the area A, the mass m and the airspeed V.
+    pub lift: f64,
+    /// Decay rate δ of the angular rates normal to the body axis due to aerodynamic damping, 1/s: −q A d C_Mq/I_d with
+    /// the dynamic pressure q, the area A, the diameter d, the damping coefficient C_Mq (s) and the diametral moment of
+    /// inertia I_d.
+    pub damping: f64,
+    /// Angular acceleration κ due to the pitching moment, per rad of the angle of attack, 1/s²: −q A d C_Ma/I_d with
+    /// the dynamic pressure q, the area A, the diameter d and the diametral moment of inertia I_d. It is positive if
+    /// the moment raises the nose of a body with a positive angle of attack, so that deviations grow.
+    pub pitching: f64,
+    /// Frequency ν of the nutation without aerodynamic moments, rad/s: I_a r/I_d with the axial and the diametral
+    /// moment of inertia I_a and I_d and the spin r.
+    pub gyroscopic: f64,
+    /// Aerodynamic moment about d2, the axis to the left and normal to the body axis, divided by the diametral moment
+    /// of inertia, 1/s²; at the state about which the motion is linearised.
+    pub moment: f64,
+}
+
+/// Criteria for the stability of the axis of a body in the air stream.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Criteria {
+    /// Gyroscopic stability factor S = (ν² + δ² + 2 a δ)/κ. The symbols are the fields of [`AxisDerivatives`]: a
+    /// `lift`, δ `damping`, κ `pitching`, ν `gyroscopic`. Spin and damping stabilise the axis if S > 1; S is infinite
+    /// or negative if κ ≤ 0, where the pitching moment does not destabilise the axis.
+    pub gyroscopic_factor: f64,
+    /// Gyroscopic condition: whether ν² + δ² + 2 a δ > κ. The symbols are the fields of [`AxisDerivatives`]: a `lift`,
+    /// δ `damping`, κ `pitching`, ν `gyroscopic`.
+    pub gyroscopic: bool,
+    /// Condition for the decay of the slow motion of the body axis: whether a (ν² + δ²) > κ δ. Lift then turns the
+    /// flight path towards the plane normal to the axis faster than damping lets the axis drift. The symbols are the
+    /// fields of [`AxisDerivatives`]: a `lift`, δ `damping`, κ `pitching`, ν `gyroscopic`.
+    pub slow: bool,
+    /// Condition for the decay of the wobble: whether (2 δ + a)(ν² + δ² + 2 a δ − κ) > a (ν² + δ²) − κ δ. The symbols
+    /// are the fields of [`AxisDerivatives`]: a `lift`, δ `damping`, κ `pitching`, ν `gyroscopic`.
+    pub wobble: bool,
+    /// Frequency of the nutation, |ν| − κ/(2 |ν|), rad/s, accurate to first order in κ/ν². The symbols are the fields
+    /// of [`AxisDerivatives`]: κ `pitching`, ν `gyroscopic`.
+    pub nutation: f64,
+    /// Decay rate of the nutation, δ − κ (a − δ)/(2 ν²), 1/s. The symbols are the fields of [`AxisDerivatives`]: a
+    /// `lift`, δ `damping`, κ `pitching`, ν `gyroscopic`.
+    pub nutation_decay: f64,
+    /// Rate at which the body axis tilts sideways (roll), rad/s, positive if it tilts to the right. It is −M/(I_a r),
+    /// with the aerodynamic moment M about the left axis d2 (positive nose down) at the state about which the motion is
+    /// linearised, the axial moment of inertia I_a and the spin r: closed form of Crowther and Potts for straight
+    /// flight.
+    pub roll_rate: f64,
+}
+
+impl AxisDerivatives {
+    /// Computes the derivatives of a linearised motion in air with the velocity `wind`, m/s, in inertial axes.
+    pub fn of(linearised: &Linearised, wind: Vector3<f64>) -> AxisDerivatives {
+        let n = linearised.axis;
+        let velocity = linearised.motion.velocity - wind;
+        let flat = velocity - n * n.dot(&velocity);
+        let d1 = flat.try_normalize(1e-9).unwrap_or_else(Vector3::x);
+        let d2 = n.cross(&d1);
+        let spin = linearised.rates.dot(&n);
+        let matrix = &linearised.matrix;
+        let entry = |row: usize, left: Vector3<f64>, column: usize, right: Vector3<f64>| -> f64 {
+            (left.transpose() * matrix.fixed_view::<3, 3>(row, column) * right)[0]
+        };
+        // Angular rates about axes that move with the body but do not spin: ω1' = ω1 − r φ2, ω2' = ω2 + r φ1.
+        let rate_1 = entry(9, d1, 9, d1);
+        let rate_2 = entry(9, d2, 9, d2);
+        let cross = 0.5 * (entry(9, d2, 9, d1) - entry(9, d1, 9, d2));
+        let by_tilt = entry(9, d2, 6, d2) + spin * entry(9, d2, 9, d1);
+        let speed = velocity.norm().max(1e-9);
+        AxisDerivatives {
+            lift: -entry(3, n, 6, d2) / speed,
+            damping: -0.5 * (rate_1 + rate_2),
+            pitching: by_tilt,
+            gyroscopic: cross + spin,
+            // The moment is the angular acceleration of the axis minus its gyroscopic part at the present angular rate.
+            moment: linearised.angular_acceleration.dot(&d2) - cross * linearised.rates.dot(&d1),
+        }
+    }
+
+    /// Eigenvalues of the motion of the axis, 1/s: the three zeros of (s + a)[(s + δ)² + ν²] − κ (s + δ), where a is
+    /// `lift`, δ is `damping`, ν is `gyroscopic` and κ is `pitching`.
+    pub fn eigenvalues(&self) -> [Complex<f64>; 3] {
+        let AxisDerivatives {
+            lift: a,
+            damping: d,
+            pitching: k,
+            gyroscopic: h,
+            ..
+        } = *self;
+        let matrix = DMatrix::from_row_slice(3, 3, &[-d, -h, 0.0, h, -d, -k, 0.0, -1.0, -a]);
+        let values = matrix.complex_eigenvalues();
+        [values[0], values[1], values[2]]
+    }
+
+    /// Evaluates the criteria for the stability of the body axis with these derivatives.
+    pub fn criteria(&self) -> Criteria {
+        let AxisDerivatives {
+            lift: a,
+            damping: d,
+            pitching: k,
+            gyroscopic: h,
+            moment,
+        } = *self;
+        let stiff = h * h + d * d;
+        let held = stiff + 2.0 * a * d;
+        let slow = a * stiff - k * d;
+        Criteria {
+            gyroscopic_factor: held / k,
+            gyroscopic: held > k,
+            slow: slow > 0.0,
+            wobble: (2.0 * d + a) * (held - k) > slow,
+            nutation: h.abs() - k / (2.0 * h.abs()),
+            nutation_decay: d - k * (a - d) / (2.0 * h * h),
+            roll_rate: -moment / h,
+        }
+    }
+}
+
+impl Criteria {
+    /// Whether the conditions `gyroscopic`, `slow` and `wobble` are all satisfied, so that every motion of the axis
+    /// relative to the air stream decays.
+    pub fn is_stable(&self) -> bool {
+        self.gyroscopic && self.slow && self.wobble
+    }
+}

@@ -1,0 +1,167 @@
+//! Trim: steady flight, straight or in a helix about the vertical, at a given constant spin.
+//!
+//! Velocity, body axis and angular velocity rotate together about the vertical at a rate Ω: v̇ = Ω × v, ṅ = Ω × n and,
+//! normal to the axis, ω̇ = Ω × ω. The second condition is satisfied by ω = r n + Ω − (Ω·n) n; a damped Newton method
+//! solves the other conditions for speed, climb angle, nose, hyzer and Ω. The spin r is held constant: the moment that
+//! slows it down is ignored.
+
+use std::f64::consts::PI;
+
+use flight::throw::{Motion, Throw, Turning};
+use nalgebra::{DMatrix, DVector, Rotation3, Vector3};
+
+use crate::stability::linearise::{BoundBody, Linearised, StabilityError};
+
+/// A steady (trimmed) flight of a body, straight or in a turn.
+#[derive(Clone, Debug)]
+pub struct Trim {
+    /// State of the model in the steady flight, with the mass centre above the origin at the default height of a throw.
+    pub state: Vec<f64>,
+    /// Motion of the body in the steady flight, expressed by the quantities of a throw, such as speed, angles and spin.
+    pub throw: Throw,
+    /// Rate of change of the heading, positive to the left, rad/s; 0 in straight flight.
+    pub turn: f64,
+    /// Motion linearised about the state of the steady flight.
+    pub linearised: Linearised,
+}
+
+/// Norm of the residual accelerations of the body, in units of 10 m/s² and 10 rad/s², below which a flight counts as
+/// steady.
+const STEADY: f64 = 1e-9;
+/// Maximum number of Newton steps of the search for a steady flight from one starting point.
+const MAX_STEPS: usize = 60;
+/// Starting points of the search for a steady flight: speed (m/s), climb angle, nose angle and hyzer angle (rad).
+const STARTS: [[f64; 4]; 8] = [
+    [10.0, -0.2, 0.1, 0.0],
+    [15.0, -0.1, 0.05, 0.0],
+    [25.0, -0.1, 0.03, 0.0],
+    [7.0, -0.4, 0.2, 0.0],
+    [10.0, -0.3, 0.1, 0.5],
+    [10.0, -0.3, 0.1, -0.5],
+    [15.0, -0.3, 0.05, 1.0],
+    [15.0, -0.3, 0.05, -1.0],
+];
+
+/// Finds a steady flight with the given spin, rad/s about the body's third axis (negative for a right-hander's
+/// backhand). Of several such flights the one with the slowest turn is returned; `None` if none is found.
+pub fn trim(body: &BoundBody<'_>, spin: f64) -> Option<Trim> {
+    let found = STARTS
+        .into_iter()
+        .filter_map(|[speed, climb, nose, hyzer]| {
+            let start = DVector::from_vec(vec![speed, climb, nose, hyzer, 0.0]);
+            newton(body, spin, start)
+        });
+    found.min_by(|a, b| a.turn.abs().total_cmp(&b.turn.abs()))
+}
+
+/// Motion of a steady flight with a given spin, rad/s. The elements of `of` are speed (m/s), climb angle, nose angle,
+/// hyzer angle (rad) and rate of change of the heading (rad/s).
+fn motion(of: &DVector<f64>, spin: f64) -> Motion {
+    let course = Rotation3::from_axis_angle(&Vector3::y_axis(), -of[1]);
+    let attitude = course
+        * Rotation3::from_axis_angle(&Vector3::x_axis(), -of[3])
+        * Rotation3::from_axis_angle(&Vector3::y_axis(), -of[2]);
+    let n = attitude * Vector3::z();
+    let turn = Vector3::new(0.0, 0.0, of[4]);
+    Motion {
+        position: Vector3::new(0.0, 0.0, Throw::DEFAULT_HEIGHT),
+        velocity: course * Vector3::x() * of[0],
+        turning: Some(Turning {
+            axes: attitude.into_inner(),
+            rates: n * spin + turn - n * turn.dot(&n),
+        }),
+    }
+}
+
+/// Residuals of the condition that a motion is a steady flight: three components of the acceleration and two of the
+/// angular acceleration (normal to the body axis) minus those of the steady flight, in units of 10 m/s² and 10 rad/s².
+/// The motion has the given spin, rad/s; the elements of `of` are speed (m/s), climb angle, nose angle, hyzer angle
+/// (rad) and rate of change of the heading (rad/s). Also returns the state with this motion. `None` if no state has the
+/// motion or a residual is not finite.
+fn residual(
+    body: &BoundBody<'_>,
+    of: &DVector<f64>,
+    spin: f64,
+    near: Option<&[f64]>,
+) -> Option<(DVector<f64>, Vec<f64>)> {
+    let wanted = motion(of, spin);
+    let thrown = &body.body.thrown;
+    let state = thrown.state_of(&wanted, &body.parameters, near).ok()?;
+    let (acceleration, angular) = body.accelerations(&state)?;
+    let turning = wanted.turning?;
+    let turn = Vector3::new(0.0, 0.0, of[4]);
+    let off = acceleration - turn.cross(&wanted.velocity);
+    let twist = angular - turn.cross(&turning.rates);
+    let parts = [
+        off.x / 10.0,
+        off.y / 10.0,
+        off.z / 10.0,
+        twist.dot(&turning.axes.column(0)) / 10.0,
+        twist.dot(&turning.axes.column(1)) / 10.0,
+    ];
+    parts
+        .iter()
+        .all(|v| v.is_finite())
+        .then(|| (DVector::from_row_slice(&parts), state))
+}
+
+fn newton(body: &BoundBody<'_>, spin: f64, start: DVector<f64>) -> Option<Trim> {
+    let mut at = start;
+    let (mut off, mut state) = residual(body, &at, spin, None)?;
+    let mut damping = 1e-3;
+    for _ in 0..MAX_STEPS {
+        if off.norm() < STEADY {
+            return finished(body, &at, state);
+        }
+        let mut jacobian = DMatrix::zeros(5, 5);
+        for k in 0..5 {
+            let step = 1e-5 * if k == 0 { at[0].abs().max(1.0) } else { 1.0 };
+            let mut moved = at.clone();
+            moved[k] += step;
+            let up = residual(body, &moved, spin, Some(&state))?.0;
+            moved[k] -= 2.0 * step;
+            let down = residual(body, &moved, spin, Some(&state))?.0;
+            jacobian.set_column(k, &((up - down) / (2.0 * step)));
+        }
+        let normal = jacobian.tr_mul(&jacobian);
+        let slope = jacobian.tr_mul(&off);
+        let mut gained = false;
+        while damping < 1e8 {
+            let mut damped = normal.clone();
+            for k in 0..5 {
+                damped[(k, k)] += damping * normal[(k, k)].max(1e-12);
+            }
+            let Some(step) = damped.cholesky().map(|factor| factor.solve(&slope)) else {
+                damping *= 10.0;
+                continue;
+            };
+            let there = &at - step;
+            let is_flight =
+                there[0] > 0.1 && there[0] < 150.0 && there.rows(1, 3).amax() < 0.5 * PI;
+            let new = residual(body, &there, spin, Some(&state)).filter(|_| is_flight);
+            match new.filter(|(new, _)| new.norm() < off.norm()) {
+                Some((new, new_state)) => {
+                    (at, off, state) = (there, new, new_state);
+                    damping = (damping * 0.1).max(1e-14);
+                    gained = true;
+                    break;
+                }
+                None => damping *= 10.0,
+            }
+        }
+        if !gained {
+            return None;
+        }
+    }
+    None
+}
+
+fn finished(body: &BoundBody<'_>, at: &DVector<f64>, state: Vec<f64>) -> Option<Trim> {
+    let linearised: Result<Linearised, StabilityError> = body.linearise(0.0, &state);
+    Some(Trim {
+        throw: body.body.thrown.throw(&state, &body.parameters),
+        turn: at[4],
+        linearised: linearised.ok()?,
+        state,
+    })
+}

@@ -1,0 +1,157 @@
+//! Inputs of each flight of a sweep: they depend on the plan, the number of the flight and the seed alone.
+
+use flight::CompiledModel;
+use flight::release::Vocabulary;
+use flight::throw::{FIELDS, NearThrows, Throw, ThrowError, ThrownModel};
+use flight::wind::gust_phases;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+
+use crate::sweep::plan::{Axis, AxisKind, Plan, Target, constant};
+
+/// Data from which the inputs of every flight of a sweep plan are made: the initial state and parameters of the plan's
+/// release (launch conditions), and the model.
+pub(crate) struct InputModel {
+    x: Vec<f64>,
+    p: Vec<f64>,
+    thrown: Option<ThrownModel>,
+    vocabulary: Vocabulary,
+    /// If every flight has different random gusts: the seed of the gusts, and the indices of the parameters that are
+    /// the phases of the gusts. Otherwise `None`.
+    gusts: Option<(u64, Vec<usize>)>,
+}
+
+impl InputModel {
+    pub(crate) fn new(plan: &Plan, compiled: &CompiledModel) -> Result<InputModel, ThrowError> {
+        let is_thrown = plan.throw.is_some();
+        let thrown = is_thrown
+            .then(|| ThrownModel::new(&plan.model))
+            .transpose()?;
+        let field = plan.release.wind_field.as_ref();
+        let gusts = field.and_then(|field| field.gusts.as_ref());
+        let place = |(name, _): (String, f64)| compiled.layout().parameter(&name);
+        let gusts = gusts.filter(|_| plan.gusts).map(|gusts| {
+            let phases = gust_phases(gusts.seed, 0).into_iter().filter_map(place);
+            (
+                gusts.seed,
+                phases.map(codegen::layout::ParamId::index).collect(),
+            )
+        });
+        Ok(InputModel {
+            gusts,
+            x: plan.release.state(),
+            p: compiled.release_parameters(&plan.release),
+            thrown,
+            vocabulary: Vocabulary::of(&plan.model),
+        })
+    }
+
+    /// Parameters of the plan's release (launch conditions), in the order of the model's layout; each flight replaces
+    /// those that the plan varies.
+    pub(crate) fn parameters(&self) -> &[f64] {
+        &self.p
+    }
+}
+
+/// Draws the inputs of the flights of a sweep, one flight after the other.
+pub(crate) struct Inputs<'p> {
+    plan: &'p Plan,
+    model: &'p InputModel,
+    near: Option<NearThrows<'p>>,
+    throw: Option<Throw>,
+    /// Independent standard normal values drawn for the current flight, one per normally distributed quantity.
+    independent: Vec<f64>,
+    random: ChaCha8Rng,
+    is_random: bool,
+}
+
+impl<'p> Inputs<'p> {
+    pub(crate) fn new(plan: &'p Plan, model: &'p InputModel) -> Inputs<'p> {
+        let near = model
+            .thrown
+            .as_ref()
+            .map(|thrown| NearThrows::new(thrown, &model.x));
+        let is_normal = |axis: &&Axis| matches!(axis.kind, AxisKind::Normal { .. });
+        let is_random = |axis: &Axis| !matches!(axis.kind, AxisKind::Values(_));
+        Inputs {
+            plan,
+            model,
+            // Without axes the throw does not vary. With axes the states of a throw may depend on parameters.
+            near: near.filter(|_| !plan.axes.is_empty()),
+            throw: plan.throw,
+            independent: vec![0.0; plan.axes.iter().filter(is_normal).count()],
+            random: ChaCha8Rng::seed_from_u64(plan.seed),
+            is_random: plan.axes.iter().any(is_random),
+        }
+    }
+
+    /// Draws the values of the varied quantities for flight number `flight` and writes them to `values`, in the order
+    /// of the plan's list of varied quantities (`axes`).
+    pub(crate) fn draw(&mut self, flight: u64, values: &mut [f64]) {
+        let plan = self.plan;
+        if self.is_random {
+            self.random.set_stream(flight);
+            self.random.set_word_pos(0);
+        }
+        for number in &mut self.independent {
+            *number = StandardNormal.sample(&mut self.random);
+        }
+        let (mut point, mut normal) = (flight % plan.grid, 0);
+        for (axis, value) in plan.axes.iter().zip(values) {
+            *value = match &axis.kind {
+                AxisKind::Values(values) => {
+                    let len = values.len() as u64;
+                    let own = values[(point % len) as usize];
+                    point /= len;
+                    own
+                }
+                AxisKind::Normal { mean, sd } => {
+                    normal += 1;
+                    mean + sd * plan.factor.mix(normal - 1, &self.independent)
+                }
+                AxisKind::Uniform { low, high } => low + (high - low) * self.random.random::<f64>(),
+            };
+        }
+    }
+
+    /// Writes the initial states `x` and the parameters `p` of a flight for the drawn `values` of the varied
+    /// quantities. Returns `false` if a value is out of its bounds or no state of the model has the motion of the
+    /// throw; such a flight is not simulated.
+    pub(crate) fn start(
+        &mut self,
+        flight: u64,
+        values: &[f64],
+        x: &mut [f64],
+        p: &mut [f64],
+    ) -> bool {
+        x.copy_from_slice(&self.model.x);
+        p.copy_from_slice(&self.model.p);
+        if let Some((seed, places)) = &self.model.gusts {
+            for (place, (_, phase)) in places.iter().zip(gust_phases(*seed, flight)) {
+                p[*place] = phase;
+            }
+        }
+        for (axis, value) in self.plan.axes.iter().zip(values) {
+            match axis.target {
+                Target::Throw(index) => {
+                    if let Some(throw) = &mut self.throw {
+                        throw.set(FIELDS[index].0, *value);
+                    }
+                }
+                Target::State(index) => x[index] = *value,
+                Target::Parameter(index) => {
+                    let known = constant(&self.model.vocabulary, &axis.name);
+                    if known.is_some_and(|known| known.expected_instead_of(*value).is_some()) {
+                        return false;
+                    }
+                    p[index] = *value;
+                }
+            }
+        }
+        match (&mut self.near, &self.throw) {
+            (Some(near), Some(throw)) => near.state(throw, [0.0; 2], p, x).is_ok(),
+            _ => true,
+        }
+    }
+}

@@ -1,0 +1,219 @@
+//! Integrates the flights of one part of a sweep and collects the results in one column per quantity.
+
+use flight::{LaneModel, LaneObserver};
+use ode::{FlightEnd, FlightOutcome, FlightQueue, FlightSpan};
+
+use crate::sweep::inputs::{InputModel, Inputs};
+use crate::sweep::plan::{Plan, Target};
+
+/// Possible values of the column `status` of the table of flights, which states how a flight ended.
+pub const STATUSES: [&str; 8] = [
+    "landed",
+    "time",
+    "limit",
+    "too-many-steps",
+    "failed",
+    "starts-below-ground",
+    "not-finite",
+    "refused",
+];
+
+/// Index in [`STATUSES`] of a flight that was not integrated: an input is out of bounds, or no state of the model has
+/// the motion of the throw.
+const REFUSED: u8 = 7;
+
+fn status(outcome: FlightOutcome) -> u8 {
+    match outcome {
+        FlightOutcome::Ground => 0,
+        FlightOutcome::Time => 1,
+        FlightOutcome::Limit(_) => 2,
+        FlightOutcome::TooManySteps => 3,
+        FlightOutcome::StepTooSmall => 4,
+        FlightOutcome::StartsBelowGround => 5,
+        FlightOutcome::NotFinite => 6,
+    }
+}
+
+/// Column of the table of flights of a sweep: one value per flight.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// Name of the column; it is the name of the input or result.
+    pub name: String,
+    /// Whether the column is an input of the flights rather than a result.
+    pub is_input: bool,
+    /// Value of each flight; NaN if the flight has no such value.
+    pub values: Vec<f64>,
+}
+
+/// Table of the flights of one part of a sweep, a block of consecutive flights.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rows {
+    /// Number of the first flight in the table; the flights of a table have consecutive numbers.
+    pub first: u64,
+    /// Numeric columns: the inputs that vary, then the results.
+    pub columns: Vec<Column>,
+    /// How each flight ended, such as `landed`, as an index into [`STATUSES`].
+    pub status: Vec<u8>,
+}
+
+/// Data shared by all parts of a sweep: the plan, the compiled model, the function that computes speed and spin from a
+/// state, and the condition that ends a flight.
+pub(crate) struct Flier<'p> {
+    pub plan: &'p Plan,
+    pub inputs: &'p InputModel,
+    pub model: &'p LaneModel,
+    pub observer: Option<&'p LaneObserver>,
+    pub span: FlightSpan,
+    /// Indices of the states x, y and z; `None` for one that the model does not have.
+    pub position: [Option<usize>; 3],
+    pub has_spin: bool,
+}
+
+/// Supplies the flights of one part of a sweep (block of consecutive flights) to the integrator, one after the other,
+/// and collects their results.
+struct Part<'f, 'p> {
+    inputs: Inputs<'p>,
+    first: u64,
+    next: u64,
+    last: u64,
+    values: Vec<f64>,
+    /// Drawn values of the varied quantities: one vector per quantity, with one value per flight.
+    axes: &'f mut [Vec<f64>],
+    /// State at the end of each flight: one vector per state variable, with one value per flight.
+    states: Vec<Vec<f64>>,
+    start: [Vec<f64>; 2],
+    time: Vec<f64>,
+    apex_time: Vec<f64>,
+    apex: Vec<f64>,
+    steps: Vec<f64>,
+    status: Vec<u8>,
+    position: [Option<usize>; 3],
+}
+
+impl FlightQueue for Part<'_, '_> {
+    fn next(&mut self, x: &mut [f64], p: &mut [f64]) -> Option<u64> {
+        while self.next < self.last {
+            let flight = self.next;
+            let row = (flight - self.first) as usize;
+            self.next += 1;
+            self.inputs.draw(flight, &mut self.values);
+            for (axis, value) in self.axes.iter_mut().zip(&self.values) {
+                axis[row] = *value;
+            }
+            if self.inputs.start(flight, &self.values, x, p) {
+                for (start, state) in self.start.iter_mut().zip(&self.position) {
+                    start[row] = state.map_or(0.0, |state| x[state]);
+                }
+                return Some(flight);
+            }
+            self.status[row] = REFUSED;
+        }
+        None
+    }
+
+    fn end(&mut self, end: FlightEnd<'_>) {
+        let row = (end.flight - self.first) as usize;
+        for (column, value) in self.states.iter_mut().zip(end.state) {
+            column[row] = *value;
+        }
+        self.time[row] = end.time;
+        (self.apex_time[row], self.apex[row]) = end.apex;
+        self.steps[row] = (end.stats.steps + end.stats.rejected) as f64;
+        self.status[row] = status(end.outcome);
+    }
+}
+
+impl Flier<'_> {
+    /// Simulates the flights of part number `part` of the sweep, a block of consecutive flights, and returns their
+    /// table.
+    pub(crate) fn fly(&self, part: u64) -> Rows {
+        let plan = self.plan;
+        let first = part * plan.part_len();
+        let last = (first + plan.part_len()).min(plan.flights);
+        let len = (last - first) as usize;
+        let missing = || vec![f64::NAN; len];
+        let mut axes: Vec<Vec<f64>> = plan.axes.iter().map(|_| missing()).collect();
+        let mut flown = Part {
+            inputs: Inputs::new(plan, self.inputs),
+            first,
+            next: first,
+            last,
+            values: vec![0.0; plan.axes.len()],
+            axes: &mut axes,
+            states: plan.model.states.iter().map(|_| missing()).collect(),
+            start: [missing(), missing()],
+            time: missing(),
+            apex_time: missing(),
+            apex: missing(),
+            steps: missing(),
+            status: vec![REFUSED; len],
+            position: self.position,
+        };
+        self.model.fly(&mut flown, &self.span, &plan.options, None);
+        let Part {
+            states,
+            start,
+            time,
+            apex_time,
+            apex,
+            steps,
+            status,
+            ..
+        } = flown;
+        let mut columns = Vec::new();
+        let mut add = |name: &str, is_input, values| {
+            columns.push(Column {
+                name: name.to_owned(),
+                is_input,
+                values,
+            });
+        };
+        let motion = self.observer.map(|observer| {
+            let varied: Vec<(usize, &[f64])> = plan
+                .axes
+                .iter()
+                .zip(&axes)
+                .filter_map(|(axis, values)| match axis.target {
+                    Target::Parameter(index) => Some((index, values.as_slice())),
+                    _ => None,
+                })
+                .collect();
+            observer.observe(&states, self.inputs.parameters(), &varied)
+        });
+        for (axis, values) in plan.axes.iter().zip(axes) {
+            add(&axis.name, true, values);
+        }
+        add("landing_t", false, time);
+        for (name, state) in ["landing_x", "landing_y", "landing_z"]
+            .into_iter()
+            .zip(self.position)
+        {
+            if let Some(state) = state {
+                add(name, false, states[state].clone());
+            }
+        }
+        if self.span.height.is_some() {
+            add("apex_t", false, apex_time);
+            add("apex_z", false, apex);
+        }
+        if let [Some(x), Some(y), _] = self.position {
+            let range = (0..len).map(|k| {
+                let (dx, dy) = (states[x][k] - start[0][k], states[y][k] - start[1][k]);
+                (dx * dx + dy * dy).sqrt()
+            });
+            add("range", false, range.collect());
+        }
+        if let Some([speed, spin, _]) = motion {
+            add("final_speed", false, speed);
+            if self.has_spin {
+                add("final_spin", false, spin);
+            }
+        }
+        add("steps", false, steps);
+        Rows {
+            first,
+            columns,
+            status,
+        }
+    }
+}
