@@ -5,14 +5,14 @@ use std::path::Path;
 use std::time::Duration;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use hyzer::{DiagnosisOptions, FitOptions, Model, read_dataset};
+use hyzer::{Diagnosis, Fit, Model, read_dataset};
 
 fn compile(c: &mut Criterion) {
-    let disc = Model::load("disc").expect("a built-in model");
+    let disc = model_spec::load::load("disc", &[]).expect("a built-in model");
     let mut group = c.benchmark_group("compile");
     group.bench_function("load disc", |b| b.iter(|| Model::load(black_box("disc"))));
     group.bench_function("disc to tape", |b| {
-        b.iter(|| hyzer::crates::flight::CompiledModel::interpreted(black_box(disc.checked())));
+        b.iter(|| flight::CompiledModel::interpreted(black_box(&disc)));
     });
     group.finish();
 }
@@ -27,13 +27,13 @@ fn identify(c: &mut Criterion) {
         let dataset = read_dataset(examples.join(name)).expect("an example dataset");
         let model = Model::load(&dataset.model).expect("its model");
         group.bench_function(format!("fit {name}"), |b| {
-            b.iter(|| hyzer::fit(&model, &dataset, &FitOptions::default()).is_ok());
+            b.iter(|| Fit::of(&model).run(&dataset).is_ok());
         });
     }
     let dataset = read_dataset(examples.join("mystery")).expect("an example dataset");
     let model = Model::load(&dataset.model).expect("its model");
     group.bench_function("diagnose mystery", |b| {
-        b.iter(|| hyzer::diagnose(&model, &dataset, &DiagnosisOptions::default()).is_ok());
+        b.iter(|| Diagnosis::of(&model).run(&dataset).is_ok());
     });
     group.finish();
 }

@@ -2,9 +2,11 @@
 
 use std::path::Path;
 
-use dataset::{Dataset, Flight, KnownValue, Marker, Role};
+use dataset::synthesize::{self, Plan};
+use dataset::{Dataset, Flight, KnownValue, Marker, Reading, Role, Sensor, SensorKind};
+use flight::release::Release;
 
-use crate::Error;
+use crate::{Error, Model};
 
 /// Builder of a dataset in memory.
 ///
@@ -65,6 +67,59 @@ impl DatasetBuilder {
         self
     }
 
+    /// Adds a sensor at a position on the body, m; poses, gyroscopes, accelerometers or speeds. Sensors are added before
+    /// the flights that have their [`readings`](DatasetBuilder::readings).
+    pub fn sensor(mut self, name: &str, kind: SensorKind, position: [f64; 3]) -> Self {
+        self.dataset.sensors.push(Sensor::new(name, kind, position));
+        self
+    }
+
+    /// Sets the readings of a sensor in the flight added last, one for each sample, `None` where it has none: a vector
+    /// in body axes (rad/s, m/s²), or a speed (m/s) as the first component. Has no effect for an unknown sensor, a pose
+    /// sensor ([`poses`](DatasetBuilder::poses)) or without a flight.
+    pub fn readings(self, sensor: &str, readings: &[Option<[f64; 3]>]) -> Self {
+        let channel = readings.iter().map(|r| r.map(|[x, y, z]| [x, y, z, 0.0]));
+        self.channels(sensor, &[channel.collect()])
+    }
+
+    /// Sets the poses of a pose sensor in the flight added last, one for each sample, `None` where it has none: position
+    /// in the inertial frame, m, and unit quaternion from body to inertial components, scalar part first.
+    pub fn poses(self, sensor: &str, poses: &[Option<([f64; 3], [f64; 4])>]) -> Self {
+        let position =
+            |pose: &Option<([f64; 3], [f64; 4])>| pose.map(|([x, y, z], _)| [x, y, z, 0.0]);
+        let positions = poses.iter().map(position).collect();
+        let attitudes = poses.iter().map(|pose| pose.map(|(_, attitude)| attitude));
+        self.channels(sensor, &[positions, attitudes.collect()])
+    }
+
+    fn channels(mut self, sensor: &str, channels: &[Vec<Option<Reading>>]) -> Self {
+        let sensors = &self.dataset.sensors;
+        let count = |sensors: &[Sensor]| -> usize {
+            sensors
+                .iter()
+                .map(|sensor| sensor.kind.channels().len())
+                .sum()
+        };
+        let all = count(sensors);
+        let Some(index) = sensors.iter().position(|own| own.name == sensor) else {
+            return self;
+        };
+        let first = count(&sensors[..index]);
+        if sensors[index].kind.channels().len() != channels.len() {
+            return self;
+        }
+        if let Some(flight) = self.dataset.flights.last_mut() {
+            flight.readings.resize(flight.times.len(), Vec::new());
+            for (sample, row) in flight.readings.iter_mut().enumerate() {
+                row.resize(all, None);
+                for (offset, channel) in channels.iter().enumerate() {
+                    row[first + offset] = channel.get(sample).copied().flatten();
+                }
+            }
+        }
+        self
+    }
+
     /// Adds a flight: its name (unique in the dataset), its role (fitted or held out), the times of its samples (s,
     /// increasing), and the positions `[sample][marker]` in the inertial frame (m, z up), `None` for a marker that was
     /// not measured.
@@ -111,4 +166,23 @@ impl DatasetBuilder {
 /// [`Error::Dataset`] for the first fault of the files.
 pub fn read_dataset(folder: impl AsRef<Path>) -> Result<Dataset, Error> {
     Ok(dataset::load(folder.as_ref())?)
+}
+
+/// Simulates a dataset: flies the releases in turn, with random variation, and measures markers with noise, all from
+/// the seed of the plan.
+///
+/// # Errors
+/// [`Error::Synthesis`] if the plan is invalid or a flight cannot be simulated.
+///
+/// ```
+/// # fn main() -> Result<(), hyzer::Error> {
+/// let disc = hyzer::Model::load("disc")?;
+/// let plan = hyzer::Plan { flights: 3, ..hyzer::Plan::default() };
+/// let data = hyzer::synthesize(&disc, &[disc.release("backhand")?], &plan)?;
+/// assert_eq!(data.flights.len(), 3);
+/// # Ok(())
+/// # }
+/// ```
+pub fn synthesize(model: &Model, releases: &[Release], plan: &Plan) -> Result<Dataset, Error> {
+    Ok(synthesize::flights(model.checked(), releases, plan)?.dataset)
 }

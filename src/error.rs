@@ -8,14 +8,14 @@ use model_spec::LoadError;
 use ode::IntegrationError;
 
 /// Error of an operation of the library; the variants name the operation that failed.
-#[derive(thiserror::Error)]
+#[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A model or an effect (optional model extension) cannot be loaded: a missing file, an unknown name, or faults in
+    /// A model or an effect cannot be loaded: a missing file, an unknown name, or faults in
     /// a text.
     #[error(transparent)]
     Load(#[from] LoadError),
-    /// A release file (launch conditions of a flight) has faults.
+    /// A release file has faults.
     #[error(transparent)]
     Release(#[from] ReleaseError),
     /// A trajectory cannot be computed.
@@ -27,22 +27,37 @@ pub enum Error {
     /// A model cannot be fitted to a dataset.
     #[error(transparent)]
     Fit(#[from] FitError),
-    /// A dataset cannot be diagnosed: the search for effects (possible extensions) that its model lacks failed.
+    /// The estimates of a fit cannot be written into the text of its model.
+    #[error(transparent)]
+    FittedText(#[from] model_spec::compose::ValueError),
+    /// A dataset cannot be diagnosed.
     #[error(transparent)]
     Diagnosis(#[from] DiagnosisError),
+    /// A dataset cannot be simulated.
+    #[error(transparent)]
+    Synthesis(#[from] dataset::synthesize::SynthesisError),
+    /// A body cannot be thrown.
+    #[error(transparent)]
+    Throw(#[from] analysis::design::ThrowFlightError),
+    /// No throw serves the goal.
+    #[error(transparent)]
+    Design(#[from] analysis::design::DesignError),
+    /// The motion cannot be linearised.
+    #[error(transparent)]
+    Stability(#[from] analysis::stability::StabilityError),
     /// A sweep cannot be computed, or its results cannot be written.
     #[cfg(feature = "sweep")]
     #[error(transparent)]
     Sweep(#[from] analysis::sweep::SweepError),
-    /// There is no built-in release (launch conditions of a flight) of the given name.
+    /// There is no built-in release of the given name.
     #[error("no built-in release {name:?}; expected one of {}", known.join(", "))]
     UnknownRelease {
         /// Name of the release that was requested.
         name: String,
-        /// Names of the built-in releases (launch conditions of a flight).
+        /// Names of the built-in releases.
         known: Vec<&'static str>,
     },
-    /// A release (launch conditions of a flight) sets a parameter or coefficient that the model does not have.
+    /// A release sets a parameter or coefficient that the model does not have.
     #[error("the model {model} has no state, parameter or coefficient {name:?}")]
     UnknownName {
         /// Name of the model to which the release was applied.
@@ -50,11 +65,4 @@ pub enum Error {
         /// Name that the release sets, but that is neither a parameter nor a coefficient of the model.
         name: String,
     },
-}
-
-/// Writes the same text as `Display`, because Rust uses `Debug` to print an error that `main` returns.
-impl std::fmt::Debug for Error {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        std::fmt::Display::fmt(self, f)
-    }
 }

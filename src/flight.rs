@@ -5,7 +5,7 @@ use ode::Trajectory;
 
 use crate::Model;
 
-/// Simulated flight of a model: states, marker positions and events from the release (initial conditions) to the end.
+/// Simulated flight of a model: states, marker positions and events from the release to the end.
 #[derive(Clone, Debug)]
 pub struct Flight {
     model: Model,
@@ -53,11 +53,6 @@ impl Flight {
             markers.iter().map(position).collect()
         });
         sampled.collect()
-    }
-
-    /// Trajectory of the flight: dense output of the states, events and solver statistics.
-    pub fn trajectory(&self) -> &Trajectory {
-        &self.trajectory
     }
 
     /// CSV table with a header (`t` and the names of the states), `rate` rows per second and a final row at the end

@@ -9,7 +9,40 @@ use ode::IntegrationOptions;
 
 use crate::{Error, Flight};
 
-/// Checked model of a flying body, including the effects (optional model extensions) applied to it.
+/// Named change of a model: it adds a term, a coefficient or a state, or replaces a quantity.
+#[derive(Clone)]
+pub struct Effect(EffectTree);
+
+impl Effect {
+    /// Parses an effect from text, `effect NAME { … }`.
+    ///
+    /// # Errors
+    /// [`Error::Load`] if the text has faults.
+    pub fn parse(text: &str) -> Result<Effect, Error> {
+        Ok(Effect(EffectTree::parse("effect", text)?))
+    }
+
+    /// Reads an effect from a file.
+    ///
+    /// # Errors
+    /// [`Error::Load`] if the file cannot be read or has faults.
+    pub fn read(path: &str) -> Result<Effect, Error> {
+        Ok(Effect(EffectTree::load(path)?))
+    }
+
+    /// Name of the effect in the model language.
+    pub fn name(&self) -> &str {
+        self.0.name()
+    }
+}
+
+impl std::fmt::Debug for Effect {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_tuple("Effect").field(&self.name()).finish()
+    }
+}
+
+/// Checked model of a flying body, including the effects applied to it.
 ///
 /// ```
 /// # fn main() -> Result<(), hyzer::Error> {
@@ -52,13 +85,23 @@ impl Model {
         Model::check(self.tree.with(&effect)?)
     }
 
-    /// Returns the model extended by an effect (optional model extension) that is given as text, `effect NAME { … }`.
+    /// Returns the model extended by an effect.
     ///
     /// # Errors
-    /// [`Error::Load`] if the text or the extended model has faults.
-    pub fn with_effect_text(&self, text: &str) -> Result<Model, Error> {
-        let effect = EffectTree::parse("effect", text)?;
-        Model::check(self.tree.with(&effect)?)
+    /// [`Error::Load`] if the extended model has faults.
+    pub fn with(&self, effect: &Effect) -> Result<Model, Error> {
+        Model::check(self.tree.with(&effect.0)?)
+    }
+
+    /// Returns the model with an effect that is declared and not applied: a candidate, which a
+    /// [`Diagnosis`](crate::Diagnosis) tests like the built-in ones.
+    ///
+    /// # Errors
+    /// [`Error::Load`] if the effect does not fit the model.
+    pub fn with_candidate(&self, effect: &Effect) -> Result<Model, Error> {
+        self.tree.with(&effect.0)?.check()?;
+        let text = format!("{}\n{}\n", self.text(), effect.0);
+        Model::parse(self.name(), &text)
     }
 
     fn check(tree: ModelTree) -> Result<Model, Error> {
@@ -79,29 +122,50 @@ impl Model {
         self.checked.states.iter().map(|state| &*state.name)
     }
 
-    /// Names and default values (SI) of the coefficients, including those of the effects (model extensions) applied.
+    /// Names and default values (SI) of the coefficients, including those of the effects applied.
     pub fn coefficients(&self) -> impl Iterator<Item = (&str, f64)> {
         let coefficients = self.checked.coefficients.iter();
         coefficients.map(|coefficient| (&*coefficient.name, coefficient.value))
     }
 
-    /// Text of the model in the model language, with the effects (model extensions) merged into its equations.
+    /// Text of the model in the model language, with the effects merged into its equations.
     pub fn text(&self) -> String {
         self.tree.to_text("")
     }
 
-    /// The checked model as the data structure that the compiler and other crates of the workspace use.
-    pub fn checked(&self) -> &model_spec::model::Model {
+    /// The checked model, for the crates of the workspace.
+    pub(crate) fn checked(&self) -> &model_spec::model::Model {
         &self.checked
     }
 
-    /// The compiled model, for evaluating its functions; it is compiled at the first call.
-    pub fn compiled(&self) -> &CompiledModel {
+    /// The compiled model; it is compiled at the first call.
+    pub(crate) fn compiled(&self) -> &CompiledModel {
         self.compiled
             .get_or_init(|| CompiledModel::new(&self.checked))
     }
 
-    /// Returns a built-in release (initial conditions) of this model by its name, such as `backhand`.
+    /// Names and default values (SI) of the constants of the body and the air.
+    pub fn parameters(&self) -> impl Iterator<Item = (&str, f64)> {
+        let parameters = self.checked.params.iter();
+        parameters.map(|parameter| (&*parameter.name, parameter.value))
+    }
+
+    /// Release of this model with the default parameters and an initial state, SI, that ends on the ground.
+    pub(crate) fn release_from(&self, state: Vec<f64>) -> Release {
+        let names = self.checked.states.iter().map(|state| state.name.clone());
+        Release {
+            model: self.name().to_owned(),
+            stop: release::Stop::Ground,
+            parameters: Vec::new(),
+            coefficients: Vec::new(),
+            initial: names.zip(state).collect(),
+            wind: [0.0; 3],
+            wind_field: None,
+            known: Vec::new(),
+        }
+    }
+
+    /// Returns a built-in release of this model by its name, such as `backhand`.
     ///
     /// # Errors
     /// [`Error::UnknownRelease`] if there is no such release, or [`Error::Release`] if it is for a model with other
@@ -114,7 +178,7 @@ impl Model {
         self.parse_release(name, text)
     }
 
-    /// Parses a release (launch conditions) of this model from the text of a release file (TOML); the model that the
+    /// Parses a release of this model from the text of a release file (TOML); the model that the
     /// text names is ignored. `name` is the file name in error messages. Wind profiles over height and gusts are
     /// refused, because they change the model: see [`parse_release_in_wind`](Model::parse_release_in_wind).
     ///

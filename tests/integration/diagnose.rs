@@ -32,8 +32,7 @@ fn the_readme_s_command_names_what_was_hidden_and_measures_the_gain() {
     // What examples/mystery/truth.toml says.
     assert!((value - 4.0).abs() < 4.0 * error, "{value} ± {error}");
     let gain = &report["predictive_gain"];
-    let [before, after] =
-        ["rms_before_m", "rms_after_m"].map(|key| number(&gain[key]));
+    let [before, after] = ["rms_before_m", "rms_after_m"].map(|key| number(&gain[key]));
     assert!(after < 0.5 * before && after > 0.0, "{gain}");
     for key in [
         "noise",

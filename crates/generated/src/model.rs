@@ -160,10 +160,7 @@ pub trait Equations {
 }
 
 /// All models, sorted by name.
-pub static MODELS: &[&Model] = &[
-    &crate::ball::MODEL,
-    &crate::disc::MODEL,
-];
+pub static MODELS: &[&Model] = &[&crate::ball::MODEL, &crate::disc::MODEL];
 
 /// The model with a given name.
 pub fn model(name: &str) -> Option<&'static Model> {

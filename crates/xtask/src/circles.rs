@@ -1,12 +1,14 @@
-//! Detection of import cycles between the files of a crate.
+//! Detection of import cycles between the modules of a crate.
 //!
-//! A file imports another if a path in its code resolves to an item of the other file, with re-exports followed. A path
-//! to an item of an ancestor in the module tree does not count as an import.
+//! A module imports another if a path in its code, its attributes or the arguments of its macros resolves to an item of
+//! the other, with re-exports followed. The children of one parent are compared with each other, each as a whole with
+//! all modules inside it; a parent and its child may use each other.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
+use proc_macro2::{TokenStream, TokenTree};
 use syn::visit::{self, Visit};
 use syn::{Item, UseTree};
 
@@ -40,7 +42,7 @@ pub fn check(root: &Path) -> Result<()> {
         }
         let modules = modules(&folder.join("src"))?;
         files += modules.len();
-        for circle in strong_components(&arrows(&modules)) {
+        for circle in circles_of(&modules) {
             let names = circle.iter().map(|module| {
                 let file = &modules[module].file;
                 format!("  {}", source::relative(root, file))
@@ -55,7 +57,7 @@ pub fn check(root: &Path) -> Result<()> {
             circles.join("\n\n")
         );
     }
-    println!("no import circle among {files} files");
+    println!("no import circle among the modules of {files} files");
     Ok(())
 }
 
@@ -151,6 +153,36 @@ impl Reader<'_> {
         }
     }
 
+    /// Collects the paths, such as `crate::a::b`, in the arguments of an attribute or a macro.
+    fn tokens(&mut self, tokens: TokenStream) {
+        let mut path: Vec<String> = Vec::new();
+        let mut joined = false;
+        for token in tokens {
+            match token {
+                TokenTree::Ident(ident) => {
+                    if !joined {
+                        self.path(&path);
+                        path.clear();
+                    }
+                    path.push(ident.to_string());
+                    joined = false;
+                }
+                TokenTree::Punct(punct) if punct.as_char() == ':' => joined = true,
+                TokenTree::Group(group) => self.tokens(group.stream()),
+                TokenTree::Punct(_) | TokenTree::Literal(_) => joined = false,
+            }
+        }
+        self.path(&path);
+    }
+
+    fn path(&mut self, path: &[String]) {
+        if path.len() > 1
+            && let Some(path) = self.absolute(path)
+        {
+            self.module.named.insert(path);
+        }
+    }
+
     fn used(&mut self, name: &str, rename: Option<String>, prefix: &[String], is_public: bool) {
         let mut path = prefix.to_vec();
         if name != "self" {
@@ -183,17 +215,24 @@ impl<'a> Visit<'a> for Reader<'_> {
         }
     }
 
+    fn visit_attribute(&mut self, attribute: &'a syn::Attribute) {
+        if let syn::Meta::List(list) = &attribute.meta {
+            self.tokens(list.tokens.clone());
+        }
+    }
+
+    fn visit_macro(&mut self, call: &'a syn::Macro) {
+        self.tokens(call.tokens.clone());
+        visit::visit_macro(self, call);
+    }
+
     fn visit_path(&mut self, path: &'a syn::Path) {
         let parts: Vec<String> = path
             .segments
             .iter()
             .map(|part| part.ident.to_string())
             .collect();
-        if parts.len() > 1
-            && let Some(path) = self.absolute(&parts)
-        {
-            self.module.named.insert(path);
-        }
+        self.path(&parts);
         visit::visit_path(self, path);
     }
 }
@@ -212,18 +251,29 @@ fn name_of(item: &Item) -> Option<String> {
     Some(ident.to_string())
 }
 
-/// Directed graph of the imports within a crate: for each module, the modules that it imports from. Imports from an
-/// ancestor in the module tree are omitted.
-fn arrows(modules: &BTreeMap<ModulePath, Module>) -> BTreeMap<ModulePath, BTreeSet<ModulePath>> {
-    let arrows_of = |(here, module): (&ModulePath, &Module)| {
-        let targets = module
-            .named
-            .iter()
-            .filter_map(|path| target(modules, here, path));
-        let targets = targets.filter(|target| !here.starts_with(target));
-        (here.clone(), targets.collect())
-    };
-    modules.iter().map(arrows_of).collect()
+/// Import cycles of a crate: among the children of each module, every child with all modules inside it.
+fn circles_of(modules: &BTreeMap<ModulePath, Module>) -> Vec<Vec<ModulePath>> {
+    let mut levels: BTreeMap<usize, BTreeMap<ModulePath, BTreeSet<ModulePath>>> = BTreeMap::new();
+    for (here, module) in modules {
+        for depth in 1..=here.len() {
+            let level = levels.entry(depth).or_default();
+            level.entry(here[..depth].to_vec()).or_default();
+        }
+        for path in &module.named {
+            let Some(there) = target(modules, here, path) else {
+                continue;
+            };
+            let common = here.iter().zip(&there).take_while(|(a, b)| a == b).count();
+            // Otherwise one of the two is inside the other.
+            if common < here.len().min(there.len()) {
+                let level = levels.entry(common + 1).or_default();
+                let imports = level.entry(here[..=common].to_vec()).or_default();
+                imports.insert(there[..=common].to_vec());
+                level.entry(there[..=common].to_vec()).or_default();
+            }
+        }
+    }
+    levels.values().flat_map(strong_components).collect()
 }
 
 /// Module that defines the item to which `path` refers when used in the module `here`; `None` if no module of the crate
@@ -304,7 +354,7 @@ fn reachable<'a>(
 mod tests {
     use std::fs;
 
-    use super::{arrows, modules, strong_components};
+    use super::{circles_of, modules};
 
     /// Import cycles between source files given as (path, text).
     fn circles(files: &[(&str, &str)]) -> Vec<Vec<String>> {
@@ -314,7 +364,7 @@ mod tests {
             fs::create_dir_all(path.parent().expect("a parent")).expect("a folder");
             fs::write(path, text).expect("a file");
         }
-        let found = strong_components(&arrows(&modules(folder.path()).expect("modules")));
+        let found = circles_of(&modules(folder.path()).expect("modules"));
         let joined = |circle: &Vec<Vec<String>>| circle.iter().map(|m| m.join("::")).collect();
         found.iter().map(joined).collect()
     }
@@ -332,6 +382,25 @@ mod tests {
         let a = ("a.rs", "use crate::b::f; pub fn g() { f() }");
         let b = ("b.rs", "use crate::g; pub fn f() { g() }");
         assert_eq!(circles(&[lib, a, b]), [["a", "b"]]);
+    }
+
+    #[test]
+    fn folders_and_attributes_are_looked_into() {
+        let lib = ("lib.rs", "mod a; mod b;");
+        let a = ("a/mod.rs", "mod inner; pub use inner::S;");
+        let inner = ("a/inner.rs", "pub struct S(crate::b::T);");
+        let b = (
+            "b.rs",
+            "#[error(\"{}\", crate::a::inner::LAW)] pub struct T; pub fn f() { vec![1] }",
+        );
+        assert!(circles(&[lib, a, inner, b]).is_empty());
+        let inner = (
+            "a/inner.rs",
+            "pub const LAW: i8 = 1; pub struct S(crate::b::T);",
+        );
+        assert_eq!(circles(&[lib, a, inner, b]), [["a", "b"]]);
+        let b = ("b.rs", "pub struct T; pub fn f() { g!(1, super::a::S) }");
+        assert_eq!(circles(&[lib, a, inner, b]), [["a", "b"]]);
     }
 
     #[test]

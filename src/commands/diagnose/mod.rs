@@ -14,8 +14,7 @@ use report::{CertificateNote, ResultFile, WithCertificate};
 
 use super::certificate;
 use super::fit::{
-    FLIGHTS, dataset_name, deadline, drawn, evidence, figure_files, fitted_text, held, model_of,
-    priors,
+    FLIGHTS, dataset_name, deadline, drawn, evidence, figure_files, held, model_of, priors,
 };
 use crate::cli::Diagnose;
 use crate::progress::Progress;
@@ -152,7 +151,7 @@ fn results(
     let mut extended = None;
     if let Some((extension, fitted)) = &found.after {
         let note = note(&extension.effects, name) + " Its default values were fitted to it.";
-        let text = fitted_text(extension.tree(), &note, dataset, fitted)?;
+        let text = fitted.fitted_text(extension.tree(), dataset, &note)?;
         let model = model_spec::load::from_text(EXTENDED, &text, &[])?;
         let code = generate_with(&codegen::rust::PlainRust, &[model]);
         let code = code.into_iter();

@@ -141,7 +141,7 @@ fn results(
     })?;
     let (html, figures) = report::fit::html_and_figures(&page);
     let note = format!("Default values fitted to {name} by `hyzer fit`.");
-    let fitted_model = fitted_text(&ModelTree::of(model), &note, dataset, fitted)?;
+    let fitted_model = fitted.fitted_text(&ModelTree::of(model), dataset, &note)?;
     let mut files = vec![
         ResultFile::new("report.json", json + "\n"),
         ResultFile::new("report.html", html),
@@ -168,26 +168,6 @@ pub(super) fn figure_files(figure: Figure) -> [ResultFile; 2] {
         ResultFile::new(figure.name + ".svg", figure.svg),
         ResultFile::new(table, figure.csv),
     ]
-}
-
-/// Text of a model whose default values are replaced by the dataset's known parameters and the estimates of a fit.
-pub(super) fn fitted_text(
-    tree: &ModelTree,
-    note: &str,
-    dataset: &Dataset,
-    fitted: &identify::Fit,
-) -> anyhow::Result<String> {
-    let given = dataset
-        .parameters
-        .iter()
-        .map(|(name, value)| (name.as_str(), *value));
-    // Estimates that belong to the measurement, such as the direction of the vertical, are no parameters of the
-    // model.
-    let layout = codegen::Layout::new(&tree.check()?);
-    let found = fitted.report.coefficients.iter();
-    let found = found.filter(|(name, _)| layout.parameter(name).is_some());
-    let found = found.map(|(name, coefficient)| (name.as_str(), coefficient.value));
-    Ok(tree.with_values(given.chain(found))?.to_text(note))
 }
 
 /// Path or name of the model: `asked`, the value of the option `--model`, or else the model specified in the dataset,

@@ -10,6 +10,7 @@ mod channel_scales;
 pub(crate) mod contact_refinement;
 mod continued;
 mod exclusion;
+mod fitted_text;
 mod held_out;
 mod horizon_continuation;
 mod initial_guess;

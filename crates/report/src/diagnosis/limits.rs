@@ -73,12 +73,12 @@ pub(super) struct Score {
     name: String,
     doc: String,
     site: String,
-    sigmas: String,
+    z: String,
     score_chi2: String,
-    freedom: usize,
+    degrees_of_freedom: usize,
     p: String,
-    visible: String,
-    expected: String,
+    tolerance: String,
+    one_step_estimates: String,
     significant: bool,
 }
 
@@ -97,12 +97,12 @@ pub(super) fn scores(report: &Report) -> Vec<Score> {
             name: c.name.clone(),
             doc: c.description.replace('\n', " "),
             site: words::site(&c.site).to_owned(),
-            sigmas: words::equivalent_z(c.z),
+            z: words::equivalent_z(c.z),
             score_chi2: significant(c.score_chi2, 4),
-            freedom: c.degrees_of_freedom,
+            degrees_of_freedom: c.degrees_of_freedom,
             p: words::probability_of_ln(c.ln_p_value),
-            visible: crate::fit::numbers::percent(c.tolerance),
-            expected: expected.collect::<Vec<_>>().join("; "),
+            tolerance: crate::fit::numbers::percent(c.tolerance),
+            one_step_estimates: expected.collect::<Vec<_>>().join("; "),
             significant: c.significant,
         }
     };

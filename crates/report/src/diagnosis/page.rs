@@ -46,7 +46,7 @@ pub(super) fn html(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figure
     let number = |role| report.flights.iter().filter(|f| f.role == role).count();
     let looked_for = report.tests.len();
     let alarms = report.tests.iter().filter(|c| c.significant).count();
-    let outside = report.unattributed.as_ref();
+    let unattributed = report.unattributed.as_ref();
     let context = context! {
         css => Value::from_safe_string(include_str!("../fit/page.css").to_owned() + include_str!("page.css")),
         style => Value::from_safe_string(STYLE.to_owned() + draw::STYLE),
@@ -68,10 +68,10 @@ pub(super) fn html(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figure
         faults => plain_values(&data_faults::table(&report.data_faults)),
         gain_figure => figures.gain.iter().map(|f| one(&reached(f))).collect::<Vec<_>>(),
         explanations => plain_values(&explanations::explanations(page)),
-        more_causes => report.explanations.len().saturating_sub(explanations::MAX_EXPLANATIONS),
+        more_explanations => report.explanations.len().saturating_sub(explanations::MAX_EXPLANATIONS),
         throw => report.proposed_throw.as_ref().map(|t| plain_values(&explanations::throw(t))),
         candidates => figures.score_tests.iter().map(one).collect::<Vec<_>>(),
-        alike => figures.score_correlations.iter().map(one).collect::<Vec<_>>(),
+        score_correlations => figures.score_correlations.iter().map(one).collect::<Vec<_>>(),
         scores => plain_values(&limits::scores(report)),
         looked_for => count(looked_for, "effect"),
         alarms,
@@ -89,10 +89,10 @@ pub(super) fn html(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figure
         extended => coefficients::extended(report),
         not_identifiable => plain_values(&limits::not_identifiable(report)),
         detectable => plain_values(&limits::detectable(report)),
-        outside => outside.map(|o| o.description.trim()),
+        unattributed => unattributed.map(|o| o.description.trim()),
         channels => shown(channels),
         more_channels => shown(more_channels),
-        terms => outside.map(|o| plain_values(&limits::terms(&o.terms))),
+        terms => unattributed.map(|o| plain_values(&limits::terms(&o.terms))),
         extended_model => &report.extended_model,
         extended_text => page.extended.map(beginning),
         verified => report.verified.as_ref().map(verified),

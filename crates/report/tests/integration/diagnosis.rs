@@ -146,7 +146,7 @@ fn sections_stand_where_their_data_do() {
             "gain",
             "next-throw",
             "flights",
-            "outside",
+            "unattributed",
             "channel-01",
             "extension",
             "verified",
@@ -216,7 +216,7 @@ fn nothing_at_all_reads_well() {
     report.seconds.clear();
     let made = page(&report, &[], &[]);
     assert_eq!(made.figures, []);
-    for section in ["evidence", "coefficients", "outside", "extension"] {
+    for section in ["evidence", "coefficients", "unattributed", "extension"] {
         assert!(!has(&made, section), "{section}");
     }
     for text in [

@@ -1,0 +1,165 @@
+//! Throws for a purpose.
+
+use analysis::design::{self, Bounds, SearchOptions, ThrownBody};
+use flight::throw::Throw;
+use nalgebra::Vector3;
+
+use crate::{Error, Model, Release};
+
+/// Purpose of a throw. Points are in the inertial frame, m; the release is above the origin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Goal {
+    /// Fly as far as possible before the landing.
+    Range,
+    /// Stay in the air as long as possible.
+    HangTime,
+    /// Pass through a point.
+    Hit([f64; 3]),
+    /// Pass through a point on a path that curves most.
+    Curve([f64; 3]),
+    /// Arrive at a point in level flight.
+    Flare([f64; 3]),
+    /// Land at a point with the least spread.
+    Spread([f64; 2]),
+}
+
+/// Options of a search for a throw, from [`Design::of`].
+#[derive(Clone, Debug)]
+pub struct DesignBuilder {
+    model: Model,
+    goal: Goal,
+    ranges: Vec<(String, f64, f64)>,
+    search: SearchOptions,
+}
+
+impl DesignBuilder {
+    /// Bounds a quantity of the throw: `speed` (m/s), `heading`, `launch`, `nose`, `hyzer` (deg), `spin` (rpm) or
+    /// `height` (m).
+    pub fn bound(mut self, name: &str, least: f64, greatest: f64) -> Self {
+        self.ranges.push((name.to_owned(), least, greatest));
+        self
+    }
+
+    /// Sets the seed of the starting points of the search; default 1.
+    pub fn seed(mut self, seed: u64) -> Self {
+        self.search.seed = seed;
+        self
+    }
+
+    /// Sets the number of threads; by default that of the processors. The result does not depend on it.
+    pub fn threads(mut self, threads: usize) -> Self {
+        self.search.threads = threads.max(1);
+        self
+    }
+
+    /// Searches for the throw that serves the goal best.
+    ///
+    /// # Errors
+    /// [`Error::Throw`] if the body cannot be thrown; [`Error::UnknownName`] for a bound of an unknown quantity;
+    /// [`Error::Design`] if no throw within the bounds can be flown to the ground.
+    pub fn run(&self) -> Result<Design, Error> {
+        let body = ThrownBody::new(self.model.checked().clone())?;
+        let flights = body.with_parameters(body.compiled.layout().default_parameters());
+        let mut bounds = Bounds::standard(&body);
+        for (name, least, greatest) in &self.ranges {
+            let mut known = flight::throw::FIELDS.iter();
+            if !known.any(|(field, ..)| field == name) {
+                return Err(Error::UnknownName {
+                    model: self.model.name().to_owned(),
+                    name: name.clone(),
+                });
+            }
+            bounds.set(name, *least, *greatest);
+        }
+        let found = design::design(&flights, self.goal(), &bounds, &self.search)?;
+        let state = flights
+            .state(&found.throw, None)
+            .map_err(design::ThrowFlightError::from)?;
+        Ok(Design {
+            release: self.model.release_from(state),
+            found,
+        })
+    }
+
+    fn goal(&self) -> design::Goal {
+        match self.goal {
+            Goal::Range => design::Goal::Range,
+            Goal::HangTime => design::Goal::HangTime,
+            Goal::Hit(at) => design::Goal::Hit(Vector3::from(at)),
+            Goal::Curve(at) => design::Goal::Curve(Vector3::from(at)),
+            Goal::Flare(at) => design::Goal::Flare(Vector3::from(at)),
+            Goal::Spread([x, y]) => design::Goal::Spread(Vector3::new(x, y, 0.0)),
+        }
+    }
+}
+
+/// The throw that serves a goal best, and its flight.
+#[derive(Clone, Debug)]
+pub struct Design {
+    found: design::Design,
+    release: Release,
+}
+
+impl Design {
+    /// Prepares a search for the throw of a model that serves a goal best.
+    ///
+    /// ```no_run
+    /// # fn main() -> Result<(), hyzer::Error> {
+    /// let disc = hyzer::Model::load("disc")?;
+    /// let far = hyzer::Design::of(&disc, hyzer::Goal::Range).bound("speed", 10.0, 22.0).run()?;
+    /// let flight = disc.fly(far.release())?;
+    /// println!("{:.1} m in {:.1} s", far.figure(), flight.duration());
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn of(model: &Model, goal: Goal) -> DesignBuilder {
+        DesignBuilder {
+            model: model.clone(),
+            goal,
+            ranges: Vec::new(),
+            search: SearchOptions::default(),
+        }
+    }
+
+    /// Whether the throw meets the constraints of the goal, such as passing through the point.
+    pub fn is_feasible(&self) -> bool {
+        self.found.feasible
+    }
+
+    /// Value by which the goal is judged: the range, m, the time in the air, s, or another of the goal.
+    pub fn figure(&self) -> f64 {
+        self.found.figure
+    }
+
+    /// The throw: speed, angles and spin. If no throw meets the constraints, the one that violates them least.
+    pub fn throw(&self) -> &Throw {
+        &self.found.throw
+    }
+
+    /// The throw as a release that ends on the ground.
+    pub fn release(&self) -> &Release {
+        &self.release
+    }
+
+    /// Smallest distance between the path and the point of the goal, m; 0 for a goal without a point.
+    pub fn miss(&self) -> f64 {
+        self.found.miss
+    }
+
+    /// Position of the mass centre at landing, m.
+    pub fn landing(&self) -> [f64; 3] {
+        self.found.landing.into()
+    }
+
+    /// Duration of the flight, s.
+    pub fn duration(&self) -> f64 {
+        self.found.time
+    }
+
+    /// Derivatives of the landing x and y (m) by each quantity of the throw, with its name.
+    pub fn sensitivity(&self) -> impl Iterator<Item = (&'static str, [f64; 2])> {
+        let each = self.found.sensitivity.iter();
+        each.map(|s| (flight::throw::FIELDS[s.field].0, s.landing.xy().into()))
+    }
+}
