@@ -152,7 +152,7 @@ pub struct Generate {
 
 /// Parser of the names of the registered backends, with their descriptions as help.
 fn backends() -> clap::builder::PossibleValuesParser {
-    let backends = codegen::backend::BACKENDS.iter();
+    let backends = codegen::BACKENDS.iter();
     let values = backends.map(|backend| {
         clap::builder::PossibleValue::new(backend.name()).help(backend.description())
     });

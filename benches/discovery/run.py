@@ -4,7 +4,7 @@
 how it is scored, stands on the page. Minutes on four quiet cores, most of them `hyzer diagnose` on 190 datasets; `--datasets 1` takes one of each effect instead of five.
 The peers live in an environment of their own, target/peers/discovery, which is made where it is not there (pip).
 
-discovery_cases (an example of crates/studies) writes the cases with their truth as folders
+discovery_cases (an example of studies) writes the cases with their truth as folders
 tracks.py    marker tracks to poses, rates, accelerations, and the six coefficients in the disc's own frame
 library.py   the terms that the peers choose from, and which of them is hidden
 sparse.py    pysindy's sequentially thresholded least squares on one equation

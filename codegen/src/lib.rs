@@ -21,6 +21,7 @@ pub mod number;
 pub mod program;
 #[cfg(test)]
 mod random_expressions;
+mod registry;
 pub mod rust;
 pub mod schedule;
 mod specialize;
@@ -35,4 +36,5 @@ pub use compile::{
     compile_values,
 };
 pub use model_spec::layout::{self, Layout};
+pub use registry::{BACKENDS, backend};
 pub use tape_model::TapeModel;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail};
-use codegen::backend::{self, Backend, SourceFile};
+use codegen::backend::{Backend, SourceFile};
 use codegen::generate::{self, Difference};
 use model_spec::load;
 use model_spec::model::Model;
@@ -45,7 +45,7 @@ fn generate_modules(options: &Generate, out: &Path) -> anyhow::Result<Answer> {
 fn modules(options: &Generate) -> anyhow::Result<Vec<SourceFile>> {
     let backend = match options.lanes {
         true => &codegen::rust::LanesRust as &dyn Backend,
-        false => backend::backend(&options.backend)
+        false => codegen::backend(&options.backend)
             .with_context(|| format!("no backend is called {}", options.backend))?,
     };
     let effects = super::names(&options.with);

@@ -3,9 +3,9 @@
 mod variables;
 mod width;
 
-use super::pairs::sin_cos_pairs;
 use crate::compile::Compiled;
 use crate::program::{Function, Op, Operand, Program};
+use crate::schedule::pairs::sin_cos_pairs;
 use std::collections::{HashMap, HashSet};
 pub(crate) use variables::Variables;
 

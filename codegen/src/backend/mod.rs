@@ -7,7 +7,7 @@
 //! # Adding a backend
 //!
 //! 1. Write one file with a type that implements [`Backend`].
-//! 2. Register it in [`BACKENDS`].
+//! 2. Register it in [`BACKENDS`](crate::BACKENDS).
 //!
 //! `hyzer generate MODEL --out DIR --backend NAME`, its `--check`, and the tests that run over all backends then
 //! include the new backend. The module `body` contains all that does not depend on the language: the names of local
@@ -18,10 +18,7 @@
 
 pub(crate) mod body;
 mod interface;
-pub(crate) mod pairs;
-mod registry;
 #[cfg(test)]
 mod tests;
 
 pub use interface::{Backend, SourceFile};
-pub use registry::{BACKENDS, backend};

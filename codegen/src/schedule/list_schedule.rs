@@ -1,8 +1,8 @@
 //! List scheduling: statement order for a superscalar processor with few registers.
 
 use super::contract_fma::latency;
-use crate::backend::pairs::sin_cos_pairs;
 use crate::program::{Operand, Program, Statement};
+use crate::schedule::pairs::sin_cos_pairs;
 use std::cmp::Reverse;
 use std::collections::HashMap;
 

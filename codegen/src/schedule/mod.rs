@@ -4,6 +4,7 @@ mod contract_fma;
 mod hoist;
 mod list_schedule;
 mod names;
+pub(crate) mod pairs;
 
 pub use hoist::Hoisted;
 pub use names::Namer;

@@ -5,8 +5,8 @@
 //! follows those that compute its operands, and no result depends on the order of the others.
 
 use super::Opcode;
-use crate::backend::pairs::{OperandKey, sin_cos_pairs};
 use crate::program::{Operand, Program};
+use crate::schedule::pairs::{OperandKey, sin_cos_pairs};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, HashMap, VecDeque};
 

@@ -1,7 +1,8 @@
 //! Generated code: its text, its operation counts, its determinism.
 
 use crate::support::{self, model};
-use codegen::backend::{BACKENDS, SourceFile};
+use codegen::BACKENDS;
+use codegen::backend::SourceFile;
 use codegen::count::count;
 use codegen::{Selection, compile, compile_for, generate};
 use model_spec::model::Model;

@@ -1,7 +1,7 @@
 //! Model compiled for evaluation: generated code if its source hash matches the model, otherwise a tape.
 
 use crate::functions::{ModelFunctions, SparsityPatterns};
-use crate::release::Release;
+use crate::initial_conditions::Release;
 use codegen::Layout;
 use codegen::compile::{Compiled, Effort, Selection, compile, compile_at, compile_for};
 use codegen::rust::source_hash;

@@ -32,14 +32,16 @@ pub mod batch;
 mod bound_model;
 mod compiled_model;
 mod functions;
+mod initial_conditions;
 mod integrate;
 mod lane_model;
 mod lane_observer;
 mod observer;
-pub mod release;
+mod release_file;
 mod rhs;
 mod simulate;
 pub mod throw;
+mod toml_reader;
 mod trajectory_csv;
 pub mod wind;
 
@@ -52,3 +54,12 @@ pub use observer::{ModelObserver, ObservationJacobians};
 pub use rhs::{DifferentiableModelRhs, ModelRhs};
 pub use simulate::simulate;
 pub use trajectory_csv::trajectory_csv;
+
+/// Releases: initial conditions and end of a flight, built in by name or read from a TOML file.
+pub mod release {
+    pub use crate::initial_conditions::{BUILT_IN, Release, Stop, Vocabulary, built_in};
+    pub use crate::release_file::{read, read_file, read_file_in_wind, read_in_wind};
+    pub use crate::toml_reader::{
+        Fault, Name, Reader, ReleaseError, Value, number_of, read_text, suggestion,
+    };
+}

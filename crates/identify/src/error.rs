@@ -1,7 +1,7 @@
 //! Errors of a fit, and reasons for which a single flight cannot be used.
 
+use crate::data_fault::DataFault;
 use crate::ids::FlightId;
-use crate::screening::DataFault;
 use crate::wording::count;
 
 /// Reason why one flight cannot be fitted or predicted.

@@ -8,6 +8,7 @@
 mod channel;
 mod channel_observers;
 mod contact_time;
+mod data_fault;
 mod error;
 mod fit;
 mod ground_contact;
@@ -43,7 +44,7 @@ pub use options::{CancellationToken, FitOptions, Prior, Progress};
 pub use report::{
     AxisNoise, AxisResiduals, Coefficient, Estimate, FitReport, FitStatus, FlightEvidence,
     FlightOutcome, FlightReport, Iterations, MARKER, MarkerDistance, NoiseReport, NonIdentifiable,
-    Profile, Rms, SensorEvidence, SensorReport, Truncation, leading_noise,
+    Profile, Rms, SensorEvidence, SensorReport, leading_noise,
 };
 pub use uncertainty::interval;
 
@@ -54,13 +55,13 @@ pub use vertical::{ANGLES as VERTICAL_ANGLES, upward};
 pub use channel::{Channel, ChannelKind};
 pub use initial_state::{InitialGuess, RigidMotion, initial_guesses, state_for_motion};
 pub use noise::{AxesNoise, Moments, NoiseModel, group_count};
-pub use observations::Observations;
+pub use observations::{Observations, Truncation};
 pub use predict::{Loss, PointResidual, Residuals, each_residual, linearise, linearise_with};
 pub use problem::{FitProblem, GlobalParameter};
 pub use state_manifold::StateManifold;
 
 // Mistakes in the data.
-pub use screening::{DataFault, FaultKind};
+pub use data_fault::{DataFault, FaultKind};
 
 // Least squares over many flights.
 pub use least_squares::{

@@ -4,15 +4,26 @@ use std::ops::Range;
 
 use model_spec::layout::StateId;
 use nalgebra::DVector;
+use serde::{Deserialize, Serialize};
 
 use crate::channel::ChannelKind;
 use crate::error::FlightError;
 use crate::problem::FitProblem;
-use crate::report::Truncation;
 use crate::state_manifold::StateManifold;
 use dataset::pose::{Pose, pose};
 use dataset::statistics::median_of;
 use dataset::{Flight, Role, attitude, points_seen};
+
+/// Truncation of a flight before the end of its table, such as at a ground contact.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Truncation {
+    /// Time of the last sample that is used, s, as in the table of the flight.
+    pub t: f64,
+    /// Number of samples after the time `t`, which were dropped.
+    pub samples: usize,
+    /// Reason for the truncation of the flight, as text for the report.
+    pub reason: String,
+}
 
 /// Samples of one flight from the first to the last measured value, with the parameters and initial states that are
 /// known for the flight.

@@ -4,8 +4,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
+use crate::data_fault::DataFault;
 use crate::error::FitError;
-use crate::screening::DataFault;
 
 /// Options of a fit. By default, every coefficient of the model is estimated within the model's bounds, without priors
 /// or profiles, on all processors.

@@ -16,8 +16,10 @@ pub mod figures;
 pub mod fit;
 pub mod import;
 pub mod literature;
+mod numbers;
 mod result_folder;
 mod sheet;
+mod thin;
 pub mod viewer;
 
 pub use atomic_file::write_atomic;

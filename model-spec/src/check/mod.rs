@@ -39,7 +39,7 @@ use term::{Term, Units};
 use unitless::Unitless;
 
 pub(crate) use quantity::si_value;
-pub(crate) use scope::OF_BODY;
+pub(crate) use scope::{OF_BODY, PREVIOUS};
 pub use singular::{SingularPoint, singular_points};
 
 /// Result of [`check`](fn@check): the model and the diagnostics.

@@ -118,7 +118,7 @@ impl Checker<'_> {
 
     fn unknown_name(&mut self, name: &str, span: Span) -> Option<Typed> {
         let mut fault = Diagnostic::new(Kind::Name, span, format!("there is no `{name}`"));
-        if name == crate::effect::PREVIOUS {
+        if name == super::PREVIOUS {
             fault =
                 fault.note("`previous` stands for what is replaced, in a `replace` of an effect");
         } else if self.scope.frame(name).is_some() {

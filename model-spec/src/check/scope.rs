@@ -34,6 +34,9 @@ pub(super) struct Scope {
 /// Reserved names, which no declaration can use.
 pub(super) const FIXED: [&str; 3] = ["pi", "time", "previous"];
 
+/// Name that stands for the replaced definition in a `replace` statement of an effect.
+pub(crate) const PREVIOUS: &str = "previous";
+
 /// Names that are predefined in models with a body; models without a body may declare them.
 pub(crate) const OF_BODY: [&str; 5] = [
     "position",

@@ -6,7 +6,8 @@ mod standard;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::syntax::ast::{Applied, Effect, EffectPart, File, Input, Item, ItemKind, Name};
 
-pub(crate) use replace::{PREVIOUS, description, replaces};
+pub(crate) use crate::check::PREVIOUS;
+pub(crate) use replace::{description, replaces};
 pub(crate) use standard::{FRAMES, INERTIA, MASS};
 
 /// Permitted names in `site NAME;`, the statement by which an effect (named change to a model) names the component of

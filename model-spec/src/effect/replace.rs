@@ -1,6 +1,7 @@
 //! Application of `replace` statements: the replaced definition is substituted for `previous` in the new one.
 
 use super::Change;
+use crate::check::PREVIOUS;
 use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::syntax;
 use crate::syntax::ast::{Body, BodyPart, BodyPartKind, Expr, ExprKind, Inertia, Item, ItemKind};
@@ -150,9 +151,6 @@ impl Change<'_> {
         };
     }
 }
-
-/// Name that stands for the replaced definition in a `replace` statement of an effect (named change to a model).
-pub(crate) const PREVIOUS: &str = "previous";
 
 /// Substitutes `old` for each name `previous` in `e`, and sets `found` if there is such a name. Adds the number of
 /// visited and inserted nodes to `nodes`, and stops if `nodes` exceeds [`MAX_NODES`].

@@ -16,7 +16,7 @@ use std::f64::consts::PI;
 use model_spec::model::Model;
 use nalgebra::{DMatrix, Rotation3, Vector3};
 
-use crate::release::Release;
+use crate::initial_conditions::Release;
 use motion::MotionModel;
 pub use motion::{Motion, Turning, speed_and_spin};
 pub use near::NearThrows;

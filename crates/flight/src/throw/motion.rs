@@ -10,7 +10,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::bound_model::BoundModel;
 use crate::compiled_model::CompiledModel;
-use crate::release::Release;
+use crate::initial_conditions::Release;
 
 /// Motion of a body at an instant, in the inertial frame.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,7 +5,7 @@ use std::path::Path;
 use toml::de::DeTable;
 
 use super::{GustStrength, Gusts, Profile, ReferenceWind, WindField};
-use crate::release::{MAX_FILE_BYTES, Reader, ReleaseError, Value, number_of, read_text};
+use crate::toml_reader::{MAX_FILE_BYTES, Reader, ReleaseError, Value, number_of, read_text};
 
 /// Maximum number of rows of a wind table; a longer table is a fault.
 const MAX_ROWS: usize = 500;

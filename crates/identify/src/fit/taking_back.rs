@@ -12,9 +12,9 @@ use super::multistart::fly_to_the_end;
 use super::one_flight::FixedGlobal;
 use super::reweighting::{Reweighted, reweight};
 use super::state::State;
+use crate::data_fault::FaultKind;
 use crate::error::{ExcludedFlight, FlightError};
 use crate::observations::Observations;
-use crate::screening::FaultKind;
 use dataset::{Dataset, Flight};
 
 /// Maximum ratio of a flight's residual scale (robust standard deviation of its residuals) to that of the other

@@ -17,7 +17,8 @@ pub(crate) use residual_rms::SquareSums;
 pub use residual_rms::{MARKER, Rms};
 pub(crate) use residuals::ResidualPool;
 
-use crate::screening::DataFault;
+use crate::data_fault::DataFault;
+use crate::observations::Truncation;
 use dataset::Role;
 
 /// Content of `report.json` of a fit, schema `hyzer.fit/2`.
@@ -253,17 +254,6 @@ impl FlightReport {
     pub fn rms(&self) -> f64 {
         residual_rms::leading(&self.residual_rms)
     }
-}
-
-/// Truncation of a flight before the end of its table, such as at a ground contact.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Truncation {
-    /// Time of the last sample that is used, s, as in the table of the flight.
-    pub t: f64,
-    /// Number of samples after the time `t`, which were dropped.
-    pub samples: usize,
-    /// Reason for the truncation of the flight, as text for the report.
-    pub reason: String,
 }
 
 /// Estimated value with its standard error.

@@ -7,9 +7,9 @@ use model_spec::model::FrameKind;
 use nalgebra::{Matrix3, Vector3};
 
 use super::distances::{UNITS, unit};
-use super::fault::{DataFault, FaultKind};
 use super::loads::{Regression, Row, regress, rows};
 use super::track::Track;
+use crate::data_fault::{DataFault, FaultKind};
 use crate::problem::FitProblem;
 use dataset::statistics::{median, median_of, median_vector};
 use dataset::{Dataset, Flight, KnownValue};

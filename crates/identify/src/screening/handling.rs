@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::fault::{DataFault, FaultKind};
 use super::track::{MIN_POINTS, Parabola, Track, parabola};
+use crate::data_fault::{DataFault, FaultKind};
 use dataset::Flight;
 use dataset::statistics::median_of;
 

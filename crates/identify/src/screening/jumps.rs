@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::fault::{DataFault, FaultKind};
 use super::track::Track;
+use crate::data_fault::{DataFault, FaultKind};
 use crate::ground_contact::PathPoint;
 use dataset::Flight;
 use dataset::statistics::{median_of, median_vector};

@@ -2,7 +2,7 @@
 //! the whole flight or in a part of it.
 
 use super::distances::{Distances, MAX_MARKERS};
-use super::fault::{DataFault, FaultKind};
+use crate::data_fault::{DataFault, FaultKind};
 use dataset::statistics::median_of;
 use dataset::{Flight, Marker};
 

@@ -3,7 +3,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::fault::{DataFault, FaultKind};
+use crate::data_fault::{DataFault, FaultKind};
 use dataset::Flight;
 use dataset::pose::pose;
 use dataset::statistics::median;

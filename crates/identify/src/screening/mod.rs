@@ -2,7 +2,6 @@
 //! between markers, by poses and by free fall, without the aerodynamic model.
 
 mod distances;
-mod fault;
 mod free_fall;
 mod gravity;
 mod handling;
@@ -18,7 +17,7 @@ mod tests;
 mod track;
 mod turned;
 
-pub use fault::{DataFault, FaultKind};
+use crate::data_fault::{DataFault, FaultKind};
 
 use flight::batch;
 

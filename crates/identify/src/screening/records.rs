@@ -1,7 +1,7 @@
 //! Faults of the recorded values themselves: tracks that repeat the same coordinates, dropouts written as zeros, a
 //! body that does not move, and a flight that is a copy of another.
 
-use super::fault::{DataFault, FaultKind};
+use crate::data_fault::{DataFault, FaultKind};
 use dataset::Dataset;
 use dataset::pose::distance;
 use dataset::statistics::median_of;

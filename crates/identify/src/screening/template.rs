@@ -2,8 +2,8 @@
 //! flight or a part of it, a track that does not match the declared position of its marker.
 
 use super::distances::{Distances, MAX_MARKERS, unit};
-use super::fault::{DataFault, FaultKind};
 use super::labels;
+use crate::data_fault::{DataFault, FaultKind};
 use dataset::{Dataset, Flight, Marker};
 
 /// Minimum magnitude of the natural logarithm of the ratio of measured to declared distances between markers at which a

@@ -4,11 +4,11 @@
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
-use super::fault::{DataFault, FaultKind};
 use super::free_fall::{transformed_track, upright};
 use super::gravity::acceleration;
 use super::mirror;
 use super::track::Track;
+use crate::data_fault::{DataFault, FaultKind};
 use crate::ground_contact::PathPoint;
 use crate::initial_state::{RigidMotion, state_for_motion};
 use crate::observations::Observations;

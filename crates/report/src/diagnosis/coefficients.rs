@@ -3,7 +3,7 @@
 use diagnose::{Coefficient, Report};
 use serde::Serialize;
 
-use crate::fit::numbers::{Digits, plain, unit};
+use crate::numbers::{Digits, plain, unit};
 
 /// Minimum difference between the estimates of a coefficient without and with the effects added by the diagnosis, in
 /// standard errors, for the estimate without them to count as biased.

@@ -8,8 +8,8 @@ use serde::Serialize;
 use super::{DiagnosisPage, words};
 use crate::equation::of_effect;
 use crate::fit::flights::short;
-use crate::fit::numbers::{Digits, millimetres, percent, plain, significant, stated, unit};
 use crate::fit::page::sentence;
+use crate::numbers::{Digits, millimetres, percent, plain, significant, stated, unit};
 
 /// Maximum number of explanations shown in the HTML report.
 pub(super) const MAX_EXPLANATIONS: usize = 12;

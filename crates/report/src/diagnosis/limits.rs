@@ -7,8 +7,8 @@ use serde::Serialize;
 
 use super::words;
 use crate::fit::flights::short;
-use crate::fit::numbers::{Digits, millimetres, plain, significant, unit};
 use crate::fit::words::names;
+use crate::numbers::{Digits, millimetres, plain, significant, unit};
 
 /// Maximum number of rows of a table in the HTML report of a diagnosis.
 const MAX_ROWS: usize = 60;
@@ -101,7 +101,7 @@ pub(super) fn scores(report: &Report) -> Vec<Score> {
             score_chi2: significant(c.score_chi2, 4),
             degrees_of_freedom: c.degrees_of_freedom,
             p: words::probability_of_ln(c.ln_p_value),
-            tolerance: crate::fit::numbers::percent(c.tolerance),
+            tolerance: crate::numbers::percent(c.tolerance),
             one_step_estimates: expected.collect::<Vec<_>>().join("; "),
             significant: c.significant,
         }

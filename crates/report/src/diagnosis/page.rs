@@ -13,9 +13,9 @@ use crate::data_faults;
 use crate::figures::svg::STYLE;
 use crate::fit::Drawn;
 use crate::fit::flights::short;
-use crate::fit::numbers::{millimetres, percent, plain};
 use crate::fit::page::{capitalized, one, plain_values, reached, rendered, sentence, shown};
 use crate::fit::words::names;
+use crate::numbers::{millimetres, percent, plain};
 
 /// Maximum number of characters of the extended model's text shown in the HTML report.
 const MAX_TEXT: usize = 60_000;

@@ -3,8 +3,8 @@
 use diagnose::{Explanation, LackOfFit, PredictiveGain, Report, Verdict};
 use identify::wording::count;
 
-use crate::fit::numbers::{millimetres, plain, raised, significant};
 use crate::fit::words::names;
+use crate::numbers::{millimetres, plain, raised, significant};
 
 /// Name of a hypothesis on the explanation of a misfit: the joined names of its effects.
 pub(super) fn explanation(explanation: &Explanation) -> String {
@@ -150,7 +150,7 @@ pub fn lack_of_fit(test: &LackOfFit) -> String {
 pub(super) fn gained(gain: &PredictiveGain) -> String {
     let value = 1e3 * (gain.rms_before_m - gain.rms_after_m);
     let error = 1e3 * gain.std_error_m;
-    let digits = crate::fit::numbers::Digits::of(value, error);
+    let digits = crate::numbers::Digits::of(value, error);
     if error.is_finite() && error > 0.0 {
         format!("{} ± {}\u{a0}mm", digits.one(value), digits.one(error))
     } else {

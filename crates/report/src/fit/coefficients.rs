@@ -4,8 +4,8 @@ use identify::Coefficient;
 use serde::Serialize;
 
 use super::FitPage;
-use super::numbers::{Digits, stated, unit};
 use crate::literature::{Source, sources};
+use crate::numbers::{Digits, stated, unit};
 
 /// Row of the table of fitted coefficients, with all values formatted as text.
 #[derive(Serialize)]

@@ -6,7 +6,7 @@ use model_spec::sort_by_number;
 use serde::Serialize;
 
 use super::FitPage;
-use super::numbers::{millimetres, plain};
+use crate::numbers::{millimetres, plain};
 
 /// Maximum number of flights that a table of the report lists.
 const MAX_ROWS: usize = 50;

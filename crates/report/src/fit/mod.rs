@@ -4,9 +4,7 @@ mod coefficients;
 pub(crate) mod draw;
 pub(crate) mod flights;
 mod noise;
-pub(crate) mod numbers;
 pub(crate) mod page;
-pub(crate) mod thin;
 pub(crate) mod words;
 
 use crate::certificate::CertificateNote;

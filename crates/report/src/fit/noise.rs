@@ -3,7 +3,7 @@
 use identify::FitReport;
 use serde::Serialize;
 
-use super::numbers::{millimetres, plain};
+use crate::numbers::{millimetres, plain};
 
 /// Table row of the estimated measurement noise along one axis, or along all axes together, with all values formatted
 /// as text.

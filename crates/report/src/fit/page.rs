@@ -9,11 +9,11 @@ use minijinja::{AutoEscape, Environment, UndefinedBehavior, context};
 use model_spec::sort_by_number;
 use serde::Serialize;
 
-use super::numbers::{percent, plain};
 use super::{Drawn, Figure, Figures, FitPage, coefficients, flights, noise, words};
 use crate::data_faults;
 use crate::figures::svg::{STYLE, without_style};
 use crate::literature::sources;
+use crate::numbers::{percent, plain};
 
 /// Number of flights whose figures of the states over time are expanded when the page is opened.
 const OPEN: usize = 3;
@@ -79,7 +79,7 @@ pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
         noise => plain_values(&noise::rows(report)),
         noise_how => if report.leading_noise().estimated { "estimated" } else { "given by the dataset" },
         estimated => report.leading_noise().estimated,
-        interval => super::numbers::significant(1e3 * report.leading_noise().interval_s, 3),
+        interval => crate::numbers::significant(1e3 * report.leading_noise().interval_s, 3),
         points => report.leading_noise().points,
         outliers => report.leading_noise().outliers,
         outlier_share => percent(report.leading_noise().outlier_fraction),

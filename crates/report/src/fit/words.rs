@@ -6,7 +6,7 @@ use identify::{Coefficient, FitReport, FlightReport};
 
 use super::FitPage;
 use super::flights::short;
-use super::numbers::{millimetres, percent, plain};
+use crate::numbers::{millimetres, percent, plain};
 
 /// Maximum relative standard error at which the report calls a coefficient well determined.
 const GOOD: f64 = 0.1;

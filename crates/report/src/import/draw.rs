@@ -5,7 +5,7 @@ use model_spec::sort_by_number;
 use super::{Curve, Distance, ImportedFlight, ImportedTake};
 use crate::figures::{Dots, Layout, Line, Look, Mark, Panel};
 use crate::fit::Drawn;
-use crate::fit::thin;
+use crate::thin;
 
 /// Maximum number of marker pairs whose distances are drawn for a flight: the number of distinct line colours.
 const MAX_PAIRS: usize = 4;

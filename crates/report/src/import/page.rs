@@ -8,9 +8,9 @@ use serde::Serialize;
 
 use super::{ImportPage, ImportedFlight, ImportedTake, draw};
 use crate::fit::flights::short;
-use crate::fit::numbers::plain;
 use crate::fit::page::{capitalized, one, plain_values, rendered};
 use crate::fit::words::names;
+use crate::numbers::plain;
 
 /// Maximum number of imported flights that are drawn, over all recordings.
 const MAX_FLIGHTS: usize = 60;

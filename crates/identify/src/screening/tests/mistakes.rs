@@ -1,7 +1,7 @@
 //! Laboratory mistakes in one flight and in all flights.
 
 use super::{Spoil, ball, calm_disc, disc, disc_releases, each_point, found, kinds, plan, spoiled};
-use crate::screening::fault::FaultKind;
+use crate::data_fault::FaultKind;
 use dataset::synthesize::{Plan, flights};
 use dataset::{Dataset, Flight, Marker};
 use model_spec::model::Model;

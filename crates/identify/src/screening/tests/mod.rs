@@ -9,8 +9,8 @@ mod mistakes;
 use ::flight::release::{Release, Stop, Vocabulary, built_in, read};
 use model_spec::model::Model;
 
-use super::fault::{DataFault, FaultKind};
 use super::screen;
+use crate::data_fault::{DataFault, FaultKind};
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use dataset::synthesize::{Corruption, Plan, Spread, flights};

@@ -10,8 +10,8 @@ use crate::figures::csv::Table;
 use crate::figures::svg::{Svg, cut};
 use crate::fit::Drawn;
 use crate::fit::draw::not_drawn;
-use crate::fit::numbers::{percent, raised};
-use crate::fit::thin::stride;
+use crate::numbers::{percent, raised};
+use crate::thin::stride;
 
 /// Maximum number of load channels (force or moment components) drawn, one figure each.
 const MAX_CHANNELS: usize = 12;
@@ -151,7 +151,7 @@ fn draw(channel: &LoadChannel, title: &str, layout: Layout) -> String {
         svg.line("axis", (x0, bottom), (x0 + wide, bottom));
         let ends = [(time.0, "start"), (time.0 + length, "end")];
         for (t, anchor) in ends {
-            let mut text = crate::fit::numbers::plain(t, 1);
+            let mut text = crate::numbers::plain(t, 1);
             if anchor == "end" {
                 text += " s";
             }

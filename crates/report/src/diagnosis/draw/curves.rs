@@ -6,8 +6,8 @@ use super::super::DiagnosisPage;
 use super::drawn_panels;
 use crate::figures::{Bar, Layout, Line, Panel, symbol};
 use crate::fit::Drawn;
-use crate::fit::numbers::with_unit;
-use crate::fit::thin::MAX_CURVE_POINTS;
+use crate::numbers::with_unit;
+use crate::thin::MAX_CURVE_POINTS;
 
 /// Maximum number of coefficient curves drawn in the report.
 const MAX_CURVES: usize = 24;

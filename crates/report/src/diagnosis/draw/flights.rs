@@ -9,7 +9,7 @@ use super::{drawn_chart, drawn_panels};
 use crate::figures::chart::{Chart, Row, Shape, axis_for};
 use crate::figures::{Dots, Layout, Line, Look, Panel};
 use crate::fit::Drawn;
-use crate::fit::thin::stride;
+use crate::thin::stride;
 
 /// Maximum number of flights drawn as one chart row each; more flights are drawn as dots in order of their residual.
 const MAX_ROWS: usize = 16;

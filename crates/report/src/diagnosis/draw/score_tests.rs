@@ -88,7 +88,7 @@ pub(super) fn score_tests(report: &Report) -> Option<Drawn> {
     let caption = format!(
         "Score test of each effect alone, as the standard normal quantile z of equal p-value. The familywise error rate \
          of all tests is {}.{along}{more}",
-        crate::fit::numbers::percent(report.threshold.alpha)
+        crate::numbers::percent(report.threshold.alpha)
     );
     Some(drawn_chart("candidates", &chart, &caption, Layout::COLUMN))
 }

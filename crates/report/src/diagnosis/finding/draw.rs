@@ -9,7 +9,7 @@ use super::curve::Curve;
 use crate::figures::chart::{Axis, Chart, Row, Shape};
 use crate::figures::{Bar, Layout, Line, Panel, symbol};
 use crate::fit::Drawn;
-use crate::fit::numbers::{Digits, unit, with_unit};
+use crate::numbers::{Digits, unit, with_unit};
 
 /// File name, without suffix, of the figure in the opening section of the diagnosis report.
 const NAME: &str = "finding";

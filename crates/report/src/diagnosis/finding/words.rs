@@ -6,9 +6,9 @@ use identify::wording::count;
 use super::super::{DiagnosisPage, words};
 use super::curve::{Curve, Point};
 use crate::figures::symbol;
-use crate::fit::numbers::{Digits, percent, plain, significant, unit};
 use crate::fit::page::sentence;
 use crate::fit::words::names;
+use crate::numbers::{Digits, percent, plain, significant, unit};
 
 /// Minimum absolute ratio of an effect's estimate to its standard error at which the report calls the effect far beyond
 /// chance. The threshold is so high that chance does not reach it even in a large number of diagnoses.

@@ -1,9 +1,9 @@
 //! Figure of the correlation matrix of the estimated coefficients.
 
-use super::super::numbers::plain;
 use super::super::{Drawn, FitPage};
 use crate::figures::csv::Table;
 use crate::figures::svg::{Svg, cut};
+use crate::numbers::plain;
 
 const WIDTH: f64 = 360.0;
 const LETTERS: f64 = 13.0;

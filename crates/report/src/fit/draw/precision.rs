@@ -7,7 +7,7 @@ use super::not_drawn;
 use crate::bands::std_error;
 use crate::figures::Layout;
 use crate::figures::chart::{Axis, Chart, Row, Shape};
-use crate::fit::numbers::percent;
+use crate::numbers::percent;
 
 /// Minimum and maximum of the chart axis on which relative standard errors are drawn, %.
 const AXIS: (f64, f64) = (0.1, 1e3);

@@ -4,10 +4,10 @@ use dataset::Role;
 use identify::{Fit, FlightEvidence, FlightId};
 
 use super::super::Drawn;
-use super::super::thin::{MAX_CURVE_POINTS, stride};
 use super::{points, samples};
 use crate::bands::{PredictionBand, prediction_band};
 use crate::figures::{Dots, Layout, Look, Mark, Panel};
+use crate::thin::{MAX_CURVE_POINTS, stride};
 
 /// Maximum number of held-out flights whose prediction errors are drawn, one figure each.
 const MAX_FLIGHTS: usize = 6;

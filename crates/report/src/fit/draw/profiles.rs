@@ -5,8 +5,8 @@ use identify::FitReport;
 use model_spec::sort_by_number;
 
 use super::super::Drawn;
-use super::super::numbers::{Digits, raised, unit};
 use crate::figures::{Dots, Layout, Line, Look, Mark, Panel};
+use crate::numbers::{Digits, raised, unit};
 
 /// Deviance of the profile likelihood above which a value of the coefficient is rejected at the 5 % level: 95 %
 /// quantile of χ²(1).

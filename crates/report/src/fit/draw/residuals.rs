@@ -5,10 +5,10 @@ use dataset::Role;
 use identify::{FlightEvidence, NoiseReport};
 
 use super::super::Drawn;
-use super::super::thin::stride;
 use super::{MAX_FLIGHTS, points, samples};
 use crate::figures::csv::of_panels;
 use crate::figures::{Dots, Layout, Look, Mark, Panel, figure_of};
+use crate::thin::stride;
 
 /// Maximum number of residuals drawn as dots in a panel, over all markers.
 const MAX_DOTS: usize = 1500;

@@ -5,9 +5,9 @@ use identify::FlightEvidence;
 use model_spec::model::Model;
 
 use super::super::Drawn;
-use super::super::thin::{MAX_CURVE_POINTS, curve};
 use super::{MAX_FLIGHTS, samples};
 use crate::figures::{Layout, Line, Panel, StateLabel, panels_of_states, symbol};
+use crate::thin::{MAX_CURVE_POINTS, curve};
 
 /// Maximum ratio of the peak magnitudes of two states that share a panel. In a small panel, the nutation of the
 /// angular rates must remain visible next to the spin.

@@ -3,10 +3,10 @@
 use identify::FlightEvidence;
 
 use super::super::Drawn;
-use super::super::thin::{MAX_CURVE_POINTS, stride};
 use super::{MAX_FLIGHTS, MeasuredPoint, not_drawn, points, predicted, samples};
 use crate::figures::axis::range;
 use crate::figures::{Dots, Layout, Line, Look, Panel};
+use crate::thin::{MAX_CURVE_POINTS, stride};
 
 /// Maximum number of markers whose paths are drawn: the number of distinct line colours.
 const MAX_MARKERS: usize = 4;

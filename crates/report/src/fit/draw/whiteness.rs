@@ -3,8 +3,8 @@
 use identify::{AxisResiduals, FitReport};
 
 use super::super::Drawn;
-use super::super::thin::{MAX_CURVE_POINTS, stride};
 use crate::figures::{Dots, Layout, Line, Look, Panel};
+use crate::thin::{MAX_CURVE_POINTS, stride};
 
 /// Draws the autocorrelation and the normal Q–Q plot of the residuals, one figure for each axis.
 pub(in super::super) fn whiteness(report: &FitReport) -> Vec<Drawn> {

@@ -1,8 +1,16 @@
 //! Parsing of numbers and vectors in release files, and valid ranges of constants.
 
-use super::Name;
-use super::read::{Reader, Value};
+use super::{Reader, Value};
 use toml::de::DeValue;
+
+/// Name of a parameter or coefficient, with its bounds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Name {
+    /// Name of the parameter or coefficient in the model.
+    pub name: String,
+    /// Minimum and maximum value, SI; `None` if the model declares no bounds.
+    pub bounds: Option<(f64, f64)>,
+}
 
 /// Names of the parameters that must be positive in every model.
 const POSITIVE_PARAMETERS: [&str; 6] = ["m", "I_a", "I_d", "d", "A", "radius"];

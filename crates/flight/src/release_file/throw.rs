@@ -5,10 +5,9 @@ use std::ops::Range;
 
 use toml::de::DeTable;
 
-use super::fault::suggestion;
-use super::read::Reader;
-use super::{Release, Vocabulary};
+use crate::initial_conditions::{Release, Vocabulary};
 use crate::throw::{FIELDS, Throw, ThrowError, ThrownModel};
+use crate::toml_reader::{Reader, suggestion};
 
 impl<'t> Reader<'t> {
     /// Parses the table `[throw]`, which a release file (initial conditions of a flight) may contain instead of

@@ -1,23 +1,12 @@
-//! Releases: initial conditions and end of a flight, built in by name or read from a TOML file.
-
-mod fault;
-mod read;
-mod read_throw;
-mod text;
-mod values;
+//! Releases: initial conditions and end of a flight, and those that are built in.
 
 use std::sync::Arc;
 
+use model_spec::load::LoadError;
 use model_spec::model::{Model, Parameter};
 
+use crate::toml_reader::Name;
 use crate::wind::WindField;
-
-use fault::WindError;
-pub use fault::{Fault, ReleaseError, suggestion};
-pub(crate) use read::MAX_FILE_BYTES;
-pub use read::{Reader, Value, read, read_file, read_file_in_wind, read_in_wind};
-pub use text::read_text;
-pub use values::number_of;
 
 /// Initial conditions, parameters, wind and end of a flight.
 #[derive(Clone, Debug, PartialEq)]
@@ -113,18 +102,21 @@ pub struct Vocabulary {
     pub model: Option<Arc<Model>>,
 }
 
-/// Name of a parameter or coefficient, with its bounds.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Name {
-    /// Name of the parameter or coefficient in the model.
-    pub name: String,
-    /// Minimum and maximum value, SI; `None` if the model declares no bounds.
-    pub bounds: Option<(f64, f64)>,
+/// Reason why a flight of a model cannot be simulated in the wind that its release file specifies.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum WindError {
+    /// The wind cannot be added to the model, because only the names that the model defines are available, not the
+    /// model itself.
+    #[error("found a wind by height or gusts, and no model that could fly in it")]
+    NoModel,
+    /// The wind cannot be added to the model `name`, for the reason `source`.
+    #[error("the model {name} cannot fly in this wind: {source}")]
+    Model { name: String, source: LoadError },
 }
 
 impl Vocabulary {
     /// Names that the model defines after the wind `field` has been added to it.
-    fn in_wind(&self, field: &WindField) -> Result<Vocabulary, WindError> {
+    pub(crate) fn in_wind(&self, field: &WindField) -> Result<Vocabulary, WindError> {
         let model = self.model.as_ref().ok_or(WindError::NoModel)?;
         let composed = field.compose(model).map_err(|source| WindError::Model {
             name: model.name.clone(),
@@ -162,11 +154,11 @@ impl Vocabulary {
 /// Names and TOML texts of the built-in releases (initial conditions of a flight): two flights of Hubbard & Hummel
 /// (2000), a backhand, a discus throw and a table-tennis serve.
 pub const BUILT_IN: [(&str, &str); 5] = [
-    ("fssh3", include_str!("../../releases/fssh3.toml")),
-    ("bffl8", include_str!("../../releases/bffl8.toml")),
-    ("backhand", include_str!("../../releases/backhand.toml")),
-    ("discus", include_str!("../../releases/discus.toml")),
-    ("serve", include_str!("../../releases/serve.toml")),
+    ("fssh3", include_str!("../releases/fssh3.toml")),
+    ("bffl8", include_str!("../releases/bffl8.toml")),
+    ("backhand", include_str!("../releases/backhand.toml")),
+    ("discus", include_str!("../releases/discus.toml")),
+    ("serve", include_str!("../releases/serve.toml")),
 ];
 
 /// TOML text of the built-in release (initial conditions of a flight) of this name; `None` if there is none.

@@ -2,8 +2,6 @@
 
 use std::fmt;
 
-use model_spec::load::LoadError;
-
 /// Error for an invalid release file (initial conditions of a flight), with all faults of the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ReleaseError {
@@ -49,18 +47,6 @@ impl fmt::Display for ReleaseError {
 }
 
 impl std::error::Error for ReleaseError {}
-
-/// Reason why a flight of a model cannot be simulated in the wind that its release file specifies.
-#[derive(Debug, thiserror::Error)]
-pub(super) enum WindError {
-    /// The wind cannot be added to the model, because only the names that the model defines are available, not the
-    /// model itself.
-    #[error("found a wind by height or gusts, and no model that could fly in it")]
-    NoModel,
-    /// The wind cannot be added to the model `name`, for the reason `source`.
-    #[error("the model {name} cannot fly in this wind: {source}")]
-    Model { name: String, source: LoadError },
-}
 
 /// End of an error message on an unknown name: `; did you mean "…"?` if a valid name is similar, otherwise the list of
 /// all valid names.

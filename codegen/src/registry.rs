@@ -1,6 +1,6 @@
 //! Registry of all backends.
 
-use super::interface::Backend;
+use crate::backend::Backend;
 use crate::rust;
 
 /// All code generation backends; the first is the default.

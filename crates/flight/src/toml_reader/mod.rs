@@ -1,0 +1,127 @@
+//! Reader of TOML texts that collects all faults, with their locations.
+
+mod fault;
+mod text;
+mod values;
+
+use std::ops::Range;
+
+use model_spec::location::line_and_column;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+pub use fault::{Fault, ReleaseError, suggestion};
+pub use text::read_text;
+pub use values::{Name, number_of};
+
+/// Maximum size of a TOML file, bytes.
+pub(crate) const MAX_FILE_BYTES: u64 = 1 << 20;
+
+/// Reader of a TOML text that collects all faults in it, with their locations.
+pub struct Reader<'t> {
+    text: &'t str,
+    faults: Vec<Fault>,
+}
+
+/// Value in a TOML text, with its location.
+pub type Value<'t> = Spanned<DeValue<'t>>;
+
+impl<'t> Reader<'t> {
+    /// Creates a reader of a text, without recorded faults.
+    pub fn new(text: &'t str) -> Reader<'t> {
+        Reader {
+            text,
+            faults: Vec::new(),
+        }
+    }
+
+    /// Returns `value`, the result of parsing the text, if no fault was recorded; `file` is the name of the text in
+    /// error messages.
+    ///
+    /// # Errors
+    /// [`ReleaseError`] with the faults in order of location if there are any, or if `value` is `None`.
+    pub fn finish<V>(self, file: &str, value: Option<V>) -> Result<V, ReleaseError> {
+        match value {
+            Some(value) if self.faults.is_empty() => Ok(value),
+            _ => Err(ReleaseError::new(file, self.faults)),
+        }
+    }
+
+    /// Records a fault at a byte range of the text.
+    pub fn fault(&mut self, span: Range<usize>, message: impl Into<String>) {
+        self.faults.push(Fault {
+            location: Some(line_and_column(self.text, span.start)),
+            message: message.into(),
+        });
+    }
+
+    /// Number of faults recorded so far.
+    pub(crate) fn faults_count(&self) -> usize {
+        self.faults.len()
+    }
+
+    /// Records a fault that concerns the whole text.
+    pub fn missing(&mut self, message: impl Into<String>) {
+        self.faults.push(Fault {
+            location: None,
+            message: message.into(),
+        });
+    }
+
+    /// Parses the text as TOML; for a syntax error records a fault and returns `None`.
+    pub fn document(&mut self) -> Option<Spanned<DeTable<'t>>> {
+        match DeTable::parse(self.text) {
+            Ok(document) => Some(document),
+            Err(e) => {
+                let span = e.span().unwrap_or(0..0);
+                self.fault(
+                    span,
+                    format!("this is no TOML: {}", e.message().replace('\n', "; ")),
+                );
+                None
+            }
+        }
+    }
+
+    /// Entries of the table `key` of the document, each as key, span of the key, and value. Empty if the table is
+    /// absent; also if `key` is not a table, which is recorded as a fault.
+    pub fn table<'d>(
+        &mut self,
+        document: &'d DeTable<'t>,
+        key: &str,
+    ) -> Vec<(&'d str, Range<usize>, &'d Value<'t>)> {
+        let Some(value) = document.get(key) else {
+            return Vec::new();
+        };
+        let Some(table) = value.get_ref().as_table() else {
+            self.wrong_type(value, key, &format!("a table, as in [{key}]"));
+            return Vec::new();
+        };
+        table
+            .iter()
+            .map(|(key, value)| (&**key.get_ref(), key.span(), value))
+            .collect()
+    }
+
+    /// Records a fault for each key of a table that is not in `names`; `context` follows the key in the message, as in
+    /// `" in [throw]"`.
+    pub fn known_keys<'n>(
+        &mut self,
+        table: &DeTable<'t>,
+        context: &str,
+        names: impl Iterator<Item = &'n str> + Clone,
+    ) {
+        for key in table.keys() {
+            let name = key.get_ref();
+            if !names.clone().any(|n| n == name) {
+                self.fault(
+                    key.span(),
+                    format!(
+                        "unknown key {name:?}{context}{}",
+                        suggestion(name, names.clone())
+                    ),
+                );
+            }
+        }
+    }
+}
