@@ -4,7 +4,8 @@ use std::io::Write;
 use std::path::Path;
 
 use anyhow::Context;
-use report::{FigureKind, ResultFile, ResultFolder};
+use flight::files::{ResultFile, ResultFolder, write_atomic};
+use report::FigureKind;
 
 use crate::progress;
 
@@ -14,7 +15,7 @@ pub fn write(path: &Path, contents: impl AsRef<[u8]>) -> anyhow::Result<()> {
         if let Some(folder) = path.parent() {
             std::fs::create_dir_all(folder)?;
         }
-        report::write_atomic(path, contents)
+        write_atomic(path, contents)
     };
     progress::writing(whole).with_context(|| format!("cannot write {}", path.display()))
 }

@@ -9,6 +9,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use anyhow::{Context, anyhow, bail};
+use flight::files::ResultFile;
 use flight::release::{
     BUILT_IN, Release, Stop, Vocabulary, built_in, read, read_file, read_file_in_wind, read_in_wind,
 };
@@ -17,7 +18,6 @@ use flight::{CompiledModel, simulate, trajectory_csv};
 use model_spec::load::load;
 use model_spec::model::Model;
 use ode::{IntegrationOptions, Trajectory};
-use report::ResultFile;
 use report::figures::{StateLabel, flight as picture};
 use report::viewer::View;
 

@@ -22,7 +22,7 @@ fn write(file: &Path, contents: &str) -> anyhow::Result<()> {
         if let Some(folder) = file.parent() {
             std::fs::create_dir_all(folder)?;
         }
-        report::write_atomic(file, contents)
+        flight::files::write_atomic(file, contents)
     };
     whole().with_context(|| format!("cannot write {}", file.display()))
 }

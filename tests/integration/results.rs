@@ -97,7 +97,7 @@ fn the_folder_is_tried_before_the_work() {
         let (status, _, errors) = told(hyzer().args(command).arg("--out").arg(folder.path()));
         assert_eq!(status, 2);
         assert!(
-            errors.contains("files that hyzer did not write (taken)"),
+            errors.contains("files that hyzer did not write or that were edited (taken)"),
             "{errors}"
         );
         assert!(started.elapsed() < Duration::from_secs(5), "{command:?}");
@@ -106,45 +106,43 @@ fn the_folder_is_tried_before_the_work() {
 }
 
 #[test]
-fn earlier_results_are_gone_and_other_files_stay() {
+fn earlier_results_are_gone_and_a_folder_with_other_files_is_refused() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("out");
-    let run = |command: &[&str]| {
-        let (status, _, errors) = told(hyzer().args(command).arg("--out").arg(&out));
-        assert_eq!(status, 0, "{errors}");
-    };
-    run(&["fit", "examples/ball"]);
-    std::fs::write(out.join("notes.txt"), "mine").expect("written");
-    run(&[
+    let simulate = [
         "simulate",
         "disc",
         "--release",
         "backhand",
         "--until",
         "0.1",
-    ]);
-    let mut names: Vec<String> = std::fs::read_dir(&out)
-        .expect("a folder")
-        .map(|entry| {
-            entry
-                .expect("an entry")
-                .file_name()
-                .to_string_lossy()
-                .into_owned()
-        })
-        .collect();
-    names.sort();
-    assert_eq!(
-        names,
-        [
-            ".hyzer-results",
-            "flight.html",
-            "flight.svg",
-            "notes.txt",
-            "summary.json",
-            "trajectory.csv"
-        ]
-    );
+    ];
+    let run = |command: &[&str]| told(hyzer().args(command).arg("--out").arg(&out));
+    assert_eq!(run(&["fit", "examples/ball"]).0, 0);
+    assert_eq!(run(&simulate).0, 0);
+    let names = || {
+        let entries = std::fs::read_dir(&out).expect("a folder");
+        let names = entries.map(|entry| entry.expect("an entry").file_name());
+        let mut names: Vec<_> = names
+            .map(|name| name.to_string_lossy().into_owned())
+            .collect();
+        names.sort();
+        names
+    };
+    let results = [
+        ".hyzer-results",
+        "flight.html",
+        "flight.svg",
+        "summary.json",
+        "trajectory.csv",
+    ];
+    assert_eq!(names(), results);
+    std::fs::write(out.join("notes.txt"), "mine").expect("written");
+    let before = names();
+    let (status, text, errors) = run(&simulate);
+    assert_eq!((status, text.as_str()), (2, ""));
+    assert!(errors.contains("(notes.txt)"), "{errors}");
+    assert_eq!(names(), before);
 }
 
 /// Test in which runs of `hyzer` are killed at random times; afterwards the output folder must contain the complete
@@ -205,12 +203,8 @@ impl Kills {
             let started = Instant::now();
             assert!(self.command(release).status().expect("it runs").success());
             longest = longest.max(started.elapsed());
-            let mut contents = self.contents();
-            // What the user put there is there after each run.
-            contents.insert("notes.txt".to_owned(), b"mine".to_vec());
-            whole.push(contents);
+            whole.push(self.contents());
         }
-        std::fs::write(self.out().join("notes.txt"), "mine").expect("written");
         let (mut now, mut counts) = (1, [0; 2]);
         for kill in 0..kills {
             let next = 1 - now;

@@ -9,6 +9,7 @@ use super::recording::Recording;
 use super::sensor::channels;
 use super::{Dataset, Flight, KnownValue, Marker, Role, Sensor, assemble, manifest, names, table};
 use crate::input_error::InputError;
+use flight::files::{ResultFile, write_new_folder};
 
 /// Writes a dataset as a folder with `dataset.toml` and one table per flight.
 ///
@@ -63,7 +64,13 @@ pub fn write_commented(
         return Err(invalid(format!("two files {name} in one dataset")));
     }
     match folder_content(folder, &files)? {
-        FolderContent::Nothing => write_atomically(folder, &files),
+        FolderContent::Nothing => {
+            let files = files.into_iter();
+            let files: Vec<_> = files
+                .map(|(name, text)| ResultFile::new(name, text))
+                .collect();
+            write_new_folder(folder, &files)
+        }
         FolderContent::This => Ok(()),
         FolderContent::Other => Err(io::Error::new(
             io::ErrorKind::AlreadyExists,
@@ -114,49 +121,6 @@ fn folder_content(folder: &Path, files: &[(String, String)]) -> io::Result<Folde
         count if count == files.len() && files.iter().all(same) => FolderContent::This,
         _ => FolderContent::Other,
     })
-}
-
-/// Writes `files` (pairs of name and text) into a temporary folder next to `folder`, then renames the temporary folder
-/// to `folder`.
-fn write_atomically(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
-    let name = folder
-        .file_name()
-        .ok_or_else(|| invalid(format!("{} is no folder's name", folder.display())))?;
-    let around = match folder.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent.to_path_buf(),
-        _ => PathBuf::from("."),
-    };
-    std::fs::create_dir_all(&around)?;
-    let part = around.join(format!(
-        ".{}.{}.part",
-        name.to_string_lossy(),
-        std::process::id()
-    ));
-    std::fs::create_dir(&part)?;
-    let written = write_files(&part, files).and_then(|()| {
-        // An empty folder is removed; a folder that has been filled in the meantime is an error.
-        match std::fs::remove_dir(folder) {
-            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
-            _ => {}
-        }
-        std::fs::rename(&part, folder)
-    });
-    if written.is_err() {
-        // An error here is ignored in favour of the first error.
-        let _ = std::fs::remove_dir_all(&part);
-    }
-    written
-}
-
-fn write_files(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
-    for (name, text) in files {
-        let path = folder.join(name);
-        if let Some(parent) = path.parent() {
-            std::fs::create_dir_all(parent)?;
-        }
-        std::fs::write(path, text)?;
-    }
-    Ok(())
 }
 
 /// Returns an error if reading `files` (pairs of name and text) as a dataset would fail or would not give `dataset`.

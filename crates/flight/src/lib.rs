@@ -31,6 +31,7 @@
 pub mod batch;
 mod bound_model;
 mod compiled_model;
+pub mod files;
 mod functions;
 mod initial_conditions;
 mod integrate;

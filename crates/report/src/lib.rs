@@ -4,7 +4,6 @@
 #![forbid(unsafe_code)]
 
 mod angle;
-mod atomic_file;
 mod bands;
 mod certificate;
 mod data_faults;
@@ -17,14 +16,11 @@ pub mod fit;
 pub mod import;
 pub mod literature;
 mod numbers;
-mod result_folder;
 mod sheet;
 mod thin;
 pub mod viewer;
 
-pub use atomic_file::write_atomic;
 pub use bands::{PredictionBand, prediction_band};
 pub use certificate::{CertificateNote, WithCertificate};
 pub use figure_file::{FigureError, FigureKind};
-pub use result_folder::{MANIFEST, ResultFile, ResultFolder, ResultFolderError};
 pub use sheet::{Section, Sheet, SheetFigure, Table};

@@ -7,7 +7,7 @@ use serde::Serialize;
 use crate::figures::svg::without_style;
 use crate::figures::{Layout, Panel, figure_of};
 use crate::fit::page::{plain_values, rendered};
-use crate::result_folder::ResultFile;
+use flight::files::ResultFile;
 
 /// HTML page of paragraphs, tables and figures.
 #[derive(Clone, Debug, Default)]

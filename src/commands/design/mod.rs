@@ -10,10 +10,10 @@ use analysis::design::{
     numbers, spread,
 };
 use anyhow::{Context, bail};
+use flight::files::ResultFile;
 use flight::release::Release;
 use flight::throw::FIELDS;
 use nalgebra::Vector3;
-use report::ResultFile;
 use report::viewer::View;
 
 use super::simulate::{apply, throws};

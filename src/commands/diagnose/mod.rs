@@ -7,10 +7,11 @@ use ::diagnose::{Diagnosis, DiagnosisOptions, ExtendedModel, Verified, diagnose_
 use anyhow::Context;
 use codegen::generate::generate_with;
 use dataset::Dataset;
+use flight::files::ResultFile;
 use identify::FitOptions;
 use report::diagnosis::{DiagnosisPage, Fits};
 use report::viewer::View;
-use report::{CertificateNote, ResultFile, WithCertificate};
+use report::{CertificateNote, WithCertificate};
 
 use super::certificate;
 use super::fit::{

@@ -11,6 +11,7 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Context, bail};
 use dataset::{Dataset, Role};
+use flight::files::ResultFile;
 use identify::{FitOptions, FlightEvidence, FlightId, Prior};
 use model_spec::ModelTree;
 use model_spec::model::Model;
@@ -18,7 +19,7 @@ use model_spec::sort_by_number;
 use report::fit::Figure;
 use report::fit::FitPage;
 use report::viewer::View;
-use report::{CertificateNote, ResultFile, WithCertificate};
+use report::{CertificateNote, WithCertificate};
 
 use super::{certificate, number};
 use crate::cli::Fit;

@@ -2,11 +2,11 @@
 
 use std::fmt::Write;
 
+use flight::files::{ResultFile, ResultFolder};
 use flight::release::Release;
 use flight::{CompiledModel, simulate, trajectory_csv};
 use model_spec::model::Model;
 use ode::IntegrationOptions;
-use report::{ResultFile, ResultFolder};
 
 use super::flown::Flown;
 use super::techdisc::Row;

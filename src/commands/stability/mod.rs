@@ -6,10 +6,10 @@ mod words;
 
 use analysis::stability::{Body, Instant, along, at, map, trim};
 use anyhow::bail;
+use flight::files::ResultFile;
 use flight::simulate;
 use flight::throw::Throw;
 use ode::IntegrationOptions;
-use report::ResultFile;
 
 use super::simulate::{apply, released, throws};
 use super::vector;

@@ -3,14 +3,14 @@
 
 use std::fmt::{self, Display};
 use std::fs;
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 
 use lanes::Isa;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
-use crate::sweep::atomic::{Durability, UNFINISHED, write_atomic};
+use flight::files::{UNFINISHED, write_atomic};
 
 /// Name of the JSON file that identifies the computation to which the parts in a folder belong, by a fingerprint (hash
 /// of all inputs).
@@ -175,8 +175,7 @@ impl PartsFolder {
     /// # Errors
     /// [`FolderError::Io`] if the file cannot be written.
     pub fn write(&self, path: &Path, text: &str) -> Result<(), FolderError> {
-        let write = |file: &mut fs::File| file.write_all(text.as_bytes());
-        write_atomic(path, Durability::Synced, write).map_err(|source| FolderError::Io {
+        write_atomic(path, text).map_err(|source| FolderError::Io {
             path: path.to_path_buf(),
             source,
         })

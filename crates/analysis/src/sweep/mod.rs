@@ -5,7 +5,6 @@
 //! threads and any division of the work. Flights are grouped in parts, each written to a file as a whole; a run
 //! continues where an earlier, interrupted run ended.
 
-mod atomic;
 mod error;
 pub mod folder;
 mod inputs;

@@ -15,8 +15,8 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{ColumnPath, PrimitiveTypeBuilder, Type};
 
-use crate::sweep::atomic::{Durability, write_atomic};
 use crate::sweep::rows::{Column, Rows, STATUSES};
+use flight::files::{Durability, write_atomic_with};
 
 /// Name of the first column of the table of flights: the flight number, from 0.
 const FLIGHT: &str = "flight";
@@ -28,7 +28,7 @@ const STATUS: &str = "status";
 pub(crate) fn write(path: &Path, rows: &Rows) -> Result<(), ParquetError> {
     let properties = properties(&rows.columns);
     let schema = schema(rows.columns.iter().map(|column| column.name.as_str()))?;
-    write_atomic(path, Durability::Renamed, |file| {
+    write_atomic_with(path, Durability::Renamed, |file| {
         let mut writer = SerializedFileWriter::new(file, schema, Arc::new(properties))?;
         let mut group = writer.next_row_group()?;
         let len = rows.status.len() as i64;
@@ -186,7 +186,7 @@ pub(crate) fn join(
     path: &Path,
     parts: impl Iterator<Item = std::path::PathBuf>,
 ) -> Result<(), ParquetError> {
-    write_atomic(path, Durability::Synced, |file| {
+    write_atomic_with(path, Durability::Synced, |file| {
         let mut writer = None;
         let mut file = Some(file);
         for part in parts {
@@ -226,7 +226,7 @@ pub(crate) fn join(
 /// empty cells. The first `inputs` numeric columns are the inputs of the flights.
 pub(crate) fn to_csv(from: &Path, to: &Path, inputs: usize) -> Result<(), ParquetError> {
     let reader = SerializedFileReader::new(File::open(from)?)?;
-    write_atomic(to, Durability::Synced, |file| {
+    write_atomic_with(to, Durability::Synced, |file| {
         let mut out = io::BufWriter::new(file);
         for group in 0..reader.num_row_groups() {
             let rows = row_group(&reader, group, inputs)?;

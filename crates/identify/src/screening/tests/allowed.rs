@@ -4,9 +4,9 @@
 use model_spec::load::load;
 
 use super::{Spoil, disc, found, spoiled};
+use crate::data_fault::{DataFault, FaultKind};
 use crate::fit;
 use crate::screening::distances::marker_pairs;
-use crate::data_fault::{DataFault, FaultKind};
 use crate::screening::rigid::rigid_pairs;
 use crate::{options::FitOptions, problem::FitProblem};
 use dataset::Dataset;

@@ -6,33 +6,31 @@ use std::path::Path;
 
 use model_spec::fingerprint;
 
-use super::ResultFile;
+use super::folder::ResultFile;
 
 /// Name of the manifest file in a folder of results, which lists the files that hyzer wrote.
 pub const MANIFEST: &str = ".hyzer-results";
 
-/// First line of a manifest (list of the files that hyzer wrote to a folder): a comment for the user.
-const HEAD: &str =
-    "# Files that hyzer wrote here, and replaces. Other files in this folder are kept.";
+/// First line of a manifest: a comment for the user.
+const HEAD: &str = "# Files that hyzer wrote here. The next run replaces them, if there is no other file and none was edited.";
 
-/// List of the files that a run of hyzer wrote to a results folder: path relative to the folder, and hash of the
-/// contents.
+/// List of the files that hyzer wrote to a results folder: path relative to the folder, and hashes of the contents,
+/// more than one only while the files are replaced in place.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Manifest {
-    files: BTreeMap<String, u64>,
+    files: BTreeMap<String, Vec<u64>>,
 }
 
 impl Manifest {
     pub fn of(files: &[ResultFile]) -> Manifest {
-        let each = files
-            .iter()
-            .map(|file| (file.path.clone(), fingerprint(&file.contents)));
+        let each = files.iter();
+        let each = each.map(|file| (file.path.clone(), vec![fingerprint(&file.contents)]));
         Manifest {
             files: each.collect(),
         }
     }
 
-    /// Reads the manifest (list of the files that hyzer wrote) of a folder; empty if it cannot be read. Malformed
+    /// Reads the manifest of a folder; empty if it cannot be read. Malformed
     /// lines are ignored, as are paths that lead out of the folder.
     pub fn read(folder: &Path) -> Manifest {
         let text = std::fs::read_to_string(folder.join(MANIFEST)).unwrap_or_default();
@@ -44,17 +42,29 @@ impl Manifest {
             let fingerprint = u64::from_str_radix(hex, 16).ok()?;
             is_inside.then(|| (path.to_owned(), fingerprint))
         });
-        Manifest {
-            files: lines.collect(),
+        let mut manifest = Manifest::default();
+        for (path, fingerprint) in lines {
+            manifest.files.entry(path).or_default().push(fingerprint);
         }
+        manifest
     }
 
     pub fn text(&self) -> String {
         let mut text = format!("{HEAD}\n");
-        for (path, fingerprint) in &self.files {
-            let _ = writeln!(text, "{fingerprint:016x}  {path}");
+        for (path, fingerprints) in &self.files {
+            for fingerprint in fingerprints {
+                let _ = writeln!(text, "{fingerprint:016x}  {path}");
+            }
         }
         text
+    }
+
+    /// The files of both manifests; of a file in both, either content is known.
+    pub fn and(mut self, other: &Manifest) -> Manifest {
+        for (path, prints) in &other.files {
+            self.files.entry(path.clone()).or_default().extend(prints);
+        }
+        self
     }
 
     /// Relative paths of the files that the manifest lists, sorted.
@@ -66,8 +76,8 @@ impl Manifest {
     /// the hash in this manifest.
     pub fn wrote(&self, folder: &Path, path: &str) -> bool {
         let contents = || std::fs::read(folder.join(path)).ok();
-        self.files
-            .get(path)
-            .is_some_and(|known| contents().is_some_and(|found| fingerprint(&found) == *known))
+        self.files.get(path).is_some_and(|known| {
+            contents().is_some_and(|found| known.contains(&fingerprint(&found)))
+        })
     }
 }

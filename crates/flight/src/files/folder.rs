@@ -1,21 +1,14 @@
 //! Folder of results that is replaced as a whole: at any time it contains either the earlier results or the new ones.
 //!
 //! The files are written to a hidden folder beside the target, and the two folders are then exchanged. A manifest in
-//! the folder lists the files written, so that a later run can remove them. All other files in the folder, and
-//! results that were edited, are preserved.
-
-mod exchange;
-mod keep;
-mod manifest;
+//! the folder lists the files written. A folder with any other file, or with a result that was edited, is refused.
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use crate::write_atomic;
-use exchange::exchange;
-use keep::{discard, keep_foreign};
-pub use manifest::MANIFEST;
-use manifest::Manifest;
+use super::atomic::write_atomic;
+use super::exchange::{self, exchange};
+use super::manifest::{MANIFEST, Manifest};
 
 /// Maximum number of files named in the error about a folder with files that hyzer did not write.
 const MAX_NAMED: usize = 3;
@@ -49,10 +42,9 @@ pub enum ResultFolderError {
         /// Path of the file that was found where a folder is expected.
         path: PathBuf,
     },
-    /// The folder contains files, but no manifest (list of written files) of an earlier run, so the files may belong to
-    /// the user.
+    /// The folder contains files that no earlier run wrote, or results that were edited since.
     #[error(
-        "{} holds files that hyzer did not write ({}); expected a new or empty folder, or one of earlier results",
+        "{} holds files that hyzer did not write or that were edited ({}); expected a new or empty folder, or one of earlier results: move the files or choose another folder",
         path.display(), names.join(", ")
     )]
     Foreign {
@@ -63,7 +55,7 @@ pub enum ResultFolderError {
         names: Vec<String>,
     },
     /// The last component of the path is not a folder name, as in `x/..`.
-    #[error("{} is no name of a folder", path.display())]
+    #[error("{} is not a valid folder name", path.display())]
     NoName {
         /// Path of the results folder as given by the caller, such as `x/..`.
         path: PathBuf,
@@ -133,24 +125,38 @@ impl ResultFolder {
         })
     }
 
-    /// Replaces the results in the folder by `files`. An interruption at any time leaves either the earlier results
-    /// or the new ones. Only if the folder cannot be renamed (the current folder, a mount point), files are replaced
-    /// one by one.
+    /// Hidden folder in which new results are prepared.
+    #[cfg(test)]
+    pub(super) fn part(&self) -> Option<&Path> {
+        self.part.as_deref()
+    }
+
+    /// The folder as if it could not be renamed.
+    #[cfg(test)]
+    pub(super) fn without_part(mut self) -> ResultFolder {
+        self.part = None;
+        self
+    }
+
+    /// Replaces the contents of the folder by `files`, all at once.
     ///
     /// # Errors
-    /// [`ResultFolderError::Io`] if a file cannot be written; the earlier results are then unchanged.
+    /// [`ResultFolderError`] if the folder has got other files since it was opened, or cannot be written.
     pub fn replace(&self, files: &[ResultFile]) -> Result<(), ResultFolderError> {
+        if self.target.exists() {
+            refuse_foreign(&self.target, &self.target)?;
+        }
         let done = match &self.part {
             Some(part) => self.swap(part, files).or_else(|error| {
                 let _ = std::fs::remove_dir_all(part);
                 match error.kind() {
                     io::ErrorKind::CrossesDevices | io::ErrorKind::ResourceBusy => {
-                        self.one_by_one(files)
+                        self.in_place(files)
                     }
                     _ => Err(error),
                 }
             }),
-            None => self.one_by_one(files),
+            None => self.in_place(files),
         };
         done.map_err(|source| ResultFolderError::Io {
             path: self.target.clone(),
@@ -158,37 +164,29 @@ impl ResultFolder {
         })
     }
 
+    /// Writes the files to the folder `part`, and exchanges it with the target.
     fn swap(&self, part: &Path, files: &[ResultFile]) -> io::Result<()> {
         if let Some(parent) = self.target.parent() {
             std::fs::create_dir_all(parent)?;
         }
-        std::fs::create_dir(part)?;
-        for file in files {
-            let path = part.join(&file.path);
-            if let Some(folder) = path.parent() {
-                std::fs::create_dir_all(folder)?;
-            }
-            write_synced(&path, &file.contents)?;
-        }
-        let is_new = !self.target.exists();
-        if !is_new {
-            keep_foreign(&self.target, &Manifest::read(&self.target), part)?;
-        }
-        // The manifest is written last, and never in part: a folder without one is known to be incomplete.
+        write_part(part, files)?;
         write_atomic(&part.join(MANIFEST), Manifest::of(files).text())?;
-        if is_new {
+        if !self.target.exists() {
             return std::fs::rename(part, &self.target);
         }
         std::fs::set_permissions(part, std::fs::metadata(&self.target)?.permissions())?;
         let old = exchange(part, &self.target)?;
         // The new results are complete; the next run removes remains of the earlier ones if this fails.
-        let _ = discard(&old, &self.target);
+        let _ = std::fs::remove_dir_all(old);
         Ok(())
     }
 
-    fn one_by_one(&self, files: &[ResultFile]) -> io::Result<()> {
+    /// Writes the files one by one, each atomically, into a folder that cannot be renamed, such as the current one.
+    fn in_place(&self, files: &[ResultFile]) -> io::Result<()> {
         let earlier = Manifest::read(&self.target);
-        keep::set_edited_aside(&self.target, &earlier, files)?;
+        // Until all files are written, both the earlier and the new ones are known.
+        let both = Manifest::of(files).and(&earlier);
+        write_atomic(&self.target.join(MANIFEST), both.text())?;
         for file in files {
             let path = self.target.join(&file.path);
             if let Some(folder) = path.parent() {
@@ -197,14 +195,52 @@ impl ResultFolder {
             write_atomic(&path, &file.contents)?;
         }
         for path in earlier.paths() {
-            let is_new = files.iter().any(|file| file.path == path);
-            if !is_new && earlier.wrote(&self.target, path) {
+            if !files.iter().any(|file| file.path == path) {
                 std::fs::remove_file(self.target.join(path))?;
-                keep::remove_empty_folders(&self.target, Path::new(path));
             }
         }
         write_atomic(&self.target.join(MANIFEST), Manifest::of(files).text())
     }
+}
+
+/// Writes files (paths and contents) to a folder that is new or empty: to a hidden folder beside it, which is then
+/// renamed.
+///
+/// # Errors
+/// [`io::Error`] if the path has no name, or the folder cannot be written or has been filled in the meantime.
+pub fn write_new_folder(folder: &Path, files: &[ResultFile]) -> io::Result<()> {
+    let target = absolute(folder)?;
+    let (Some(parent), Some(name)) = (target.parent(), target.file_name()) else {
+        let message = format!("{} is not a valid folder name", folder.display());
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
+    };
+    std::fs::create_dir_all(parent)?;
+    let part = parent.join(exchange::part_name(&name.to_string_lossy()));
+    let written = write_part(&part, files).and_then(|()| {
+        match std::fs::remove_dir(&target) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+            _ => {}
+        }
+        std::fs::rename(&part, &target)
+    });
+    if written.is_err() {
+        // An error here is ignored in favour of the first error.
+        let _ = std::fs::remove_dir_all(&part);
+    }
+    written
+}
+
+/// Creates the folder `part` with the files in it, synced to the disk.
+fn write_part(part: &Path, files: &[ResultFile]) -> io::Result<()> {
+    std::fs::create_dir(part)?;
+    for file in files {
+        let path = part.join(&file.path);
+        if let Some(folder) = path.parent() {
+            std::fs::create_dir_all(folder)?;
+        }
+        write_synced(&path, &file.contents)?;
+    }
+    Ok(())
 }
 
 /// Number of bytes written to the disk at a time; small enough that a write takes well below a second.
@@ -248,34 +284,47 @@ fn is_folder(path: &Path) -> Result<(), ResultFolderError> {
     }
 }
 
-/// Returns an error if a folder contains files but no manifest (list of the files that hyzer wrote), so that
-/// files of the user are not overwritten. `shown` is the path named in the error.
+/// Returns an error if a folder contains a file that its manifest does not list, or one that was edited. `shown` is the
+/// path named in the error.
 fn refuse_foreign(target: &Path, shown: &Path) -> Result<(), ResultFolderError> {
-    if target.join(MANIFEST).is_file() {
-        return Ok(());
-    }
-    let failed = |source| ResultFolderError::Io {
+    let manifest = Manifest::read(target);
+    let files = files_below(target).map_err(|source| ResultFolderError::Io {
         path: shown.to_path_buf(),
         source,
-    };
-    let mut names = Vec::new();
-    for entry in std::fs::read_dir(target).map_err(failed)? {
-        let entry = entry.map_err(failed)?;
-        names.push(entry.file_name().to_string_lossy().into_owned());
-    }
+    })?;
+    let is_own = |name: &String| name == MANIFEST || manifest.wrote(target, name);
+    let mut names: Vec<String> = files.into_iter().filter(|name| !is_own(name)).collect();
     if names.is_empty() {
         return Ok(());
     }
     names.sort();
-    let rest = names.len() > MAX_NAMED;
-    names.truncate(MAX_NAMED);
-    if rest {
+    if names.len() > MAX_NAMED {
+        names.truncate(MAX_NAMED);
         names.push("…".to_owned());
     }
     Err(ResultFolderError::Foreign {
         path: shown.to_path_buf(),
         names,
     })
+}
+
+/// Paths of the files in a folder and its subfolders, relative to it, with `/` between names. No subfolder of a folder
+/// without a manifest is entered, since it may be large.
+pub(super) fn files_below(folder: &Path) -> io::Result<Vec<String>> {
+    let is_ours = folder.join(MANIFEST).is_file();
+    let (mut files, mut pending) = (Vec::new(), vec![String::new()]);
+    while let Some(within) = pending.pop() {
+        for entry in std::fs::read_dir(folder.join(&within))? {
+            let entry = entry?;
+            let name = within.clone() + &entry.file_name().to_string_lossy();
+            if entry.file_type()?.is_dir() && is_ours {
+                pending.push(name + "/");
+            } else {
+                files.push(name);
+            }
+        }
+    }
+    Ok(files)
 }
 
 /// Checks that `folder` is writable by creating a temporary folder in it, which is removed again.
@@ -305,6 +354,3 @@ fn is_same_device(folder: &Path, parent: &Path) -> bool {
 fn is_same_device(_: &Path, _: &Path) -> bool {
     true
 }
-
-#[cfg(test)]
-mod tests;

@@ -4,9 +4,6 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::keep::discard;
-use super::manifest::MANIFEST;
-
 /// Suffix appended to the name of the earlier results folder while it is replaced, on file systems that cannot exchange
 /// two folders in one step.
 const OLD: &str = ".old";
@@ -66,12 +63,9 @@ pub(super) fn recover(parent: &Path, name: &str, target: &Path) {
     remains.sort_by(|a, b| b.cmp(a));
     for (is_old, folder) in remains {
         // If this fails, the next run tries again.
-        let _ = match (is_old, target.exists()) {
-            (true, false) => fs::rename(&folder, target),
-            // A folder without a manifest was never completed: its files are new results and copies of the user's files.
-            _ if !folder.join(MANIFEST).is_file() => fs::remove_dir_all(&folder),
-            (_, true) => discard(&folder, target),
-            (false, false) => fs::remove_dir_all(&folder),
+        let _ = match is_old && !target.exists() {
+            true => fs::rename(&folder, target),
+            false => fs::remove_dir_all(&folder),
         };
     }
 }

@@ -1,7 +1,8 @@
 use std::fs;
 use std::path::Path;
 
-use super::keep::entries_below;
+use super::folder::files_below;
+use super::manifest::Manifest;
 use super::*;
 
 fn files(texts: &[(&str, &str)]) -> Vec<ResultFile> {
@@ -17,13 +18,14 @@ fn open(path: &Path) -> ResultFolder {
 
 /// Paths and contents of all files in a folder of results, except the manifest (list of written files).
 fn contents(folder: &Path) -> Vec<(String, String)> {
-    let (files, _) = entries_below(folder).unwrap();
-    let each = files.iter().filter(|path| path.as_os_str() != MANIFEST);
-    each.map(|path| {
-        let text = fs::read_to_string(folder.join(path)).unwrap();
-        (path.to_string_lossy().into_owned(), text)
-    })
-    .collect()
+    let mut files = files_below(folder).unwrap();
+    files.retain(|path| path != MANIFEST);
+    files.sort();
+    let each = files.into_iter().map(|path| {
+        let text = fs::read_to_string(folder.join(&path)).unwrap();
+        (path, text)
+    });
+    each.collect()
 }
 
 fn pairs(texts: &[(&str, &str)]) -> Vec<(String, String)> {
@@ -33,41 +35,44 @@ fn pairs(texts: &[(&str, &str)]) -> Vec<(String, String)> {
 }
 
 #[test]
-fn results_of_an_earlier_run_are_gone_and_files_of_the_user_stay() {
+fn earlier_results_are_gone_and_files_of_the_user_are_never_touched() {
     let around = tempfile::tempdir().unwrap();
     let folder = around.path().join("a/found");
-    open(&folder)
-        .replace(&files(&[
-            ("report.json", "1"),
-            ("extended/disc.rs", "code"),
-            ("stall.hyz", "s"),
-        ]))
-        .unwrap();
-    fs::write(folder.join("notes.txt"), "mine").unwrap();
-    fs::create_dir_all(folder.join("plots/empty")).unwrap();
-    fs::write(folder.join("plots/mine.svg"), "mine too").unwrap();
-    // A result that was edited is preserved.
-    fs::write(folder.join("stall.hyz"), "edited").unwrap();
-    open(&folder)
-        .replace(&files(&[("report.json", "2"), ("stall.hyz", "t")]))
-        .unwrap();
-    let expected = [
-        ("notes.txt", "mine"),
-        ("plots/mine.svg", "mine too"),
-        ("report.json", "2"),
-        ("stall.hyz", "t"),
-        ("stall.hyz.kept", "edited"),
+    let first = [
+        ("extended/disc.rs", "code"),
+        ("report.json", "1"),
+        ("stall.hyz", "s"),
     ];
-    assert_eq!(contents(&folder), pairs(&expected));
-    assert!(folder.join("plots/empty").is_dir() && !folder.join("extended").exists());
+    open(&folder).replace(&files(&first)).unwrap();
+    let second = [("report.json", "2"), ("stall.hyz", "t")];
+    open(&folder).replace(&files(&second)).unwrap();
+    assert_eq!(contents(&folder), pairs(&second));
+    assert!(!folder.join("extended").exists());
     // Nothing remains beside the folder.
     let beside: Vec<_> = fs::read_dir(around.path().join("a")).unwrap().collect();
     assert_eq!(beside.len(), 1);
-    // Preserved files remain in every later run.
-    open(&folder)
-        .replace(&files(&[("report.json", "3")]))
-        .unwrap();
-    assert_eq!(contents(&folder).len(), 4);
+    let opened = open(&folder);
+    let refused = |name: &str| {
+        for error in [
+            ResultFolder::open(&folder).unwrap_err(),
+            opened.replace(&files(&first)).unwrap_err(),
+        ] {
+            assert!(
+                matches!(error, ResultFolderError::Foreign { .. }),
+                "{error}"
+            );
+            assert!(error.to_string().contains(name), "{error}");
+        }
+    };
+    // Neither a file of the user nor a result that was edited is lost.
+    fs::create_dir(folder.join("plots")).unwrap();
+    fs::write(folder.join("plots/mine.svg"), "mine").unwrap();
+    refused("plots/mine.svg");
+    fs::remove_dir_all(folder.join("plots")).unwrap();
+    fs::write(folder.join("stall.hyz"), "edited").unwrap();
+    refused("stall.hyz");
+    let left = [("report.json", "2"), ("stall.hyz", "edited")];
+    assert_eq!(contents(&folder), pairs(&left));
 }
 
 #[test]
@@ -108,23 +113,13 @@ fn files_are_replaced_one_by_one_where_the_folder_cannot_be_renamed() {
             ("c.hyz", "1"),
         ]))
         .unwrap();
-    fs::write(folder.join("c.hyz"), "edited").unwrap();
+    let in_place = open(&folder).without_part();
+    let second = [("a.csv", "2"), ("c.hyz", "2")];
+    in_place.replace(&files(&second)).unwrap();
+    assert_eq!(contents(&folder), pairs(&second));
+    assert!(!folder.join("code/b.rs").exists());
     fs::write(folder.join("notes.txt"), "mine").unwrap();
-    let in_place = ResultFolder {
-        part: None,
-        ..open(&folder)
-    };
-    in_place
-        .replace(&files(&[("a.csv", "2"), ("c.hyz", "2")]))
-        .unwrap();
-    let expected = [
-        ("a.csv", "2"),
-        ("c.hyz", "2"),
-        ("c.hyz.kept", "edited"),
-        ("notes.txt", "mine"),
-    ];
-    assert_eq!(contents(&folder), pairs(&expected));
-    assert!(!folder.join("code").exists());
+    assert!(in_place.replace(&files(&second)).is_err());
 }
 
 #[test]
@@ -163,7 +158,7 @@ fn a_manifest_is_never_seen_in_part() {
     let around = tempfile::tempdir().unwrap();
     let folder = open(&around.path().join("found"));
     let complete = Manifest::of(&files(&[("a.csv", "1")])).text();
-    let manifest = folder.part.clone().unwrap().join(MANIFEST);
+    let manifest = folder.part().unwrap().join(MANIFEST);
     let done = std::sync::atomic::AtomicBool::new(false);
     let is_done = || done.load(std::sync::atomic::Ordering::Relaxed);
     std::thread::scope(|scope| {

@@ -1,7 +1,20 @@
 //! Atomic file writes.
 
+use std::fs::File;
 use std::io::{self, Write};
 use std::path::Path;
+
+/// Prefix of the names of temporary files whose content is not complete yet.
+pub const UNFINISHED: &str = ".unfinished-";
+
+/// Whether a file must survive a loss of power, or may be lost because it can be computed again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Durability {
+    /// The file is synced to the disk before it is renamed.
+    Synced,
+    /// The file is renamed without a sync: readers see it complete, but a loss of power may lose or damage it.
+    Renamed,
+}
 
 /// Writes a file atomically: the contents are written to a temporary file in the same folder, which is then renamed.
 /// An interruption leaves either the old file or the new one, complete.
@@ -9,18 +22,34 @@ use std::path::Path;
 /// # Errors
 /// [`io::Error`] if the folder does not exist or is not writable, or `path` is a folder.
 pub fn write_atomic(path: &Path, contents: impl AsRef<[u8]>) -> io::Result<()> {
+    let write = |file: &mut File| file.write_all(contents.as_ref());
+    write_atomic_with(path, Durability::Synced, write)
+}
+
+/// Writes a file atomically as [`write_atomic`] does; `write` fills the temporary file.
+///
+/// # Errors
+/// The error of `write`, and those of [`write_atomic`].
+pub fn write_atomic_with<E: From<io::Error>>(
+    path: &Path,
+    durability: Durability,
+    write: impl FnOnce(&mut File) -> Result<(), E>,
+) -> Result<(), E> {
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
     let mut options = tempfile::Builder::new();
+    options.prefix(UNFINISHED);
     // A temporary file is private by default; this sets the permissions that the umask allows.
     #[cfg(unix)]
     options.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     let mut file = options.tempfile_in(folder)?;
-    file.write_all(contents.as_ref())?;
-    file.as_file().sync_all()?;
-    file.persist(path)?;
+    write(file.as_file_mut())?;
+    if durability == Durability::Synced {
+        file.as_file().sync_all()?;
+    }
+    file.persist(path).map_err(|error| error.error)?;
     Ok(())
 }
 
