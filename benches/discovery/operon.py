@@ -1,7 +1,7 @@
 """Symbolic regression beside the diagnosis: `python3 benches/discovery/operon.py CASES --hyzer PROGRAM [--page FILE]`.
 
 What lies outside the catalogue, given to pyoperon (PyPI) as smoothed load coefficients and their variables, and to `hyzer diagnose` as
-marker tracks. CASES is the folder that the example discovery_cases wrote. Writes a section of docs/discovery-peers.md.
+marker tracks. CASES is the folder that the example discovery_cases wrote. Writes a section of docs/studies/discovery-peers.md.
 """
 
 import argparse

@@ -1,4 +1,4 @@
-"""The page docs/discovery-peers.md, from the results alone."""
+"""The page docs/studies/discovery-peers.md, from the results alone."""
 
 import collections
 import statistics

@@ -1,4 +1,4 @@
-"""The page docs/benchmarks-fit.md, from the results alone."""
+"""The page docs/studies/benchmarks-fit.md, from the results alone."""
 
 # The bars: our share of a peer's time, agreement in standard errors, and how much the time of a flight may vary.
 SHARE, AGREE, CONSTANT = 1 / 50, 0.2, 1.3

@@ -8,7 +8,7 @@ fn library_of(model: &ModelTree) -> (Arc<TermLibrary>, ModelTree) {
 
 #[test]
 fn a_model_without_a_library_gets_one_from_its_own_quantities() {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../crates/studies/models");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../studies/models");
     for (name, channels, variables) in [
         ("shuttlecock", 3, vec!["speed", "height", "time"]),
         ("pendulum", 3, vec!["speed", "rho", "height", "time"]),

@@ -16,7 +16,7 @@ const OWN: [(&str, usize); 6] = [
 ];
 
 fn own(name: &str) -> ModelTree {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../crates/studies/models");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../studies/models");
     ModelTree::load(&format!("{folder}/{name}.hyz")).unwrap_or_else(|error| panic!("{error}"))
 }
 
