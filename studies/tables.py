@@ -13,6 +13,7 @@ import re
 MAX_WORDS = 600
 MAX_ROWS = 8
 KEPT = {"criterion", "bar", "who"}
+SMALL_WORDS = {"a", "and", "at", "by", "for", "from", "in", "is", "of", "on", "one", "the", "this", "to", "what", "with"}
 
 
 def cells(line):
@@ -38,8 +39,9 @@ def blocks(text):
 
 
 def slug(heading):
+    """Up to four words of a heading, as a part of a file's name."""
     words = re.sub(r"\(.*?\)|[^\w\s-]", "", heading.lower()).split()
-    return "-".join(words[:6])
+    return "-".join([word for word in words if word not in SMALL_WORDS][:4])
 
 
 def words(parts):
@@ -58,25 +60,31 @@ def write_csv(file, lines):
             writer.writerow(row[:last] + [" | ".join(row[last:])])
 
 
-def shorten(page):
-    parts = blocks(page.read_text())
-    sections, section, taken = [], page.stem, set()
-    for is_table, lines in parts:
-        headings = [line.lstrip("# ") for line in lines if not is_table and re.match("##+ ", line)]
-        section = slug(headings[-1]) if headings else section
-        sections.append(section)
+def moved(parts):
+    """Indices of the tables that become CSV files, in the order of the page."""
     tables = [k for k, (is_table, lines) in enumerate(parts) if is_table and not KEPT & set(cells(lines[0]))]
+    total, chosen = words(parts), []
     for k in sorted(tables, key=lambda k: -words([parts[k]])):
-        lines = parts[k][1]
-        if len(lines) - 2 <= MAX_ROWS and words(parts) <= MAX_WORDS:
-            continue
-        base = page.stem if sections[k] == page.stem else f"{page.stem}-{sections[k]}"
-        number = next(n for n in range(1, 100) if (base, n) not in taken)
-        taken.add((base, number))
-        name = f"{base}.csv" if number == 1 else f"{base}-{number}.csv"
-        write_csv(page.with_name(name), lines)
-        columns = ", ".join(column for column in cells(lines[0]) if column)
-        parts[k] = (True, [f"Table: [{name}]({name}), {len(lines) - 2} rows: {columns}." if len(columns) < 90 else f"Table: [{name}]({name}), {len(lines) - 2} rows."])
+        if len(parts[k][1]) - 2 > MAX_ROWS or total > MAX_WORDS:
+            chosen.append(k)
+            total -= words([parts[k]])
+    return sorted(chosen)
+
+
+def shorten(page):
+    """Moves tables of a page to CSV files, and returns the number of words that are left."""
+    parts = blocks(page.read_text())
+    chosen, taken, base = moved(parts), set(), page.stem
+    for k, (is_table, lines) in enumerate(parts):
+        headings = [line.lstrip("# ") for line in lines if not is_table and re.match("##+ ", line)]
+        if headings:
+            base = f"{page.stem}-{slug(headings[-1])}"
+        if k in chosen:
+            number = next(n for n in range(1, 100) if (base, n) not in taken)
+            taken.add((base, number))
+            name = f"{base}.csv" if number == 1 else f"{base}-{number}.csv"
+            write_csv(page.with_name(name), lines)
+            parts[k] = (True, [f"Table: [{name}]({name}), {len(lines) - 2} rows."])
     page.write_text("\n".join(line for _, lines in parts for line in lines) + "\n")
     return words(parts)
 
