@@ -1,8 +1,8 @@
 """Shortens a page that a study wrote: `python3 studies/tables.py [--split] docs/studies/PAGE.md…`.
 
 A page has at most 600 words. Tables of more than 8 rows, then the largest ones until the page is short enough, become CSV files beside
-it, PAGE-SECTION.csv, and a link takes their place. Tables of criteria stay, and so do tables that compare programs, which the page of the
-discoveries repeats. With --split each section of a page becomes a page of its own first. A page that was shortened stays as it is.
+it, PAGE-SECTION.csv, and a link takes their place. Tables of criteria stay, and so do those of peers that the page of the
+discoveries copies. With --split each section of a page becomes a page of its own first. A page that was shortened stays as it is.
 """
 
 import argparse
@@ -12,7 +12,7 @@ import re
 
 MAX_WORDS = 600
 MAX_ROWS = 8
-KEPT = {"criterion", "bar", "who"}
+KEPT = {"criterion", "bar", "nothing found", "terms found in a dataset, mean"}
 SMALL_WORDS = {"a", "and", "at", "by", "for", "from", "in", "is", "of", "on", "one", "the", "this", "to", "what", "with"}
 
 
