@@ -22,7 +22,7 @@ what is missing: `hyzer diagnose`, pysindy {pysindy} (sequentially thresholded l
 
 **The cases.** {effects} aerodynamic effects of the disc, each weak and strong, {seeds} {datasets} each, and {nulls} datasets with nothing hidden: 20 flights of 1 s, three markers
 at 120 Hz, white noise of 1.5 mm. The oracle simulates the flights. All effects act on one of the six
-loads in the disc's frame; `hyzer` also tests effects of wind, clock, markers and inertia, the others are not asked for these.
+loads in the disc's frame.
 
 **What each is given.** `hyzer diagnose`: the folder with the marker tracks, and nothing else. The other programs cannot read tracks, and were helped:
 
@@ -31,7 +31,7 @@ loads in the disc's frame; `hyzer` also tests effects of wind, clock, markers an
   stepwise {stepwise_windows}; pysindy {pysindy_windows};
 - a library of {terms} terms for each equation, every hidden one in its exact form;
 - the model's own terms, as certain;
-- settings chosen by the truth: of pysindy the threshold and ridge parameter that are right most often over all cases, or for each case those that are best. Stepwise: every sample and the F of 95 %, or the stride and the F that are right most often over all cases ({stepwise}).
+- settings chosen by the truth: of pysindy the threshold and ridge parameter that are right most often over all cases, or for each case those that are best. Stepwise: the F of 95 %, or the stride and F that are right most often ({stepwise}).
 
 A program is *right* if it picks the true term in the right equation, and nothing else in any of the six. `hyzer` is right if its verdict is that one effect.
 *Among others* means that a program takes other terms too, and that `hyzer` lists the effect as one of several explanations.

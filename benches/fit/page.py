@@ -20,7 +20,7 @@ SAME_PROBLEM = """## The same problem: the least squares alone
 
 Everybody solves one least-squares problem from the same unknowns: 3 standard errors (of each unknown by itself) from the solution, the noise known, white and
 alike on all axes, no outliers looked for. Reading, building and compiling are not counted. Ours is `Fitted::solve_from` in a process that is kept
-running ({note}); it ends where a step promises less than 0.001 of the sum of squares, of which a residual of one standard deviation is 1. Its solution is {apart:.3f} standard errors from that of all of
+running ({note}); it ends where a step promises less than 0.001 of the sum of squares. Its solution is {apart:.3f} standard errors from that of all of
 `hyzer fit`, which weighs by the noise that it estimates.
 
 """
@@ -30,8 +30,8 @@ SAME_JOB = """
 
 Everybody begins with the coefficients of the model's file and the markers. Ours is all of `hyzer fit` but reading files and writing the report: starts from the
 markers alone, outliers, the noise of each axis and its correlation, the fit ({steps} steps), standard errors, residuals. The peers are given our starts from the
-markers for nothing, at each sample; they solve with equal weights, are given the size of the residuals along each axis for
-nothing, and solve again from there by these weights. They look for no outliers and no correlation, and give no standard errors.
+markers for nothing, at each sample; they solve with equal weights, then
+with the weights of the residuals along each axis. They look for no outliers and no correlation, and give no standard errors.
 
 """
 
@@ -44,7 +44,7 @@ All of `hyzer fit`, as in the second table, over the peers' times in the first.
 
 WHAT = """
 scipy's residuals and exact sensitivities are compiled C (SymPy's code, gcc -O3 -march=native -ffast-math, OpenMP over flights), Runge–Kutta of order 4 with two steps
-a sample, which is 0.5 µm from exact (rms; the worst 5 µm). CasADi: the same equations and steps, multiple shooting, Gauss-Newton Hessian JᵀJ with exact sparse Jacobians, `map` over
+a sample, 0.5 µm from exact. CasADi: the same equations and steps, multiple shooting, Gauss-Newton Hessian JᵀJ with exact sparse Jacobians, `map` over
 intervals on all threads, no scaling or bounds. Unknowns are in units of our standard errors for both. In the second table ours left out {outliers} of 7260 marker positions as outliers.
 """
 
