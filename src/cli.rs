@@ -38,7 +38,7 @@ pub enum Command {
     Check(Check),
     /// Compile models to source code: into a folder of your own, or, inside the repository, into crates/generated
     #[command(
-        after_help = "Examples:\n  hyzer generate models/kite.hyz disc --out src/models\n  hyzer generate disc --with wind_by_height --out src/models --check\n  hyzer generate --check                # crates/generated\n\nEach model becomes one Rust module over f64 that needs no other crate: `mod kite;`. With --lanes it is generic over\nlanes::Real, for SIMD. Build scripts can call the crate hyzer-build instead."
+        after_help = "Examples:\n  hyzer generate models/kite.hyz disc --out src/models\n  hyzer generate disc --with wind_by_height --out src/models --check\n  hyzer generate --check                # crates/generated\n\nEach model becomes one Rust module over f64 that needs no other crate: `mod kite;`. With --lanes it is generic over\nlanes::Real, for SIMD. Build scripts can use hyzer_codegen::build instead."
     )]
     Generate(Generate),
     /// Verify models by every independent check against a reference implementation
