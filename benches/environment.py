@@ -19,9 +19,12 @@ def peers(name, requirements):
     return python
 
 
-def built(example):
-    """Cargo's target folder, with `hyzer` and an example in `release`."""
-    subprocess.run(["cargo", "build", "--release", "--workspace", "--bin", "hyzer", "--example", example], cwd=ROOT, check=True)
+def built(example, manifest="Cargo.toml"):
+    """Cargo's target folder, with `hyzer` and an example of a workspace in `release`."""
     asked = ["cargo", "metadata", "--format-version", "1", "--no-deps"]
     told = subprocess.run(asked, cwd=ROOT, check=True, capture_output=True).stdout
-    return pathlib.Path(json.loads(told)["target_directory"])
+    target = pathlib.Path(json.loads(told)["target_directory"])
+    build = ["cargo", "build", "--release", "--target-dir", target, "--workspace"]
+    subprocess.run([*build, "--bin", "hyzer"], cwd=ROOT, check=True)
+    subprocess.run([*build, "--manifest-path", manifest, "--example", example], cwd=ROOT, check=True)
+    return target

@@ -38,7 +38,7 @@ pub enum Command {
     Check(Check),
     /// Compile models to source code: into a folder of your own, or, inside the repository, into crates/generated
     #[command(
-        after_help = "Examples:\n  hyzer generate models/kite.hyz disc --out src/models\n  hyzer generate disc --with wind_by_height --out src/models --check\n  hyzer generate --check                # crates/generated\n\nEach model becomes one Rust module over f64 that needs no other crate: `mod kite;`. With --lanes it is generic over\nlanes::Real, for SIMD. Build scripts can call the crate hyzer-build instead."
+        after_help = "Examples:\n  hyzer generate models/kite.hyz disc --out src/models\n  hyzer generate disc --with wind_by_height --out src/models --check\n  hyzer generate --check                # crates/generated\n\nEach model becomes one Rust module over f64 that needs no other crate: `mod kite;`. With --lanes it is generic over\nlanes::Real, for SIMD. Build scripts can use hyzer_codegen::build instead."
     )]
     Generate(Generate),
     /// Verify models by every independent check against a reference implementation
@@ -59,25 +59,25 @@ pub enum Command {
     Explain(Explain),
     /// Simulate a release; write the trajectory and a figure
     #[command(
-        after_help = "Examples:\n  hyzer simulate disc --release backhand --out flight\n  hyzer simulate disc --release bffl8 --set C_Mq=-0.025 --until ground --out flight\n  hyzer simulate discus --release discus --wind=-5,0,0 --out flight\n  hyzer simulate disc --speed 20 --launch 8 --nose 2 --hyzer 10 --spin 700 --height 1.5 --out flight\n  hyzer simulate disc --techdisc examples/throws/techdisc.csv --out flight\n  hyzer simulate disc --speed 20 --nose 2 --spin 700 --wind examples/throws/gusty.toml --out flight\n\nReleases by name: run `hyzer simulate --list`. A throw by options needs --speed or a release whose throw the options change;\nsigns of the angles: docs/releases.md. With --techdisc every row is flown and listed, or the one of --row; exit status 1: some\ncould not be flown."
+        after_help = "Examples:\n  hyzer simulate disc --release backhand --out flight\n  hyzer simulate disc --release bffl8 --set C_Mq=-0.025 --until ground --out flight\n  hyzer simulate discus --release discus --wind=-5,0,0 --out flight\n  hyzer simulate disc --speed 20 --launch 8 --nose 2 --hyzer 10 --spin 700 --height 1.5 --out flight\n  hyzer simulate disc --techdisc examples/throws/techdisc.csv --out flight\n  hyzer simulate disc --speed 20 --nose 2 --spin 700 --wind examples/throws/gusty.toml --out flight\n\nReleases by name: run `hyzer simulate --list`. A throw by options needs --speed or a release whose throw the options change;\nsigns of the angles: docs/reference/releases.md. With --techdisc every row is flown and listed, or the one of --row; exit status 1: some\ncould not be flown."
     )]
     Simulate(Simulate),
     /// Simulate many flights of a model: releases, coefficients and wind from grids or distributions; write a table
     /// and a summary
     #[command(
-        after_help = "Examples:\n  hyzer sweep backhands --out swept --csv\n  hyzer sweep backhands --part 2/4 --out swept   # one quarter; without --part the rest is flown and all joined\n\nA plan is a release file with what varies: `hyzer sweep --example` prints the built-in one, docs/sweep.md has all of the\nformat. The folder then holds flights.parquet, a row per flight, and summary.json. A flight depends on the plan and its\nnumber alone: results are the same bits for any number of threads and however the work is divided. A run that was ended goes\non with the same command."
+        after_help = "Examples:\n  hyzer sweep backhands --out swept --csv\n  hyzer sweep backhands --part 2/4 --out swept   # one quarter; without --part the rest is flown and all joined\n\nA plan is a release file with what varies: `hyzer sweep --example` prints the built-in one, docs/reference/sweep.md has all of the\nformat. The folder then holds flights.parquet, a row per flight, and summary.json. A flight depends on the plan and its\nnumber alone: results are the same bits for any number of threads and however the work is divided. A run that was ended goes\non with the same command."
     )]
     Sweep(Sweep),
     /// Find a throw for a purpose: hit a point, fly farthest or longest, avoid an obstacle, flare, land with the
     /// least spread
     #[command(
-        after_help = "Examples:\n  hyzer design --goal hit --target 30,5,0 --out designed\n  hyzer design --goal range --model discus --wind=-5,0,0 --out designed\n  hyzer design --goal curve --target 30,0,0 --bounds examples/design/round-a-tree.toml --out designed\n  hyzer design --goal flare --target 25,0,1.5\n  hyzer simulate --release designed/release.toml       # flies it\n\nGoals, bounds and what is written: docs/design.md. Exit status: 0 the throw serves its purpose, 1 none within the bounds was\nfound to, and the nearest is written, 2 bad input."
+        after_help = "Examples:\n  hyzer design --goal hit --target 30,5,0 --out designed\n  hyzer design --goal range --model discus --wind=-5,0,0 --out designed\n  hyzer design --goal curve --target 30,0,0 --bounds examples/design/round-a-tree.toml --out designed\n  hyzer design --goal flare --target 25,0,1.5\n  hyzer simulate --release designed/release.toml       # flies it\n\nGoals, bounds and what is written: docs/how-to/design-a-throw.md. Exit status: 0 the throw serves its purpose, 1 none within the bounds was\nfound to, and the nearest is written, 2 bad input."
     )]
     Design(Design),
     /// Compute the modes of the linearised motion with frequency and damping, criteria of stability, maps over speed
     /// and spin
     #[command(
-        after_help = "Examples:\n  hyzer stability disc --out modes\n  hyzer stability disc --speed 14 --spin 300 --nose 4\n  hyzer stability discus --release discus --json\n\nDerivations, and what the names of the modes mean: docs/stability.md."
+        after_help = "Examples:\n  hyzer stability disc --out modes\n  hyzer stability disc --speed 14 --spin 300 --nose 4\n  hyzer stability discus --release discus --json\n\nDerivations, and what the names of the modes mean: docs/explanation/stability.md."
     )]
     Stability(Stability),
     /// Make a synthetic dataset: simulate releases of a model, observe its markers, add noise
@@ -108,7 +108,7 @@ pub enum Command {
     Diagnose(Diagnose),
     /// List the effects that can be added to a model: where each acts, its null value, its smallest effect of interest
     #[command(
-        after_help = "Examples:\n  hyzer effects ball\n  hyzer effects --out docs/effects.md     # all of them"
+        after_help = "Examples:\n  hyzer effects ball\n  hyzer effects --out docs/reference/effects.md     # all of them"
     )]
     Effects(Effects),
 }
@@ -262,7 +262,7 @@ pub struct Simulate {
     /// Set a parameter, coefficient or initial state, SI; may be repeated
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
-    /// Wind: its velocity in the inertial frame, m/s, or a TOML file with [wind]: profiles in height, gusts (docs/wind.md)
+    /// Wind: its velocity in the inertial frame, m/s, or a TOML file with [wind]: profiles in height, gusts (docs/reference/wind.md)
     #[arg(long, value_name = "X,Y,Z|FILE", allow_hyphen_values = true)]
     pub wind: Option<String>,
     /// Duration of the flight, s, or `ground` to stop there

@@ -1,7 +1,7 @@
 """Symbolic regression beside the diagnosis: `python3 benches/discovery/operon.py CASES --hyzer PROGRAM [--page FILE]`.
 
 What lies outside the catalogue, given to pyoperon (PyPI) as smoothed load coefficients and their variables, and to `hyzer diagnose` as
-marker tracks. CASES is the folder that the example discovery_cases wrote. Writes a section of docs/discovery-peers.md.
+marker tracks. CASES is the folder that the example discovery_cases wrote. Writes a section of docs/studies/discovery-peers.md.
 """
 
 import argparse
@@ -158,10 +158,10 @@ def explains(formulas, equation, true, variables):
 def by_hyzer(program, folder, out, effect):
     report, process = ours.diagnose(program, folder, out, "--threads", "1")
     site, true = TRUE[effect]
-    outside = report.get("outside") or {}
-    found = [(t["site"], t["formula"]) for t in outside.get("terms", []) if t["taken"]]
+    unattributed = report.get("unattributed") or {}
+    found = [(t["site"], t["formula"]) for t in unattributed.get("terms", []) if t["selected"]]
     # The terms of an answer from outside the catalogue are its effects too.
-    causes = [] if found else [e for cause in report["causes"] for e in cause["effects"]]
+    causes = [] if found else [e for cause in report["explanations"] for e in cause["effects"]]
     found += [(e["site"], LISTED.get(e["name"], e["name"])) for e in causes]
     there = [formula for where, formula in found if where == site]
     try:
@@ -200,7 +200,7 @@ def section(rows, seconds):
 
 Effects that the catalogue does not list, given to pyoperon {importlib.metadata.version("pyoperon")} and to `hyzer diagnose`. pyoperon was given the one load coefficient that the effect changes
 (which it could not know), from smoothed poses, with the variables {", ".join(VARIABLES)}, {seconds} s on one thread, and the model of least description length on its front;
-*on its front* tells whether any model on its Pareto front has the right term, which only the truth can pick. A term is right where its part beside the model's own terms correlates
+*On its front*: whether any model on its Pareto front has the right term. A term is right where its part beside the model's own terms correlates
 with the true one by more than {SAME}; others count where they explain more than {SHARE:.0%}. `hyzer diagnose` was given the marker tracks alone; its terms on the right load are judged alike, together.
 `python3 benches/discovery/operon.py` makes this section.
 

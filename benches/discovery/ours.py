@@ -17,14 +17,14 @@ def diagnose(hyzer, folder, out, *options):
 
 def told(report):
     """The causes, each as the names of its effects."""
-    causes = [[effect["name"].replace("-", "_") for effect in cause["effects"]] for cause in report["causes"]]
+    causes = [[effect["name"].replace("-", "_") for effect in cause["effects"]] for cause in report["explanations"]]
     return {"verdict": report["verdict"], "causes": causes, "seconds": report["seconds"]["total"]}
 
 
 def judged(case, told):
     """What came of it, in one word, and how many explanations were left."""
     causes, truth = told["causes"], [case["effect"]]
-    if told["verdict"] == "outside":
+    if told["verdict"] == "unattributed":
         # Terms of its own making, where no effect of the catalogue explains the flights.
         word = "outside"
     elif not causes:

@@ -1,4 +1,4 @@
-"""The page docs/discovery-peers.md, from the results alone."""
+"""The page docs/studies/discovery-peers.md, from the results alone."""
 
 import collections
 import statistics
@@ -14,41 +14,35 @@ WHO = {
     "pysindy, not told": "the same, the model's terms not told",
 }
 
-HEAD = """# Discovery beside its peers
+HEAD = """# Diagnoses compared with other programs
 
-`python3 benches/discovery/run.py{option}` makes this page. Flights of a disc have one effect hidden in them that the model does not know, and each tool is asked
+`python3 benches/discovery/run.py{option}` makes this page. Flights of a disc have one seeded effect that the model does not know, and each program is asked
 what is missing: `hyzer diagnose`, pysindy {pysindy} (sequentially thresholded least squares), and stepwise regression with predicted squared error
-(PSE; Klein and Morelli, *Aircraft System Identification*), the usual way with the coefficients of aircraft.
+(PSE; Klein and Morelli, *Aircraft System Identification*).
 
 **The cases.** {effects} aerodynamic effects of the disc, each weak and strong, {seeds} {datasets} each, and {nulls} datasets with nothing hidden: 20 flights of 1 s, three markers
-at 120 Hz, white noise of 1.5 mm. The flights are the oracle's; no text of an effect and none of the compiler takes part. All are effects on one of the six
-loads in the disc's frame: effects of wind, clock, markers, inertia, which `hyzer` looks for as well in the same run, are not asked of the peers. Two effects are
-left out: denser air, which hides wholly in the coefficients, and a damping of roll that differs from that of pitch, which is no term where each equation has its own.
+at 120 Hz, white noise of 1.5 mm. The oracle simulates the flights. All effects act on one of the six
+loads in the disc's frame.
 
-**What each is given.** `hyzer diagnose`: the folder with the marker tracks, and nothing else. The peers cannot read tracks, and were helped in every way we could think of:
+**What each is given.** `hyzer diagnose`: the folder with the marker tracks, and nothing else. The other programs cannot read tracks, and were helped:
 
 - poses by Kabsch, derivatives by Savitzky and Golay, and the six coefficients in the frame of the stream, with the true mass, inertia, air and gravity, no wind;
-- for each peer the windows of smoothing with which most equations come out right, on the first dataset of each effect and strength (samples, degree):
-  stepwise {stepwise_windows}; pysindy {pysindy_windows}; each term is smoothed as the left side is;
-- a library of {terms} terms for each equation, every hidden one in its exact form (with the 8 and 10 degrees and the 0.5 m of those that have such a number);
-- the model's own terms told as certain: they are in each regression, and only what is beside them counts;
-- settings by the truth. pysindy: the threshold and ridge parameter that are right most often over all cases (one for the six equations, all scaled alike), or for each
-  case those that serve it best (low enough, any threshold takes the true term with every other). Stepwise: every sample and the F of 95 %, or the stride and the F that are right most often over all cases ({stepwise}).
+- for each the smoothing windows with which most equations come out right (samples, degree):
+  stepwise {stepwise_windows}; pysindy {pysindy_windows};
+- a library of {terms} terms for each equation, every hidden one in its exact form;
+- the model's own terms, as certain;
+- settings chosen by the truth: of pysindy the threshold and ridge parameter that are right most often over all cases, or for each case those that are best. Stepwise: the F of 95 %, or the stride and F that are right most often ({stepwise}).
 
-A peer is *right* where it picks the true term in the right equation, and nothing else in any of the six. `hyzer` is right where its verdict is that one effect;
-*among others* means for a peer that it takes other terms into the model too, for `hyzer` that it lists the effect as one of several explanations of which the data
-do not tell which: not the same thing, but neither is an answer to act upon.
+A program is *right* if it picks the true term in the right equation, and nothing else in any of the six. `hyzer` is right if its verdict is that one effect.
+*Among others* means that a program takes other terms too, and that `hyzer` lists the effect as one of several explanations.
 
 """
 
 FOR = """
 ## What each is for
 
-pysindy finds whole equations of motion where there is no model, with derivatives that are measured or hardly noisy; here the task is one small term beside a known model, which is not what
-it was made for. Stepwise regression is for aircraft, whose accelerations and rates are measured by instruments, where a few terms too many do little harm to a simulation. `hyzer` was made for this task,
-its catalogue was made by the same people as the cases, and holds each hidden effect as the peers' library does. The rows without noise are nearer to what the peers
-were made for. With noise, a regression on coefficients has to differentiate the tracks twice before it begins, and takes what smoothing leaves for independent noise; a fit of trajectories does neither.
-The settings chosen by the truth are not to be had in practice.
+pysindy finds whole equations of motion without a model, and stepwise regression is for aircraft whose accelerations are measured; here the task is one small term beside a known model, for which `hyzer`
+was made. Its catalogue was made by the same people as the cases. A regression has to differentiate the tracks twice, and treats what smoothing leaves as independent noise; a fit of trajectories does neither.
 """
 
 
@@ -90,13 +84,13 @@ def sets(results):
         sizes = [len(results["ours"][k]["causes"]) for k in index if results["ours"][k]["causes"]]
         counts = [words["exact"] + words["among"], words["exact"], words["wrong"], words["joined"], words["wrong set"], words["outside"], words["none"]]
         rows.append([size, *(of(count, len(index)) for count in counts), f"{statistics.mean(sizes):.2f}" if sizes else "–"])
-    head = ["", "truth in the set", "alone in it", "one cause, and wrong", "only joined with another effect", "several, all wrong", "'outside', with terms of its own making", "'none'", "size of a set, mean"]
+    head = ["", "truth in the set", "alone in it", "one cause, and wrong", "only joined with another effect", "several, all wrong", "unattributed, with terms of its own", "adequate", "size of a set, mean"]
     return table(head, rows)
 
 
 def nulls(results):
     index = [k for k, case in enumerate(results["cases"]) if case["effect"] is None]
-    alarms = [results["ours"][k]["verdict"] != "none" for k in index]
+    alarms = [results["ours"][k]["verdict"] != "adequate" for k in index]
     listed = [len(results["ours"][k]["causes"]) for k in index]
     rows = [["**hyzer diagnose**", of(sum(alarms), len(index)), f"{statistics.mean(listed):.2g}"]]
     for who, verdicts in results["peers"].items():
@@ -168,9 +162,9 @@ def text(results):
         page += f"## A {size} effect is seeded\n\n" + hidden(results, size) + "\n"
     page += "## The sets of `hyzer diagnose`\n\n" + sets(results)
     page += "\n## No effect is seeded\n\n" + nulls(results)
-    page += "\n## The peers on tracks without noise\n\nOne dataset of each effect and strength, next to no smoothing: what the peers can do where their left sides are right.\n\n" + clean(results)
+    page += "\n## The peers on tracks without noise\n\nOne dataset of each effect and strength, with hardly any smoothing.\n\n" + clean(results)
     page += f"\n## By effect\n\nOf {seeds} each: right + among others.\n\n" + effects(results)
     load = ", ".join(f"{value:.1f}" for value in results["load"])
     page += "\n## Time of a case\n\nIn turn, case by case, on {cpu}, {threads} threads; the machine was shared with other work (load {load} at the beginning, before these and at the end). ".format(**results["machine"], load=load)
-    page += "`hyzer` uses all threads, fits, looks for all of its catalogue, extends the model, verifies it, fits again and predicts flights; the peers do one regression with settings known beforehand, on one thread.\n\n" + times(results)
+    page += "`hyzer` uses all threads and does the whole diagnosis; the others do one regression with settings known beforehand, on one thread.\n\n" + times(results)
     return page + FOR

@@ -151,7 +151,7 @@ def main():
     load.append(os.getloadavg()[0])
 
     results = {"schema": "hyzer.fit-bench/1", "quick": args.quick, "machine": machine(), "load": load, "missing": missing, "tried": tried}
-    results |= {"medians": medians, "scaling": scaled, "steps": whole.report["iterations"]["steps"], "outliers": whole.report["noise"]["outliers"]}
+    results |= {"medians": medians, "scaling": scaled, "steps": whole.report["iterations"]["steps"], "outliers": whole.report["noise"]["marker"]["outliers"]}
     results["tolerance"] = ways.TOLERANCE
     results["alone"] = {"note": note, "apart": float((np.abs(values - whole.coefficients()) / whole.coefficients("std_error")).max())}
     (args.out / "results.json").write_text(json.dumps(results, indent=1))

@@ -1,16 +1,16 @@
-"""The page docs/benchmarks-fit.md, from the results alone."""
+"""The page docs/studies/benchmarks-fit.md, from the results alone."""
 
 # The bars: our share of a peer's time, agreement in standard errors, and how much the time of a flight may vary.
 SHARE, AGREE, CONSTANT = 1 / 50, 0.2, 1.3
 
 HEAD = """# Benchmarks of the fit
 
-`python3 benches/fit/run.py` makes this page: it has the peers and us fit the same made flights, in turn, round after round, and takes medians.
+`python3 benches/fit/run.py` makes this page: the programs fit the same simulated flights in turn, round after round; medians.
 On {cpu}, {threads} threads, {gcc}, {rustc}. The machine was shared with other work: load {load} at the beginning, after the rounds and at the end.
-So ratios count for more than seconds, and processor time is given beside.{quick}
+Ratios count for more than seconds.{quick}
 
-The flights: a disc, 20 flights of 1 s, three markers at 120 Hz, white noise of 1.5 mm on each coordinate, throws of all kinds; made by the
-peers' own compiled equations with steps of 0.3 ms, so that no line of ours is in the data. Unknown are 8 coefficients, the same for all flights, and each flight's 12 initial states: 248.
+The flights: a disc, 20 flights of 1 s, three markers at 120 Hz, white noise of 1.5 mm on each coordinate, throws of all kinds, simulated by the
+other programs' own compiled equations. Unknown are 8 coefficients, the same for all flights, and each flight's 12 initial states: 248.
 
 """
 
@@ -19,8 +19,8 @@ PROBLEM, JOB = "the same problem", "the same job"
 SAME_PROBLEM = """## The same problem: the least squares alone
 
 Everybody solves one least-squares problem from the same unknowns: 3 standard errors (of each unknown by itself) from the solution, the noise known, white and
-alike on all axes, no outliers looked for. To read the data, to build the problem and to compile it is free. Ours is `Fitted::solve_from` in a process that is kept
-running ({note}); it ends where a step promises less than 0.001 of the sum of squares, of which a residual of one standard deviation is 1. Its solution is {apart:.3f} standard errors from that of all of
+alike on all axes, no outliers looked for. Reading, building and compiling are not counted. Ours is `Fitted::solve_from` in a process that is kept
+running ({note}); it ends where a step promises less than 0.001 of the sum of squares. Its solution is {apart:.3f} standard errors from that of all of
 `hyzer fit`, which weighs by the noise that it estimates.
 
 """
@@ -30,23 +30,22 @@ SAME_JOB = """
 
 Everybody begins with the coefficients of the model's file and the markers. Ours is all of `hyzer fit` but reading files and writing the report: starts from the
 markers alone, outliers, the noise of each axis and its correlation, the fit ({steps} steps), standard errors, residuals. The peers are given our starts from the
-markers for nothing, of each flight at each of its samples for the nodes of multiple shooting; they solve with equal weights, are given the size of the residuals along each axis for
-nothing, and solve again from there by these weights. They look for no outliers and no correlation, and give no standard errors.
+markers for nothing, at each sample; they solve with equal weights, then
+with the weights of the residuals along each axis. They look for no outliers and no correlation, and give no standard errors.
 
 """
 
 UNEQUAL = """
 ## All of ours beside the peers' bare solve
 
-What is not alike, and was all that this page had before: all of `hyzer fit`, as in the second table, over the peers' times in the first.
+All of `hyzer fit`, as in the second table, over the peers' times in the first.
 
 """
 
 WHAT = """
 scipy's residuals and exact sensitivities are compiled C (SymPy's code, gcc -O3 -march=native -ffast-math, OpenMP over flights), Runge–Kutta of order 4 with two steps
-a sample, which is 0.5 µm from exact (rms; the worst 5 µm); it ends where a step takes no more than 1e-6 of the sum of squares. CasADi: the same equations and steps, multiple shooting, Gauss-Newton Hessian JᵀJ with exact sparse Jacobians, `map` over
-intervals on all threads, no scaling or bounds to slow IPOPT down, tolerance {tolerance:g} in units of standard errors. Unknowns are in units of our standard errors for both. Nobody eliminated the flights'
-own unknowns by hand for a peer: that would be a least-squares program of its own. In the second table ours left out {outliers} of 7260 marker positions as outliers.
+a sample, 0.5 µm from exact. CasADi: the same equations and steps, multiple shooting, Gauss-Newton Hessian JᵀJ with exact sparse Jacobians, `map` over
+intervals on all threads, no scaling or bounds. Unknowns are in units of our standard errors for both. In the second table ours left out {outliers} of 7260 marker positions as outliers.
 """
 
 

@@ -1,4 +1,4 @@
-"""Benchmarks the fit beside the peers: `python3 benches/fit/run.py [--quick]` writes docs/benchmarks-fit.md.
+"""Benchmarks the fit beside the peers: `python3 benches/fit/run.py [--quick]` writes docs/studies/benchmarks-fit.md.
 
 Uses the peers' environment, target/peers/venv, and makes it where it is not there.
 """
@@ -22,7 +22,7 @@ def main():
     # SymPy's order of terms depends on the seed; threads that wait give way to others.
     env = {**os.environ, "PYTHONHASHSEED": "0", "OMP_WAIT_POLICY": "passive"}
     command = [python, HERE / "measure.py", "--hyzer", built / "hyzer", "--alone", built / "examples" / "fit_alone", "--out", target / "fit-bench"]
-    subprocess.run([*command, "--page", ROOT / "docs" / "benchmarks-fit.md", *sys.argv[1:]], env=env, check=True)
+    subprocess.run([*command, "--page", ROOT / "docs" / "studies" / "benchmarks-fit.md", *sys.argv[1:]], env=env, check=True)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """Benchmarks the peers: `python3 benches/peers/run.py [--quick] [--compare]` writes target/peers/results.json.
 
-With `--compare` it then times them and us in one process and writes docs/benchmarks.md.
+With `--compare` it then times them and us in one process and writes docs/studies/benchmarks.md.
 
 Makes an environment of its own in target/peers/venv and leaves everything else alone.
 """
@@ -24,7 +24,7 @@ def main():
     ours = [a for a in sys.argv[1:] if a != "--compare"]
     subprocess.run([python, HERE / "measure.py", "--out", OUT, *ours], env=env, check=True)
     if "--compare" in sys.argv:
-        command = ["cargo", "bench", "--bench", "compare", "--", "--out", "docs/benchmarks.md"]
+        command = ["cargo", "bench", "--bench", "compare", "--", "--out", "docs/studies/benchmarks.md"]
         subprocess.run(command, cwd=HERE.parents[1], check=True)
 
 

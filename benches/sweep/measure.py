@@ -1,4 +1,4 @@
-"""FrisPy, SciPy and our lanes in one process, in turn, round after round; the page docs/benchmarks-sweep.md."""
+"""FrisPy, SciPy and our lanes in one process, in turn, round after round; the page docs/studies/benchmarks-sweep.md."""
 
 import argparse
 import ctypes
@@ -131,7 +131,7 @@ def main():
     arguments.add_argument("library")
     arguments.add_argument("hyzer")
     arguments.add_argument("--rounds", type=int, default=31)
-    arguments.add_argument("--out", default=str(ROOT / "docs" / "benchmarks-sweep.md"))
+    arguments.add_argument("--out", default=str(ROOT / "docs" / "studies" / "benchmarks-sweep.md"))
     asked = arguments.parse_args()
     ours = Ours(asked.library)
     fly_scipy = scipy_disc(ours.library)

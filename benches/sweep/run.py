@@ -1,4 +1,4 @@
-"""Flights a second beside FrisPy and SciPy: `python3 benches/sweep/run.py` writes docs/benchmarks-sweep.md.
+"""Flights a second beside FrisPy and SciPy: `python3 benches/sweep/run.py` writes docs/studies/benchmarks-sweep.md.
 
 Makes an environment of its own in target/peers/sweep and a library of our flights in target/peers/flights.
 """

@@ -25,7 +25,7 @@ pub struct Design {
     /// Set a parameter or coefficient, SI; may be repeated
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
-    /// Wind: its velocity in the inertial frame, m/s, or a TOML file with [wind]: profiles in height, gusts (docs/wind.md)
+    /// Wind: its velocity in the inertial frame, m/s, or a TOML file with [wind]: profiles in height, gusts (docs/reference/wind.md)
     #[arg(long, value_name = "X,Y,Z|FILE", allow_hyphen_values = true)]
     pub wind: Option<String>,
     /// Standard errors of the coefficients, included in the spread: report.json of `hyzer fit`

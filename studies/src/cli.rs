@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
-/// Studies of the accuracy and reliability of hyzer's fits and diagnoses; each study writes a page of docs/.
+/// Studies of the accuracy and reliability of hyzer's fits and diagnoses; each study writes a page of docs/studies/.
 #[derive(Parser)]
 #[command(
     name = "hyzer-studies",
@@ -23,10 +23,10 @@ pub struct Cli {
 pub enum Study {
     /// Compare what Hubbard & Hummel (2000) state about their two flights with simulations, under every interpretation
     /// of their tables of coefficients
-    #[command(after_help = "Example:\n  hyzer-studies paper --out docs/paper.md")]
+    #[command(after_help = "Example:\n  hyzer-studies paper --out docs/studies/paper.md")]
     Paper(Paper),
     /// Find the laws of motion that the equations of other simulators violate, and the changes that correct them
-    #[command(after_help = "Example:\n  hyzer-studies others --out docs/others.md")]
+    #[command(after_help = "Example:\n  hyzer-studies others --out docs/studies/others.md")]
     Others(Paper),
     /// Coverage of a fit's confidence intervals on flights of the reference simulator (`oracle`), and separate fits of
     /// the two flights of Hubbard & Hummel (2000)
@@ -34,7 +34,7 @@ pub enum Study {
     Identification(Identification),
     /// Fits of measured flights, and comparison with a wind tunnel's table of coefficients
     #[command(
-        after_help = "Example:\n  hyzer-studies real-data --data ../shared/data --out docs/real-data.md"
+        after_help = "Example:\n  hyzer-studies real-data --data ../shared/data --out docs/studies/real-data.md"
     )]
     RealData(RealData),
     /// How often the diagnosis finds effects that were added to flights of the reference simulator (`oracle`)
@@ -61,11 +61,11 @@ pub enum Study {
     #[command(after_help = "Example:\n  hyzer-studies cuts --seeds 10")]
     Cuts(Runs),
     /// Compare throws found by `design` with what Crowther and Potts report of a disc, and Frohlich of the discus
-    #[command(after_help = "Example:\n  hyzer-studies throws --out docs/throws.md")]
+    #[command(after_help = "Example:\n  hyzer-studies throws --out docs/studies/throws.md")]
     Throws(Paper),
     /// Coefficients and flights of the built-in bodies, and filmed throws of a driver
     #[command(
-        after_help = "Example:\n  hyzer-studies bodies --data ../shared/data --out docs/bodies.md"
+        after_help = "Example:\n  hyzer-studies bodies --data ../shared/data --out docs/studies/bodies.md"
     )]
     Bodies(Bodies),
     /// Import of simulated recordings of throws in the file formats of laboratories, and estimation of the marker

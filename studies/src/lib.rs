@@ -3,7 +3,7 @@
 //!
 //! Synthetic flights come from the oracle's vector mechanics and an integrator of this crate ([`oracle_flights`]), so
 //! neither the generated code nor the integrator under test takes part in making them. Each study runs independently
-//! and writes one page of `docs/`; the program `hyzer-studies` has one subcommand per study.
+//! and writes one page of `docs/studies/`; the program `hyzer-studies` has one subcommand per study.
 
 pub mod bodies;
 mod bounded_fit;

@@ -1,4 +1,4 @@
-//! Pages of `docs/`: Markdown templates rendered with the typed results of a study.
+//! Pages of `docs/studies/`: Markdown templates rendered with the typed results of a study.
 
 use minijinja::syntax::SyntaxConfig;
 use minijinja::value::{Serde, Value};

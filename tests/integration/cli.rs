@@ -362,10 +362,10 @@ fn real_flights_are_fitted() {
 fn the_page_of_the_effects_is_what_the_command_writes() {
     let written = stdout(hyzer().arg("effects"), 0);
     let committed =
-        std::fs::read_to_string(repository().join("docs/effects.md")).expect("the page");
+        std::fs::read_to_string(repository().join("docs/reference/effects.md")).expect("the page");
     assert!(
         written == committed,
-        "docs/effects.md is not what the command writes: run `hyzer effects --out docs/effects.md`"
+        "docs/reference/effects.md is not what the command writes: run `hyzer effects --out docs/reference/effects.md`"
     );
     // Of a model of one's own, its own too.
     let folder = tempfile::tempdir().expect("a folder");
@@ -385,7 +385,7 @@ fn the_page_of_the_effects_is_what_the_command_writes() {
 
 #[test]
 fn the_examples_of_the_effects_run() {
-    examples::the_examples_run("effects", 2, "docs/effects.md");
+    examples::the_examples_run("effects", 2, "docs/reference/effects.md");
 }
 
 /// Reads the drag coefficient, its standard error, and the RMS residual (m) from the `report.json` in a folder.

@@ -102,7 +102,7 @@ fn a_constant_wind_that_a_model_cannot_feel_is_refused() {
 
 #[test]
 fn the_plan_of_the_page_on_wind_is_flown() {
-    let page = std::fs::read_to_string("docs/wind.md").expect("the page");
+    let page = std::fs::read_to_string("docs/how-to/wind.md").expect("the page");
     let mut blocks = page.split("```toml\n").skip(1);
     let blocks = blocks.find_map(|part| {
         let block = part.split("```").next()?;

@@ -10,7 +10,7 @@ fn the_zoo_and_the_page_of_the_language_have_every_function() {
     };
     let (zoo, page) = (
         read("tests/integration/zoo/zoo.hyz"),
-        read("../docs/language.md"),
+        read("../docs/reference/language.md"),
     );
     let rows: Vec<&str> = page
         .lines()
@@ -23,6 +23,9 @@ fn the_zoo_and_the_page_of_the_language_have_every_function() {
         );
         let is_name = |word: &str| word == name;
         let is_listed = |row: &&str| row.split(|c: char| !c.is_alphanumeric()).any(is_name);
-        assert!(rows.iter().any(is_listed), "docs/language.md lacks {name}");
+        assert!(
+            rows.iter().any(is_listed),
+            "docs/reference/language.md lacks {name}"
+        );
     }
 }

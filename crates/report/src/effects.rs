@@ -226,7 +226,7 @@ Forces of general effects are given over the mass, moments over a moment of iner
 switches one on in `check`, `verify`, `simulate`, `synthesize`, `fit` and `diagnose`. An effect is absent where each of its coefficients has the value
 at which it vanishes, and a departure smaller than the negligible one does not matter in practice; both are in the unit that stands beside the
 name. How effects are written, and what the words mean, is said in [the language](language.md#effects). This page is made by
-`hyzer effects --out docs/effects.md`; `hyzer effects MODEL` lists those of one model, its own among them.
+`hyzer effects --out docs/reference/effects.md`; `hyzer effects MODEL` lists those of one model, its own among them.
 ";
 
 const HEAD: &str = "\
@@ -241,7 +241,7 @@ fn row(page: &mut String, effect: &Listed, linked: bool) {
                 Origin::General => "general_effects",
                 _ => "effects",
             };
-            format!("[`{0}`](../model-spec/{folder}/{0}.hyz)", effect.name)
+            format!("[`{0}`](../../model-spec/{folder}/{0}.hyz)", effect.name)
         }
         false => format!("`{}`", effect.name),
     };

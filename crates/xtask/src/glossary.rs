@@ -1,4 +1,4 @@
-//! Check of `docs/glossary.md`: every name in its column of types must occur in the source.
+//! Check of `docs/reference/glossary.md`: every name in its column of Rust names must occur in the source.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -7,11 +7,11 @@ use anyhow::{Result, bail};
 
 use crate::source;
 
-/// Heading of the column of the tables in `docs/glossary.md` that lists names of types, each of which must occur in the
-/// source.
-const COLUMN: &str = "type";
+/// Heading of the column of the tables in `docs/reference/glossary.md` that lists Rust names, each of which must
+/// occur in the source.
+const COLUMN: &str = "Rust name";
 
-/// Returns an error if a name in the column [`COLUMN`] of `docs/glossary.md` occurs in no source file.
+/// Returns an error if a name in the column [`COLUMN`] of `docs/reference/glossary.md` occurs in no source file.
 pub fn check(root: &Path) -> Result<()> {
     let mut words = BTreeSet::new();
     for folder in source::crates(root)? {
@@ -26,9 +26,9 @@ pub fn check(root: &Path) -> Result<()> {
             }
         }
     }
-    let names = names(&source::read(&root.join("docs/glossary.md"))?);
+    let names = names(&source::read(&root.join("docs/reference/glossary.md"))?);
     if names.is_empty() {
-        bail!("docs/glossary.md has no column `{COLUMN}` with names");
+        bail!("docs/reference/glossary.md has no column `{COLUMN}` with names");
     }
     let unknown: Vec<&str> = names
         .iter()
@@ -37,7 +37,7 @@ pub fn check(root: &Path) -> Result<()> {
         .collect();
     if !unknown.is_empty() {
         bail!(
-            "docs/glossary.md has names that no source file has: {}",
+            "docs/reference/glossary.md has names that no source file has: {}",
             unknown.join(", ")
         );
     }
@@ -74,7 +74,7 @@ mod tests {
 
     #[test]
     fn names_are_the_last_segments_in_the_column() {
-        let page = "| concept | type |\n|---|---|\n| `a` x | `m::T`, `U` |\n\n| `V` | `W` |";
+        let page = "| concept | Rust name |\n|---|---|\n| `a` x | `m::T`, `U` |\n\n| `V` | `W` |";
         assert_eq!(names(page), ["T", "U"]);
     }
 }

@@ -39,7 +39,7 @@ enum Task {
     Dependencies,
     /// Build every publishable package from its own archive, as a registry would receive it
     Package,
-    /// Find names in docs/glossary.md that occur in no source file
+    /// Find names in docs/reference/glossary.md that occur in no source file
     Glossary,
     /// Find files longer than 500 lines, and print the line count of each crate without its tests
     Lines,

@@ -3,7 +3,7 @@
 use model_spec::load;
 use model_spec::syntax::{self, ast::ItemKind};
 
-/// A code block of docs/language.md: word after the opening fence, content, line of the opening fence, and the first
+/// A code block of docs/reference/language.md: word after the opening fence, content, line of the opening fence, and the first
 /// line quoted (`> `) after the block.
 struct Block {
     kind: String,
@@ -13,7 +13,7 @@ struct Block {
 }
 
 fn blocks() -> Vec<Block> {
-    let page = std::fs::read_to_string("../docs/language.md").unwrap();
+    let page = std::fs::read_to_string("../docs/reference/language.md").unwrap();
     let mut blocks: Vec<Block> = Vec::new();
     let mut open = false;
     for (number, line) in page.lines().enumerate() {

@@ -373,7 +373,7 @@ fn a_unit_error_shows_the_declaration_that_would_agree() {
 
 #[test]
 fn a_claim_says_what_stands_for_the_quantities_of_a_body() {
-    let page = std::fs::read_to_string("../docs/language.md").unwrap();
+    let page = std::fs::read_to_string("../docs/reference/language.md").unwrap();
     let of = |name: &str| {
         let start = page.find(&format!("model {name};")).unwrap();
         let text = &page[start..start + page[start..].find("```").unwrap()];

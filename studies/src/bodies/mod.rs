@@ -1,5 +1,5 @@
 //! Study of the built-in bodies that are not discs of the paper: their coefficients, their flights, and the filmed
-//! throws of a driver. Writes docs/bodies.md.
+//! throws of a driver. Writes docs/studies/bodies.md.
 
 mod curves;
 mod filmed;

@@ -1,4 +1,4 @@
-//! Renders docs/bodies.md.
+//! Renders docs/studies/bodies.md.
 
 use model_spec::load::BODIES;
 use model_spec::model::{Model, Parameter};
@@ -60,7 +60,7 @@ impl Body {
     }
 }
 
-/// Renders docs/bodies.md and its figure of aerodynamic coefficients. `filmed` is empty if the measured throws are not
+/// Renders docs/studies/bodies.md and its figure of aerodynamic coefficients. `filmed` is empty if the measured throws are not
 /// available.
 ///
 /// # Errors

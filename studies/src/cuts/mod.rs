@@ -1,5 +1,5 @@
 //! Study of truncation at ground contact: flights that touch nothing, and flights that bounce. Writes a section of
-//! docs/spoiled.md.
+//! docs/studies/spoiled.md.
 
 mod bounces;
 mod free;

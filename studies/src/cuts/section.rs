@@ -1,18 +1,18 @@
-//! Section of docs/spoiled.md on truncation at ground contact.
+//! Section of docs/studies/spoiled.md on truncation at ground contact.
 
 use serde::Serialize;
 
 use super::bounces::Bounce;
 use super::free::FreeFlight;
 
-/// Maximum number of examples that docs/spoiled.md lists for each kind of flight: flights without ground contact that
+/// Maximum number of examples that docs/studies/spoiled.md lists for each kind of flight: flights without ground contact that
 /// were truncated or excluded, and bouncing flights not truncated at the ground contact.
 const MAX_EXAMPLES: usize = 12;
 
 /// Boundaries, m/s, of the ranges of impact speed by which the bouncing flights are grouped in a table.
 const CLASSES: [f64; 4] = [0.0, 1.0, 2.5, f64::INFINITY];
 
-/// Data of the section on truncation in docs/spoiled.md: counts and examples of flights without ground contact and of
+/// Data of the section on truncation in docs/studies/spoiled.md: counts and examples of flights without ground contact and of
 /// flights that bounce on the ground.
 #[derive(Clone, Debug, Serialize)]
 pub struct CutSection {

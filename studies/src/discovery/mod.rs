@@ -1,4 +1,4 @@
-//! Study of the diagnosis: how often it finds effects of the simulated flights. Writes docs/discovery.md.
+//! Study of the diagnosis: how often it finds effects of the simulated flights. Writes docs/studies/discovery.md.
 //!
 //! The oracle simulates flights with effects added to the law of motion ([`crate::seeded`]). The diagnosis receives the
 //! flights and the model without these effects. The code that simulates the flights and scores the answers shares

@@ -1,4 +1,4 @@
-//! Renders docs/discovery.md.
+//! Renders docs/studies/discovery.md.
 
 use serde::Serialize;
 
@@ -13,7 +13,7 @@ use crate::error::StudyError;
 use crate::page::Page;
 use crate::seeded::InputErrors;
 
-/// Maximum number of different results of the diagnosis (verdict and hypotheses) that docs/discovery.md lists for a
+/// Maximum number of different results of the diagnosis (verdict and hypotheses) that docs/studies/discovery.md lists for a
 /// combination of simulation settings under which the diagnosis fails.
 const MAX_ANSWERS: usize = 3;
 
@@ -144,7 +144,7 @@ impl TableRow {
     }
 }
 
-/// Renders docs/discovery.md from the results of all rows of the study's table.
+/// Renders docs/studies/discovery.md from the results of all rows of the study's table.
 ///
 /// # Errors
 /// [`StudyError::Page`] if the template cannot be rendered with the results.

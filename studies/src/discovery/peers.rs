@@ -1,10 +1,10 @@
-//! Copies tables of docs/discovery-peers.md, which benches/discovery writes, into a section of docs/discovery.md.
+//! Copies tables of docs/studies/discovery-peers.md, which benches/discovery writes, into a section of docs/studies/discovery.md.
 
-/// Heading of docs/discovery.md before which the section with the results of other programs (pysindy, stepwise
+/// Heading of docs/studies/discovery.md before which the section with the results of other programs (pysindy, stepwise
 /// regression) is inserted.
 const BEFORE: &str = "## Every row";
 
-/// Headings of the tables of other programs' results that are copied from docs/discovery-peers.md to docs/discovery.md.
+/// Headings of the tables of other programs' results that are copied from docs/studies/discovery-peers.md to docs/studies/discovery.md.
 const TABLES: [&str; 3] = [
     "## A strong effect is seeded",
     "## A weak effect is seeded",
@@ -12,7 +12,7 @@ const TABLES: [&str; 3] = [
 ];
 
 /// Builds the section with the results of other programs (pysindy, stepwise regression) from the text of
-/// docs/discovery-peers.md. `None` if one of the three tables to be copied (strong effect, weak effect, no effect) is
+/// docs/studies/discovery-peers.md. `None` if one of the three tables to be copied (strong effect, weak effect, no effect) is
 /// missing in that text.
 pub fn peer_section(peers: &str) -> Option<String> {
     let mut text = include_str!("peers.md").to_owned();
@@ -28,7 +28,7 @@ pub fn peer_section(peers: &str) -> Option<String> {
     Some(text)
 }
 
-/// Returns the page docs/discovery.md with the section on other programs inserted; an earlier version of the section is
+/// Returns the page docs/studies/discovery.md with the section on other programs inserted; an earlier version of the section is
 /// replaced.
 pub fn with_peer_section(page: &str, section: &str) -> String {
     let title = section.lines().next().unwrap_or_default();
@@ -50,7 +50,7 @@ mod tests {
     use super::*;
 
     fn page(name: &str) -> String {
-        let file = format!("{}/../../docs/{name}", env!("CARGO_MANIFEST_DIR"));
+        let file = format!("{}/../docs/studies/{name}", env!("CARGO_MANIFEST_DIR"));
         std::fs::read_to_string(file).expect("a page of docs")
     }
 

@@ -1,5 +1,5 @@
 //! Study of the fit: how often, and how fast, a model with the right effects reaches the noise level from its default
-//! initial values. Writes docs/fits.md.
+//! initial values. Writes docs/studies/fits.md.
 
 mod case;
 mod page;

@@ -1,4 +1,4 @@
-//! Renders docs/fits.md.
+//! Renders docs/studies/fits.md.
 
 use model_spec::sort_by_number;
 use serde::Serialize;
@@ -8,7 +8,7 @@ use crate::error::StudyError;
 use crate::page::Page;
 use crate::statistics::median;
 
-/// Maximum number of failed fits that docs/fits.md lists.
+/// Maximum number of failed fits that docs/studies/fits.md lists.
 const MAX_LISTED: usize = 40;
 
 /// Boundaries, m, of the ranges of marker displacement (caused by the added effects) by which the fits are grouped in a
@@ -49,7 +49,7 @@ struct Row {
     what: String,
 }
 
-/// Renders docs/fits.md from the outcomes of fits of datasets with randomly drawn effects.
+/// Renders docs/studies/fits.md from the outcomes of fits of datasets with randomly drawn effects.
 ///
 /// # Errors
 /// [`StudyError::Page`] if the template cannot be rendered with the results.

@@ -1,5 +1,5 @@
 //! Study of the fit: coverage of its confidence intervals, and fits of the paper's two flights, one by one and
-//! together. Writes docs/identification.md.
+//! together. Writes docs/studies/identification.md.
 
 mod coverage;
 mod page;

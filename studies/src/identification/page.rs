@@ -1,4 +1,4 @@
-//! Renders docs/identification.md.
+//! Renders docs/studies/identification.md.
 
 use serde::Serialize;
 
@@ -76,7 +76,7 @@ struct CoefficientRow<'r> {
     expected: f64,
 }
 
-/// Renders docs/identification.md from the coverages of confidence intervals and the fits of the flights of Hubbard &
+/// Renders docs/studies/identification.md from the coverages of confidence intervals and the fits of the flights of Hubbard &
 /// Hummel (2000).
 ///
 /// # Errors

@@ -1,5 +1,5 @@
 //! Study of other disc simulators: which laws of motion their equations violate, which changes correct them, and how
-//! the changes alter a throw. Writes docs/others.md.
+//! the changes alter a throw. Writes docs/studies/others.md.
 //!
 //! Each simulator's equations are a built-in model that claims a body. [`Simulator`] lists the changes that correct
 //! them, as edits of the model's text. The verdicts are those of `hyzer verify`; flights are integrated from the

@@ -1,4 +1,4 @@
-//! Renders docs/others.md.
+//! Renders docs/studies/others.md.
 
 use serde::Serialize;
 
@@ -51,7 +51,7 @@ struct StageRow {
 /// rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Renders docs/others.md from the verification results of all published simulators.
+/// Renders docs/studies/others.md from the verification results of all published simulators.
 ///
 /// # Errors
 /// [`StudyError::Page`] if the template cannot be rendered with the results.

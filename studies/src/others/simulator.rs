@@ -28,7 +28,7 @@ pub struct Change {
     pub starts: &'static [(&'static str, &'static str, usize)],
 }
 
-/// The published simulators that the page docs/others.md compares with the laws of motion.
+/// The published simulators that the page docs/studies/others.md compares with the laws of motion.
 pub const SIMULATORS: [Simulator; 2] = [
     Simulator {
         model: "frispy",

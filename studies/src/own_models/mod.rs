@@ -1,5 +1,5 @@
 //! Study of models that a user wrote: whether effects hidden in their flights are detected, and attributed to the right
-//! site. Writes docs/own-models.md.
+//! site. Writes docs/studies/own-models.md.
 //!
 //! The flights are integrated by this crate from the model's vector tree, as the oracle evaluates it, with each hidden
 //! effect added in hand-written code.

@@ -1,4 +1,4 @@
-//! Renders docs/own-models.md.
+//! Renders docs/studies/own-models.md.
 
 use serde::Serialize;
 
@@ -12,7 +12,7 @@ use crate::statistics::median;
 /// size.
 const CLEAR: f64 = 5.0;
 
-/// Maximum length, in characters, of the quoted text of a diagnosis's result on the page docs/own-models.md.
+/// Maximum length, in characters, of the quoted text of a diagnosis's result on the page docs/studies/own-models.md.
 const MAX_QUOTE: usize = 140;
 
 #[derive(Serialize)]
@@ -52,7 +52,7 @@ struct Row {
     seconds: f64,
 }
 
-/// Renders docs/own-models.md from the outcomes of the diagnoses of simulated flights of user models.
+/// Renders docs/studies/own-models.md from the outcomes of the diagnoses of simulated flights of user models.
 ///
 /// # Errors
 /// [`StudyError::Page`] if the template cannot be rendered with the results.

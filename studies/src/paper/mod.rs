@@ -1,4 +1,4 @@
-//! Study of the paper: Hubbard & Hummel (2000) against hypotheses on the meaning of its tables. Writes docs/paper.md.
+//! Study of the paper: Hubbard & Hummel (2000) against hypotheses on the meaning of its tables. Writes docs/studies/paper.md.
 //!
 //! With the tables as printed, simulations do not reproduce the paper's own description of its two flights. The study
 //! simulates both flights under every combination of declared hypotheses ([`Reading`]), compares the outcomes with the

@@ -1,4 +1,4 @@
-//! Renders docs/paper.md.
+//! Renders docs/studies/paper.md.
 
 use serde::Serialize;
 
@@ -78,7 +78,7 @@ struct Alternative {
     hypotheses: usize,
 }
 
-/// Renders docs/paper.md from the ranking of all interpretations of Table 1 of Hubbard & Hummel (2000).
+/// Renders docs/studies/paper.md from the ranking of all interpretations of Table 1 of Hubbard & Hummel (2000).
 ///
 /// # Errors
 /// [`StudyError::Page`] if the template cannot be rendered with the results.

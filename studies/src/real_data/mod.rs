@@ -1,5 +1,5 @@
 //! Study of measured data: table-tennis balls, a gyroscope in a disc, poses of a disc, a wind tunnel, disc-golf throws.
-//! Writes docs/real-data.md.
+//! Writes docs/studies/real-data.md.
 
 mod balls;
 mod disc_golf;

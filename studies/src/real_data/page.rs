@@ -1,4 +1,4 @@
-//! Renders docs/real-data.md.
+//! Renders docs/studies/real-data.md.
 
 use super::balls::{balls_figure, balls_section};
 use super::disc_golf::disc_golf_section;
@@ -9,7 +9,7 @@ use super::wind_tunnel::{effects_section, paper_flights_section, tunnel_figure, 
 use crate::error::StudyError;
 use crate::page::Page;
 
-/// Renders docs/real-data.md, the page on the fits and diagnoses of measured flights, with its figures.
+/// Renders docs/studies/real-data.md, the page on the fits and diagnoses of measured flights, with its figures.
 ///
 /// # Errors
 /// [`StudyError`] if a template cannot be rendered with the results, or a required fit is missing.

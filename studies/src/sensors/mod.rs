@@ -1,5 +1,5 @@
 //! Study of fits and diagnoses with sensors of every kind: poses, gyroscope and accelerometer, and combinations of
-//! them. Writes docs/sensors.md.
+//! them. Writes docs/studies/sensors.md.
 
 mod flights;
 mod page;

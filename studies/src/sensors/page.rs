@@ -1,4 +1,4 @@
-//! Renders docs/sensors.md.
+//! Renders docs/studies/sensors.md.
 
 use serde::Serialize;
 
@@ -15,7 +15,7 @@ struct Results<'r> {
     sets: &'r [SensorSet],
 }
 
-/// Renders docs/sensors.md from the results of all sensor sets.
+/// Renders docs/studies/sensors.md from the results of all sensor sets.
 ///
 /// # Errors
 /// [`StudyError`] if the template cannot be rendered with the results.

@@ -1,5 +1,5 @@
 //! Study of spoiled data: whether common mistakes of a laboratory are named, harmless, or reported as unreliable.
-//! Writes docs/spoiled.md.
+//! Writes docs/studies/spoiled.md.
 
 mod harm;
 mod judge;

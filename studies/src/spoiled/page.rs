@@ -1,4 +1,4 @@
-//! Renders docs/spoiled.md.
+//! Renders docs/studies/spoiled.md.
 
 use serde::Serialize;
 
@@ -36,7 +36,7 @@ struct Row {
     description: String,
 }
 
-/// Renders docs/spoiled.md from the fits of datasets with recording mistakes. `cuts` is the section on the truncation
+/// Renders docs/studies/spoiled.md from the fits of datasets with recording mistakes. `cuts` is the section on the truncation
 /// of flights at the ground; `None` if the study of truncation was not run.
 ///
 /// # Errors

@@ -1,6 +1,6 @@
 //! Study of takes: simulated recordings of throws, with a hand before and a net or the ground after each flight, in the
 //! file formats of laboratories. They are imported to a dataset, a marker template is estimated, and the dataset is
-//! fitted. Writes docs/takes.md.
+//! fitted. Writes docs/studies/takes.md.
 
 mod c3d;
 mod ends;

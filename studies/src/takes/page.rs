@@ -1,4 +1,4 @@
-//! Renders docs/takes.md.
+//! Renders docs/studies/takes.md.
 
 use serde::Serialize;
 
@@ -16,7 +16,7 @@ const MILLIMETRE: f64 = 0.001;
 const MAX_Z: f64 = 3.0;
 /// Half width of a 95 % interval of a normal variable, in standard deviations.
 const NORMAL_95: f64 = 1.96;
-/// Maximum number of failed recording sessions that docs/takes.md lists as examples.
+/// Maximum number of failed recording sessions that docs/studies/takes.md lists as examples.
 const MAX_EXAMPLES: usize = 8;
 
 #[derive(Serialize)]
@@ -103,7 +103,7 @@ fn is_cut(cut: &Option<[i64; 2]>) -> bool {
     cut.is_some_and(|ends| ends.iter().all(|end| end.abs() <= CUT))
 }
 
-/// Renders docs/takes.md from the results of all simulated recording sessions.
+/// Renders docs/studies/takes.md from the results of all simulated recording sessions.
 ///
 /// # Errors
 /// [`StudyError::Page`] if the template cannot be rendered with the results.

@@ -1,5 +1,5 @@
 //! Compares throws found by `design` with published results: Crowther and Potts on launches of a disc, Frohlich on the
-//! discus in the wind. Writes docs/throws.md.
+//! discus in the wind. Writes docs/studies/throws.md.
 
 mod crowther_potts;
 mod frohlich;

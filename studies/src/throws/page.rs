@@ -1,4 +1,4 @@
-//! Renders docs/throws.md.
+//! Renders docs/studies/throws.md.
 
 use report::figures::{Line, Panel, figure};
 use serde::Serialize;
@@ -19,7 +19,7 @@ struct Results<'r> {
     pairs: Vec<(f64, f64)>,
 }
 
-/// Renders docs/throws.md from the simulated disc launches (`launches`), the launches for several roll coefficients
+/// Renders docs/studies/throws.md from the simulated disc launches (`launches`), the launches for several roll coefficients
 /// (`rolls`: C_Rr in s, results), and the longest discus throws in several winds (`winds`).
 ///
 /// # Errors

@@ -16,11 +16,11 @@ fn stdout(command: &mut Command, code: i32) -> String {
 #[test]
 fn the_page_on_the_paper_is_what_the_command_writes() {
     let written = stdout(hyzer_studies().arg("paper"), 0);
-    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/paper.md");
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/studies/paper.md");
     let committed = std::fs::read_to_string(page).expect("the page");
     assert_eq!(
         written, committed,
-        "run `hyzer-studies paper --out docs/paper.md`"
+        "run `hyzer-studies paper --out docs/studies/paper.md`"
     );
     assert!(
         written.contains("| 9 of 9 |"),

@@ -8,11 +8,11 @@ use studies::others::{SIMULATORS, judge, others, others_page};
 #[test]
 fn the_page_on_other_simulators_is_what_the_command_writes() {
     let written = others_page(&others().expect("the study runs")).expect("a page");
-    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/others.md");
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/studies/others.md");
     let committed = std::fs::read_to_string(page).expect("the page");
     assert_eq!(
         written.text, committed,
-        "run `hyzer-studies others --out docs/others.md`"
+        "run `hyzer-studies others --out docs/studies/others.md`"
     );
 }
 

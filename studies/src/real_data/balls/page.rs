@@ -1,4 +1,4 @@
-//! Section of docs/real-data.md on the table-tennis balls.
+//! Section of docs/studies/real-data.md on the table-tennis balls.
 
 use dataset::Role;
 use diagnose::Report as Diagnosis;
@@ -125,7 +125,7 @@ struct MagnusScore {
     discordant: usize,
 }
 
-/// Renders the section of docs/real-data.md on the flights of table-tennis balls, as Markdown.
+/// Renders the section of docs/studies/real-data.md on the flights of table-tennis balls, as Markdown.
 pub(in super::super) fn balls_section(balls: &Balls) -> Result<String, StudyError> {
     let report = &balls.plain;
     let count = |role: Role| report.flights.iter().filter(|f| f.role == role).count();

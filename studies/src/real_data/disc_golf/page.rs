@@ -1,4 +1,4 @@
-//! Section of docs/real-data.md on the disc-golf throws.
+//! Section of docs/studies/real-data.md on the disc-golf throws.
 
 use serde::Serialize;
 
@@ -50,7 +50,7 @@ struct FactorRow {
     greatest_change: f64,
 }
 
-/// Renders the section of docs/real-data.md on the filmed disc-golf throws, as Markdown.
+/// Renders the section of docs/studies/real-data.md on the filmed disc-golf throws, as Markdown.
 pub(in super::super) fn disc_golf_section(data: &DiscGolf) -> Result<String, StudyError> {
     let launches = || data.throws.iter().filter_map(launch_row);
     let section = Section {

@@ -1,4 +1,4 @@
-//! Section of docs/real-data.md on the poses of golf discs.
+//! Section of docs/studies/real-data.md on the poses of golf discs.
 
 use serde::Serialize;
 
@@ -42,7 +42,7 @@ struct CoefficientRow {
     gain: f64,
 }
 
-/// Renders the section of docs/real-data.md on the measured poses of golf discs, as Markdown.
+/// Renders the section of docs/studies/real-data.md on the measured poses of golf discs, as Markdown.
 pub(in super::super) fn disc_pose_section(data: &DiscPose) -> Result<String, StudyError> {
     let coefficient = |name: &'static str| {
         let missing = || StudyError::Name {

@@ -1,4 +1,4 @@
-//! Section of docs/real-data.md on the decay of the spin.
+//! Section of docs/studies/real-data.md on the decay of the spin.
 
 use serde::Serialize;
 
@@ -54,7 +54,7 @@ struct FormRow {
     delta_aic: f64,
 }
 
-/// Renders the section of docs/real-data.md on the decay of a disc's spin, as Markdown.
+/// Renders the section of docs/studies/real-data.md on the decay of a disc's spin, as Markdown.
 pub(in super::super) fn spin_decay_section(data: &SpinDecay) -> Result<String, StudyError> {
     let missing = |form: &str| StudyError::Name {
         of: "list of fitted forms",

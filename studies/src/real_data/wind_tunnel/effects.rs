@@ -1,4 +1,4 @@
-//! Section of docs/real-data.md on the effects of the catalogue that improve the disc's aerodynamic curves.
+//! Section of docs/studies/real-data.md on the effects of the catalogue that improve the disc's aerodynamic curves.
 
 use model_spec::sort_by_number;
 use serde::Serialize;
@@ -106,7 +106,7 @@ struct Departure {
     below: Option<f64>,
 }
 
-/// Renders the section of docs/real-data.md on the effects (optional model extensions) that improve the fit of the
+/// Renders the section of docs/studies/real-data.md on the effects (optional model extensions) that improve the fit of the
 /// model's curves to the wind tunnel's table of coefficients, as Markdown.
 pub(in super::super) fn effects_section(table: &[Measured]) -> Result<String, StudyError> {
     let ranges = HALF_WIDTHS.map(|width| between(table, -width, width));

@@ -1,4 +1,4 @@
-//! Section of docs/real-data.md on the wind tunnel's table and the model's curves.
+//! Section of docs/studies/real-data.md on the wind tunnel's table and the model's curves.
 
 use model_spec::model::Model;
 use serde::Serialize;
@@ -48,7 +48,7 @@ struct CurveRow {
     magnitude: f64,
 }
 
-/// Renders the section of docs/real-data.md that compares the wind tunnel's table of coefficients with the model's
+/// Renders the section of docs/studies/real-data.md that compares the wind tunnel's table of coefficients with the model's
 /// curves, as Markdown.
 pub(in super::super) fn tunnel_section(
     disc: &Model,

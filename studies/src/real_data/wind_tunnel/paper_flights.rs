@@ -1,4 +1,4 @@
-//! Section of docs/real-data.md on the paper's two flights, simulated with the wind tunnel's coefficients and fitted by
+//! Section of docs/studies/real-data.md on the paper's two flights, simulated with the wind tunnel's coefficients and fitted by
 //! the model.
 
 use model_spec::model::Model;
