@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
+use report::FigureKind;
 
 mod bootstrap;
 mod design;
@@ -159,9 +160,12 @@ fn backends() -> clap::builder::PossibleValuesParser {
     clap::builder::PossibleValuesParser::new(values)
 }
 
-/// Parser of an option's value that must be the name of a kind of figure file, such as pdf or png.
-fn figure_kinds() -> clap::builder::PossibleValuesParser {
-    clap::builder::PossibleValuesParser::new(report::FigureKind::ALL.map(report::FigureKind::name))
+/// Parses the name of a kind of figure file, pdf or png. An error if the program cannot write it.
+fn figure_kind(name: &str) -> Result<FigureKind, String> {
+    let mut kinds = FigureKind::ALL.into_iter();
+    let kind = kinds.find(|kind| kind.name() == name);
+    let kind = kind.ok_or_else(|| "expected pdf or png".to_owned())?;
+    kind.available().map_err(|error| error.to_string())
 }
 
 /// Arguments of `hyzer verify`.
@@ -278,8 +282,8 @@ pub struct Simulate {
     #[arg(long, value_name = "EFFECT")]
     pub with: Vec<String>,
     /// Also write every figure as pdf or png; may be repeated
-    #[arg(long, value_name = "KIND", value_parser = figure_kinds(), requires = "out")]
-    pub figures: Vec<String>,
+    #[arg(long, value_name = "KIND", value_parser = figure_kind, requires = "out")]
+    pub figures: Vec<FigureKind>,
     /// Folder for trajectory.csv, summary.json, flight.svg and flight.html: new, empty, or of earlier results, which are replaced
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -418,8 +422,8 @@ pub struct Fit {
     #[arg(long, value_name = "FILE")]
     pub certificate: Option<PathBuf>,
     /// Also write every figure as pdf or png; may be repeated
-    #[arg(long, value_name = "KIND", value_parser = figure_kinds(), requires = "out")]
-    pub figures: Vec<String>,
+    #[arg(long, value_name = "KIND", value_parser = figure_kind, requires = "out")]
+    pub figures: Vec<FigureKind>,
     /// Folder for report.html, report.json, fitted.hyz, figures and tables: new, empty, or of earlier results, which are
     /// replaced; other files in it are kept
     #[arg(long, value_name = "DIR")]
@@ -442,8 +446,8 @@ pub struct Diagnose {
     #[arg(long, value_name = "FILE")]
     pub certificate: Option<PathBuf>,
     /// Also write every figure as pdf or png; may be repeated
-    #[arg(long, value_name = "KIND", value_parser = figure_kinds(), requires = "out")]
-    pub figures: Vec<String>,
+    #[arg(long, value_name = "KIND", value_parser = figure_kind, requires = "out")]
+    pub figures: Vec<FigureKind>,
     /// Folder for report.html, report.json, the extended model, figures and tables: new, empty, or of earlier results, which
     /// are replaced; other files in it are kept
     #[arg(long, value_name = "DIR")]

@@ -42,10 +42,9 @@ pub fn replace(folder: &ResultFolder, files: &[ResultFile]) -> anyhow::Result<()
     progress::writing(|| folder.replace(files)).context("--out")
 }
 
-/// Appends to `files` a conversion of each SVG figure among them to each of the requested `kinds`, such as pdf or png.
-pub fn add_figures(files: &mut Vec<ResultFile>, kinds: &[String]) -> anyhow::Result<()> {
-    let is_asked = |kind: &FigureKind| kinds.iter().any(|name| name == kind.name());
-    for kind in FigureKind::ALL.into_iter().filter(is_asked) {
+/// Appends to `files` a conversion of each SVG figure among them to each of the requested `kinds`.
+pub fn add_figures(files: &mut Vec<ResultFile>, kinds: &[FigureKind]) -> anyhow::Result<()> {
+    for kind in FigureKind::ALL.iter().filter(|kind| kinds.contains(kind)) {
         let mut drawn = Vec::new();
         for file in files.iter() {
             let path = &file.path;

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use report::FigureKind;
 
 /// Arguments of `hyzer design`.
 #[derive(Args)]
@@ -44,8 +45,8 @@ pub struct Design {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
     pub threads: Option<u32>,
     /// Also write every figure as pdf or png; may be repeated
-    #[arg(long, value_name = "KIND", value_parser = super::figure_kinds(), requires = "out")]
-    pub figures: Vec<String>,
+    #[arg(long, value_name = "KIND", value_parser = super::figure_kind, requires = "out")]
+    pub figures: Vec<FigureKind>,
     /// Folder for release.toml, design.json, report.html, flight.html and figures: new, empty, or of earlier results, which are
     /// replaced; other files in it are kept
     #[arg(long, value_name = "DIR")]

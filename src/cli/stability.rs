@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use report::FigureKind;
 
 use super::ThrowOptions;
 
@@ -34,8 +35,8 @@ pub struct Stability {
     #[arg(long)]
     pub json: bool,
     /// Also write every figure as pdf or png; may be repeated
-    #[arg(long, value_name = "KIND", value_parser = super::figure_kinds(), requires = "out")]
-    pub figures: Vec<String>,
+    #[arg(long, value_name = "KIND", value_parser = super::figure_kind, requires = "out")]
+    pub figures: Vec<FigureKind>,
     /// Folder for stability.json, report.html, modes.csv, map.csv and figures: new, empty, or of earlier results, which are replaced;
     /// other files in it are kept
     #[arg(long, value_name = "DIR")]

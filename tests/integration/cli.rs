@@ -248,6 +248,12 @@ fn figures_are_written_as_the_kinds_that_are_asked_for() {
     let mut command = hyzer();
     let command = command.args(["simulate", "--release", "backhand", "--until", "1"]);
     let command = command.args(["--figures", "pdf", "--figures", "png", "--out"]);
+    if !cfg!(feature = "pictures") {
+        let errors = stderr(command.arg(&out), 2);
+        assert!(errors.contains("--features pictures"), "{errors}");
+        assert!(!out.exists());
+        return;
+    }
     stdout(command.arg(&out), 0);
     let begins =
         |name: &str, with: &[u8]| std::fs::read(out.join(name)).is_ok_and(|f| f.starts_with(with));
