@@ -17,7 +17,7 @@ fn the_readme_s_command_names_what_was_hidden_and_measures_the_gain() {
     let arguments = ["diagnose", "examples/mystery", "--out"];
     let (status, text, errors) = told(hyzer().args(arguments).arg(&out));
     assert_eq!(status, 0, "{errors}");
-    assert!(text.starts_with("named: "), "{text}");
+    assert!(text.starts_with("identified: "), "{text}");
     let report = report(&out);
     assert_eq!(report["schema"], "hyzer.diagnosis/2");
     assert_eq!(report["verdict"], "identified");
@@ -37,8 +37,8 @@ fn the_readme_s_command_names_what_was_hidden_and_measures_the_gain() {
     for key in [
         "noise",
         "coefficients",
-        "undetectable",
-        "smallest_detectable",
+        "not_identifiable",
+        "minimum_detectable_effects",
         "seconds",
     ] {
         assert!(!report[key].is_null(), "{key}");

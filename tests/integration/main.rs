@@ -10,6 +10,7 @@ mod diagnose;
 mod fit;
 mod generate;
 mod import;
+mod recovery;
 mod results;
 mod review;
 mod signals;
