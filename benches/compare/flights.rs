@@ -189,7 +189,7 @@ edition = "2024"
 [lib]
 crate-type = ["cdylib"]
 [dependencies]
-lanes = { path = "LANES" }
+lanes = { package = "hyzer-lanes", path = "LANES" }
 [workspace]
 "#;
 

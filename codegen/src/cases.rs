@@ -10,14 +10,14 @@ use model_spec::model::{CheckCase, Expectation, Model, Observable, Target};
 /// parameters, and the values that the model must give for them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
-    /// Name of the checked quantity in the notation of the check case (test case in a model file): `alpha`, `der(u)`.
+    /// Name of the checked quantity in the notation of the check case: `alpha`, `der(u)`.
     pub name: String,
     /// SI unit of the expected and of the computed value, in the notation of model files; `1` if the quantity is
     /// dimensionless.
     pub unit: String,
     /// Value computed from the model, in the SI unit `unit`.
     pub found: f64,
-    /// Expected value and tolerance, as stated in the check case (test case in a model file).
+    /// Expected value and tolerance, as stated in the check case.
     pub expected: Expectation,
 }
 
@@ -88,8 +88,8 @@ fn compared(model: &Model, expected: &Expectation, found: f64) -> Comparison {
     }
 }
 
-/// States, parameters and marker coordinates of a check case (test case in a model file): the defaults of the model,
-/// except where the case sets another value.
+/// States, parameters and marker coordinates of a check case: the defaults of the model, except where the case sets
+/// another value.
 fn arguments(model: &Model, case: &CheckCase) -> (Vec<f64>, Vec<f64>, [f64; 3]) {
     let layout = crate::layout::Layout::new(model);
     let (mut states, mut parameters) = (layout.default_states(), layout.default_parameters());

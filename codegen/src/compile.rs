@@ -51,7 +51,7 @@ pub struct Compiled {
     /// Function that computes the invariants, which depend on parameters alone. It runs once per flight, and its
     /// results are inputs of all other functions.
     pub prepare: Function,
-    /// Names of the invariants (values that depend on parameters alone) that `prepare` computes.
+    /// Names of the invariants that `prepare` computes.
     pub prepared: Vec<String>,
     /// Function that computes the time derivatives `dx` of the states.
     pub f: Function,
@@ -60,8 +60,8 @@ pub struct Compiled {
     /// Function that computes the time derivatives `dx` of the states, their state Jacobian `j` and their parameter
     /// Jacobian `jp`.
     pub f_jac_par: Function,
-    /// Function that computes the measurement equation: the position `y`, m, of a marker (observed point of the body)
-    /// in the inertial frame. It has no outputs if the model has no measurement equation.
+    /// Function that computes the measurement equation: the position `y`, m, of a marker in the inertial frame. It has
+    /// no outputs if the model has no measurement equation.
     pub observe: Function,
     /// Function that computes the marker position `y`, m, and its Jacobians `dy_dx`, `dy_dp` and `dy_dmarker` with
     /// respect to states, parameters and marker coordinates.

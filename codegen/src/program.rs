@@ -15,7 +15,7 @@ pub enum Operand {
     Parameter(u32),
     /// Invariant (value that depends on parameters alone), by its index among the results of the function `prepare`.
     Prepared(u32),
-    /// Body-fixed coordinate, m, of the marker (observed point of the body), by its index (0 to 2).
+    /// Body-fixed coordinate, m, of the marker, by its index (0 to 2).
     Marker(u32),
     /// Constant with this value.
     Constant(f64),

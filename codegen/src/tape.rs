@@ -76,7 +76,7 @@ pub struct Inputs<'a, T> {
     pub p: &'a [T],
     /// Results of the function `prepare` for these parameters: values that depend on parameters alone.
     pub prepared: &'a [T],
-    /// Body-fixed coordinates, m, of the marker (observed point of the body).
+    /// Body-fixed coordinates, m, of the marker.
     pub marker: &'a [T],
 }
 

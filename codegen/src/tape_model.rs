@@ -5,7 +5,7 @@ use crate::program::{Function, Section};
 use crate::tape::{Inputs, Tape};
 use lanes::{ScalarKernel, ScalarLane, dispatch_scalar};
 
-/// One model function as a [`Tape`] (register bytecode), with the division of its results into output arrays.
+/// One model function as a [`Tape`], with the division of its results into output arrays.
 #[derive(Clone, Debug)]
 pub struct TapeFunction {
     /// Bytecode of the function.
@@ -53,9 +53,9 @@ pub struct TapeModel {
     pub states: usize,
     /// Number of parameters: known constants, coefficients and components of inputs together.
     pub parameters: usize,
-    /// Number of invariants (values that depend on parameters alone) that `prepare` computes.
+    /// Number of invariants that `prepare` computes.
     pub prepared: usize,
-    /// Function that computes the invariants of a flight (values that depend on parameters alone) from the parameters.
+    /// Function that computes the invariants of a flight from the parameters.
     pub prepare: TapeFunction,
     /// Function that computes the time derivatives `dx` of the states.
     pub f: TapeFunction,
@@ -64,8 +64,7 @@ pub struct TapeModel {
     /// Function that computes the time derivatives `dx` of the states, their state Jacobian `j` and their parameter
     /// Jacobian `jp`.
     pub f_jac_par: TapeFunction,
-    /// Function that computes the position `y`, m, of a marker (observed point of the body) in the inertial frame, from
-    /// its body-fixed coordinates.
+    /// Function that computes the position `y`, m, of a marker in the inertial frame, from its body-fixed coordinates.
     pub observe: TapeFunction,
     /// Function that computes the marker position `y`, m, and its Jacobians `dy_dx`, `dy_dp` and `dy_dmarker` with
     /// respect to states, parameters and marker coordinates.
@@ -87,7 +86,7 @@ pub struct At<'a> {
     pub x: &'a [f64],
     /// Parameters: known constants, then coefficients, then components of inputs.
     pub p: &'a [f64],
-    /// Invariants (values that depend on parameters alone) that [`TapeModel::prepare`] returned for the parameters `p`.
+    /// Invariants that [`TapeModel::prepare`] returned for the parameters `p`.
     pub prepared: &'a [f64],
 }
 

@@ -9,10 +9,10 @@ use crate::diagnostic::{Diagnostic, Source};
 use crate::render::render;
 use crate::suggest;
 
-/// Error of loading a model or an effect (named change to a model).
+/// Error of loading a model or an effect.
 #[derive(Clone, Debug, Error)]
 pub enum LoadError {
-    /// A model or effect (named change to a model) has errors in its text.
+    /// A model or effect has errors in its text.
     #[error("{}", render(diagnostics, sources, false).trim_end())]
     Faults {
         /// Errors found in the source texts, at least one.
@@ -45,16 +45,16 @@ pub enum LoadError {
         /// Names of the built-in models.
         known: Vec<String>,
     },
-    /// No effect (named change to a model) has the given name: it is neither an existing file, nor declared in the
-    /// model's file, nor built in, nor created from an equation `der(STATE) = …` of the model.
+    /// No effect has the given name: it is neither an existing file, nor declared in the model's file, nor built in,
+    /// nor created from an equation `der(STATE) = …` of the model.
     #[error(
         "there is no effect `{wanted}`: not in the model, not among the built-in ones, and no such file{}\nknown are {}",
         suggestion(wanted, known), known.join(", ")
     )]
     UnknownEffect {
-        /// Name or path of the requested effect (named change to a model).
+        /// Name or path of the requested effect.
         wanted: String,
-        /// Names of the effects (named changes to a model) of the model's file and of the built-in effects.
+        /// Names of the effects of the model's file and of the built-in effects.
         known: Vec<String>,
     },
 }

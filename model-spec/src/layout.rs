@@ -36,7 +36,7 @@ pub struct Layout {
     pub params: usize,
     /// Number of coefficients, which follow the known constants in [`Layout::parameters`].
     pub coefficients: usize,
-    /// Names of the three coordinates of the marker (observed point of the body); empty if the model has no marker.
+    /// Names of the three coordinates of the marker; empty if the model has no marker.
     pub marker: Vec<String>,
     /// Names of the auxiliary variables, one per scalar and per vector component. Variables that depend on the marker,
     /// the specific force or the angular acceleration are omitted.

@@ -14,17 +14,17 @@ pub use crate::read::decode;
 pub struct Loaded {
     /// The checked model; `None` if there is any error other than a unit error.
     pub model: Option<Model>,
-    /// Syntax tree of the model with the effects (named changes to the model) applied.
+    /// Syntax tree of the model with the effects applied.
     pub file: File,
-    /// Errors of the model and of its effects (named changes to the model).
+    /// Errors of the model and of its effects.
     pub diagnostics: Vec<Diagnostic>,
     /// Source texts to which the spans of [`Loaded::file`] and [`Loaded::diagnostics`] refer.
     pub sources: Vec<Source>,
 }
 
 /// Loads a model from a path or by the name of a built-in model; an existing file takes precedence. `with` lists the
-/// effects (named changes to the model) to apply, each by path or by name, as in [`ModelTree::find_effect`]: an effect
-/// of the model's file, a built-in effect, or an effect created from an equation `der(STATE) = …` of the model.
+/// effects to apply, each by path or by name, as in [`ModelTree::find_effect`]: an effect of the model's file, a
+/// built-in effect, or an effect created from an equation `der(STATE) = …` of the model.
 ///
 /// # Errors
 /// [`LoadError`] if a file is missing or any text has an error, unit errors included.
@@ -33,8 +33,8 @@ pub fn load(name_or_path: &str, with: &[&str]) -> Result<Model, LoadError> {
     from_text(&name, &text, with)
 }
 
-/// Loads a model from text and applies the effects `with` (named changes to the model); fails if any text has an error.
-/// Messages refer to the text as `name`.
+/// Loads a model from text and applies the effects `with`; fails if any text has an error. Messages refer to the text
+/// as `name`.
 ///
 /// # Errors
 /// [`LoadError`] if an effect is missing or any text has an error, unit errors included.
@@ -49,8 +49,8 @@ pub fn from_text(name: &str, text: &str, with: &[&str]) -> Result<Model, LoadErr
     }
 }
 
-/// Loads a model and applies the effects `with` (named changes to the model), as [`load`](load()) does, but returns the
-/// model's errors as [`Loaded::diagnostics`].
+/// Loads a model and applies the effects `with`, as [`load`](load()) does, but returns the model's errors as
+/// [`Loaded::diagnostics`].
 ///
 /// # Errors
 /// [`LoadError`] if the model or an effect is missing, or if the file of an effect has errors.
@@ -59,8 +59,8 @@ pub fn inspect(name_or_path: &str, with: &[&str]) -> Result<Loaded, LoadError> {
     inspect_text(&name, &text, with)
 }
 
-/// Loads a model from text and applies the effects `with` (named changes to the model), as [`from_text`] does, but
-/// returns the model's errors as [`Loaded::diagnostics`]. Messages refer to the text as `name`.
+/// Loads a model from text and applies the effects `with`, as [`from_text`] does, but returns the model's errors as
+/// [`Loaded::diagnostics`]. Messages refer to the text as `name`.
 ///
 /// # Errors
 /// [`LoadError`] if an effect is missing or if the file of an effect has errors.
@@ -97,9 +97,9 @@ pub fn inspect_text(name: &str, text: &str, with: &[&str]) -> Result<Loaded, Loa
     })
 }
 
-/// Combines the errors of a model and of an effect (named change to the model), so that all are reported at once.
-/// `earlier` holds the errors of the model `tree`; `error` holds those in the effect's text. An `error` other than
-/// [`LoadError::Faults`] is returned unchanged.
+/// Combines the errors of a model and of an effect, so that all are reported at once. `earlier` holds the errors of the
+/// model `tree`; `error` holds those in the effect's text. An `error` other than [`LoadError::Faults`] is returned
+/// unchanged.
 fn after(tree: ModelTree, mut earlier: Vec<Diagnostic>, error: LoadError) -> LoadError {
     let LoadError::Faults {
         mut diagnostics,

@@ -30,13 +30,11 @@ pub struct Model {
     /// Name of the reference implementation (equations coded by hand) with which `hyzer verify` compares the model;
     /// `None` if the model names none.
     pub reference: Option<String>,
-    /// Source texts: the text of the model file first, then the text of each applied effect (named change to the
-    /// model).
+    /// Source texts: the text of the model file first, then the text of each applied effect.
     pub sources: Vec<Source>,
     /// Known constants of the body and its environment, in order of declaration.
     pub params: Vec<Parameter>,
-    /// Coefficients, which are estimated from flights, in order of declaration; those that effects (named changes to
-    /// the model) add come last.
+    /// Coefficients, which are estimated from flights, in order of declaration; those that effects add come last.
     pub coefficients: Vec<Parameter>,
     /// Input vectors, whose values are specified for each flight, such as the wind.
     pub inputs: Vec<Input>,
@@ -70,18 +68,17 @@ pub struct Model {
     /// Measurement equation: expression for the observed position, a vector with components in the inertial frame, m.
     /// `None` if the model has none.
     pub observation: Option<Observation>,
-    /// Rate of true time relative to recorded time (the time stamps of the measurements). Every time derivative is
-    /// multiplied by it. `None` if the rate is 1.
+    /// Rate of true time relative to recorded time. Every time derivative is multiplied by it. `None` if the rate is 1.
     pub clock: Option<Clock>,
     /// Limits of the domain of validity: the model is valid only where each limit's expression exceeds its lower bound.
     pub limits: Vec<ValidityLimit>,
     /// Test cases that the model file states as `check "title" { … }`, each with values to set and expected results.
     pub checks: Vec<CheckCase>,
-    /// Applied effects (named changes to the model), in order of application.
+    /// Applied effects, in order of application.
     pub effects: Vec<AppliedEffect>,
-    /// Effects (named changes to the model) declared in the model's file, whether applied or not.
+    /// Effects declared in the model's file, whether applied or not.
     pub offers: Vec<OfferedEffect>,
-    /// The syntax tree that was checked, with the effects (named changes to the model) applied to it.
+    /// The syntax tree that was checked, with the effects applied to it.
     pub tree: Arc<ast::File>,
 }
 
@@ -233,14 +230,13 @@ pub struct AuxVariable {
     pub value: Expr,
     /// Source span of the name in the declaration; after [`AuxVariable::new`], of the definition.
     pub span: Span,
-    /// Index into [`Model::effects`] of the effect (named change to the model) that added this declaration or replaced
-    /// it; `None` for an unchanged declaration of the model's file.
+    /// Index into [`Model::effects`] of the effect that added this declaration or replaced it; `None` for an unchanged
+    /// declaration of the model's file.
     pub effect: Option<usize>,
 }
 
 impl AuxVariable {
-    /// Creates an auxiliary variable that no effect (named change to a model) has added; its span is that of its
-    /// definition.
+    /// Creates an auxiliary variable that no effect has added; its span is that of its definition.
     pub fn new(name: impl Into<String>, value: Expr) -> AuxVariable {
         AuxVariable {
             name: name.into(),
@@ -261,8 +257,8 @@ pub struct Load {
     pub value: Expr,
     /// Source span of the name in the declaration.
     pub span: Span,
-    /// Index into [`Model::effects`] of the effect (named change to the model) that added this declaration or replaced
-    /// it; `None` for an unchanged declaration of the model's file.
+    /// Index into [`Model::effects`] of the effect that added this declaration or replaced it; `None` for an unchanged
+    /// declaration of the model's file.
     pub effect: Option<usize>,
 }
 
@@ -315,8 +311,8 @@ pub struct Clock {
     pub value: Expr,
     /// Source span of the `clock` statement.
     pub span: Span,
-    /// Index into [`Model::effects`] of the effect (named change to the model) that added this declaration or replaced
-    /// it; `None` for an unchanged declaration of the model's file.
+    /// Index into [`Model::effects`] of the effect that added this declaration or replaced it; `None` for an unchanged
+    /// declaration of the model's file.
     pub effect: Option<usize>,
 }
 
@@ -338,10 +334,9 @@ pub struct ValidityLimit {
 /// values.
 #[derive(Clone, Debug)]
 pub struct CheckCase {
-    /// Title of the check case (test case in a model file), as in `check "title" { … }`.
+    /// Title of the check case, as in `check "title" { … }`.
     pub title: String,
-    /// Quantities that the check case (test case in a model file) sets, with their values, SI; all other quantities
-    /// have their default values.
+    /// Quantities that the check case sets, with their values, SI; all other quantities have their default values.
     pub settings: Vec<(Target, f64)>,
     /// Results to compare, with expected values and tolerances.
     pub expectations: Vec<Expectation>,
@@ -349,7 +344,7 @@ pub struct CheckCase {
     pub span: Span,
 }
 
-/// A scalar that a check case (test case in a model file) sets.
+/// A scalar that a check case sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
     /// A known constant, by index into [`Model::params`].
@@ -360,11 +355,11 @@ pub enum Target {
     Input(usize, usize),
     /// A state, by index into [`Model::states`].
     State(usize),
-    /// Coordinate 0, 1 or 2 of the marker (observed point) in the frame in which it is fixed, m.
+    /// Coordinate 0, 1 or 2 of the marker in the frame in which it is fixed, m.
     Marker(usize),
 }
 
-/// A scalar result of the model that a check case (test case in a model file) compares with an expected value.
+/// A scalar result of the model that a check case compares with an expected value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Observable {
     /// The time derivative of a state, by index into [`Model::states`].
@@ -373,7 +368,7 @@ pub enum Observable {
     AuxVariable(usize),
 }
 
-/// A result that a check case (test case in a model file) expects.
+/// A result that a check case expects.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Expectation {
     /// Result of the model that is compared with the expected value.
@@ -450,7 +445,7 @@ pub enum ExprKind {
     /// Time derivative of the angular velocity in the inertial frame, with components in
     /// [`Rotation::angular_velocity_frame`], rad/s². It can be evaluated only after the forces and moments.
     AngularAcceleration,
-    /// Coordinates of the marker (observed point) in the frame [`Marker::frame`], m.
+    /// Coordinates of the marker in the frame [`Marker::frame`], m.
     Marker,
     /// A vector made of three scalar components, which refer to the frame in [`Expr::shape`].
     Components(Box<[Expr; 3]>),

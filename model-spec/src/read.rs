@@ -7,7 +7,7 @@ use crate::error::LoadError;
 use crate::location::line_and_column;
 use crate::syntax::{MAX_SOURCE_BYTES, Parsed, too_long};
 
-/// Reads the file of a model or of an effect (named change to a model) as text.
+/// Reads the file of a model or of an effect as text.
 ///
 /// # Errors
 /// [`LoadError::Unreadable`] if the file cannot be read; [`LoadError::Faults`] if it is too long or not UTF-8.

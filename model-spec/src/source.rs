@@ -2,10 +2,10 @@
 
 use std::ops::Range;
 
-/// A source text of a model: the text of the model file, or of an effect (named change to the model) that is applied.
+/// A source text of a model: the text of the model file, or of an effect that is applied.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Source {
-    /// File name, or name of a built-in model or effect (named change to a model), for messages.
+    /// File name, or name of a built-in model or effect, for messages.
     pub name: String,
     /// Full content of the source text.
     pub text: String,
@@ -18,7 +18,7 @@ pub struct Span {
     pub start: u32,
     /// Byte offset of the end of the range, exclusive.
     pub end: u32,
-    /// Index of the source text: 0 is the model file; applied effects (named changes to the model) follow.
+    /// Index of the source text: 0 is the model file; applied effects follow.
     pub source: u16,
 }
 

@@ -9,8 +9,7 @@ use crate::model::{
 };
 use crate::source::LineStarts;
 
-/// Summary of a model as text: states, parameters with units, forces, validity limits, singular points, effects (named
-/// changes to the model).
+/// Summary of a model as text: states, parameters with units, forces, validity limits, singular points, effects.
 pub fn summary(model: &Model) -> String {
     let mut out = String::new();
     let _ = write(&mut out, model);
@@ -158,8 +157,8 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
     Ok(())
 }
 
-/// Writes to `out` a line about `what`, a coefficient or state of an effect (named change to a model): its null value
-/// (value at which the effect is absent), and the smallest difference from the null value that matters in practice.
+/// Writes to `out` a line about `what`, a coefficient or state of an effect: its null value (value at which the effect
+/// is absent), and the smallest difference from the null value that matters in practice.
 fn unknown(out: &mut String, what: &str, unknown: &EffectUnknown, unit: &str) -> std::fmt::Result {
     let value = |value: f64| with_unit(value, unit);
     write!(out, "  {what} vanishes at {}", value(unknown.null_value))?;

@@ -69,9 +69,9 @@ index_type!(
 /// one of `channels` (such as the drag).
 #[derive(Clone, Debug)]
 pub struct TermLibrary {
-    /// Effect (named change to a model) that adds to each of `channels` (loads or state derivatives) one constant term:
-    /// the coefficient [`Channel::coefficient`], multiplied by no variable. It also declares those of `variables` that
-    /// the model does not have.
+    /// Effect that adds to each of `channels` (loads or state derivatives) one constant term: the coefficient
+    /// [`Channel::coefficient`], multiplied by no variable. It also declares those of `variables` that the model does
+    /// not have.
     pub loads: EffectTree,
     /// Quantities to which a term can be added: components of forces and moments, or derivatives of states.
     pub channels: IndexVec<ChannelId, Channel>,
@@ -84,15 +84,15 @@ pub struct TermLibrary {
 /// Component of a force or moment (such as drag), or derivative of a state, to which a term can be added.
 #[derive(Clone, Debug)]
 pub struct Channel {
-    /// Name of the coefficient that the effect (named change to a model) [`TermLibrary::loads`] adds to the quantity as
-    /// the term with the constant product 1.
+    /// Name of the coefficient that the effect [`TermLibrary::loads`] adds to the quantity as the term with the
+    /// constant product 1.
     pub coefficient: String,
     /// Name of the quantity in names of terms, such as `drag` in `drag-by-alpha-squared`.
     pub name: String,
     /// Component of the model that a term added to this quantity changes: one of [`SITES`](crate::SITES).
     pub site: String,
-    /// Effect (named change to a model) that adds a term to the quantity; it contains the placeholders `NAME` for the
-    /// name of the effect and `TERM` for the term, a coefficient times a product of variables.
+    /// Effect that adds a term to the quantity; it contains the placeholders `NAME` for the name of the effect and
+    /// `TERM` for the term, a coefficient times a product of variables.
     template: Effect,
 }
 
@@ -140,7 +140,7 @@ pub enum TermLibraryError {
         /// Error of the TOML reader.
         error: toml::de::Error,
     },
-    /// An effect (named change to a model) in the library has errors.
+    /// An effect in the library has errors.
     #[error(transparent)]
     Effect(#[from] LoadError),
     /// A product has a factor that is not the name of a variable.
@@ -191,10 +191,10 @@ impl TermLibrary {
         &BUILT_IN
     }
 
-    /// Returns a term library for a model, and the model with the effect (named change to a model)
-    /// [`TermLibrary::loads`] of that library applied. It is the first built-in library whose effect can be applied to
-    /// the model, or else one generated from the model's quantities. `None` if the model has neither a body nor an
-    /// equation `der(STATE) = …` to which a term can be added.
+    /// Returns a term library for a model, and the model with the effect [`TermLibrary::loads`] of that library
+    /// applied. It is the first built-in library whose effect can be applied to the model, or else one generated from
+    /// the model's quantities. `None` if the model has neither a body nor an equation `der(STATE) = …` to which a term
+    /// can be added.
     pub fn for_model(model: &Model) -> Option<(Arc<TermLibrary>, ModelTree)> {
         let (tree, binding) = (ModelTree::of(model), Binding::new(model));
         let with_loads = |library: &TermLibrary| {
@@ -323,8 +323,8 @@ impl TermLibrary {
         words
     }
 
-    /// Creates the effect (named change to a model) that adds a term with the coefficient `k_NAME`, where `NAME` is the
-    /// name of the effect. `doc` becomes the documentation of the effect.
+    /// Creates the effect that adds a term with the coefficient `k_NAME`, where `NAME` is the name of the effect. `doc`
+    /// becomes the documentation of the effect.
     pub fn effect(&self, term: Term, doc: &str) -> EffectTree {
         let name = self.name(term).replace('-', "_");
         let coefficient = format!("k_{name}");
@@ -363,9 +363,9 @@ impl TermLibrary {
 }
 
 impl Variable {
-    /// Creates a variable for the quantity named `entry.quantity`. If the effect (named change to a model) `loads`
-    /// declares this quantity by a `let`, the definition of the variable is the right-hand side of the `let`. Otherwise
-    /// the definition is the name itself, which the model must then declare.
+    /// Creates a variable for the quantity named `entry.quantity`. If the effect `loads` declares this quantity by a
+    /// `let`, the definition of the variable is the right-hand side of the `let`. Otherwise the definition is the name
+    /// itself, which the model must then declare.
     fn new(entry: VariableEntry, loads: &EffectTree) -> Variable {
         let defined = loads.tree().parts.iter().find_map(|part| match part {
             EffectPart::Add(item) => match &item.kind {
@@ -419,8 +419,8 @@ fn powers(variables: &[VariableId]) -> Vec<Factor> {
     .collect()
 }
 
-/// Copy of a statement of the effect (named change to a model) [`Channel::template`], in which `name` replaces the
-/// placeholder `NAME` and `term` replaces the placeholder `TERM`.
+/// Copy of a statement of the effect [`Channel::template`], in which `name` replaces the placeholder `NAME` and `term`
+/// replaces the placeholder `TERM`.
 fn filled(part: &EffectPart, name: &str, term: &Expr) -> EffectPart {
     let mut part = part.clone();
     if let EffectPart::Replace(item) | EffectPart::Add(item) = &mut part {

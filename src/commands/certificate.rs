@@ -11,12 +11,12 @@ use verify::report::Outcome;
 
 use crate::{Answer, output};
 
-/// File extension of the certificate (record of the verification checks) of a model, next to the model's file.
+/// File extension of the certificate of a model, next to the model's file.
 const ENDING: &str = "certificate.json";
 
-/// Prints whether a certificate (record of the verification checks of models) is still valid. Returns `Answer::No` if a
-/// certified item, such as the text of a model, has changed since the certificate was written. If `again`, the
-/// certified checks are repeated; `same` selects the models that must describe the same motion.
+/// Prints whether a certificate is still valid. Returns `Answer::No` if a certified item, such as the text of a model,
+/// has changed since the certificate was written. If `again`, the certified checks are repeated; `same` selects the
+/// models that must describe the same motion.
 pub fn check(
     path: &Path,
     again: bool,
@@ -48,8 +48,8 @@ pub fn check(
     })
 }
 
-/// Certificate of a model (record of the checks by `hyzer verify`) that a report cites: path and content, or the reason
-/// why the content cannot be read. `None` if there is no certificate.
+/// Certificate of a model that a report cites: path and content, or the reason why the content cannot be read. `None`
+/// if there is no certificate.
 pub struct Found(Option<(PathBuf, Result<Certificate, CertificateError>)>);
 
 impl Found {
@@ -70,8 +70,8 @@ impl Found {
         Ok(Self(Some((path, read))))
     }
 
-    /// Statement for a report on `model`: that the model has no certificate (record of the checks by `hyzer verify`),
-    /// that the certificate is still valid, or that something it covers has changed.
+    /// Statement for a report on `model`: that the model has no certificate, that the certificate is still valid, or
+    /// that something it covers has changed.
     pub fn note(&self, model: &Model) -> CertificateNote {
         let Some((path, read)) = &self.0 else {
             return CertificateNote::none();

@@ -5,8 +5,8 @@ use report::effects::{listed, not_offered, page};
 use crate::cli::Effects;
 use crate::{Answer, output};
 
-/// Runs `hyzer effects`: writes the effects (optional extensions) of a model, or all built-in effects, as Markdown to a
-/// file or standard output. Always returns `Answer::Yes`.
+/// Runs `hyzer effects`: writes the effects of a model, or all built-in effects, as Markdown to a file or standard
+/// output. Always returns `Answer::Yes`.
 pub fn run(options: &Effects) -> anyhow::Result<Answer> {
     let model = options.model.as_deref();
     let effects = listed(model)?;

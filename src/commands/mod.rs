@@ -42,8 +42,7 @@ pub fn run(command: Command) -> anyhow::Result<Answer> {
     }
 }
 
-/// Names of the effects (optional model extensions) given by the option `--with`, as string slices for the model
-/// loader.
+/// Names of the effects given by the option `--with`, as string slices for the model loader.
 fn names(with: &[String]) -> Vec<&str> {
     with.iter().map(String::as_str).collect()
 }

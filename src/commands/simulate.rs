@@ -131,8 +131,8 @@ fn check_numbers(options: &Simulate) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Loads the model and the release (launch conditions), and applies the changes to the release that are given on the
-/// command line, such as wind and parameters.
+/// Loads the model and the release, and applies the changes to the release that are given on the command line, such as
+/// wind and parameters.
 fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     let (mut model, mut release) = match &options.release {
         Some(name) => released_in_wind(name, options.model.as_deref(), &options.with)?,
@@ -170,8 +170,8 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     Ok((model, release))
 }
 
-/// Loads a release (launch conditions) by name or file, with the model given on the command line or else the one that
-/// the release names. Returns an error if the release has a wind profile over height or gusts.
+/// Loads a release by name or file, with the model given on the command line or else the one that the release names.
+/// Returns an error if the release has a wind profile over height or gusts.
 pub(super) fn released(
     name: &str,
     named: Option<&str>,
@@ -193,8 +193,8 @@ pub(super) fn released(
     Ok((model, release))
 }
 
-/// Loads a release (launch conditions) by name or file, with the model given on the command line or else the one that
-/// the release names. The model returned includes a wind profile over height and gusts that the release specifies.
+/// Loads a release by name or file, with the model given on the command line or else the one that the release names.
+/// The model returned includes a wind profile over height and gusts that the release specifies.
 fn released_in_wind(
     name: &str,
     named: Option<&str>,
@@ -213,7 +213,7 @@ fn released_in_wind(
 }
 
 /// Applies an assignment `NAME=VALUE` of the option `--set` (value in SI units) to a parameter, coefficient or initial
-/// state of the release (launch conditions).
+/// state of the release.
 pub(super) fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> {
     let (name, value) = set
         .split_once('=')

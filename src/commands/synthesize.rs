@@ -13,8 +13,8 @@ use super::simulate::{apply, released};
 use crate::cli::Synthesize;
 use crate::{Answer, output, progress};
 
-/// Runs `hyzer synthesize`: simulates flights from releases (launch conditions), writes the dataset and the file
-/// `truth.toml` with the true values, and prints a summary. Always returns `Answer::Yes`.
+/// Runs `hyzer synthesize`: simulates flights from releases, writes the dataset and the file `truth.toml` with the true
+/// values, and prints a summary. Always returns `Answer::Yes`.
 pub fn run(options: &Synthesize) -> anyhow::Result<Answer> {
     output::new_folder(&options.out)?;
     let (model, releases) = prepare(options)?;
@@ -36,8 +36,8 @@ pub fn run(options: &Synthesize) -> anyhow::Result<Answer> {
     Ok(Answer::Yes)
 }
 
-/// Loads the releases (launch conditions) and the model that all of them have in common, and applies the changes given
-/// on the command line to every release.
+/// Loads the releases and the model that all of them have in common, and applies the changes given on the command line
+/// to every release.
 fn prepare(options: &Synthesize) -> anyhow::Result<(Model, Vec<Release>)> {
     let mut model: Option<Model> = None;
     let mut releases = Vec::with_capacity(options.release.len());

@@ -18,7 +18,7 @@ const SAME: [&str; 3] = ["disc", "disc_appendix", "disc_quaternion"];
 
 /// Runs `hyzer verify`: verifies each model. Returns `Answer::No` if any check of any model fails, and
 /// `Answer::Undecided` if none fails but some applicable checks could not be made. With `--check`, answers whether a
-/// certificate (record of earlier checks) is still valid.
+/// certificate is still valid.
 pub fn run(options: &Verify) -> anyhow::Result<Answer> {
     if let Some(path) = &options.check {
         return certificate::check(path, options.again, options.json, is_same);
@@ -102,8 +102,8 @@ fn is_same(model: &Model) -> bool {
     SAME.contains(&model.name.as_str())
 }
 
-/// Writes a certificate (record of the verification checks of models) to `path`. If `refused`, the names of the models
-/// whose text has errors, is not empty, writes no file, says so on standard error and returns `Ok`.
+/// Writes a certificate to `path`. If `refused`, the names of the models whose text has errors, is not empty, writes no
+/// file, says so on standard error and returns `Ok`.
 fn write(path: &Path, certificate: &Certificate, refused: &[&str]) -> anyhow::Result<()> {
     if !refused.is_empty() {
         eprintln!("no certificate is written: {} refused", refused.join(", "));

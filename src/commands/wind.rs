@@ -9,9 +9,9 @@ use model_spec::model::Model;
 
 use super::vector;
 
-/// Sets the wind of a release (launch conditions) from the value `text` of the option `--wind`, and returns the model
-/// with which to simulate the release. Three numbers are a constant wind, m/s; anything else is the path of a TOML file
-/// with a table `[wind]`.
+/// Sets the wind of a release from the value `text` of the option `--wind`, and returns the model with which to
+/// simulate the release. Three numbers are a constant wind, m/s; anything else is the path of a TOML file with a table
+/// `[wind]`.
 pub fn apply(text: &str, model: Model, release: &mut Release) -> anyhow::Result<Model> {
     if release.wind_field.is_some() {
         bail!("--wind: the release states a wind by height or gusts, expected one wind alone");

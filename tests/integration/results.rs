@@ -149,7 +149,7 @@ fn earlier_results_are_gone_and_a_folder_with_other_files_is_refused() {
 /// results of a single run.
 struct Kills {
     around: tempfile::TempDir,
-    /// Names of the two releases (launch conditions) that are simulated in turn; their results differ.
+    /// Names of the two releases that are simulated in turn; their results differ.
     releases: [&'static str; 2],
     seed: u64,
 }

@@ -8,13 +8,11 @@ use model_spec::load;
 use std::env;
 use std::path::{Path, PathBuf};
 
-/// Builder that compiles flight models to Rust modules. It holds the models, their effects (named changes to a model)
-/// and the output directory.
+/// Builder that compiles flight models to Rust modules. It holds the models, their effects and the output directory.
 #[derive(Clone, Debug, Default)]
 pub struct Config {
     models: Vec<ModelSource>,
-    /// Effects (named changes to a model) passed to [`Config::with`] before any model was added; [`Config::compile`]
-    /// reports them as an error.
+    /// Effects passed to [`Config::with`] before any model was added; [`Config::compile`] reports them as an error.
     orphans: Vec<String>,
     out_dir: Option<PathBuf>,
     lanes: bool,
@@ -111,8 +109,8 @@ impl Config {
         Ok(files)
     }
 
-    /// Prints `cargo::rerun-if-changed` for the file of each model and effect (named change to a model), if cargo runs
-    /// this process as a build script.
+    /// Prints `cargo::rerun-if-changed` for the file of each model and effect, if cargo runs this process as a build
+    /// script.
     fn request_reruns(&self) {
         if env::var_os("OUT_DIR").is_none() {
             return;

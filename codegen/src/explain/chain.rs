@@ -256,8 +256,7 @@ impl Cut {
         leaf
     }
 
-    /// Returns the definition of the node `id` if it is a local symbol (leaf with a definition); returns any other node
-    /// unchanged.
+    /// Returns the definition of the node `id` if it is a local symbol; returns any other node unchanged.
     pub fn inside(&self, id: NodeId) -> NodeId {
         match self.graph.node(id) {
             Node::Symbol(Symbol::Local(k)) => self.graph.definition(*k),

@@ -34,7 +34,7 @@ pub enum Symbol {
     State(u32),
     /// Parameter, coefficient or input component, by its index among the layout's parameters.
     Parameter(u32),
-    /// Body-fixed coordinate, m, of the marker (observed point of the body), by its index (0 to 2).
+    /// Body-fixed coordinate, m, of the marker, by its index (0 to 2).
     Marker(u32),
     /// Local symbol: stands for an intermediate value with its own definition, and is given by its index among the
     /// local symbols of the graph.
@@ -95,8 +95,8 @@ pub struct ExprGraph {
     /// value.
     locals: Vec<(ValueFacts, NodeId)>,
     local_of: FastMap<NodeId, NodeId>,
-    /// For each sum whose square root is defined as a local symbol (leaf with a definition), the node of that symbol.
-    /// Powers of the sum are written as powers of the symbol.
+    /// For each sum whose square root is defined as a local symbol, the node of that symbol. Powers of the sum are
+    /// written as powers of the symbol.
     root_of: FastMap<NodeId, NodeId>,
     names: FastMap<NodeId, String>,
     has_masks: bool,
@@ -207,9 +207,9 @@ impl ExprGraph {
         id
     }
 
-    /// Creates a local symbol (leaf with a definition) for the square root of a sum; `facts` are the known properties
-    /// of the sum. Until the enclosing call of [`scope`](ExprGraph::scope) returns, the sum is replaced by the square
-    /// of that symbol, so that no half-integer powers appear in derivatives.
+    /// Creates a local symbol for the square root of a sum; `facts` are the known properties of the sum. Until the
+    /// enclosing call of [`scope`](ExprGraph::scope) returns, the sum is replaced by the square of that symbol, so that
+    /// no half-integer powers appear in derivatives.
     pub fn local_root(&mut self, facts: ValueFacts, sum: NodeId) -> NodeId {
         let definition = self.intern(Node::Product(Box::new([(sum, 1)])));
         let root = self.local(
@@ -256,8 +256,8 @@ impl ExprGraph {
         result
     }
 
-    /// Sum whose square root is the node `id`; `None` unless `id` is a local symbol (leaf with a definition) that
-    /// [`ExprGraph::local_root`] created for the square root of a sum.
+    /// Sum whose square root is the node `id`; `None` unless `id` is a local symbol that [`ExprGraph::local_root`]
+    /// created for the square root of a sum.
     pub fn rooted_sum(&self, id: NodeId) -> Option<NodeId> {
         let Node::Symbol(Symbol::Local(k)) = self.node(id) else {
             return None;

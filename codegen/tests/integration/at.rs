@@ -7,7 +7,7 @@ use codegen::{Compiled, Effort, Selection, compile, compile_at};
 use model_spec::load::{EFFECTS, load};
 use model_spec::model::Model;
 
-/// A built-in model with every applicable built-in effect (named change to the model) applied.
+/// A built-in model with every applicable built-in effect applied.
 fn with_all_effects(name: &str) -> Model {
     let names = EFFECTS.iter().map(|(effect, _)| *effect);
     let names: Vec<&str> = names
@@ -16,8 +16,8 @@ fn with_all_effects(name: &str) -> Model {
     load(name, &names).expect("they go together")
 }
 
-/// For each coefficient that an effect (named change to a model) added to the model: its index in the parameter vector,
-/// and its null value, at which the effect is absent.
+/// For each coefficient that an effect added to the model: its index in the parameter vector, and its null value, at
+/// which the effect is absent.
 fn vanishing(model: &Model, compiled: &Compiled) -> Vec<(usize, f64)> {
     let own = model.effects.iter().flat_map(|e| &e.coefficients);
     own.map(|c| (compiled.layout.coefficient(c.index).index(), c.null_value))

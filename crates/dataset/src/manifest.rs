@@ -131,8 +131,7 @@ impl Checker<'_> {
         Ok(model)
     }
 
-    /// Reads the value of the known constant `name`, and checks it by the rules for parameters in a release file
-    /// (launch conditions).
+    /// Reads the value of the known constant `name`, and checks it by the rules for parameters in a release file.
     fn constant(&self, name: &str, value: &Value<'_>) -> Result<f64, InputError> {
         let number = self.0.number(value, name)?;
         let rule = flight::release::Name {

@@ -16,7 +16,7 @@ pub(crate) struct BaseFit {
     pub clock: Clock,
     /// Fit of the model under test to all flights with role `fit`.
     pub fit: Fit,
-    /// The model extended by every candidate effect (effect that it may lack), each at the value at which it vanishes.
+    /// The model extended by every candidate effect, each at the value at which it vanishes.
     pub encompassing: EncompassingModel,
     /// Whether every flight has a data fault, and the flights are nevertheless used because a physical effect that the
     /// model lacks may explain the faults.

@@ -108,7 +108,7 @@ pub fn diagnose_with<R: Send>(
     analysis.finish(&on_extension)
 }
 
-/// Discordant flights: they contradict the explanation (the missing effects) that holds for all other flights.
+/// Discordant flights: they contradict the explanation that holds for all other flights.
 struct Discordant {
     files: Vec<String>,
     p_value: f64,
@@ -264,8 +264,8 @@ impl<'a> Analysis<'a> {
         self.search.accepted = select_by_bic(&self.model, accepted, stepwise, free);
     }
 
-    /// The fitted model with library terms (products of variables added to loads); `None` unless there are accepted
-    /// hypotheses (sets of missing effects) to which the terms are an alternative by BIC (see [`are_alternative`]).
+    /// The fitted model with library terms; `None` unless there are accepted hypotheses to which the terms are an
+    /// alternative by BIC (see [`are_alternative`]).
     fn alternative_terms(&self) -> Option<&FittedTerms> {
         let hypotheses = &self.search.accepted;
         let terms = self.stepwise.as_ref().filter(|_| !hypotheses.is_empty());
@@ -383,9 +383,8 @@ impl<'a> Analysis<'a> {
     }
 
     /// Chooses the effects by which the model is extended: those of the best explanation (accepted hypothesis) or,
-    /// without an explanation, the selected library terms (products of variables added to loads). The terms are also
-    /// added to the report. `None` if there is neither, or if the extended model is not yet fitted and the deadline has
-    /// passed.
+    /// without an explanation, the selected library terms. The terms are also added to the report. `None` if there is
+    /// neither, or if the extended model is not yet fitted and the deadline has passed.
     fn choose(
         &mut self,
         validated: Option<Validated>,

@@ -14,8 +14,7 @@ pub enum DiagnosisError {
     /// The flights cannot be fitted.
     #[error(transparent)]
     Fit(#[from] FitError),
-    /// The model extended by all candidate effects (effects that it may lack), or by the selected ones, cannot be
-    /// loaded.
+    /// The model extended by all candidate effects, or by the selected ones, cannot be loaded.
     #[error(transparent)]
     Load(#[from] LoadError),
     /// The samples of a flight do not determine its initial state.

@@ -19,14 +19,13 @@ pub(crate) struct ChosenExtension {
     pub extension: ExtendedModel,
     /// Fit of the extended model; `None` if not yet fitted.
     pub fit: Option<Fit>,
-    /// Out-of-sample gain (reduction of the prediction error); `None` if not yet measured.
+    /// Out-of-sample gain; `None` if not yet measured.
     pub gain: Option<PredictiveGain>,
-    /// Decrease of the weighted sum of squares, χ², by effects created from library terms (products of variables added
-    /// to loads); 0 for other effects.
+    /// Decrease of the weighted sum of squares, χ², by effects created from library terms; 0 for other effects.
     pub chi2_decrease: f64,
 }
 
-/// An extended model with its fit and its out-of-sample gain (reduction of the prediction error).
+/// An extended model with its fit and its out-of-sample gain.
 pub(crate) struct MeasuredExtension<R> {
     extension: ExtendedModel,
     fit: Fit,
@@ -42,10 +41,10 @@ pub(crate) struct MeasuredExtension<R> {
 /// An extended model and its fit, with the result of the caller's function `on_extension` for the extended model.
 pub(crate) type OfferedExtension<R> = ((ExtendedModel, Fit), R);
 
-/// Fits the extended model if it is not yet fitted, measures its out-of-sample gain (reduction of the prediction
-/// error), and calls `on_extension` with the extended model. If `is_consensus` (the effects were found by the agreement
-/// of most flights), flights that contradict the added effects are predicted without them. `noise_floor` is the
-/// standard deviation of the noise of one coordinate, m.
+/// Fits the extended model if it is not yet fitted, measures its out-of-sample gain, and calls `on_extension` with the
+/// extended model. If `is_consensus` (the effects were found by the agreement of most flights), flights that contradict
+/// the added effects are predicted without them. `noise_floor` is the standard deviation of the noise of one
+/// coordinate, m.
 ///
 /// # Errors
 /// [`DiagnosisError::Fit`] if the extended model cannot be fitted, or the caller cancelled.
@@ -118,9 +117,8 @@ impl<R> MeasuredExtension<R> {
         gain.is_some_and(PredictiveGain::changes_nothing)
     }
 
-    /// Adds the fit of the extended model and its out-of-sample gain (reduction of the prediction error) to the report.
-    /// Returns the extended model, its fit and the result of `on_extension`; `None` if the extended model predicts
-    /// worse than the model under test.
+    /// Adds the fit of the extended model and its out-of-sample gain to the report. Returns the extended model, its fit
+    /// and the result of `on_extension`; `None` if the extended model predicts worse than the model under test.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if the caller cancelled.

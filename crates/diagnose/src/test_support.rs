@@ -5,8 +5,7 @@ use identify::{Fit, FitOptions, Iterate, fit};
 
 use crate::context::{CandidateId, Context, DiagnosisOptions, EncompassingModel, ScoreTestModel};
 
-/// The model `disc`, which lacks the effect (model extension) `stall`, fitted to three flights of the dataset
-/// `examples/mystery`.
+/// The model `disc`, which lacks the effect `stall`, fitted to three flights of the dataset `examples/mystery`.
 pub(crate) struct Fixture {
     /// Fit of the model under test.
     pub fit: Fit,

@@ -66,7 +66,7 @@ impl CompiledModel {
         })
     }
 
-    /// Compiles the model to a tape (interpreted bytecode), even if generated Rust code for it exists.
+    /// Compiles the model to a tape, even if generated Rust code for it exists.
     pub fn interpreted(model: &Model) -> CompiledModel {
         // With all derivatives, as in generated code, so that `prepare` hoists the same invariants and results agree
         // to the bit.
@@ -74,18 +74,17 @@ impl CompiledModel {
         CompiledModel::with_functions(model, Box::new(tape))
     }
 
-    /// Compiles the model to a tape (interpreted bytecode) specialized to the parameter values `fixed`: pairs (index in
-    /// the parameter vector of the model's [`Layout`], value). Terms that vanish at these values are removed;
-    /// derivatives with respect to these parameters remain. Values that are later bound to these parameters are
-    /// ignored.
+    /// Compiles the model to a tape specialized to the parameter values `fixed`: pairs (index in the parameter vector
+    /// of the model's [`Layout`], value). Terms that vanish at these values are removed; derivatives with respect to
+    /// these parameters remain. Values that are later bound to these parameters are ignored.
     pub fn specialized(model: &Model, fixed: &[(usize, f64)]) -> CompiledModel {
         let compiled = compile_at(model, &Selection::All, fixed, Effort::Quick);
         CompiledModel::with_functions(model, Box::new(TapeModel::new(&compiled)))
     }
 
-    /// Compiles the model to a tape (interpreted bytecode) specialized to the parameter values `fixed`, which are pairs
-    /// (index, value). The tape has derivatives with respect to `parameters` only. All indices refer to the parameter
-    /// vector of the model's [`Layout`].
+    /// Compiles the model to a tape specialized to the parameter values `fixed`, which are pairs (index, value). The
+    /// tape has derivatives with respect to `parameters` only. All indices refer to the parameter vector of the model's
+    /// [`Layout`].
     pub fn specialized_by(
         model: &Model,
         fixed: &[(usize, f64)],
@@ -96,9 +95,9 @@ impl CompiledModel {
         CompiledModel::of_selection(model, &compiled)
     }
 
-    /// Uses the generated Rust code for this model if its source hash matches; otherwise compiles the model to a tape
-    /// (interpreted bytecode). Such a tape has derivatives with respect to `parameters` only (indices in the parameter
-    /// vector of the model's [`Layout`]), so that it is compiled and evaluated faster.
+    /// Uses the generated Rust code for this model if its source hash matches; otherwise compiles the model to a tape.
+    /// Such a tape has derivatives with respect to `parameters` only (indices in the parameter vector of the model's
+    /// [`Layout`]), so that it is compiled and evaluated faster.
     pub fn with_derivatives_by(model: &Model, parameters: Vec<usize>) -> CompiledModel {
         CompiledModel::generated(model).unwrap_or_else(|| {
             let compiled = compile_for(model, &Selection::Only(parameters));
@@ -106,10 +105,10 @@ impl CompiledModel {
         })
     }
 
-    /// Compiles the model to a tape (interpreted bytecode) that observes the auxiliary variable `variable` instead of a
-    /// marker position. A vector is observed by its components in the frame in which the model defines it, a scalar as
-    /// the first of three components. The tape has derivatives with respect to `parameters` only, which are given by
-    /// their indices in the parameter vector of the model's [`Layout`]. `None` if the model has no such variable.
+    /// Compiles the model to a tape that observes the auxiliary variable `variable` instead of a marker position. A
+    /// vector is observed by its components in the frame in which the model defines it, a scalar as the first of three
+    /// components. The tape has derivatives with respect to `parameters` only, which are given by their indices in the
+    /// parameter vector of the model's [`Layout`]. `None` if the model has no such variable.
     pub fn observing(
         model: &Model,
         variable: &str,
@@ -138,8 +137,7 @@ impl CompiledModel {
         Some(CompiledModel::of_selection(&observing, &compiled))
     }
 
-    /// Compiles the model to a tape (interpreted bytecode) that has derivatives with respect to the parameters in
-    /// `selection` only.
+    /// Compiles the model to a tape that has derivatives with respect to the parameters in `selection` only.
     pub(crate) fn compiled_for(model: &Model, selection: &Selection) -> CompiledModel {
         CompiledModel::of_selection(model, &compile_for(model, selection))
     }
@@ -179,7 +177,7 @@ impl CompiledModel {
         }
     }
 
-    /// Whether the functions of the model are generated Rust code rather than a tape (interpreted bytecode).
+    /// Whether the functions of the model are generated Rust code rather than a tape.
     pub fn is_generated(&self) -> bool {
         self.is_generated
     }
@@ -198,9 +196,8 @@ impl CompiledModel {
         states
     }
 
-    /// Parameter vector for a release (initial conditions of a flight), in the order of the model's [`Layout`]: the
-    /// model's defaults, overridden by the release's parameters, coefficients, wind and known inputs. Inputs that the
-    /// model lacks are ignored.
+    /// Parameter vector for a release, in the order of the model's [`Layout`]: the model's defaults, overridden by the
+    /// release's parameters, coefficients, wind and known inputs. Inputs that the model lacks are ignored.
     pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
         let names = self.layout.parameters.iter().map(String::as_str);
         let mut parameters = release.constants(names.zip(self.layout.default_parameters()));

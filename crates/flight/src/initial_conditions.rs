@@ -11,7 +11,7 @@ use crate::wind::WindField;
 /// Initial conditions, parameters, wind and end of a flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Release {
-    /// Name or path of the model, as written in the release file (initial conditions of a flight).
+    /// Name or path of the model, as written in the release file.
     pub model: String,
     /// Condition that ends the flight.
     pub stop: Stop,
@@ -67,7 +67,7 @@ impl Release {
     }
 
     /// Values of parameters and coefficients in the order of `defaults` (name and default value); the defaults are
-    /// overridden by the parameters, coefficients and constant wind of the release (initial conditions of a flight).
+    /// overridden by the parameters, coefficients and constant wind of the release.
     pub fn constants<'a>(&self, defaults: impl IntoIterator<Item = (&'a str, f64)>) -> Vec<f64> {
         let of_wind = self.wind_field.as_ref().map(WindField::parameters);
         let of_wind = of_wind.unwrap_or_default();
@@ -82,7 +82,7 @@ impl Release {
     }
 }
 
-/// Names that a model defines and that its release files (initial conditions of a flight) may use.
+/// Names that a model defines and that its release files may use.
 #[derive(Clone, Debug, Default)]
 pub struct Vocabulary {
     /// Parameters (known constants) of the body and its environment.
@@ -125,7 +125,7 @@ impl Vocabulary {
         Ok(Vocabulary::of(&composed))
     }
 
-    /// Collects the names and bounds that a model defines and that its release files (initial conditions) may use.
+    /// Collects the names and bounds that a model defines and that its release files may use.
     pub fn of(model: &Model) -> Vocabulary {
         let names = |of: &[Parameter]| {
             of.iter()
@@ -151,8 +151,8 @@ impl Vocabulary {
     }
 }
 
-/// Names and TOML texts of the built-in releases (initial conditions of a flight): two flights of Hubbard & Hummel
-/// (2000), a backhand, a discus throw and a table-tennis serve.
+/// Names and TOML texts of the built-in releases: two flights of Hubbard & Hummel (2000), a backhand, a discus throw
+/// and a table-tennis serve.
 pub const BUILT_IN: [(&str, &str); 5] = [
     ("fssh3", include_str!("../releases/fssh3.toml")),
     ("bffl8", include_str!("../releases/bffl8.toml")),
@@ -161,7 +161,7 @@ pub const BUILT_IN: [(&str, &str); 5] = [
     ("serve", include_str!("../releases/serve.toml")),
 ];
 
-/// TOML text of the built-in release (initial conditions of a flight) of this name; `None` if there is none.
+/// TOML text of the built-in release of this name; `None` if there is none.
 pub fn built_in(name: &str) -> Option<&'static str> {
     BUILT_IN
         .iter()

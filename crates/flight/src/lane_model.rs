@@ -19,10 +19,9 @@ use ode::{
 /// A model whose flights are integrated in SIMD lanes, one flight per lane.
 pub struct LaneModel {
     model: Model,
-    /// Whether flights are integrated with Rust code generated from the model rather than with a tape (register
-    /// bytecode).
+    /// Whether flights are integrated with Rust code generated from the model rather than with a tape.
     is_generated: bool,
-    /// The model compiled to a tape (register bytecode); compiled on the first use of the tape.
+    /// The model compiled to a tape; compiled on the first use of the tape.
     tape: OnceLock<TapeModel>,
     /// Lower bounds of the validity limits, SI, in the order of the model's limits.
     bounds: Vec<f64>,
@@ -30,7 +29,7 @@ pub struct LaneModel {
 
 impl LaneModel {
     /// Prepares `model` for integration in SIMD lanes. If the crate `generated` contains Rust code with the same source
-    /// hash as `model`, this code is used; otherwise `model` is compiled to a tape (register bytecode).
+    /// hash as `model`, this code is used; otherwise `model` is compiled to a tape.
     pub fn new(model: &Model) -> LaneModel {
         let generated = generated::model(&model.name);
         LaneModel {
@@ -39,8 +38,7 @@ impl LaneModel {
         }
     }
 
-    /// Prepares `model` for integration in SIMD lanes by a tape (register bytecode), even if generated Rust code for
-    /// the model exists.
+    /// Prepares `model` for integration in SIMD lanes by a tape, even if generated Rust code for the model exists.
     pub fn interpreted(model: &Model) -> LaneModel {
         LaneModel {
             model: model.clone(),
@@ -50,9 +48,9 @@ impl LaneModel {
         }
     }
 
-    /// Whether flights are integrated with Rust code generated from the model rather than with a tape (register
-    /// bytecode). Generated code exists only for the widest instruction sets ([`ode::fly_on_widest`]); with any other
-    /// instruction set, the tape is evaluated, with the same results.
+    /// Whether flights are integrated with Rust code generated from the model rather than with a tape. Generated code
+    /// exists only for the widest instruction sets ([`ode::fly_on_widest`]); with any other instruction set, the tape
+    /// is evaluated, with the same results.
     pub fn is_generated(&self) -> bool {
         self.is_generated
     }
@@ -155,8 +153,7 @@ impl<E: Equations> LaneRhs for GeneratedRhs<'_, E> {
     }
 }
 
-/// Right-hand side of the equations of motion and validity limits of a model, evaluated in SIMD lanes by a tape
-/// (register bytecode).
+/// Right-hand side of the equations of motion and validity limits of a model, evaluated in SIMD lanes by a tape.
 struct TapeRhs<'a> {
     tape: &'a TapeModel,
     bounds: &'a [f64],
@@ -213,7 +210,7 @@ fn evaluate<T: Lanes>(
     });
 }
 
-/// Arguments of one evaluation of a tape (register bytecode) in SIMD lanes.
+/// Arguments of one evaluation of a tape in SIMD lanes.
 struct Evaluation<'a, T> {
     function: &'a TapeFunction,
     at: LanePoint<'a, T>,

@@ -6,8 +6,7 @@ use codegen::tape_model::TapeModel;
 use lanes::{Kernel, Lanes, dispatch};
 use model_spec::model::Model;
 
-/// The measurement equation of a model, compiled to a tape (register bytecode) that is evaluated in SIMD lanes, one
-/// state vector per lane.
+/// The measurement equation of a model, compiled to a tape that is evaluated in SIMD lanes, one state vector per lane.
 pub struct LaneObserver {
     tape: TapeModel,
 }

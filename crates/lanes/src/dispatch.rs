@@ -7,22 +7,19 @@ use crate::isa::Isa;
 use crate::kernel::{Kernel, ScalarKernel};
 use crate::portable::Four;
 
-/// Runs a kernel (a computation that is generic over the lane type) in SIMD lanes of the instruction set [`Isa::best`],
-/// by default the widest that the processor supports.
+/// Runs a kernel in SIMD lanes of the instruction set [`Isa::best`], by default the widest that the processor supports.
 pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     run_on(Isa::best(), kernel)
 }
 
-/// Runs a kernel (a computation that is generic over the lane type) in SIMD lanes of the instruction set `isa`. Returns
-/// `None` if the processor does not support `isa`.
+/// Runs a kernel in SIMD lanes of the instruction set `isa`. Returns `None` if the processor does not support `isa`.
 pub fn dispatch_with<K: Kernel>(isa: Isa, kernel: K) -> Option<K::Output> {
     isa.is_supported().then(|| run_on(isa, kernel))
 }
 
-/// Runs a kernel (a computation that is generic over the lane type) in SIMD lanes of the instruction set `isa`. Returns
-/// `None` if the processor does not support `isa`, or if `isa` is not one of the widest instruction sets of the
-/// architecture: AVX-512 and AVX2 on x86-64, portable lanes elsewhere. Intended for large kernels, which would take
-/// long to compile for every instruction set.
+/// Runs a kernel in SIMD lanes of the instruction set `isa`. Returns `None` if the processor does not support `isa`, or
+/// if `isa` is not one of the widest instruction sets of the architecture: AVX-512 and AVX2 on x86-64, portable lanes
+/// elsewhere. Intended for large kernels, which would take long to compile for every instruction set.
 pub fn dispatch_widest<K: Kernel>(isa: Isa, kernel: K) -> Option<K::Output> {
     if !isa.is_supported() {
         return None;
@@ -38,8 +35,7 @@ pub fn dispatch_widest<K: Kernel>(isa: Isa, kernel: K) -> Option<K::Output> {
     }
 }
 
-/// Runs a kernel (a computation that is generic over the lane type) in SIMD lanes of the instruction set `isa`, which
-/// the processor must support.
+/// Runs a kernel in SIMD lanes of the instruction set `isa`, which the processor must support.
 fn run_on<K: Kernel>(isa: Isa, kernel: K) -> K::Output {
     match isa {
         #[cfg(target_arch = "x86_64")]

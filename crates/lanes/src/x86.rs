@@ -30,7 +30,7 @@ pub(crate) struct Eight(__m512d);
 #[derive(Clone, Copy)]
 pub(crate) struct Four(__m256d);
 
-/// Runs a kernel (a computation that is generic over the lane type) in eight AVX-512 lanes.
+/// Runs a kernel in eight AVX-512 lanes.
 ///
 /// # Panics
 /// If the processor does not support AVX-512 F and DQ.
@@ -44,7 +44,7 @@ pub(crate) fn run_avx512<K: Kernel>(kernel: K) -> K::Output {
     unsafe { run(kernel) }
 }
 
-/// Runs a kernel (a computation that is generic over the lane type) in four AVX2 lanes.
+/// Runs a kernel in four AVX2 lanes.
 ///
 /// # Panics
 /// If the processor does not support AVX2 and FMA.

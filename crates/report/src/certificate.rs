@@ -6,10 +6,10 @@ use serde::Serialize;
 /// checks of the model).
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct CertificateNote {
-    /// File name of the certificate (record of the verification checks); `None` if the model has no certificate.
+    /// File name of the certificate; `None` if the model has no certificate.
     pub file: Option<String>,
-    /// Whether the certificate (record of the verification checks) is valid: it covers the model, and none of the
-    /// inputs that it records (such as model source, options and versions) has changed since it was written.
+    /// Whether the certificate is valid: it covers the model, and none of the inputs that it records (such as model
+    /// source, options and versions) has changed since it was written.
     pub stands: bool,
     /// Outcome of the verification that the certificate records for the model: `verified`, `not verified` or `refuted`;
     /// `None` if the certificate does not cover the model.
@@ -29,8 +29,8 @@ impl CertificateNote {
         Self::default()
     }
 
-    /// Note for a certificate (record of the verification checks of a model) that is valid. `outcome` is the outcome of
-    /// the verification that it records: `verified`, `not verified` or `refuted`.
+    /// Note for a certificate that is valid. `outcome` is the outcome of the verification that it records: `verified`,
+    /// `not verified` or `refuted`.
     pub fn stands(file: String, outcome: String) -> Self {
         Self {
             file: Some(file),
@@ -40,9 +40,9 @@ impl CertificateNote {
         }
     }
 
-    /// Note for a certificate (record of the verification checks of a model) that is not valid; `changes` describes the
-    /// reasons, such as `generated Rust code changed`. `outcome` is the outcome of the verification that it records:
-    /// `verified`, `not verified` or `refuted`; `None` if the certificate does not cover the model or is unreadable.
+    /// Note for a certificate that is not valid; `changes` describes the reasons, such as `generated Rust code
+    /// changed`. `outcome` is the outcome of the verification that it records: `verified`, `not verified` or `refuted`;
+    /// `None` if the certificate does not cover the model or is unreadable.
     pub fn changed(file: String, outcome: Option<String>, changes: Vec<String>) -> Self {
         Self {
             file: Some(file),
@@ -52,8 +52,7 @@ impl CertificateNote {
         }
     }
 
-    /// Sentence for a report: the outcome of the verification, or the reason why the certificate (record of the checks)
-    /// is not valid.
+    /// Sentence for a report: the outcome of the verification, or the reason why the certificate is not valid.
     pub fn sentence(&self) -> String {
         let Some(file) = &self.file else {
             return String::from("The model has no certificate of a verification.");
@@ -75,7 +74,7 @@ impl CertificateNote {
         )
     }
 
-    /// Whether the certificate (record of the verification checks) is valid and records the model as verified.
+    /// Whether the certificate is valid and records the model as verified.
     pub fn is_verified(&self) -> bool {
         self.stands && self.outcome.as_deref() == Some("verified")
     }
@@ -87,6 +86,6 @@ pub struct WithCertificate<'a, R> {
     /// The report; its fields become fields of the JSON object, beside `certificate`.
     #[serde(flatten)]
     pub report: &'a R,
-    /// Verification status of the report's model according to its certificate (record of the verification checks).
+    /// Verification status of the report's model according to its certificate.
     pub certificate: &'a CertificateNote,
 }

@@ -8,12 +8,12 @@ use model_spec::load::{LoadError, MODELS, load};
 use model_spec::model::{AppliedEffect, Model};
 use model_spec::with_unit;
 
-/// An effect (optional model extension), built in or declared in a model file, with the models to which it applies.
+/// An effect, built in or declared in a model file, with the models to which it applies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Listed {
-    /// Name of the effect (optional model extension), with underscores.
+    /// Name of the effect, with underscores.
     pub name: String,
-    /// First sentence of the documentation of the effect (optional model extension).
+    /// First sentence of the documentation of the effect.
     pub says: String,
     /// Component of the model that the effect changes, such as `lift`, `pitch` or `clock`: one of [`SITES`].
     pub site: String,
@@ -37,7 +37,7 @@ pub struct Listed {
     pub origin: Origin,
 }
 
-/// Coefficient or state that an effect (optional model extension) adds to a model; all values are in `unit`.
+/// Coefficient or state that an effect adds to a model; all values are in `unit`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
     /// Name of the added coefficient or state.
@@ -53,17 +53,17 @@ pub struct Part {
     pub of_each_flight: bool,
 }
 
-/// An effect (optional model extension) that a diagnosis does not test for a model, with the reason.
+/// An effect that a diagnosis does not test for a model, with the reason.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NotOffered {
-    /// Name of the effect (optional model extension), with underscores.
+    /// Name of the effect, with underscores.
     pub name: String,
     /// Reason why a diagnosis does not test the effect, as text.
     pub why: String,
 }
 
-/// Lists the effects (optional extensions) that a diagnosis tests for `model`, or, if `None`, all built-in effects with
-/// the built-in models to which they apply.
+/// Lists the effects that a diagnosis tests for `model`, or, if `None`, all built-in effects with the built-in models
+/// to which they apply.
 ///
 /// # Errors
 /// [`LoadError`] if the model cannot be loaded.
@@ -118,7 +118,7 @@ pub fn listed(model: Option<&str>) -> Result<Vec<Listed>, LoadError> {
     Ok(all)
 }
 
-/// Lists the effects (optional extensions) that a diagnosis does not test for a model, with the reasons.
+/// Lists the effects that a diagnosis does not test for a model, with the reasons.
 ///
 /// # Errors
 /// [`LoadError`] if the model cannot be loaded.
@@ -181,8 +181,8 @@ fn sentence(doc: &str) -> String {
     words[..end.map_or(words.len(), |end| end + 1)].join(" ")
 }
 
-/// Renders the list of effects (optional model extensions) as a Markdown page. If `model` is given, the introduction
-/// names it. `not_offered` are listed with their reasons at the end.
+/// Renders the list of effects as a Markdown page. If `model` is given, the introduction names it. `not_offered` are
+/// listed with their reasons at the end.
 pub fn page(effects: &[Listed], model: Option<&str>, not_offered: &[NotOffered]) -> String {
     let mut page = String::from("# The effects\n\n");
     match model {

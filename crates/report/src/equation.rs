@@ -20,8 +20,8 @@ pub(crate) fn mathml(latex: &str) -> Option<String> {
     (!text.contains("<merror")).then_some(text)
 }
 
-/// Equations of the model that the effect (model extension) named `effect` added or replaced, as MathML: auxiliary
-/// variables, then forces, then moments. Empty if the effect is not switched on in `model`.
+/// Equations of the model that the effect named `effect` added or replaced, as MathML: auxiliary variables, then
+/// forces, then moments. Empty if the effect is not switched on in `model`.
 pub(crate) fn of_effect(model: &Model, effect: &str) -> Vec<String> {
     let Some(index) = model.effects.iter().position(|known| known.name == effect) else {
         return Vec::new();
@@ -79,7 +79,7 @@ mod tests {
         );
     }
 
-    /// Every equation of every built-in model and effect (optional model extension) can be converted to MathML.
+    /// Every equation of every built-in model and effect can be converted to MathML.
     #[test]
     fn all_equations_are_understood() {
         for (name, _) in model_spec::load::MODELS {

@@ -269,7 +269,7 @@ impl Checker<'_> {
     }
 }
 
-/// A result that a check case (test case in a model file) compares with an expected value.
+/// A result that a check case compares with an expected value.
 struct Expected {
     observable: Observable,
     unit: Term,

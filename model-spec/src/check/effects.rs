@@ -10,7 +10,7 @@ use crate::syntax::ast::{Applied, ItemKind, Name, Need};
 use crate::unit::Unit;
 
 impl Checker<'_> {
-    /// Adds the applied effects (named changes to the model), with their coefficients and states, to the checked model.
+    /// Adds the applied effects, with their coefficients and states, to the checked model.
     pub fn applied(&mut self) {
         let file = self.file;
         for (i, applied) in file.applied.iter().enumerate() {
@@ -56,8 +56,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Reports a quantity that an effect (named change to the model) needs, if its kind (scalar or vector) or unit in
-    /// the model differs from the kind or unit that the effect requires.
+    /// Reports a quantity that an effect needs, if its kind (scalar or vector) or unit in the model differs from the
+    /// kind or unit that the effect requires.
     fn needed(&mut self, effect: &Name, need: &Need) {
         let (is_vector, unit) = match self.scope.find(&need.name.text) {
             Some(Symbol::Param(i)) => (false, self.model.params[i].unit),

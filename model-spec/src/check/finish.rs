@@ -7,8 +7,7 @@ use crate::model::{Expr, ExprKind, Function};
 use crate::unit::Unit;
 
 impl Checker<'_> {
-    /// Stores the inferred units of parameters and expressions in the model, and adds the applied effects (named
-    /// changes to the model).
+    /// Stores the inferred units of parameters and expressions in the model, and adds the applied effects.
     pub fn finish(&mut self) {
         self.undetermined();
         let units = &self.units;

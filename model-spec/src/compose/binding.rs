@@ -19,59 +19,55 @@ const ANGULAR_VELOCITY: &str = "angular_velocity";
 const SPECIFIC_FORCE: &str = "specific_force";
 const ANGULAR_ACCELERATION: &str = "angular_acceleration";
 
-/// Message text for the unmet requirement if a model has no body, but an effect (named change to a model) adds a force
-/// or moment, or uses the mass, position, velocity or specific force.
+/// Message text for the unmet requirement if a model has no body, but an effect adds a force or moment, or uses the
+/// mass, position, velocity or specific force.
 const BODY: &str = "a body or a point";
-/// Message text for the unmet requirement if a model has no rotating body, but an effect (named change to a model) adds
-/// a moment, or uses moments of inertia, the angular velocity or acceleration, or the body-fixed frame.
+/// Message text for the unmet requirement if a model has no rotating body, but an effect adds a moment, or uses moments
+/// of inertia, the angular velocity or acceleration, or the body-fixed frame.
 const TURNING: &str = "a body that turns";
 
-/// Reason why an effect (named change to a model) cannot be applied to a model: a requirement of the effect that the
-/// model does not meet.
+/// Reason why an effect cannot be applied to a model: a requirement of the effect that the model does not meet.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Unmet {
-    /// The effect (named change to a model) states by `on MODEL, …` that it applies to certain models only, and this
-    /// model is not one of them.
+    /// The effect states by `on MODEL, …` that it applies to certain models only, and this model is not one of them.
     #[error("it is made for {}", .models.join(", "))]
     OtherModel {
-        /// Names of the models to which the effect (named change to a model) can be applied.
+        /// Names of the models to which the effect can be applied.
         models: Vec<String>,
     },
-    /// The model lacks a quantity, frame or body that the effect (named change to a model) needs or uses.
+    /// The model lacks a quantity, frame or body that the effect needs or uses.
     #[error("it needs {what}")]
     Lacking {
         /// Description of the missing quantity, frame or body, such as ``a vector `wind` in m/s``.
         what: String,
     },
     /// A quantity of the model differs in kind (scalar or vector) or unit from the quantity of the same name that the
-    /// effect (named change to a model) needs.
+    /// effect needs.
     #[error("it needs {what}; here `{name}` is {found}")]
     Differs {
-        /// Name of the quantity, which is the same in the model and in the effect (named change to the model).
+        /// Name of the quantity, which is the same in the model and in the effect.
         name: String,
         /// Description of the needed quantity, such as ``a vector `wind` in m/s``.
         what: String,
         /// Kind (vector or number) and unit of the model's quantity, such as `a vector in m/s`.
         found: String,
     },
-    /// The effect (named change to a model) contains a `replace` statement, but the model has no corresponding
-    /// statement to be replaced.
+    /// The effect contains a `replace` statement, but the model has no corresponding statement to be replaced.
     #[error("the model has no {what} to replace")]
     Replaced {
-        /// Description of the statement that the `replace` statement of the effect (named change to the model) is to
-        /// replace, for messages.
+        /// Description of the statement that the `replace` statement of the effect is to replace, for messages.
         what: String,
     },
-    /// The effect (named change to a model) declares a name that the model already declares.
+    /// The effect declares a name that the model already declares.
     #[error("the model has a `{name}` of its own")]
     Taken {
-        /// Name that both the model and the effect (named change to the model) declare.
+        /// Name that both the model and the effect declare.
         name: String,
     },
 }
 
-/// Names that a model declares, with kinds (scalar or vector) and units, against which the requirements of effects
-/// (named changes to a model) are tested.
+/// Names that a model declares, with kinds (scalar or vector) and units, against which the requirements of effects are
+/// tested.
 #[derive(Clone, Debug)]
 pub struct Binding {
     file: Arc<File>,
@@ -138,7 +134,7 @@ impl Binding {
         }
     }
 
-    /// First requirement of the effect (named change to a model) that the model does not meet; `None` if it meets all.
+    /// First requirement of the effect that the model does not meet; `None` if it meets all.
     pub fn unmet(&self, effect: &EffectTree) -> Option<Unmet> {
         self.fits(effect).err()
     }
@@ -202,9 +198,8 @@ impl Binding {
         Ok(())
     }
 
-    /// Tests whether the model has a quantity that an effect (named change to the model) needs. Returns `Some(())` if
-    /// it has, `None` if it lacks the quantity and a fallback expression replaces the quantity, or an error in any
-    /// other case.
+    /// Tests whether the model has a quantity that an effect needs. Returns `Some(())` if it has, `None` if it lacks
+    /// the quantity and a fallback expression replaces the quantity, or an error in any other case.
     fn needed(&self, need: &Need) -> Result<Option<()>, Unmet> {
         let name = &need.name.text;
         let unit = need.unit.as_ref().map_or(Some(Unit::ONE), si_unit);
@@ -224,10 +219,10 @@ impl Binding {
         }
     }
 
-    /// Tests whether a statement that an effect (named change to the model) adds is compatible with the model. Returns
-    /// the name of the parameter, state, auxiliary variable or input that the statement declares, or `None` if it
-    /// declares something else, such as a force. Returns an error if the model already declares the name, or lacks the
-    /// frame of an input or the body on which a load acts.
+    /// Tests whether a statement that an effect adds is compatible with the model. Returns the name of the parameter,
+    /// state, auxiliary variable or input that the statement declares, or `None` if it declares something else, such as
+    /// a force. Returns an error if the model already declares the name, or lacks the frame of an input or the body on
+    /// which a load acts.
     fn declared<'e>(&self, item: &'e ItemKind) -> Result<Option<&'e str>, Unmet> {
         let name = match item {
             ItemKind::Parameter(own) => &own.name,
@@ -263,8 +258,7 @@ impl Binding {
         Ok(Some(&name.text))
     }
 
-    /// Whether the model has a statement that the statement `replace new` of an effect (named change to the model) can
-    /// replace.
+    /// Whether the model has a statement that the statement `replace new` of an effect can replace.
     fn has_replaceable(&self, new: &ItemKind) -> bool {
         let mut items = self.file.items.iter();
         items.any(|old| effect::replaces(new, &old.kind))
@@ -279,9 +273,9 @@ impl Binding {
     }
 }
 
-/// Names that the expressions of an effect (named change to a model) may use. These are the names that the model or the
-/// effect declares, and names in the `needs` statement of the effect that the model lacks but for which the statement
-/// contains a fallback expression.
+/// Names that the expressions of an effect may use. These are the names that the model or the effect declares, and
+/// names in the `needs` statement of the effect that the model lacks but for which the statement contains a fallback
+/// expression.
 struct Uses<'a> {
     binding: &'a Binding,
     own: BTreeSet<&'a str>,
@@ -357,8 +351,7 @@ fn kind(is_vector: bool) -> &'static str {
     if is_vector { "vector" } else { "number" }
 }
 
-/// Text that describes a quantity that an effect (named change to a model) needs: kind (scalar or vector), name and
-/// unit.
+/// Text that describes a quantity that an effect needs: kind (scalar or vector), name and unit.
 fn described(need: &Need) -> String {
     let unit = need.unit.as_ref().map(|unit| format!(" in {unit}"));
     let (kind, name) = (kind(need.is_vector), &need.name.text);

@@ -13,24 +13,21 @@ use crate::source::Span;
 use crate::syntax::ast::{Effect, EffectPart, Item, ItemKind, Need};
 use crate::syntax::{self, Parsed};
 
-/// An effect (a named change to a model) as a syntax tree with its source text, ready to be applied to a
-/// [`ModelTree`](super::ModelTree).
+/// An effect as a syntax tree with its source text, ready to be applied to a [`ModelTree`](super::ModelTree).
 #[derive(Clone, Debug)]
 pub struct EffectTree {
     tree: Effect,
-    /// Source text that the tree's spans refer to; `None` for an effect (named change to a model) declared in a model's
-    /// file.
+    /// Source text that the tree's spans refer to; `None` for an effect declared in a model's file.
     source: Option<Source>,
 }
 
 impl EffectTree {
-    /// Creates the effect from the syntax tree of an effect (named change to a model) declared in a model file; it has
-    /// no separate source text.
+    /// Creates the effect from the syntax tree of an effect declared in a model file; it has no separate source text.
     pub(super) fn of_model(tree: Effect) -> EffectTree {
         EffectTree { tree, source: None }
     }
 
-    /// Builds an effect (named change to a model) from a syntax tree; its source text is the printed tree.
+    /// Builds an effect from a syntax tree; its source text is the printed tree.
     ///
     /// ```
     /// use model_spec::compose::{EffectTree, ModelTree};
@@ -61,8 +58,8 @@ impl EffectTree {
         }
     }
 
-    /// Loads an effect (named change to a model) from a file. The file must declare exactly one effect, or several
-    /// effects of which one is named like the file without its extension.
+    /// Loads an effect from a file. The file must declare exactly one effect, or several effects of which one is named
+    /// like the file without its extension.
     ///
     /// # Errors
     /// [`LoadError::Unreadable`] if the file cannot be read; [`LoadError::Faults`] if it has syntax errors or contains
@@ -71,8 +68,8 @@ impl EffectTree {
         EffectTree::parse(path, &read(path)?)
     }
 
-    /// Built-in effect (named change to a model) of the given name, from [`EFFECTS`] or [`GENERAL_EFFECTS`]; `None` if
-    /// there is none. All are parsed on the first call.
+    /// Built-in effect of the given name, from [`EFFECTS`] or [`GENERAL_EFFECTS`]; `None` if there is none. All are
+    /// parsed on the first call.
     pub(super) fn built_in(name: &str) -> Option<&'static EffectTree> {
         static BUILT_IN: LazyLock<Vec<EffectTree>> = LazyLock::new(|| {
             let all = EFFECTS.iter().chain(GENERAL_EFFECTS);
@@ -83,8 +80,8 @@ impl EffectTree {
         BUILT_IN.iter().find(|effect| effect.name() == name)
     }
 
-    /// Names in the `generalises` statement: effects (named changes to a model) of which this effect is the general
-    /// form, each made for a narrower family of models.
+    /// Names in the `generalises` statement: effects of which this effect is the general form, each made for a narrower
+    /// family of models.
     pub fn generalises(&self) -> impl Iterator<Item = &str> {
         self.tree.parts.iter().flat_map(|part| match part {
             EffectPart::Generalises(names) => names.iter().map(|name| name.text.as_str()).collect(),
@@ -92,8 +89,8 @@ impl EffectTree {
         })
     }
 
-    /// Parses an effect (named change to a model) from text; messages refer to the text as `name`. The text must
-    /// declare exactly one effect, or several effects of which one is named like the file `name` without its extension.
+    /// Parses an effect from text; messages refer to the text as `name`. The text must declare exactly one effect, or
+    /// several effects of which one is named like the file `name` without its extension.
     ///
     /// # Errors
     /// [`LoadError::Faults`] if the text has syntax errors or contains no such effect.
@@ -134,8 +131,8 @@ impl EffectTree {
         }
     }
 
-    /// Quantities that a model must have for the effect (named change to the model) to be applicable (`needs`
-    /// statement), without those for which the `needs` statement contains a fallback expression.
+    /// Quantities that a model must have for the effect to be applicable (`needs` statement), without those for which
+    /// the `needs` statement contains a fallback expression.
     pub fn needs(&self) -> impl Iterator<Item = &Need> {
         let all = self.tree.parts.iter().flat_map(|part| match part {
             EffectPart::Needs(needs) => needs.as_slice(),
@@ -144,8 +141,8 @@ impl EffectTree {
         all.filter(|need| need.otherwise.is_none())
     }
 
-    /// Instruments whose measured quantities the effect (named change to a model) needs, without those for which the
-    /// `needs` statement of the effect contains a fallback expression.
+    /// Instruments whose measured quantities the effect needs, without those for which the `needs` statement of the
+    /// effect contains a fallback expression.
     pub(crate) fn instruments(&self) -> Vec<Instrument> {
         let is_needed = |instrument: &Instrument| {
             let mut needs = self.needs();
@@ -154,18 +151,18 @@ impl EffectTree {
         Instrument::ALL.into_iter().filter(is_needed).collect()
     }
 
-    /// Name of the effect (named change to a model), words separated by underscores.
+    /// Name of the effect, words separated by underscores.
     pub fn name(&self) -> &str {
         &self.tree.name.text
     }
 
-    /// Syntax tree of the effect (named change to a model).
+    /// Syntax tree of the effect.
     pub fn tree(&self) -> &Effect {
         &self.tree
     }
 
-    /// Source text of a span of the tree; empty if the effect (named change to a model) is declared in a model file,
-    /// because it then has no separate source text.
+    /// Source text of a span of the tree; empty if the effect is declared in a model file, because it then has no
+    /// separate source text.
     pub(crate) fn text(&self, span: Span) -> &str {
         let source = self.source.as_ref();
         source

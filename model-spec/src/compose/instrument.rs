@@ -3,11 +3,10 @@
 /// An instrument mounted on the body. The value that it measures is predicted by an auxiliary variable of the model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Instrument {
-    /// Measures the angular velocity of the body, rad/s, with components in the frame of the model's marker (observed
-    /// point of the body).
+    /// Measures the angular velocity of the body, rad/s, with components in the frame of the model's marker.
     Gyroscope,
-    /// Measures the specific force at the position of the model's marker (observed point of the body), m/s², with
-    /// components in the frame of the marker.
+    /// Measures the specific force at the position of the model's marker, m/s², with components in the frame of the
+    /// marker.
     Accelerometer,
     /// Measures a speed, m/s: the value of the auxiliary variable `speed` if the model declares one, otherwise the
     /// speed of the centre of mass relative to the ground.

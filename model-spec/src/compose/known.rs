@@ -8,18 +8,17 @@ use super::{EffectTree, ModelTree, rates};
 use crate::library::{EFFECTS, GENERAL_EFFECTS};
 use crate::model::Model;
 
-/// Where an effect (named change to a model) is defined.
+/// Where an effect is defined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Origin {
-    /// The effect (named change to the model) is declared in the file of the model itself.
+    /// The effect is declared in the file of the model itself.
     Own,
-    /// A built-in effect (named change to a model) that is written for a certain family of models, such as flying
-    /// discs.
+    /// A built-in effect that is written for a certain family of models, such as flying discs.
     Specific,
-    /// A built-in effect (named change to a model) that is written for models of any kind.
+    /// A built-in effect that is written for models of any kind.
     General,
-    /// The effect (named change to the model) is not written in any file: it is created from an equation `der(STATE) =
-    /// …` of the model, and adds a term to the right-hand side of this equation.
+    /// The effect is not written in any file: it is created from an equation `der(STATE) = …` of the model, and adds a
+    /// term to the right-hand side of this equation.
     Equation,
 }
 
@@ -27,39 +26,38 @@ pub enum Origin {
 /// effect, that is, a named change to the model.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Refused {
-    /// The model does not meet a requirement of the effect (named change to the model).
+    /// The model does not meet a requirement of the effect.
     #[error(transparent)]
     Unmet(Unmet),
-    /// The effect (named change to the model) is already applied to the model.
+    /// The effect is already applied to the model.
     #[error("it is switched on")]
     Applied,
-    /// The effect (named change to the model) is the general form of a more specific effect that is applicable to the
-    /// model; a diagnosis (search for effects that the model lacks) considers only the specific effect.
+    /// The effect is the general form of a more specific effect that is applicable to the model; a diagnosis considers
+    /// only the specific effect.
     #[error("`{by}` says it of this model")]
     Covered {
-        /// Name of the more specific effect (named change to the model), which a diagnosis (search for effects that the
-        /// model lacks) considers in place of the general one.
+        /// Name of the more specific effect, which a diagnosis considers in place of the general one.
         by: String,
     },
 }
 
-/// An effect (named change to the model) that can be found by name for a model, and whether a diagnosis (the search for
-/// effects that the model lacks, given measured flights) considers the effect.
+/// An effect that can be found by name for a model, and whether a diagnosis (the search for effects that the model
+/// lacks, given measured flights) considers the effect.
 #[derive(Clone, Debug)]
 pub struct KnownEffect {
-    /// Syntax tree of the effect (named change to a model).
+    /// Syntax tree of the effect.
     pub effect: EffectTree,
-    /// Where the effect (named change to the model) is defined: in the model's file, in the built-in library, or
-    /// nowhere, because it is created from an equation of the model.
+    /// Where the effect is defined: in the model's file, in the built-in library, or nowhere, because it is created
+    /// from an equation of the model.
     pub origin: Origin,
-    /// Reason why a diagnosis (search for effects that the model lacks) does not consider the effect (named change to
-    /// the model) as possibly missing from the model; `None` if the diagnosis considers the effect.
+    /// Reason why a diagnosis does not consider the effect as possibly missing from the model; `None` if the diagnosis
+    /// considers the effect.
     pub refused: Option<Refused>,
 }
 
-/// Returns all effects (named changes to the model) that can be found by name for a checked model: effects of the
-/// model's file, specific and general built-in effects, and effects created from the equations `der(STATE) = …` of the
-/// model. If several effects have the same name, only the first is returned.
+/// Returns all effects that can be found by name for a checked model: effects of the model's file, specific and general
+/// built-in effects, and effects created from the equations `der(STATE) = …` of the model. If several effects have the
+/// same name, only the first is returned.
 ///
 /// [`KnownEffect::refused`] is `None` for an effect that a diagnosis considers as possibly missing from the model. This
 /// is determined from names and units, without applying the effect.

@@ -49,8 +49,7 @@ pub use instrument::Instrument;
 pub use known::{KnownEffect, Origin, Refused, known_effects};
 pub use values::ValueError;
 
-/// Syntax tree of a model to which effects (named changes to the model) can be applied, and the source texts that its
-/// spans refer to.
+/// Syntax tree of a model to which effects can be applied, and the source texts that its spans refer to.
 #[derive(Clone, Debug)]
 pub struct ModelTree {
     file: Arc<File>,
@@ -80,7 +79,7 @@ impl ModelTree {
         }
     }
 
-    /// Returns the syntax tree of a checked model, including the applied effects (named changes to the model).
+    /// Returns the syntax tree of a checked model, including the applied effects.
     pub fn of(model: &Model) -> ModelTree {
         ModelTree {
             file: Arc::clone(&model.tree),
@@ -102,7 +101,7 @@ impl ModelTree {
         (tree, diagnostics)
     }
 
-    /// Syntax tree of the model with the applied effects (named changes to the model).
+    /// Syntax tree of the model with the applied effects.
     pub fn file(&self) -> &File {
         &self.file
     }
@@ -112,17 +111,16 @@ impl ModelTree {
         &self.sources
     }
 
-    /// Names of the effects (named changes to a model) declared in the model's file, then of the built-in effects,
-    /// specific and general.
+    /// Names of the effects declared in the model's file, then of the built-in effects, specific and general.
     pub fn effect_names(&self) -> impl Iterator<Item = &str> {
         let own = self.file.effects().map(|effect| effect.name.text.as_str());
         let built_in = EFFECTS.iter().chain(GENERAL_EFFECTS);
         own.chain(built_in.map(|(name, _)| *name))
     }
 
-    /// Finds an effect (named change to a model) by file path, or by name (with `_` or `-` between words). A name is
-    /// searched among the effects of the model's file, then the built-in effects, then the effects created from the
-    /// equations `der(STATE) = …` of the model.
+    /// Finds an effect by file path, or by name (with `_` or `-` between words). A name is searched among the effects
+    /// of the model's file, then the built-in effects, then the effects created from the equations `der(STATE) = …` of
+    /// the model.
     ///
     /// # Errors
     /// [`LoadError::UnknownEffect`] if no effect has the name; for a path, the errors of [`EffectTree::load`].
@@ -145,8 +143,7 @@ impl ModelTree {
         })
     }
 
-    /// Applies an effect (named change to a model) to a copy of the tree; coefficients of the effect follow those of
-    /// the model.
+    /// Applies an effect to a copy of the tree; coefficients of the effect follow those of the model.
     ///
     /// # Errors
     /// [`LoadError::Faults`] if the effect is incompatible with the model or with an effect applied before.
@@ -158,9 +155,9 @@ impl ModelTree {
         }
     }
 
-    /// Applies effects (named changes to a model) in order to a copy of the tree. Each effect is given by name or path
-    /// as in [`ModelTree::find_effect`]. If an effect needs the quantity that an [`Instrument`] measures, and the model
-    /// does not declare that quantity, the default definition of the quantity is added first.
+    /// Applies effects in order to a copy of the tree. Each effect is given by name or path as in
+    /// [`ModelTree::find_effect`]. If an effect needs the quantity that an [`Instrument`] measures, and the model does
+    /// not declare that quantity, the default definition of the quantity is added first.
     ///
     /// # Errors
     /// The errors of [`ModelTree::find_effect`] and [`ModelTree::with`].
@@ -178,16 +175,15 @@ impl ModelTree {
         Ok(extended)
     }
 
-    /// Applies an effect (named change to the model) in place. The tree is unchanged if there are errors, but the
-    /// effect's text is appended to the sources in any case.
+    /// Applies an effect in place. The tree is unchanged if there are errors, but the effect's text is appended to the
+    /// sources in any case.
     pub(crate) fn apply(&mut self, effect: &EffectTree) -> Result<(), Vec<Diagnostic>> {
         let tree = effect.in_sources(&mut self.sources);
         self.file = Arc::new(effect::apply(&self.file, &tree)?);
         Ok(())
     }
 
-    /// Checks names, shapes, frames, units and singular points of the model and of the effects (named changes to the
-    /// model) that its file declares.
+    /// Checks names, shapes, frames, units and singular points of the model and of the effects that its file declares.
     ///
     /// # Errors
     /// [`LoadError::Faults`] with all errors, including those of effects that the model's file declares.
@@ -211,9 +207,8 @@ impl ModelTree {
         checked
     }
 
-    /// Prints the model as `.hyz` text with the applied effects (named changes to the model) merged into its
-    /// statements; the declarations of applied effects are omitted. `note` becomes the last paragraph of the file's
-    /// documentation.
+    /// Prints the model as `.hyz` text with the applied effects merged into its statements; the declarations of applied
+    /// effects are omitted. `note` becomes the last paragraph of the file's documentation.
     pub fn to_text(&self, note: &str) -> String {
         let mut file = File::clone(&self.file);
         let is_applied = |name: &str| self.file.applied.iter().any(|a| a.name.text == name);

@@ -11,10 +11,9 @@ use crate::syntax::ast::{Equation, ExprKind, File, ItemKind, State, UnitExpr, Un
 /// (additional terms that a model may lack); further equations are skipped.
 const MAX_EQUATIONS: usize = 24;
 
-/// Creates three effects (named changes to the model) for each explicitly written equation `der(STATE) = …` of a model
-/// without a body. Each effect adds a term to the derivative: a constant, a multiple of time, or a multiple of the
-/// state. Equations whose right-hand side is only the name of a state are skipped. For a model with a body, the result
-/// is empty.
+/// Creates three effects for each explicitly written equation `der(STATE) = …` of a model without a body. Each effect
+/// adds a term to the derivative: a constant, a multiple of time, or a multiple of the state. Equations whose
+/// right-hand side is only the name of a state are skipped. For a model with a body, the result is empty.
 pub(super) fn rate_effects(file: &File) -> Vec<EffectTree> {
     if file.body().is_some() {
         return Vec::new();
@@ -35,8 +34,7 @@ pub(super) fn rate_effects(file: &File) -> Vec<EffectTree> {
         .collect()
 }
 
-/// States that the file itself declares, in the order of declaration; states that applied effects (named changes to the
-/// model) added are omitted.
+/// States that the file itself declares, in the order of declaration; states that applied effects added are omitted.
 fn states(file: &File) -> Vec<&State> {
     let own = file.items.iter().filter(|item| item.effect.is_none());
     own.filter_map(|item| match &item.kind {
@@ -46,8 +44,8 @@ fn states(file: &File) -> Vec<&State> {
     .collect()
 }
 
-/// All equations `der(STATE) = …` of a file. If an applied effect (named change to the model) has replaced an equation,
-/// only the replacement is included.
+/// All equations `der(STATE) = …` of a file. If an applied effect has replaced an equation, only the replacement is
+/// included.
 fn equations(file: &File) -> impl Iterator<Item = &Equation> {
     file.items.iter().filter_map(|item| match &item.kind {
         ItemKind::Equation(equation) => Some(equation),
@@ -60,9 +58,9 @@ fn is_state(equation: &Equation, states: &BTreeSet<&str>) -> bool {
     matches!(&equation.value.kind, ExprKind::Name(name) if states.contains(name.as_str()))
 }
 
-/// Creates three effects (named changes to the model) for the equation of one state. Each adds one term with a new
-/// coefficient to the derivative of the state: a constant, a multiple of time, or a multiple of the state. For each
-/// coefficient, the smallest departure from 0 that matters in practice is set to 0.001 in the unit of the coefficient.
+/// Creates three effects for the equation of one state. Each adds one term with a new coefficient to the derivative of
+/// the state: a constant, a multiple of time, or a multiple of the state. For each coefficient, the smallest departure
+/// from 0 that matters in practice is set to 0.001 in the unit of the coefficient.
 fn of_equation(state: &State) -> impl Iterator<Item = EffectTree> {
     let name = &state.name.text;
     let per = |seconds: i32| format!("[{}]", per_second(state.value.unit.as_ref(), seconds));

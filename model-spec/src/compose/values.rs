@@ -42,9 +42,8 @@ impl ModelTree {
     /// these values bit for bit.
     ///
     /// Each value is written in the unit of its declaration. If no literal in that unit represents the value exactly,
-    /// it is written in SI units. Bounds that a value violates are removed. A check case (test case in the model file)
-    /// that relies on a replaced default gets a `set` statement with the previous value, so that its expected results
-    /// remain valid.
+    /// it is written in SI units. Bounds that a value violates are removed. A check case that relies on a replaced
+    /// default gets a `set` statement with the previous value, so that its expected results remain valid.
     ///
     /// ```
     /// use model_spec::ModelTree;
@@ -88,8 +87,7 @@ impl ModelTree {
     }
 }
 
-/// A replaced default value, in the form of the statement `set NAME = literals unit;` of a check case (test case in the
-/// model file).
+/// A replaced default value, in the form of the statement `set NAME = literals unit;` of a check case.
 struct Default {
     name: Name,
     literals: Vec<Number>,
@@ -179,8 +177,8 @@ fn set_input(input: &mut Input, unit: Unit, si: [f64; 3]) {
     }
 }
 
-/// Adds to a check case (test case in the model file) a `set` statement for each default value in `earlier` that the
-/// case does not set, so that the expected results of the case remain valid after the defaults have been replaced.
+/// Adds to a check case a `set` statement for each default value in `earlier` that the case does not set, so that the
+/// expected results of the case remain valid after the defaults have been replaced.
 fn keep_defaults(case: &mut Check, earlier: &[Default]) {
     let is_set = |case: &Check, default: &Default| {
         case.parts.iter().any(|part| match part {

@@ -10,25 +10,23 @@ pub(crate) use crate::check::PREVIOUS;
 pub(crate) use replace::{description, replaces};
 pub(crate) use standard::{FRAMES, INERTIA, MASS};
 
-/// Permitted names in `site NAME;`, the statement by which an effect (named change to a model) names the component of
-/// the model that it changes.
+/// Permitted names in `site NAME;`, the statement by which an effect names the component of the model that it changes.
 pub const SITES: [&str; 15] = [
     "lift", "drag", "side", "roll", "pitch", "spin", "wind", "gravity", "vertical", "scale",
     "clock", "marker", "inertia", "noise", "unknown",
 ];
 
-/// Permitted names in `variables NAME, …;`, the statement by which an effect (named change to a model) names the kinds
-/// of variables on which its magnitude depends; `none` if it depends on no variable.
+/// Permitted names in `variables NAME, …;`, the statement by which an effect names the kinds of variables on which its
+/// magnitude depends; `none` if it depends on no variable.
 pub const VARIABLES: [&str; 9] = [
     "alpha", "spin", "speed", "rates", "height", "time", "position", "attitude", "none",
 ];
 
-/// Maximum number of statements in an effect (named change to a model); more are reported as an error. It bounds the
-/// run time, because the whole model is searched for each statement.
+/// Maximum number of statements in an effect; more are reported as an error. It bounds the run time, because the whole
+/// model is searched for each statement.
 const MAX_STATEMENTS: usize = 500;
 
-/// Returns a copy of `file` with `effect` (named change to the model) applied, or the errors. The statements that the
-/// effect adds come last.
+/// Returns a copy of `file` with `effect` applied, or the errors. The statements that the effect adds come last.
 ///
 /// In a `replace` statement, the name `previous` refers to the replaced definition, so that effects on one quantity
 /// accumulate. A `replace` without `previous` is an error if a previously applied effect replaces the same quantity.
@@ -110,13 +108,13 @@ pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
     }
 }
 
-/// State of the application of one effect (named change to a model) to a syntax tree, with the errors found so far.
+/// State of the application of one effect to a syntax tree, with the errors found so far.
 struct Change<'a> {
     file: File,
     index: usize,
     name: &'a Name,
-    /// Each statement of the model that the effect (named change to the model) has replaced so far: description, such
-    /// as `the clock`, and source span of the replacement.
+    /// Each statement of the model that the effect has replaced so far: description, such as `the clock`, and source
+    /// span of the replacement.
     replaced: Vec<(String, Span)>,
     diagnostics: Vec<Diagnostic>,
 }
@@ -194,8 +192,8 @@ impl Change<'_> {
         }
     }
 
-    /// Whether `item` is the declaration of an input that the model or a previously applied effect (named change to the
-    /// model) has already declared identically, so that `item` need not be added.
+    /// Whether `item` is the declaration of an input that the model or a previously applied effect has already declared
+    /// identically, so that `item` need not be added.
     fn has_input(&self, item: &Item) -> bool {
         let ItemKind::Input(wanted) = &item.kind else {
             return false;

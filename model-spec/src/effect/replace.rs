@@ -7,8 +7,7 @@ use crate::syntax;
 use crate::syntax::ast::{Body, BodyPart, BodyPartKind, Expr, ExprKind, Inertia, Item, ItemKind};
 
 /// Maximum number of syntax-tree nodes of a definition after `previous` has been substituted; a longer definition is
-/// reported as an error. It bounds the growth of a definition that many effects (named changes to a model) replace in
-/// turn.
+/// reported as an error. It bounds the growth of a definition that many effects replace in turn.
 const MAX_NODES: usize = 20_000;
 
 impl Change<'_> {
@@ -97,7 +96,7 @@ impl Change<'_> {
     }
 
     /// Adds the statement `clock 1;` (true time runs at the rate of recorded time) to a model without a clock rate, so
-    /// that an effect (named change to the model) can replace it.
+    /// that an effect can replace it.
     fn own_clock(&mut self, span: Span) {
         let items = &mut self.file.items;
         if items.iter().any(|i| matches!(i.kind, ItemKind::Clock(_))) {
@@ -195,9 +194,9 @@ pub(crate) fn description(kind: &ItemKind) -> String {
     }
 }
 
-/// Whether a `replace` statement of an effect (named change to a model), with the replacement `new`, replaces the
-/// statement `old` of a model. Both must be of the same kind and have the same name: for an equation, that of the
-/// state; a clock has none, and an observation without a name replaces any observation.
+/// Whether a `replace` statement of an effect, with the replacement `new`, replaces the statement `old` of a model.
+/// Both must be of the same kind and have the same name: for an equation, that of the state; a clock has none, and an
+/// observation without a name replaces any observation.
 pub(crate) fn replaces(new: &ItemKind, old: &ItemKind) -> bool {
     match (new, old) {
         (ItemKind::Let(a), ItemKind::Let(b)) => a.name.text == b.name.text,

@@ -10,29 +10,27 @@ use crate::syntax::ast::{
     BodyPartKind, Effect, EffectPart, Expr, ExprKind, File, FrameKind, ItemKind, Name, Need,
 };
 
-/// Standard name by which an effect (named change to a model) can refer to the mass of any model's body.
+/// Standard name by which an effect can refer to the mass of any model's body.
 pub(crate) const MASS: &str = "mass";
 
-/// Standard names by which an effect (named change to a model) can refer to the moments of inertia of any model's body,
-/// about axes 1, 2 and 3 of the frame of the inertia tensor.
+/// Standard names by which an effect can refer to the moments of inertia of any model's body, about axes 1, 2 and 3 of
+/// the frame of the inertia tensor.
 pub(crate) const INERTIA: [&str; 3] = ["inertia_11", "inertia_22", "inertia_33"];
 
-/// Standard names by which an effect (named change to a model) can refer to the inertial frame and to the body-fixed
-/// frame of any model.
+/// Standard names by which an effect can refer to the inertial frame and to the body-fixed frame of any model.
 pub(crate) const FRAMES: [&str; 2] = ["inertial", "body"];
 
-/// Replacements of the standard names by which effects (named changes to a model) refer to any model: expressions for
-/// [`MASS`] and [`INERTIA`], frame names for [`FRAMES`].
+/// Replacements of the standard names by which effects refer to any model: expressions for [`MASS`] and [`INERTIA`],
+/// frame names for [`FRAMES`].
 #[derive(Default)]
 struct Standard {
     values: HashMap<String, Expr>,
     frames: HashMap<&'static str, String>,
 }
 
-/// Returns a copy of an effect (named change to a model) that refers to the quantities of the model in `file`. The
-/// standard names ([`MASS`], [`INERTIA`], [`FRAMES`]) are replaced by expressions and frame names of the model, except
-/// names that the model or the effect declares. Needed quantities that the model lacks are replaced by their fallback
-/// expressions.
+/// Returns a copy of an effect that refers to the quantities of the model in `file`. The standard names ([`MASS`],
+/// [`INERTIA`], [`FRAMES`]) are replaced by expressions and frame names of the model, except names that the model or
+/// the effect declares. Needed quantities that the model lacks are replaced by their fallback expressions.
 ///
 /// # Errors
 /// One diagnostic per needed quantity that the model does not declare and that has no fallback expression.
@@ -140,8 +138,7 @@ impl Standard {
         standard
     }
 
-    /// Replaces the standard names in an expression of an effect (named change to a model) by the model's expressions
-    /// and frame names.
+    /// Replaces the standard names in an expression of an effect by the model's expressions and frame names.
     fn rename(&self, e: &mut Expr) {
         if let ExprKind::Name(name) = &e.kind
             && let Some(value) = self.values.get(name)
@@ -188,8 +185,8 @@ fn replace_names(e: &mut Expr, by: &HashMap<String, Expr>) {
     e.children_mut(&mut |child| replace_names(child, by));
 }
 
-/// Mutable references to the right-hand sides of all statements in an effect (named change to a model) that add or
-/// replace something in a model, and to the entries of the inertia tensor in the effect's `replace inertia` statement.
+/// Mutable references to the right-hand sides of all statements in an effect that add or replace something in a model,
+/// and to the entries of the inertia tensor in the effect's `replace inertia` statement.
 fn expressions(effect: &mut Effect) -> impl Iterator<Item = &mut Expr> {
     effect.parts.iter_mut().flat_map(|part| match part {
         EffectPart::Replace(item) | EffectPart::Add(item) => {
@@ -202,7 +199,7 @@ fn expressions(effect: &mut Effect) -> impl Iterator<Item = &mut Expr> {
     })
 }
 
-/// Names of the parameters, inputs, states and auxiliary variables that an effect (named change to a model) declares.
+/// Names of the parameters, inputs, states and auxiliary variables that an effect declares.
 fn declared_by(effect: &Effect) -> impl Iterator<Item = &str> {
     effect.parts.iter().filter_map(|part| match part {
         EffectPart::Add(item) => match &item.kind {

@@ -7,37 +7,34 @@ use crate::source::Span;
 /// An effect (a named change to a model, such as an additional force) that has been applied to a model.
 #[derive(Clone, Debug)]
 pub struct AppliedEffect {
-    /// Name of the effect (named change to the model), words separated by underscores, such as `added_mass`.
+    /// Name of the effect, words separated by underscores, such as `added_mass`.
     pub name: String,
     /// Documentation: the `///` lines before the effect.
     pub doc: String,
-    /// Component of the model that the effect (named change to the model) changes: one of [`SITES`](crate::SITES).
+    /// Component of the model that the effect changes: one of [`SITES`](crate::SITES).
     pub site: String,
-    /// Kinds of variables on which the magnitude of the effect (named change to the model) depends, from
-    /// [`VARIABLES`](crate::VARIABLES); empty if none are stated.
+    /// Kinds of variables on which the magnitude of the effect depends, from [`VARIABLES`](crate::VARIABLES); empty if
+    /// none are stated.
     pub variables: Vec<String>,
-    /// Literature reference of the effect (named change to the model), from its `source` statement; empty if there is
-    /// none.
+    /// Literature reference of the effect, from its `source` statement; empty if there is none.
     pub citation: String,
-    /// Sentence that describes the effect (named change to the model) if its first coefficient exceeds its null value
-    /// (the value at which the effect is absent), from the statement `increases "…"`; empty if not stated.
+    /// Sentence that describes the effect if its first coefficient exceeds its null value, from the statement
+    /// `increases "…"`; empty if not stated.
     pub increases: String,
-    /// Sentence that describes the effect (named change to the model) if its first coefficient is below its null value
-    /// (the value at which the effect is absent), from the statement `decreases "…"`; empty if not stated.
+    /// Sentence that describes the effect if its first coefficient is below its null value, from the statement
+    /// `decreases "…"`; empty if not stated.
     pub decreases: String,
-    /// Coefficients that the effect (named change to the model) adds; [`EffectUnknown::index`] refers to
-    /// [`Model::coefficients`].
+    /// Coefficients that the effect adds; [`EffectUnknown::index`] refers to [`Model::coefficients`].
     pub coefficients: Vec<EffectUnknown>,
-    /// States that the effect (named change to the model) adds; [`EffectUnknown::index`] refers to [`Model::states`].
-    /// The initial value of such a state is estimated separately for each flight.
+    /// States that the effect adds; [`EffectUnknown::index`] refers to [`Model::states`]. The initial value of such a
+    /// state is estimated separately for each flight.
     pub states: Vec<EffectUnknown>,
 }
 
 impl AppliedEffect {
-    /// Sentence that describes the effect (named change to the model) for `departure`, the value of the first
-    /// coefficient minus its null value: [`AppliedEffect::increases`] if `departure` is positive,
-    /// [`AppliedEffect::decreases`] if it is negative. Returns the documentation of the effect if `departure` is 0 or
-    /// the selected sentence is empty.
+    /// Sentence that describes the effect for `departure`, the value of the first coefficient minus its null value:
+    /// [`AppliedEffect::increases`] if `departure` is positive, [`AppliedEffect::decreases`] if it is negative. Returns
+    /// the documentation of the effect if `departure` is 0 or the selected sentence is empty.
     pub fn sentence(&self, departure: f64) -> &str {
         let stated = if departure > 0.0 {
             &self.increases
@@ -54,22 +51,21 @@ impl AppliedEffect {
 /// its name.
 #[derive(Clone, Debug)]
 pub struct OfferedEffect {
-    /// Name of the effect (named change to the model), words separated by underscores.
+    /// Name of the effect, words separated by underscores.
     pub name: String,
     /// Documentation: the `///` lines before the effect.
     pub doc: String,
-    /// Source span of the name of the effect (named change to the model).
+    /// Source span of the name of the effect.
     pub span: Span,
 }
 
-/// An unknown quantity that an effect (named change to a model) adds: a coefficient, or the initial value of a state.
-/// The effect is absent if the quantity has its null value.
+/// An unknown quantity that an effect adds: a coefficient, or the initial value of a state. The effect is absent if the
+/// quantity has its null value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EffectUnknown {
     /// Index into [`Model::coefficients`] for a coefficient, or into [`Model::states`] for a state.
     pub index: usize,
-    /// Null value: value at which the effect (named change to the model) is absent, SI; equal to the default value of
-    /// the coefficient or state.
+    /// Null value: value at which the effect is absent, SI; equal to the default value of the coefficient or state.
     pub null_value: f64,
     /// Smallest difference from [`EffectUnknown::null_value`] that matters in practice (smallest effect size of
     /// interest), SI; `None` if not stated.

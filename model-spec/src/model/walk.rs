@@ -164,7 +164,7 @@ impl Model {
 
     /// Indices of the states whose initial values the data of a flight may omit; the default value of the state is then
     /// used. In a model with a body, these are all states except position, velocity, attitude and angular velocity of
-    /// the body. In a model without a body, these are the states that effects (named changes to the model) add.
+    /// the body. In a model without a body, these are the states that effects add.
     pub fn added_states(&self) -> Vec<usize> {
         let of_effects = |state: &usize| {
             self.effects

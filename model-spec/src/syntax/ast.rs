@@ -13,47 +13,43 @@ pub use claim::{Claim, ClaimPart, ClaimPartKind};
 pub use effect::{Effect, EffectPart, Need};
 pub use table::{Continuation, Interpolation, Table};
 
-/// A parsed file: a model, effects (named changes to a model), or both.
+/// A parsed file: a model, effects, or both.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct File {
     /// Documentation: the `//!` lines of the file.
     pub doc: String,
-    /// Statements in the order of the file, followed by the statements that applied effects (named changes to the
-    /// model) add.
+    /// Statements in the order of the file, followed by the statements that applied effects add.
     pub items: Vec<Item>,
-    /// Applied effects (named changes to the model), in order of application.
+    /// Applied effects, in order of application.
     pub applied: Vec<Applied>,
     /// Empty span at the end of the text, for errors about missing statements.
     pub end: Span,
 }
 
-/// Record of an effect (named change to a model) that has been applied to a syntax tree. The statements of the effect
-/// are part of [`File::items`] and are not repeated here.
+/// Record of an effect that has been applied to a syntax tree. The statements of the effect are part of [`File::items`]
+/// and are not repeated here.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Applied {
-    /// Name of the applied effect (named change to the model), words separated by underscores.
+    /// Name of the applied effect, words separated by underscores.
     pub name: Name,
     /// Documentation: the `///` lines before the effect.
     pub doc: String,
-    /// Name of the component of the model that the effect (named change to the model) changes, such as `drag`.
+    /// Name of the component of the model that the effect changes, such as `drag`.
     pub site: String,
-    /// Kinds of variables on which the magnitude of the effect (named change to the model) depends, from
-    /// [`VARIABLES`](crate::VARIABLES), such as `alpha`.
+    /// Kinds of variables on which the magnitude of the effect depends, from [`VARIABLES`](crate::VARIABLES), such as
+    /// `alpha`.
     pub variables: Vec<String>,
-    /// Literature reference of the effect (named change to the model); empty if none is stated.
+    /// Literature reference of the effect; empty if none is stated.
     pub citation: String,
-    /// Sentence that describes the effect (named change to the model) if its first coefficient exceeds its null value
-    /// (the value at which the effect is absent); empty if none is stated.
+    /// Sentence that describes the effect if its first coefficient exceeds its null value; empty if none is stated.
     pub increases: String,
-    /// Sentence that describes the effect (named change to the model) if its first coefficient is below its null value
-    /// (the value at which the effect is absent); empty if none is stated.
+    /// Sentence that describes the effect if its first coefficient is below its null value; empty if none is stated.
     pub decreases: String,
     /// Smallest effect sizes of interest, as stated by `negligible`: name of a coefficient or state of the effect, and
-    /// the smallest difference from its null value (the value at which the effect is absent) that matters in practice.
-    /// A difference without a unit is dimensionless.
+    /// the smallest difference from its null value that matters in practice. A difference without a unit is
+    /// dimensionless.
     pub negligible: Vec<(Name, Quantity)>,
-    /// Quantities of the model that the effect (named change to the model) needs, without quantities that a fallback
-    /// expression replaces.
+    /// Quantities of the model that the effect needs, without quantities that a fallback expression replaces.
     pub needs: Vec<Need>,
 }
 
@@ -66,13 +62,13 @@ pub struct Item {
     pub doc: String,
     /// Source span from the first word of the statement to its end.
     pub span: Span,
-    /// Index into [`File::applied`] of the effect (named change to the model) that added this statement or replaced it;
-    /// `None` for an unchanged statement of the model's file.
+    /// Index into [`File::applied`] of the effect that added this statement or replaced it; `None` for an unchanged
+    /// statement of the model's file.
     pub effect: Option<usize>,
 }
 
 impl Item {
-    /// Creates a statement that no applied effect (named change to a model) has added.
+    /// Creates a statement that no applied effect has added.
     pub fn new(kind: ItemKind, doc: impl Into<String>, span: Span) -> Item {
         Item {
             kind,
@@ -112,7 +108,7 @@ pub enum ItemKind {
     Marker(Marker),
     /// Measurement equation: `observe NAME = …;`
     Observe(Observe),
-    /// Rate of true time relative to recorded time (the time stamps of the measurements): `clock EXPR;`
+    /// Rate of true time relative to recorded time: `clock EXPR;`
     Clock(Expr),
     /// Validity limit: `limit … > bound "reason";`
     Limit(Limit),
@@ -121,7 +117,7 @@ pub enum ItemKind {
     /// Declared physical meaning of the explicitly written equations: `claim body NAME { … }` or `claim point NAME { …
     /// }`
     Claim(Claim),
-    /// Declaration of an effect (named change to a model): `effect NAME { … }`
+    /// Declaration of an effect: `effect NAME { … }`
     Effect(Effect),
 }
 
@@ -369,18 +365,18 @@ pub struct Limit {
 /// A test case, `check "title" { … }`: values to set, and results expected for these values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Check {
-    /// Title of the check case (test case in a model file); no other check case of the file has the same title.
+    /// Title of the check case; no other check case of the file has the same title.
     pub title: String,
-    /// Statements between the braces of the check case (test case in a model file), in order.
+    /// Statements between the braces of the check case, in order.
     pub parts: Vec<CheckPart>,
 }
 
-/// A statement of a check case (test case in a model file): sets a value or states an expected result.
+/// A statement of a check case: sets a value or states an expected result.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CheckPart {
     /// Sets a value: `set NAME = value;`
     Set {
-        /// Name of a parameter, coefficient, state, input or marker (observed point), or of a component of an input.
+        /// Name of a parameter, coefficient, state, input or marker, or of a component of an input.
         name: Name,
         /// One literal, or three literals for the components of an input or of the marker.
         value: Vec<Number>,

@@ -5,7 +5,7 @@ use super::parser::{Parser, Read};
 use super::token::Token;
 
 impl Parser<'_> {
-    /// Parses `effect NAME on MODEL, MODEL { … }`; `doc` is the documentation of the effect (named change to a model).
+    /// Parses `effect NAME on MODEL, MODEL { … }`; `doc` is the documentation of the effect.
     pub fn effect(&mut self, doc: String) -> Read<ItemKind> {
         self.advance();
         let name = self.name("a name after `effect`")?;
@@ -115,8 +115,8 @@ impl Parser<'_> {
         Ok(EffectPart::Add(Box::new(item)))
     }
 
-    /// Parses a quantity that an effect (named change to a model) needs: `NAME`, `NAME: UNIT` or `vector NAME: UNIT`,
-    /// each optionally followed by the fallback `or EXPR`.
+    /// Parses a quantity that an effect needs: `NAME`, `NAME: UNIT` or `vector NAME: UNIT`, each optionally followed by
+    /// the fallback `or EXPR`.
     fn needed_quantity(&mut self) -> Read<Need> {
         let is_vector = self.at_word("vector") && self.peek_at(1) == Token::Name;
         if is_vector {

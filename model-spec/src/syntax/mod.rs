@@ -24,8 +24,7 @@ pub(crate) use expr::MAX_HEIGHT;
 use crate::diagnostic::{Diagnostic, Kind};
 use crate::source::{Source, Span};
 
-/// Maximum length of the text of a model or of an effect (named change to a model), bytes. A longer text is reported as
-/// an error and not parsed.
+/// Maximum length of the text of a model or of an effect, bytes. A longer text is reported as an error and not parsed.
 pub const MAX_SOURCE_BYTES: usize = 1_000_000;
 
 /// Result of [`parse`]: syntax tree, source and diagnostics.

@@ -6,7 +6,7 @@ use crate::source::Span;
 type Change<'a> = &'a mut dyn FnMut(&mut Span);
 
 impl Effect {
-    /// Calls `change` on every source span of the syntax tree of an effect (named change to a model).
+    /// Calls `change` on every source span of the syntax tree of an effect.
     pub(crate) fn change_spans(&mut self, change: Change<'_>) {
         change(&mut self.name.span);
         self.on.iter_mut().for_each(|model| change(&mut model.span));
@@ -45,8 +45,8 @@ impl Effect {
 }
 
 impl Item {
-    /// Calls `change` on every source span of the statement. In a statement of a kind that effects (named changes to a
-    /// model) cannot contain, such as a frame or a body, the spans inside the statement are not visited.
+    /// Calls `change` on every source span of the statement. In a statement of a kind that effects cannot contain, such
+    /// as a frame or a body, the spans inside the statement are not visited.
     pub(crate) fn change_spans(&mut self, change: Change<'_>) {
         change(&mut self.span);
         match &mut self.kind {

@@ -268,8 +268,7 @@ impl Parser<'_> {
         Ok(ItemKind::Observe(Observe { name, value }))
     }
 
-    /// Parses the rest of a clock statement after the keyword: `clock EXPR;`, or `replace clock = EXPR;` in an effect
-    /// (named change to a model).
+    /// Parses the rest of a clock statement after the keyword: `clock EXPR;`, or `replace clock = EXPR;` in an effect.
     pub fn clock(&mut self) -> Read<ItemKind> {
         let value = self.expr()?;
         self.semicolon("this `clock`")?;

@@ -27,7 +27,7 @@ impl File {
         })
     }
 
-    /// The effects (named changes to a model) that the file declares, in order.
+    /// The effects that the file declares, in order.
     pub(crate) fn effects(&self) -> impl Iterator<Item = &Effect> {
         self.items.iter().filter_map(|item| match &item.kind {
             ItemKind::Effect(effect) => Some(effect),

@@ -232,7 +232,7 @@ fn variables_of_body(model: &Model, body: &Body) -> Vec<Variable> {
 }
 
 /// Variables of the term library for a model without a body: one for each of the first [`MAX_STATES`] states that the
-/// model declares itself, not through effects (named changes to the model).
+/// model declares itself, not through effects.
 fn variables_of_states(model: &Model) -> Vec<Variable> {
     let of_effects = model.added_states();
     let own = model.states.iter().enumerate();

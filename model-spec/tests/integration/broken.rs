@@ -5,7 +5,7 @@ use std::path::Path;
 use model_spec::load;
 
 /// Text of the errors that loading a model file reports. If the name of the file begins with `effect_`, its effect
-/// `more_drag` (a named change to the model) is applied first.
+/// `more_drag` is applied first.
 fn said(path: &str) -> String {
     let effect = Path::new(path)
         .file_name()

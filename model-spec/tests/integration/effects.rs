@@ -30,9 +30,8 @@ fn right(effects: &str, names: &[&str]) -> Model {
     with(effects, names).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Text of an effect (named change to a model) that displaces the observed position along axis 1. The displacement is
-/// the new coefficient `by_{part}` times component `part` of the input vector `marker_is`. `input` is the text that
-/// declares this vector.
+/// Text of an effect that displaces the observed position along axis 1. The displacement is the new coefficient
+/// `by_{part}` times component `part` of the input vector `marker_is`. `input` is the text that declares this vector.
 fn on_marker(name: &str, part: u8, input: &str) -> String {
     format!(
         "effect {name} {{ site marker; variables none; {input} coefficient by_{part} = 0 m;\n\
@@ -76,8 +75,8 @@ fn an_effect_says_what_it_depends_on() {
     assert!(!summary(&model).contains("depends on"));
 }
 
-/// Applies the effects (named changes to a model) `names` to the model in `text`, prints the result without the effect
-/// declarations, and parses the printed text.
+/// Applies the effects `names` to the model in `text`, prints the result without the effect declarations, and parses
+/// the printed text.
 fn written_and_read(text: &str, names: &[&str]) -> Model {
     let mut file = load::inspect_text("stone.hyz", text, names).unwrap().file;
     file.items

@@ -4,8 +4,8 @@ use model_spec::compose::{KnownEffect, ModelTree, Origin, Refused, known_effects
 use model_spec::load::{self, EFFECTS, GENERAL_EFFECTS, MODELS, from_text};
 use model_spec::model::Model;
 
-/// Test models of kinds of bodies that are not built in, each with the minimum number of built-in effects (named
-/// changes to a model) that must be applicable to it.
+/// Test models of kinds of bodies that are not built in, each with the minimum number of built-in effects that must be
+/// applicable to it.
 const OWN: [(&str, usize); 6] = [
     ("shuttlecock", 15),
     ("pendulum", 10),

@@ -48,7 +48,7 @@ fn every_effect_applies_to_some_model() {
     }
 }
 
-/// Names of the built-in effects (named changes to a model) that are applicable to the built-in model `model`.
+/// Names of the built-in effects that are applicable to the built-in model `model`.
 fn effects_on(model: &str) -> Vec<&'static str> {
     let names = EFFECTS.iter().map(|(name, _)| *name);
     names

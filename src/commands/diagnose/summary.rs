@@ -9,7 +9,7 @@ use report::diagnosis::{lack_of_fit_sentence, paired_gain_sentence, verdict_name
 
 use crate::commands::fit::cautions;
 
-/// Maximum number of candidate effects (possible model extensions) in the terminal summary of a diagnosis.
+/// Maximum number of candidate effects in the terminal summary of a diagnosis.
 const LISTED: usize = 10;
 
 /// Text of the terminal summary of a diagnosis.

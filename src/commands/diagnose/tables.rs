@@ -4,7 +4,7 @@ use diagnose::Report;
 
 use crate::commands::fit::role;
 
-/// CSV table of the score tests of a diagnosis: one line per candidate effect (an effect that the model may lack).
+/// CSV table of the score tests of a diagnosis: one line per candidate effect.
 pub fn candidates(report: &Report) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record([

@@ -6,11 +6,11 @@ use std::path::Path;
 use anyhow::{Context, bail};
 use flight::throw::Throw;
 
-/// Maximum size of a TechDisc file (recording of a launch monitor), bytes.
+/// Maximum size of a TechDisc file, bytes.
 const MAX_BYTES: u64 = 4 << 20;
-/// Maximum number of throws in a TechDisc file (recording of a launch monitor).
+/// Maximum number of throws in a TechDisc file.
 const MAX_ROWS: usize = 1000;
-/// Maximum number of columns in a TechDisc file (recording of a launch monitor).
+/// Maximum number of columns in a TechDisc file.
 const MAX_COLUMNS: usize = 200;
 /// Maximum relative difference between the two speeds of one throw in the file, one in mph and one in km/h.
 const SPEED_DIFFERENCE: f64 = 0.01;

@@ -7,14 +7,13 @@ use model_spec::model::Model;
 
 use crate::cli::{Simulate, ThrowOptions};
 
-/// Whether the options alone define a throw, by a speed or by a launch monitor's file, so that no release (launch
-/// conditions) is needed.
+/// Whether the options alone define a throw, by a speed or by a launch monitor's file, so that no release is needed.
 pub fn are_enough(options: &ThrowOptions) -> bool {
     options.speed.is_some() || options.techdisc.is_some()
 }
 
-/// Loads the model that the options name, and creates a release (launch conditions) with the model's default values and
-/// without wind, whose simulation ends at the ground.
+/// Loads the model that the options name, and creates a release with the model's default values and without wind, whose
+/// simulation ends at the ground.
 pub fn bare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     let Some(name) = &options.model else {
         bail!(
@@ -26,8 +25,8 @@ pub fn bare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     Ok((model, release))
 }
 
-/// Creates a release (launch conditions) of the model called `name`, with the model's default values and without wind,
-/// whose simulation ends at the ground. The caller sets the motion of a throw in this release.
+/// Creates a release of the model called `name`, with the model's default values and without wind, whose simulation
+/// ends at the ground. The caller sets the motion of a throw in this release.
 pub fn at_defaults(name: &str, model: &Model) -> Release {
     let states = model.states.iter();
     Release {
@@ -42,8 +41,8 @@ pub fn at_defaults(name: &str, model: &Model) -> Release {
     }
 }
 
-/// Sets the initial states of the release (launch conditions) to the motion of `throw`, in which the command-line
-/// options replace single quantities. If `throw` is `None`, the options modify the motion specified in the release.
+/// Sets the initial states of the release to the motion of `throw`, in which the command-line options replace single
+/// quantities. If `throw` is `None`, the options modify the motion specified in the release.
 pub fn apply(
     options: &ThrowOptions,
     throw: Option<Throw>,

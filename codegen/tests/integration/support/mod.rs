@@ -16,7 +16,7 @@ pub fn models() -> Vec<&'static str> {
         .collect()
 }
 
-/// Loads a built-in model without effects (named changes to a model).
+/// Loads a built-in model without effects.
 pub fn model(name: &str) -> Model {
     model_spec::load::load(name, &[]).unwrap_or_else(|error| panic!("{error}"))
 }

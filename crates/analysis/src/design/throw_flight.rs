@@ -87,8 +87,7 @@ impl ThrownBody {
         }
     }
 
-    /// Prepares flights of the body with the parameters of a release (launch conditions); the initial states of the
-    /// release are not used.
+    /// Prepares flights of the body with the parameters of a release; the initial states of the release are not used.
     pub fn with(&self, release: &Release) -> ThrowFlights<'_> {
         self.with_parameters(self.compiled.release_parameters(release))
     }

@@ -11,7 +11,7 @@ use rand_distr::{Distribution, StandardNormal};
 use crate::sweep::plan::{Axis, AxisKind, Plan, Target, constant};
 
 /// Data from which the inputs of every flight of a sweep plan are made: the initial state and parameters of the plan's
-/// release (launch conditions), and the model.
+/// release, and the model.
 pub(crate) struct InputModel {
     x: Vec<f64>,
     p: Vec<f64>,
@@ -47,8 +47,8 @@ impl InputModel {
         })
     }
 
-    /// Parameters of the plan's release (launch conditions), in the order of the model's layout; each flight replaces
-    /// those that the plan varies.
+    /// Parameters of the plan's release, in the order of the model's layout; each flight replaces those that the plan
+    /// varies.
     pub(crate) fn parameters(&self) -> &[f64] {
         &self.p
     }

@@ -69,8 +69,7 @@ pub(crate) struct Flier<'p> {
     pub has_spin: bool,
 }
 
-/// Supplies the flights of one part of a sweep (block of consecutive flights) to the integrator, one after the other,
-/// and collects their results.
+/// Supplies the flights of one part of a sweep to the integrator, one after the other, and collects their results.
 struct Part<'f, 'p> {
     inputs: Inputs<'p>,
     first: u64,

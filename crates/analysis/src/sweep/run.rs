@@ -26,17 +26,17 @@ use crate::sweep::table;
 pub struct SweepOptions<'a> {
     /// Number of threads that simulate flights; at least 1.
     pub threads: usize,
-    /// If several processes compute one sweep in the same folder: the share of the parts (blocks of consecutive
-    /// flights) to compute, as (share number from 1, number of shares). `None` computes all parts and joins them.
+    /// If several processes compute one sweep in the same folder: the share of the parts to compute, as (share number
+    /// from 1, number of shares). `None` computes all parts and joins them.
     pub share: Option<(u64, u64)>,
     /// Whether the table of flights is also written as CSV.
     pub csv: bool,
-    /// Called after each completed part (a block of consecutive flights), with the number of flights in the part.
+    /// Called after each completed part, with the number of flights in the part.
     pub progress: &'a (dyn Fn(u64) + Sync),
 }
 
-/// Maximum number of parts (blocks of consecutive flights), per thread, that are computed while an earlier part is not
-/// yet merged into the summary; it bounds the memory.
+/// Maximum number of parts, per thread, that are computed while an earlier part is not yet merged into the summary; it
+/// bounds the memory.
 const AHEAD: u64 = 8;
 
 /// File name of the Parquet table of all flights of the sweep.
@@ -151,8 +151,8 @@ fn finish(
     Ok(summary)
 }
 
-/// Calls `work` for each part (a block of consecutive flights) with its number, on several threads, and merges the
-/// summaries in the order of the parts. `None` if `parts` is empty; the first error that arrives stops all threads.
+/// Calls `work` for each part with its number, on several threads, and merges the summaries in the order of the parts.
+/// `None` if `parts` is empty; the first error that arrives stops all threads.
 fn in_order(
     parts: std::ops::Range<u64>,
     options: &SweepOptions<'_>,

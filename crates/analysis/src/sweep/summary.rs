@@ -52,8 +52,8 @@ struct Joint {
 }
 
 impl Summary {
-    /// Summary of the flights of one part of a sweep (block of consecutive flights); `end` is the index in [`STATUSES`]
-    /// of flights that reached the intended end, the ground or the final time.
+    /// Summary of the flights of one part of a sweep; `end` is the index in [`STATUSES`] of flights that reached the
+    /// intended end, the ground or the final time.
     pub(crate) fn of(rows: &Rows, end: u8) -> Summary {
         let mut statuses = [0; STATUSES.len()];
         for status in &rows.status {

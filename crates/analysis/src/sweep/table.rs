@@ -23,8 +23,8 @@ const FLIGHT: &str = "flight";
 /// Name of the last column of the table of flights: how the flight ended, a value of [`STATUSES`].
 const STATUS: &str = "status";
 
-/// Writes the table of one part of a sweep (a block of consecutive flights) to a file atomically. The file is not
-/// synced to the disk, because a part whose file cannot be read is computed again.
+/// Writes the table of one part of a sweep to a file atomically. The file is not synced to the disk, because a part
+/// whose file cannot be read is computed again.
 pub(crate) fn write(path: &Path, rows: &Rows) -> Result<(), ParquetError> {
     let properties = properties(&rows.columns);
     let schema = schema(rows.columns.iter().map(|column| column.name.as_str()))?;
@@ -100,8 +100,8 @@ fn properties(columns: &[Column]) -> WriterProperties {
     properties.build()
 }
 
-/// Reads the table of one part of a sweep (a block of consecutive flights) from a file; the first `inputs` numeric
-/// columns are the inputs of the flights.
+/// Reads the table of one part of a sweep from a file; the first `inputs` numeric columns are the inputs of the
+/// flights.
 pub(crate) fn read(path: &Path, inputs: usize) -> Result<Rows, ParquetError> {
     let reader = SerializedFileReader::new(File::open(path)?)?;
     let mut rows = Rows {
@@ -180,8 +180,8 @@ fn row_group(
     Ok(rows)
 }
 
-/// Joins the Parquet files of the parts of a sweep (blocks of consecutive flights) into one file, with one row group
-/// per part, copying the column data without decoding it.
+/// Joins the Parquet files of the parts of a sweep into one file, with one row group per part, copying the column data
+/// without decoding it.
 pub(crate) fn join(
     path: &Path,
     parts: impl Iterator<Item = std::path::PathBuf>,

@@ -13,8 +13,8 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::support::{body, distance, oracle_path, plate};
 
-/// Maximum permitted difference between a designed flight and its simulation by the oracle (independent implementation
-/// of the laws of motion), m. The oracle's step size is 1 ms.
+/// Maximum permitted difference between a designed flight and its simulation by the oracle, m. The oracle's step size
+/// is 1 ms.
 const CONFIRMED: f64 = 0.01;
 
 fn with_wind(body: &ThrownBody, wind: [f64; 3]) -> ThrowFlights<'_> {
@@ -46,8 +46,8 @@ fn solved(name: &str, flights: &ThrowFlights<'_>, goal: Goal, bounds: &Bounds) -
     found
 }
 
-/// Searches for the throw that serves a goal, and asserts that its flight agrees with a simulation by the oracle
-/// (independent implementation of the laws of motion). Returns the design and the path of that simulation.
+/// Searches for the throw that serves a goal, and asserts that its flight agrees with a simulation by the oracle.
+/// Returns the design and the path of that simulation.
 fn confirmed(
     name: &str,
     flights: &ThrowFlights<'_>,

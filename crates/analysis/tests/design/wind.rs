@@ -31,8 +31,7 @@ fn throw() -> Throw {
     }
 }
 
-/// Compiles a model with the wind given by the TOML text `wind`; returns the body and a release (launch conditions) in
-/// this wind.
+/// Compiles a model with the wind given by the TOML text `wind`; returns the body and a release in this wind.
 fn in_wind(model: &Model, wind: &str) -> (ThrownBody, Release) {
     let text = format!(
         "model = {:?}\nuntil = \"ground\"\n[throw]\nspeed = 18.0\n{wind}",

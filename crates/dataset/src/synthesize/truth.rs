@@ -11,7 +11,7 @@ use crate::quoted;
 pub struct Truth {
     /// Name of the model.
     pub model: String,
-    /// Names of the effects (optional extensions) that the model includes.
+    /// Names of the effects that the model includes.
     pub effects: Vec<String>,
     /// True value of each coefficient by name, SI.
     pub coefficients: BTreeMap<String, f64>,

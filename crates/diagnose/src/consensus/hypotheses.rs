@@ -25,9 +25,8 @@ const ALPHA_REJECT: f64 = 0.002;
 /// cannot be significant.
 const MIN_FLIGHTS: usize = 20;
 
-/// Minimum fraction of the excess χ² that a hypothesis (set of missing effects) must explain to be accepted. The excess
-/// χ² is the weighted sum of squares minus its expectation for pure noise, over all flights or over the concordant
-/// flights.
+/// Minimum fraction of the excess χ² that a hypothesis must explain to be accepted. The excess χ² is the weighted sum
+/// of squares minus its expectation for pure noise, over all flights or over the concordant flights.
 const MIN_EXPLAINED: f64 = 0.5;
 
 /// Minimum fraction of concordant flights, which agree on the effect, for the diagnosis to be repeated without the
@@ -97,7 +96,7 @@ struct Agreed {
 
 /// Fits each single candidate effect on which the flights agree, and returns the hypotheses, best fit first. A
 /// hypothesis is omitted if, once its effect is included, the flights still agree on a further candidate or library
-/// term (product of variables added to a load).
+/// term.
 fn agreed_hypotheses(
     model: &ScoreTestModel<'_>,
     search: &Search,
@@ -134,9 +133,9 @@ fn agreed_hypotheses(
 }
 
 /// Finds the hypothesis in `agreed` that best explains the concordant flights, those that do not contradict it. The
-/// best hypothesis explains the largest fraction of the excess χ² (misfit beyond noise) of its concordant flights.
-/// Considers only hypotheses whose effect has one coefficient. The list of hypotheses in the result is empty. `None` if
-/// no fraction reaches [`MIN_EXPLAINED`], or too few flights are concordant.
+/// best hypothesis explains the largest fraction of the excess χ² of its concordant flights. Considers only hypotheses
+/// whose effect has one coefficient. The list of hypotheses in the result is empty. `None` if no fraction reaches
+/// [`MIN_EXPLAINED`], or too few flights are concordant.
 fn explained_without_discordant(
     model: &ScoreTestModel<'_>,
     test: &SignFlipTest,

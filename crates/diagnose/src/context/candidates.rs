@@ -3,8 +3,7 @@
 use model_spec::layout::{Layout, ParamId, StateId};
 use model_spec::model::{AppliedEffect, Model};
 
-/// An effect that the model may lack, with its coefficients and states in the encompassing model (the model with all
-/// candidate effects).
+/// An effect that the model may lack, with its coefficients and states in the encompassing model.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Candidate {
     /// Name of the effect with hyphens, as shown in reports.
@@ -14,7 +13,7 @@ pub(crate) struct Candidate {
     /// Two sentences that describe the effect: the first if its first coefficient is above its null value, the second
     /// if below. An effect that declares no such sentence has its general description here.
     pub senses: [String; 2],
-    /// Site of the effect: the load (force or moment component) or the equation of the model that it changes.
+    /// Site of the effect: the load or the equation of the model that it changes.
     pub site: String,
     /// Names of the variables on which the effect depends.
     pub variables: Vec<String>,
@@ -53,7 +52,7 @@ pub fn identifier(display_name: &str) -> String {
 }
 
 impl Candidate {
-    /// Creates the candidate for the effect (model extension) `effect`, which is switched on in `model`.
+    /// Creates the candidate for the effect `effect`, which is switched on in `model`.
     pub fn new(model: &Model, layout: &Layout, effect: &AppliedEffect) -> Self {
         let coefficients = effect.coefficients.iter().map(|own| {
             let constant = &model.coefficients[own.index];

@@ -12,22 +12,21 @@ use model_spec::term_library::TermLibrary;
 use super::candidates::{Candidate, identifier};
 use super::ids::CandidateId;
 
-/// A model extended by all candidate effects (effects that it may lack). Where a term library is compatible with the
-/// model, its loads (additional force and moment components) are also part of it.
+/// A model extended by all candidate effects. Where a term library is compatible with the model, its loads (additional
+/// force and moment components) are also part of it.
 #[derive(Clone, Debug)]
 pub(crate) struct EncompassingModel {
-    /// The model with every candidate effect (effect that it may lack) switched on.
+    /// The model with every candidate effect switched on.
     pub model: Model,
-    /// The candidate effects (effects that the model may lack), in the order in which they were switched on.
+    /// The candidate effects, in the order in which they were switched on.
     pub candidates: IndexVec<CandidateId, Candidate>,
-    /// The term library whose loads (force and moment components) are part of the model; `None` if no library is
-    /// compatible with the model.
+    /// The term library whose loads are part of the model; `None` if no library is compatible with the model.
     pub library: Option<Arc<TermLibrary>>,
 }
 
 impl EncompassingModel {
-    /// Composes `model` with every compatible effect (optional model extension). Left out are effects that are already
-    /// switched on, effects named in `without`, and general effects that duplicate an effect specific to the model.
+    /// Composes `model` with every compatible effect. Left out are effects that are already switched on, effects named
+    /// in `without`, and general effects that duplicate an effect specific to the model.
     ///
     /// # Errors
     /// [`LoadError`] if the model with the loads of the term library, but without candidates, is invalid.
@@ -59,8 +58,8 @@ impl EncompassingModel {
         })
     }
 
-    /// Names of the parameters that scale the additional loads (force and moment components) of the term library; empty
-    /// if no library is part of the model.
+    /// Names of the parameters that scale the additional loads of the term library; empty if no library is part of the
+    /// model.
     pub fn load_coefficients(&self) -> impl Iterator<Item = &str> {
         let channels = self
             .library
@@ -70,7 +69,7 @@ impl EncompassingModel {
     }
 }
 
-/// Effects (optional model extensions) that can be added to the model and are not named in `without`.
+/// Effects that can be added to the model and are not named in `without`.
 fn candidate_effects(model: &Model, without: &[String]) -> Vec<EffectTree> {
     let is_excluded = |name: &str| without.iter().any(|w| identifier(w) == name);
     known_effects(model)
@@ -88,8 +87,7 @@ fn compose_all(base: &ModelTree, effects: &[EffectTree]) -> Result<Model, LoadEr
     tree.check()
 }
 
-/// Adds the effects (optional model extensions) to the model one by one, and skips each effect that conflicts with the
-/// effects added before.
+/// Adds the effects to the model one by one, and skips each effect that conflicts with the effects added before.
 fn compose_compatible(base: &ModelTree, effects: &[EffectTree]) -> Result<Model, LoadError> {
     let mut tree = base.clone();
     let mut model = tree.check()?;

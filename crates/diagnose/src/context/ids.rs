@@ -8,12 +8,12 @@ index_type!(
 );
 
 index_type!(
-    /// Index of a library term: a product of variables that is added to one load (a force or moment component).
+    /// Index of a library term: a product of variables that is added to one load.
     pub(crate) struct TermId;
 );
 
 index_type!(
     /// Index of a global column of the normal equations. The columns are those of the encompassing model's global
-    /// parameters, then one column for the coefficient of each library term (product of variables added to a load).
+    /// parameters, then one column for the coefficient of each library term.
     pub(crate) struct ColumnId;
 );

@@ -1,4 +1,4 @@
-//! The terms of a term library in a model: each product of variables on each load channel (force or moment component).
+//! The terms of a term library in a model: each product of variables on each load channel.
 //!
 //! A term is tested without compiling a model that contains it: at its null value, the sensitivity to its coefficient
 //! is the sensitivity to its load coefficient, times the product of its variables along the trajectory.
@@ -15,8 +15,7 @@ use ode::DifferentiableRhs;
 use super::basis_load::BasisLoads;
 use super::ids::TermId;
 
-/// All terms of a term library (products of variables that are added to loads), with the model's indices of their load
-/// coefficients and variables.
+/// All terms of a term library, with the model's indices of their load coefficients and variables.
 #[derive(Clone, Debug)]
 pub(crate) struct LibraryTerms {
     /// The term library: variables, products of their powers, and the quantities to which the products can be added.
@@ -24,7 +23,7 @@ pub(crate) struct LibraryTerms {
     /// The terms, ordered by load channel, the force or moment component to which they contribute: all products of
     /// variables for the first component, then all products for the second, and so on.
     pub terms: IndexVec<TermId, Term>,
-    /// For each load channel (force or moment component): index of the parameter that scales the load in the model.
+    /// For each load channel: index of the parameter that scales the load in the model.
     pub loads: IndexVec<ChannelId, ParamId>,
     /// Quantity index of each variable; variables are auxiliary quantities of the model.
     variables: IndexVec<VariableId, QuantityId>,
@@ -84,14 +83,14 @@ impl LibraryTerms {
             .collect()
     }
 
-    /// The load channels of the library (force or moment components), in the library's order. Each is returned with its
-    /// site: the name of the load that is changed, such as lift.
+    /// The load channels of the library, in the library's order. Each is returned with its site: the name of the load
+    /// that is changed, such as lift.
     pub fn sites(&self) -> impl Iterator<Item = (ChannelId, &str)> {
         let channels = self.library.channels.iter_enumerated();
         channels.map(|(id, channel)| (id, channel.site.as_str()))
     }
 
-    /// Site of a library term (product of variables): the name of the load (such as lift) to which the term is added.
+    /// Site of a library term: the name of the load (such as lift) to which the term is added.
     pub fn site(&self, term: TermId) -> &str {
         &self.library.channels[self.terms[term].channel].site
     }
@@ -101,13 +100,13 @@ impl LibraryTerms {
         self.library.formula(self.terms[term])
     }
 
-    /// Display name of a library term (product of variables added to a load), such as `lift-by-alpha-squared`.
+    /// Display name of a library term, such as `lift-by-alpha-squared`.
     pub fn name(&self, term: TermId) -> String {
         self.library.name(self.terms[term])
     }
 
-    /// Creates the effect (model extension) that adds a library term with one coefficient to the model; `doc` is the
-    /// doc comment of the effect.
+    /// Creates the effect that adds a library term with one coefficient to the model; `doc` is the doc comment of the
+    /// effect.
     pub fn effect(&self, term: TermId, doc: &str) -> EffectTree {
         self.library.effect(self.terms[term], doc)
     }

@@ -15,8 +15,8 @@ use super::score_test_model::ScoreTestModel;
 use super::trajectory_cache::LinearizationPoint;
 
 impl ScoreTestModel<'_> {
-    /// Normal equations of every flight for its local parameters (initial state) and the global parameters (common to
-    /// all flights), with residuals whitened by the noise model `noise`.
+    /// Normal equations of every flight for its local parameters (initial state) and the global parameters, with
+    /// residuals whitened by the noise model `noise`.
     ///
     /// # Errors
     /// [`FitError::Flight`] if a trajectory cannot be integrated; [`FitError::Interrupted`] if the caller cancelled.
@@ -42,9 +42,8 @@ impl ScoreTestModel<'_> {
         })
     }
 
-    /// Normal equations of every flight for its local parameters (initial state), the global parameters (common to all
-    /// flights) and the coefficients of the library terms (products of variables added to loads), with residuals
-    /// whitened by the noise model `noise`.
+    /// Normal equations of every flight for its local parameters (initial state), the global parameters and the
+    /// coefficients of the library terms, with residuals whitened by the noise model `noise`.
     ///
     /// # Errors
     /// [`FitError::Flight`] if a trajectory cannot be integrated; [`FitError::Interrupted`] if the caller cancelled.
@@ -85,7 +84,7 @@ impl ScoreTestModel<'_> {
 
     /// Calls `each` with every residual of a flight, predicted − measured, in m and not whitened, and the derivatives
     /// of this residual with respect to all unknowns. Their order is: tangent directions of the flight's initial state,
-    /// global parameters, coefficients of the library terms (products of variables added to loads).
+    /// global parameters, coefficients of the library terms.
     ///
     /// # Errors
     /// [`FitError::Flight`] if the trajectory cannot be integrated.
@@ -117,8 +116,7 @@ impl ScoreTestModel<'_> {
         done.map_err(|reason| self.flight_error(flight, reason))
     }
 
-    /// Copy of the normal equations of one flight without the columns that belong to coefficients of library terms
-    /// (products of variables added to loads).
+    /// Copy of the normal equations of one flight without the columns that belong to coefficients of library terms.
     pub fn without_terms(&self, block: &NormalBlock) -> NormalBlock {
         let locals = (0..block.local.nrows()).map(LocalId::new);
         let globals = (0..self.global_columns()).map(GlobalId::new);
@@ -161,8 +159,8 @@ impl ScoreTestModel<'_> {
         globals.map(|global| global.param).collect()
     }
 
-    /// Equations of motion extended by the library terms (products of variables added to loads), and the index, in
-    /// these equations, of the parameter of each global column of the normal equations.
+    /// Equations of motion extended by the library terms, and the index, in these equations, of the parameter of each
+    /// global column of the normal equations.
     fn motion_with_terms<'c>(
         &self,
         conditions: &'c BoundModel<'c>,

@@ -19,10 +19,9 @@ use super::candidates::identifier;
 #[derive(Clone, Copy, Debug)]
 pub struct DiagnosisOptions<'a> {
     /// Name of the dataset, as shown in the report and in the doc comments of the effects that a diagnosis creates from
-    /// library terms (products of variables added to loads).
+    /// library terms.
     pub dataset: &'a str,
-    /// Names of effects (optional model extensions) that the diagnosis does not consider as candidates for a missing
-    /// effect.
+    /// Names of effects that the diagnosis does not consider as candidates for a missing effect.
     pub without: &'a [String],
     /// Options of every fit in the diagnosis. The number of threads, the progress callback and the cancellation apply
     /// to the whole diagnosis.

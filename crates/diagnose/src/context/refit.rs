@@ -21,11 +21,11 @@ const REFIT_STOPPING: StoppingCriteria = StoppingCriteria {
     ..StoppingCriteria::CONVERGED
 };
 
-/// Mean squared whitened residual above which the fit of a hypothesis (set of missing effects) need not converge: the
-/// hypothesis explains so little that its exact minimum does not matter.
+/// Mean squared whitened residual above which the fit of a hypothesis need not converge: the hypothesis explains so
+/// little that its exact minimum does not matter.
 const MISFIT_RATIO: f64 = 3.0;
 
-/// Result of fitting the model under test extended by some of the candidate effects (effects that it may lack).
+/// Result of fitting the model under test extended by some of the candidate effects.
 pub(crate) struct Refitted {
     /// Fitted values of all unknowns; candidate effects that were not fitted have their null values, at which they
     /// vanish.
@@ -84,8 +84,7 @@ impl ScoreTestModel<'_> {
     }
 }
 
-/// Least-squares problem whose unknowns are those of the model under test and of some candidate effects (effects that
-/// the model may lack).
+/// Least-squares problem whose unknowns are those of the model under test and of some candidate effects.
 struct Refit<'a> {
     problem: FitProblem,
     flights: Vec<Observations>,

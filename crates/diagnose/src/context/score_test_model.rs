@@ -46,9 +46,8 @@ pub(crate) struct ScoreTestModel<'a> {
 const MAX_STEPS: usize = 250;
 
 impl<'a> ScoreTestModel<'a> {
-    /// Creates the score-test model from the encompassing model (the model with all candidate effects) and the flights
-    /// that were used in `fit`. Also returns the values fitted in `fit`, as unknowns of the score-test model, with
-    /// candidates at their null values.
+    /// Creates the score-test model from the encompassing model and the flights that were used in `fit`. Also returns
+    /// the values fitted in `fit`, as unknowns of the score-test model, with candidates at their null values.
     ///
     /// # Errors
     /// [`FitError`] if the flights cannot be used with the encompassing model.
@@ -97,8 +96,7 @@ impl<'a> ScoreTestModel<'a> {
         self.problem.globals.len()
     }
 
-    /// Column of the normal equations that belongs to the coefficient of a library term (product of variables added to
-    /// a load).
+    /// Column of the normal equations that belongs to the coefficient of a library term.
     pub fn term_column(&self, term: TermId) -> ColumnId {
         ColumnId::new(self.global_columns() + term.index())
     }
@@ -108,7 +106,7 @@ impl<'a> ScoreTestModel<'a> {
         self.encompassing.candidates.iter_enumerated()
     }
 
-    /// The candidate effect (effect that the model may lack) with index `id`.
+    /// The candidate effect with index `id`.
     pub fn candidate(&self, id: CandidateId) -> &Candidate {
         &self.encompassing.candidates[id]
     }
@@ -136,7 +134,7 @@ impl<'a> ScoreTestModel<'a> {
     }
 
     /// Name of the global parameter to which a column of the normal equations belongs; `None` for the column of a
-    /// library term (product of variables added to a load).
+    /// library term.
     pub fn column_name(&self, column: ColumnId) -> Option<&str> {
         let global = self.problem.globals.get(column.index())?;
         Some(global.name.as_str())
@@ -255,8 +253,8 @@ impl<'a> ScoreTestModel<'a> {
     }
 }
 
-/// Estimation problem of the encompassing model (the model with all candidate effects), with the options of the fit.
-/// The coefficients of the loads (force and moment components) of the term library are fixed at 0.
+/// Estimation problem of the encompassing model, with the options of the fit. The coefficients of the loads of the term
+/// library are fixed at 0.
 fn encompassing_problem(
     encompassing: &EncompassingModel,
     context: Context<'_>,
@@ -282,7 +280,7 @@ fn encompassing_problem(
 }
 
 /// Indices and constant values of the parameters that are not estimated: those of candidates outside `on`, at their
-/// null values, and the coefficients of the loads (force and moment components) of the term library, at 0.
+/// null values, and the coefficients of the loads of the term library, at 0.
 fn fixed_parameters(encompassing: &EncompassingModel, on: &[CandidateId]) -> Vec<(usize, f64)> {
     let layout = Layout::new(&encompassing.model);
     let null = encompassing.candidates.iter_enumerated();

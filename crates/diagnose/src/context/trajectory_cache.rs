@@ -13,7 +13,7 @@ const MAX_CACHE_BYTES: usize = 128 << 20;
 pub(crate) type CachedTrajectory = Option<Vec<f64>>;
 
 /// Cache of the trajectories of all flights at one linearization point. Sensitivities to the coefficients of library
-/// terms (products of variables added to loads) are included.
+/// terms are included.
 #[derive(Debug)]
 pub(crate) struct TrajectoryCache {
     /// One cache slot for each flight, by its index; the vector is empty if the cache is disabled.

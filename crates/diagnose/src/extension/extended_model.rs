@@ -8,7 +8,7 @@ use model_spec::model::Model;
 #[derive(Clone, Debug)]
 pub struct ExtendedModel {
     /// Identifiers of the added effects: first existing effects (built in or from the model's file), then effects that
-    /// the diagnosis created from library terms (products of variables added to loads).
+    /// the diagnosis created from library terms.
     pub effects: Vec<String>,
     /// The model with the added effects switched on.
     pub model: Model,

@@ -19,15 +19,15 @@ const MIN_SCORE: f64 = 4.0;
 /// states are estimated along with the other parameters before the noise is estimated.
 const MAX_LN_P_OF_STATES: f64 = -14.0;
 
-/// Damping added to JᵀJ, the normal matrix of a flight's local parameters (its initial state), when these parameters
-/// are eliminated; relative to the diagonal of JᵀJ.
+/// Damping added to JᵀJ, the normal matrix of a flight's local parameters, when these parameters are eliminated;
+/// relative to the diagonal of JᵀJ.
 const DAMPING: f64 = 1e-12;
 
 impl ScoreTestModel<'_> {
     /// Estimates the noise of the residuals and marks outliers. The residuals are first corrected by one linearized
     /// step: the nuisance parameters are re-estimated, and significant contributions of candidate effects and library
-    /// terms (products of variables added to loads) are removed. Nuisance parameters include those of the candidates in
-    /// `conditioned_on`. `noise` is the noise model that weights the residuals.
+    /// terms are removed. Nuisance parameters include those of the candidates in `conditioned_on`. `noise` is the noise
+    /// model that weights the residuals.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated; [`DiagnosisError::UndeterminedInitialState`] if
@@ -78,8 +78,8 @@ impl ScoreTestModel<'_> {
         with
     }
 
-    /// Step of a flight's local parameters (its initial state) for a given step of the global parameters, by
-    /// back-substitution. The step is 0 for the states of candidates that are not in `with`.
+    /// Step of a flight's local parameters for a given step of the global parameters, by back-substitution. The step is
+    /// 0 for the states of candidates that are not in `with`.
     fn local_step(
         &self,
         flight: usize,
@@ -103,7 +103,7 @@ impl ScoreTestModel<'_> {
     }
 
     /// Residuals, m, of a flight, by linearization at the point `at`, after the step `global_step` of the global
-    /// parameters and the step `local_step` of the flight's local parameters (its initial state).
+    /// parameters and the step `local_step` of the flight's local parameters.
     fn residuals_after_step(
         &self,
         at: LinearizationPoint<'_>,

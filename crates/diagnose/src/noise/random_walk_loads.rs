@@ -1,8 +1,8 @@
 //! Unexplained loads over time: a random walk for each flight and load channel, estimated by empirical Bayes.
 //!
 //! A load history is piecewise linear between knots. The variances of its first value and of its increments are
-//! estimated by expectation maximization from all flights together. The load coefficient of a channel (force or moment
-//! component) without evidence of a load remains at 0.
+//! estimated by expectation maximization from all flights together. The load coefficient of a channel without evidence
+//! of a load remains at 0.
 
 use flight::batch;
 use identify::{Iterate, Loss, NoiseModel, linearise_with, pseudo_inverse};
@@ -14,20 +14,18 @@ use serde::{Deserialize, Serialize};
 use crate::context::{BasisLoads, LibraryTerms, ScoreTestModel};
 use crate::score_test::{eliminate_locals, keep_directions};
 
-/// Maximum time between the knots of the time history of a missing load (force or moment component), s; exceeded only
-/// if a flight would need more than [`MAX_KNOTS`] knots.
+/// Maximum time between the knots of the time history of a missing load, s; exceeded only if a flight would need more
+/// than [`MAX_KNOTS`] knots.
 const KNOT_INTERVAL: f64 = 0.2;
 
-/// Maximum number of knots of the time history of one missing load (force or moment component) in one flight.
+/// Maximum number of knots of the time history of one missing load in one flight.
 const MAX_KNOTS: usize = 9;
 
-/// Maximum number of flights for which time histories of missing loads (force and moment components) are estimated;
-/// further flights are ignored.
+/// Maximum number of flights for which time histories of missing loads are estimated; further flights are ignored.
 const MAX_FLIGHTS: usize = 12;
 
-/// Initial value, in the expectation maximization, of two standard deviations of the random walk of a load (force or
-/// moment component): that of its dimensionless coefficient at the first knot, and that of the increments of the
-/// coefficient between knots.
+/// Initial value, in the expectation maximization, of two standard deviations of the random walk of a load: that of its
+/// dimensionless coefficient at the first knot, and that of the increments of the coefficient between knots.
 const INITIAL_SIGMA: f64 = 0.03;
 
 /// Number of iterations of the expectation maximization that estimates the standard deviations of the load
@@ -38,23 +36,23 @@ const EM_ITERATIONS: usize = 40;
 /// is dimensionless; prevents division by 0.
 const MIN_SIGMA: f64 = 1e-7;
 
-/// Time history, in one flight, of the coefficient of a load (a force or moment component) that the model lacks.
+/// Time history, in one flight, of the coefficient of a load that the model lacks.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LoadHistory {
     /// File name of the flight.
     pub file: String,
     /// Times of the knots at which the load coefficient is estimated, s after the first sample.
     pub t: Vec<f64>,
-    /// Estimated dimensionless coefficient of the missing load at each knot; near 0 at times at which the loads (force
-    /// and moment components) of the model are complete.
+    /// Estimated dimensionless coefficient of the missing load at each knot; near 0 at times at which the loads of the
+    /// model are complete.
     pub value: Vec<f64>,
     /// Standard errors of `value`, one for each knot.
     pub std_error: Vec<f64>,
 }
 
-/// Estimated time histories of missing loads: one list for each load channel (force or moment component) of the term
-/// library, in the order of the library. A list contains at most one history for each of the first [`MAX_FLIGHTS`]
-/// flights. Empty if no library is compatible with the model.
+/// Estimated time histories of missing loads: one list for each load channel of the term library, in the order of the
+/// library. A list contains at most one history for each of the first [`MAX_FLIGHTS`] flights. Empty if no library is
+/// compatible with the model.
 pub(crate) fn random_walk_loads(
     model: &ScoreTestModel<'_>,
     at: &Iterate,
@@ -92,8 +90,8 @@ pub(crate) fn random_walk_loads(
     histories
 }
 
-/// Standard deviations of the random walk that describes the load coefficient of one load channel (force or moment
-/// component): of the coefficient's value at the first knot, and of its increments between knots.
+/// Standard deviations of the random walk that describes the load coefficient of one load channel: of the coefficient's
+/// value at the first knot, and of its increments between knots.
 #[derive(Clone, Copy, Debug)]
 struct WalkSigma {
     first: f64,
@@ -142,8 +140,7 @@ fn maximise(sigmas: &mut [WalkSigma], flights: &[FlightLoads]) {
     }
 }
 
-/// Normal equations of one flight for the load coefficients at the knots, ordered by load channel (force or moment
-/// component) and then by knot.
+/// Normal equations of one flight for the load coefficients at the knots, ordered by load channel and then by knot.
 struct FlightLoads {
     flight: usize,
     knots: Vec<f64>,
@@ -192,8 +189,8 @@ impl FlightLoads {
         })
     }
 
-    /// Posterior mean and covariance of the coefficients of missing loads (force and moment components) at the knots,
-    /// given the random walks' standard deviations; `None` if the posterior information matrix cannot be inverted.
+    /// Posterior mean and covariance of the coefficients of missing loads at the knots, given the random walks'
+    /// standard deviations; `None` if the posterior information matrix cannot be inverted.
     fn posterior(&self, sigmas: &[WalkSigma]) -> Option<(DVector<f64>, DMatrix<f64>)> {
         let mut matrix = self.information.clone();
         let knots = self.knots.len();
@@ -212,8 +209,8 @@ impl FlightLoads {
         Some((-(&covariance * &self.gradient), covariance))
     }
 
-    /// For the random walk of each load channel (force or moment component), adds to `sums` the expected squares of the
-    /// first value and of the increments between knots, computed from their posterior mean and covariance.
+    /// For the random walk of each load channel, adds to `sums` the expected squares of the first value and of the
+    /// increments between knots, computed from their posterior mean and covariance.
     fn add_expected_squares(
         &self,
         (mean, covariance): (&DVector<f64>, &DMatrix<f64>),

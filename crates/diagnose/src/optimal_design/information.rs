@@ -6,8 +6,8 @@ use nalgebra::{DMatrix, DVector};
 use crate::context::{ColumnId, ScoreTestModel, select};
 use crate::selection::Hypothesis;
 
-/// Damping added to JᵀJ, the normal matrix of a flight's local parameters (its initial state), when these parameters
-/// are eliminated; relative to the diagonal of JᵀJ.
+/// Damping added to JᵀJ, the normal matrix of a flight's local parameters, when these parameters are eliminated;
+/// relative to the diagonal of JᵀJ.
 const DAMPING: f64 = 1e-12;
 
 /// Information matrix of the global unknowns (parameters and library-term coefficients) from the given normal
@@ -36,7 +36,7 @@ pub(super) struct Alternative {
 }
 
 impl Alternative {
-    /// Computes the fitted minus the null value of every coefficient of the hypothesis (set of missing effects).
+    /// Computes the fitted minus the null value of every coefficient of the hypothesis.
     pub fn new(model: &ScoreTestModel<'_>, hypothesis: &Hypothesis) -> Self {
         let effects = hypothesis.effects.iter();
         let columns: Vec<ColumnId> = effects
@@ -54,10 +54,10 @@ impl Alternative {
     }
 }
 
-/// Smallest separation among all ordered pairs of hypotheses (sets of missing effects), in standard deviations. The
-/// first hypothesis of a pair is assumed true. The second hypothesis, together with the parameters of the columns
-/// `nuisance`, is fitted to the predictions of the first; the separation is the square root of the remaining χ².
-/// Returns 0 if no hypothesis has a column that another lacks.
+/// Smallest separation among all ordered pairs of hypotheses, in standard deviations. The first hypothesis of a pair is
+/// assumed true. The second hypothesis, together with the parameters of the columns `nuisance`, is fitted to the
+/// predictions of the first; the separation is the square root of the remaining χ². Returns 0 if no hypothesis has a
+/// column that another lacks.
 pub(super) fn separation(
     nuisance: &[ColumnId],
     hypotheses: &[Alternative],

@@ -16,28 +16,26 @@ use crate::context::{ScoreTestModel, ThrowRanges};
 use crate::error::DiagnosisError;
 use crate::selection::Search;
 
-/// Number of simulated throws, from which the throw that best distinguishes the hypotheses (sets of missing effects) is
-/// chosen.
+/// Number of simulated throws, from which the throw that best distinguishes the hypotheses is chosen.
 const THROWS: usize = 96;
 
 /// Seed of the random launch conditions of the simulated throws.
 const SEED: u64 = 1;
 
-/// Minimum separation of the predictions of two hypotheses (sets of missing effects), in standard deviations, at which
-/// the hypotheses count as distinguished.
+/// Minimum separation of the predictions of two hypotheses, in standard deviations, at which the hypotheses count as
+/// distinguished.
 const SUFFICIENT_SEPARATION: f64 = 3.0;
 
-/// Minimum factor by which the best throw must increase the separation of the two hypotheses (sets of missing effects)
-/// with the closest predictions; otherwise the report states that no throw helps. The factor is relative to the present
-/// separation, or to 1 if that is smaller. It does not apply to a throw that reaches [`SUFFICIENT_SEPARATION`].
+/// Minimum factor by which the best throw must increase the separation of the two hypotheses with the closest
+/// predictions; otherwise the report states that no throw helps. The factor is relative to the present separation, or
+/// to 1 if that is smaller. It does not apply to a throw that reaches [`SUFFICIENT_SEPARATION`].
 const MIN_IMPROVEMENT: f64 = 1.3;
 
 /// Name of the vector input from which a model that describes the body as a point mass reads the angular velocity,
 /// rad/s.
 const ANGULAR_VELOCITY: &str = "omega";
 
-/// Launch conditions of the proposed next throw, which would best distinguish the accepted hypotheses (sets of missing
-/// effects).
+/// Launch conditions of the proposed next throw, which would best distinguish the accepted hypotheses.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ProposedThrow {
     /// Sentence that describes the throw, or states that no throw helps.
@@ -56,16 +54,15 @@ pub struct ProposedThrow {
     pub spin: f64,
     /// Heading of the velocity in the horizontal plane, measured from the x axis towards the y axis, rad.
     pub heading: f64,
-    /// Expected separation, after the throw, of the two hypotheses (sets of missing effects) with the closest
-    /// predictions, in standard deviations.
+    /// Expected separation, after the throw, of the two hypotheses with the closest predictions, in standard
+    /// deviations.
     pub separation: f64,
-    /// Separation, by the present flights, of the two hypotheses (sets of missing effects) with the closest
-    /// predictions, in standard deviations.
+    /// Separation, by the present flights, of the two hypotheses with the closest predictions, in standard deviations.
     pub separation_now: f64,
 }
 
-/// Proposes the simulated throw that would most separate the two accepted hypotheses (sets of missing effects) with the
-/// closest predictions; `None` if fewer than two hypotheses are accepted, or no throw can be simulated.
+/// Proposes the simulated throw that would most separate the two accepted hypotheses with the closest predictions;
+/// `None` if fewer than two hypotheses are accepted, or no throw can be simulated.
 ///
 /// # Errors
 /// [`DiagnosisError::Fit`] if a measured flight cannot be integrated.

@@ -23,8 +23,7 @@ const ABSCISSAE: [&str; 2] = ["alpha", "V"];
 const COEFFICIENT_PREFIX: &str = "C_";
 
 /// A coefficient of the model as a function of the abscissa, the angle of attack or the speed, without and with the
-/// extension (the effects added to the model). Each value is the median of the samples within one interval of the
-/// abscissa.
+/// extension. Each value is the median of the samples within one interval of the abscissa.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CoefficientCurve {
     /// Name of the coefficient, such as `C_D`.

@@ -8,8 +8,8 @@ use crate::context::display_name;
 use crate::extension::ExtendedModel;
 use crate::selection::{FittedTerms, Search};
 
-/// Adds the library terms `terms` (products of variables added to loads) to the report as a further explanation of the
-/// lack of fit. The data do not distinguish it from the other explanations.
+/// Adds the library terms `terms` to the report as a further explanation of the lack of fit. The data do not
+/// distinguish it from the other explanations.
 pub(crate) fn add_alternative(report: &mut Report, terms: &FittedTerms, search: &Search) {
     let chi2_decrease = (search.at_base.squares - terms.squares).max(0.0);
     let mut explanation = explanation(&terms.extension, &terms.fit, chi2_decrease);
@@ -20,9 +20,8 @@ pub(crate) fn add_alternative(report: &mut Report, terms: &FittedTerms, search: 
     report.verdict = verdict(true, &report.explanations);
 }
 
-/// Adds the fit of the extended model to the report. If the report contains no explanation (`explanations`) yet, the effects
-/// created from library terms (products of variables added to loads) are added as an explanation; `chi2_decrease` is
-/// their decrease of χ².
+/// Adds the fit of the extended model to the report. If the report contains no explanation (`explanations`) yet, the
+/// effects created from library terms are added as an explanation; `chi2_decrease` is their decrease of χ².
 pub(crate) fn add_extension(
     report: &mut Report,
     (extension, chi2_decrease): (&ExtendedModel, f64),

@@ -95,7 +95,7 @@ fn unattributed_answer(report: &Report) -> String {
     }
 }
 
-/// Sentences on the flights that agree on the first explanation (missing effects), and on the discordant flights.
+/// Sentences on the flights that agree on the first explanation, and on the discordant flights.
 fn agreement(consensus: &Consensus) -> String {
     let mut text = format!(
         " {} flights agree on it (sign-flip test, p ≤ {}).",
@@ -234,8 +234,8 @@ fn described_effect(effect: &ExplanationEffect) -> String {
     )
 }
 
-/// Sentence that explains why a hypothesis (set of missing effects) is not accepted although it leaves only noise in
-/// the residuals: it can fit almost any data and does not improve out-of-sample predictions.
+/// Sentence that explains why a hypothesis is not accepted although it leaves only noise in the residuals: it can fit
+/// almost any data and does not improve out-of-sample predictions.
 pub(crate) fn refused(validated: &Validated) -> String {
     let names = validated.extension.effects.join(" with ");
     let errors = validated.gain.as_ref().map_or_else(String::new, |gain| {
@@ -253,8 +253,8 @@ pub(crate) fn refused(validated: &Validated) -> String {
     )
 }
 
-/// Sentences on a lack of fit that no candidate effect explains: the loads (force or moment components) in which it
-/// lies, and the library terms (products of variables added to a load) that `model` selected.
+/// Sentences on a lack of fit that no candidate effect explains: the loads in which it lies, and the library terms that
+/// `model` selected.
 pub(crate) fn unattributed(model: &StepwiseModel, channels: &[LoadChannel]) -> String {
     let selected: Vec<&StepwiseTerm> = model.terms.iter().filter(|term| term.selected).collect();
     let most = channels

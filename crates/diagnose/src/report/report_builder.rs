@@ -98,9 +98,9 @@ pub(super) fn verdict(is_significant: bool, explanations: &[Explanation]) -> Ver
     }
 }
 
-/// Sets the fields `explained` and `remaining_rms_m` of `explanation`, an explanation of the misfit. `explained` is the fraction
-/// of the excess χ² (misfit beyond noise) that it accounts for. `remaining_rms_m` is the root mean square, m, of the
-/// residuals in excess of the noise in the model that includes its effects.
+/// Sets the fields `explained` and `remaining_rms_m` of `explanation`, an explanation of the misfit. `explained` is the
+/// fraction of the excess χ² that it accounts for. `remaining_rms_m` is the root mean square, m, of the residuals in
+/// excess of the noise in the model that includes its effects.
 pub(super) fn add_share(explanation: &mut Explanation, residuals: &LackOfFit) {
     let share = explanation.chi2_decrease / residuals.excess_chi2.max(f64::MIN_POSITIVE);
     explanation.explained_fraction = share.clamp(0.0, 1.0);

@@ -23,7 +23,7 @@ pub struct Report {
     pub dataset: String,
     /// Name of the model under test.
     pub model: String,
-    /// Names of the effects (optional extensions) that were switched on in the model under test.
+    /// Names of the effects that were switched on in the model under test.
     pub effects: Vec<String>,
     /// Whether the result is reliable: the fits converged, the search was completed, few flights are excluded, and no
     /// check refuted the extended model.
@@ -34,8 +34,7 @@ pub struct Report {
     pub verdict: Verdict,
     /// Summary of the result, one paragraph of text.
     pub summary: String,
-    /// Model confidence set: every explanation (set of effects that the model may lack) that the data do not reject,
-    /// the best fit first.
+    /// Model confidence set: every explanation that the data do not reject, the best fit first.
     pub explanations: Vec<Explanation>,
     /// Measurement noise by kind of sensor, as in [`FitReport::noise`](identify::FitReport::noise).
     pub noise: BTreeMap<String, NoiseReport>,
@@ -44,7 +43,7 @@ pub struct Report {
     pub predictive_gain: Option<PredictiveGain>,
     /// Coefficients by name: those of the extended model, or of the model under test if it is not extended.
     pub coefficients: BTreeMap<String, Coefficient>,
-    /// Candidate effects (effects that the model may lack) that these flights cannot identify.
+    /// Candidate effects that these flights cannot identify.
     pub not_identifiable: Vec<NotIdentifiable>,
     /// Minimum detectable sizes of the coefficients of those candidate effects that the flights can identify, for power
     /// 0.9.
@@ -56,7 +55,7 @@ pub struct Report {
     /// Computing time, s, by stage (`fit` and `search`): time from the start of the diagnosis to the end of the stage.
     /// `total` is the time of the whole diagnosis.
     pub seconds: BTreeMap<String, f64>,
-    /// Score test of each candidate effect (effect that the model may lack), smallest p-value first.
+    /// Score test of each candidate effect, smallest p-value first.
     pub tests: Vec<CandidateTest>,
     /// Significance threshold of the score tests of the candidate effects.
     pub threshold: Threshold,
@@ -69,7 +68,7 @@ pub struct Report {
     /// Coefficients of the model over angle of attack or speed, without and with the added effects; empty if the model
     /// is not extended.
     pub curves: Vec<CoefficientCurve>,
-    /// Lack of fit that no candidate effect (effect that the model may lack) explains; `None` if there is none.
+    /// Lack of fit that no candidate effect explains; `None` if there is none.
     pub unattributed: Option<Unattributed>,
     /// Agreement of the flights on the explanations in `explanations`; `None` if these explain the entire misfit of every
     /// flight.
@@ -102,15 +101,14 @@ impl Report {
 pub enum Verdict {
     /// No error of the model is detected: no candidate effect is significant, and the residuals are noise.
     Adequate,
-    /// Exactly one explanation (set of missing effects) is accepted, and its effects are not negligible.
+    /// Exactly one explanation is accepted, and its effects are not negligible.
     Identified,
-    /// Several explanations (sets of missing effects) are accepted, not all of them negligible, and these flights
-    /// cannot distinguish them.
+    /// Several explanations are accepted, not all of them negligible, and these flights cannot distinguish them.
     Ambiguous,
     /// There is a significant lack of fit, and no candidate effect explains it.
     Unattributed,
-    /// Every accepted explanation (set of missing effects) is significant but negligible: all estimates are below the
-    /// smallest effect size of interest.
+    /// Every accepted explanation is significant but negligible: all estimates are below the smallest effect size of
+    /// interest.
     Negligible,
 }
 
@@ -143,18 +141,16 @@ pub struct RemainingEffect {
     pub p_value: f64,
 }
 
-/// One effect (named change to the model) of those that together explain the misfit (a [`Explanation`]), with the estimates
-/// of its coefficients.
+/// One effect of those that together explain the misfit (a [`Explanation`]), with the estimates of its coefficients.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ExplanationEffect {
-    /// Display name, with hyphens, of the candidate effect or of the effect created from library terms (products of
-    /// variables added to loads).
+    /// Display name, with hyphens, of the candidate effect or of the effect created from library terms.
     pub name: String,
     /// Description of the effect. For a candidate effect, the text depends on whether the estimate of its first
-    /// coefficient is above or below the null value; for an effect created from library terms (products of variables
-    /// added to loads), it is the doc comment in the model language.
+    /// coefficient is above or below the null value; for an effect created from library terms, it is the doc comment in
+    /// the model language.
     pub description: String,
-    /// Site of the effect: the load (force or moment component) or the equation of the model that it changes.
+    /// Site of the effect: the load or the equation of the model that it changes.
     pub site: String,
     /// Names of the variables on which the effect depends.
     pub variables: Vec<String>,
@@ -163,7 +159,7 @@ pub struct ExplanationEffect {
     /// effect vanishes.
     pub estimates: BTreeMap<String, Estimate>,
     /// Score statistic of the effect, χ², tested at the fit of the model under test; 0 for an effect created from
-    /// library terms (products of variables added to loads).
+    /// library terms.
     pub score_chi2: f64,
     /// Whether every estimate of the effect differs from its null value by less than the smallest effect size of
     /// interest.
@@ -205,7 +201,7 @@ pub struct CandidateTest {
     pub name: String,
     /// Description of the candidate effect: the doc comment of its declaration in the model language.
     pub description: String,
-    /// Site of the effect: the load (force or moment component) or the equation of the model that it changes.
+    /// Site of the effect: the load or the equation of the model that it changes.
     pub site: String,
     /// Score statistic; distributed as χ² with `degrees_of_freedom` degrees of freedom under the null hypothesis.
     pub score_chi2: f64,
@@ -261,43 +257,43 @@ pub struct FlightGain {
     pub rms_after_m: Option<f64>,
 }
 
-/// Lack of fit that no candidate effect explains, with the loads (force and moment components) and library terms
-/// (products of variables) whose addition to the model would reduce the lack of fit.
+/// Lack of fit that no candidate effect explains, with the loads and library terms whose addition to the model would
+/// reduce the lack of fit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Unattributed {
-    /// Sentences that state in which load channels (force or moment components) the lack of fit lies.
+    /// Sentences that state in which load channels the lack of fit lies.
     pub description: String,
-    /// Estimated missing load of each load channel (force or moment component).
+    /// Estimated missing load of each load channel.
     pub channels: Vec<LoadChannel>,
     /// Tested library terms (products of variables added to one load), most significant first.
     pub terms: Vec<StepwiseTerm>,
 }
 
-/// Agreement of the flights on the accepted explanations (sets of missing effects). Reported if the explanations leave
-/// part of the misfit unexplained, which differs from flight to flight, or if discordant flights are excluded.
+/// Agreement of the flights on the accepted explanations. Reported if the explanations leave part of the misfit
+/// unexplained, which differs from flight to flight, or if discordant flights are excluded.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Consensus {
     /// Number of fitted flights on whose agreement the explanations are based; flights that contradict these are not
     /// counted.
     pub flights: usize,
-    /// Fraction, 0 … 1, of the excess χ² (weighted sum of squares minus its expectation for pure noise) that the first
-    /// explanation accounts for; `None` if the explanations account for the entire misfit of the concordant flights.
+    /// Fraction, 0 … 1, of the excess χ² that the first explanation accounts for; `None` if the explanations account
+    /// for the entire misfit of the concordant flights.
     pub explained_fraction: Option<f64>,
     /// p-value of the sign-flip test of whether the flights agree on an effect, familywise over all candidate effects
-    /// and library terms (products of variables added to loads).
+    /// and library terms.
     pub p_value: f64,
     /// File names of the discordant fitted flights: they contradict the explanations and are excluded from all other
     /// results of the report.
     pub discordant: Vec<String>,
 }
 
-/// Missing load in one load channel (a force or moment component), as estimated from the residuals.
+/// Missing load in one load channel, as estimated from the residuals.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LoadChannel {
     /// Name of the load in which the force or moment is missing: lift, drag, side, roll, pitch or spin.
     pub site: String,
-    /// Ratio of the χ² decrease by the library terms of this load (force or moment component) alone to the decrease by
-    /// the terms of all loads, 0 … 1.
+    /// Ratio of the χ² decrease by the library terms of this load alone to the decrease by the terms of all loads, 0 …
+    /// 1.
     pub explained_fraction: f64,
     /// Time history, in each flight, of the coefficient of the missing load.
     pub histories: Vec<LoadHistory>,

@@ -7,8 +7,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::context::{CandidateId, ScoreTestModel, select, select_vector};
 use crate::error::DiagnosisError;
 
-/// Normal equations of the global parameters (common to all flights), with the local parameters (initial states)
-/// eliminated.
+/// Normal equations of the global parameters, with the local parameters (initial states) eliminated.
 #[derive(Clone, Debug)]
 pub(crate) struct GlobalEquations {
     /// Gauss–Newton Hessian of half the weighted sum of squares with respect to the global parameters.
@@ -23,7 +22,7 @@ pub(crate) struct GlobalEquations {
 pub(super) struct PerFlightCandidate {
     pub equations: GlobalEquations,
     /// Decrease of the weighted sum of squares by fitting the states of the candidate effect with the global parameters
-    /// (common to all flights) fixed.
+    /// fixed.
     pub decrease: f64,
     /// Number of the states of the candidate effect, over all flights, that the samples determine.
     pub degrees_of_freedom: usize,
@@ -154,8 +153,7 @@ impl PerFlightCandidate {
     }
 }
 
-/// Schur complement of one flight's normal equations, with all local parameters (the initial state of the flight)
-/// eliminated.
+/// Schur complement of one flight's normal equations, with all local parameters eliminated.
 ///
 /// # Errors
 /// [`DiagnosisError::UndeterminedInitialState`] if the samples of the flight do not determine its initial state.

@@ -19,15 +19,13 @@ pub(crate) const MIN_TOLERANCE: f64 = 1e-8;
 /// Seed of the simulated null distribution from which the familywise significance thresholds are computed.
 const THRESHOLD_SEED: u64 = 1;
 
-/// Score tests of candidate effects and library terms (products of variables added to loads). The parameters of the
-/// model under test, and of candidates that are included in the null hypothesis, are nuisance parameters.
+/// Score tests of candidate effects and library terms. The parameters of the model under test, and of candidates that
+/// are included in the null hypothesis, are nuisance parameters.
 #[derive(Clone, Debug)]
 pub(crate) struct ScoreTests {
-    /// Test of each candidate effect (effect that the model may lack); `None` if the parameters of the candidate are
-    /// nuisance parameters.
+    /// Test of each candidate effect; `None` if the parameters of the candidate are nuisance parameters.
     pub candidates: IndexVec<CandidateId, Option<ScoreTest>>,
-    /// Test of each library term (product of variables added to a load); empty if the normal equations have no columns
-    /// for library terms.
+    /// Test of each library term; empty if the normal equations have no columns for library terms.
     pub terms: IndexVec<TermId, ScoreTest>,
     /// Partition of the columns of the normal equations into nuisance and tested columns.
     pub partition: Partition,
@@ -37,17 +35,17 @@ pub(crate) struct ScoreTests {
     /// Effective scores of the tested unknowns, each multiplied by its entry in `scale`.
     pub score: DVector<f64>,
     /// Factor by which the Jacobian column of each tested unknown is multiplied, so that its norm is 1 after
-    /// eliminating the local parameters (initial states of the flights).
+    /// eliminating the local parameters.
     pub scale: Vec<f64>,
     /// Coefficients of the projection of the Jacobian columns of the tested unknowns on those of the nuisance
     /// parameters: one row for each nuisance parameter, one column for each tested unknown, in the order of
     /// `partition`. Each column is multiplied by the unknown's entry in `scale`.
     pub nuisance_projection: DMatrix<f64>,
     /// Information matrix of the nuisance parameters, in the order of `partition`, after eliminating the local
-    /// parameters (initial states of the flights). Includes the priors; `scale` is not applied.
+    /// parameters. Includes the priors; `scale` is not applied.
     pub nuisance_information: DMatrix<f64>,
     /// For each tested unknown: squared norm of its Jacobian column before and after elimination of the local
-    /// parameters (initial states of the flights).
+    /// parameters.
     pub norms: Vec<ColumnNorms>,
     pub(super) nuisance_step: DVector<f64>,
     /// For each test with at least one degree of freedom: matrix that maps the effective scores of all tested columns
@@ -68,8 +66,7 @@ pub(crate) struct ColumnNorms {
     pub locals_eliminated: f64,
 }
 
-/// Score test of one candidate effect (effect that the model may lack) or library term (product of variables added to a
-/// load).
+/// Score test of one candidate effect or library term.
 #[derive(Clone, Debug)]
 pub(crate) struct ScoreTest {
     /// Score statistic: the decrease of the weighted sum of squares that a refit would give, to second order.
@@ -269,8 +266,7 @@ impl ScoreTests {
         std::array::from_fn(|index| found[index])
     }
 
-    /// The library term (product of variables added to a load) with the smallest p-value, and its test; `None` if no
-    /// term can be tested.
+    /// The library term with the smallest p-value, and its test; `None` if no term can be tested.
     pub fn strongest_term(&self) -> Option<(TermId, &ScoreTest)> {
         least_p(self.terms.iter_enumerated())
     }

@@ -4,12 +4,12 @@ use super::hypothesis::Hypothesis;
 use super::stepwise_terms::StepwiseModel;
 use crate::context::ScoreTestModel;
 
-/// Maximum amount by which the BIC of a hypothesis (set of missing effects) may exceed the smallest BIC for the
-/// hypothesis to be retained: the smallest of all hypotheses and of the model with library terms.
+/// Maximum amount by which the BIC of a hypothesis may exceed the smallest BIC for the hypothesis to be retained: the
+/// smallest of all hypotheses and of the model with library terms.
 const MAX_BIC_DIFFERENCE: f64 = 12.0;
 
-/// Maximum amount by which the BIC of the model with library terms (products of variables added to loads) may be below
-/// the smallest BIC of the hypotheses (sets of missing effects) while the hypotheses are still preferred.
+/// Maximum amount by which the BIC of the model with library terms may be below the smallest BIC of the hypotheses
+/// while the hypotheses are still preferred.
 const TERM_BIC_MARGIN: f64 = 1.0;
 
 /// Returns the hypotheses whose BIC exceeds the smallest by less than [`MAX_BIC_DIFFERENCE`], and all hypotheses with
@@ -34,9 +34,9 @@ pub(crate) fn select_by_bic(
     each.filter(|(_, keep)| *keep).map(|(h, _)| h).collect()
 }
 
-/// Whether the library terms (products of variables added to loads) `terms` are an alternative to `hypotheses`. They
-/// are if every hypothesis combines several effects, no other term or candidate effect remains significant with the
-/// terms, and their BIC exceeds the smallest of the hypotheses by less than [`MAX_BIC_DIFFERENCE`].
+/// Whether the library terms `terms` are an alternative to `hypotheses`. They are if every hypothesis combines several
+/// effects, no other term or candidate effect remains significant with the terms, and their BIC exceeds the smallest of
+/// the hypotheses by less than [`MAX_BIC_DIFFERENCE`].
 pub(crate) fn are_alternative(
     model: &ScoreTestModel<'_>,
     hypotheses: &[Hypothesis],
@@ -64,11 +64,10 @@ fn bic_of_terms(model: &ScoreTestModel<'_>, terms: &StepwiseModel) -> f64 {
     bic(model, terms.squares, terms.unknowns())
 }
 
-/// Returns for each hypothesis (set of missing effects), given by (BIC, number of unknowns), whether it is retained. No
-/// hypothesis is retained if the BIC of the library terms (products of variables added to loads), `of_terms`, is
-/// smaller than the BIC of every hypothesis by more than [`TERM_BIC_MARGIN`]. Otherwise a hypothesis is retained if it
-/// has at most `free` unknowns, or its BIC exceeds the smallest of the hypotheses and the library terms by less than
-/// [`MAX_BIC_DIFFERENCE`].
+/// Returns for each hypothesis, given by (BIC, number of unknowns), whether it is retained. No hypothesis is retained
+/// if the BIC of the library terms, `of_terms`, is smaller than the BIC of every hypothesis by more than
+/// [`TERM_BIC_MARGIN`]. Otherwise a hypothesis is retained if it has at most `free` unknowns, or its BIC exceeds the
+/// smallest of the hypotheses and the library terms by less than [`MAX_BIC_DIFFERENCE`].
 fn near_least(scored: &[(f64, usize)], of_terms: f64, free: usize) -> Vec<bool> {
     let least = scored.iter().map(|s| s.0).fold(f64::INFINITY, f64::min);
     if of_terms < least - TERM_BIC_MARGIN {

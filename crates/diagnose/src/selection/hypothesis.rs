@@ -115,8 +115,8 @@ impl ScoreTestModel<'_> {
         })
     }
 
-    /// Score tests of the library terms (products of variables added to loads) and of all candidates outside the
-    /// hypothesis, with the effects of the hypothesis as nuisance parameters.
+    /// Score tests of the library terms and of all candidates outside the hypothesis, with the effects of the
+    /// hypothesis as nuisance parameters.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated.
@@ -130,8 +130,8 @@ impl ScoreTestModel<'_> {
         ScoreTests::new(self, &blocks, &hypothesis.effects, &at.iterate.global)
     }
 
-    /// Whether a hypothesis is adequate: no candidate and no library term (product of variables added to a load)
-    /// remains significant once the effects of the hypothesis are included.
+    /// Whether a hypothesis is adequate: no candidate and no library term remains significant once the effects of the
+    /// hypothesis are included.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated.

@@ -9,9 +9,9 @@ use crate::context::{CandidateId, LinearizationPoint, ScoreTestModel, Trajectory
 use crate::error::{DiagnosisError, if_possible};
 use crate::score_test::{ScoreTest, ScoreTests};
 
-/// A hypothesis (set of missing effects) is fitted only if its sum of squares, χ², expected from linearization exceeds
-/// the smallest expected sum of all hypotheses by less than a margin: this amount plus an allowance,
-/// [`CHI2_MARGIN_RELATIVE`], for linearization error.
+/// A hypothesis is fitted only if its sum of squares, χ², expected from linearization exceeds the smallest expected sum
+/// of all hypotheses by less than a margin: this amount plus an allowance, [`CHI2_MARGIN_RELATIVE`], for linearization
+/// error.
 const CHI2_MARGIN: f64 = 30.0;
 
 /// Allowance for linearization error that is added to the margin [`CHI2_MARGIN`], as a fraction of the decrease of the
@@ -39,17 +39,16 @@ const ALPHA_UNDECIDED: f64 = 0.05;
 pub(crate) struct Search {
     /// Noise model with which residuals are weighted.
     pub noise: NoiseModel,
-    /// Score tests of all candidate effects and library terms (products of variables added to loads) at the fit of the
-    /// model under test.
+    /// Score tests of all candidate effects and library terms at the fit of the model under test.
     pub at_base: TestsAtPoint,
-    /// Model confidence set: hypotheses (sets of missing effects) that are not rejected, best fit first.
+    /// Model confidence set: hypotheses that are not rejected, best fit first.
     pub accepted: Vec<Hypothesis>,
     /// Hypotheses of the most recent search round in which no hypothesis was adequate (left no candidate effect and no
     /// library term significant), best fit first.
     pub rejected: Vec<Hypothesis>,
 }
 
-/// Score tests of candidate effects and library terms (products of variables added to loads) at a linearization point.
+/// Score tests of candidate effects and library terms at a linearization point.
 pub(crate) struct TestsAtPoint {
     pub tests: ScoreTests,
     /// Familywise thresholds of log p-values, for detection and rejection.
@@ -68,8 +67,8 @@ pub(crate) enum Weights<'n> {
 }
 
 impl ScoreTestModel<'_> {
-    /// Score tests of all candidate effects and library terms (products of variables added to loads) at the
-    /// linearization point `at`. Only the parameters of the model under test are nuisance parameters.
+    /// Score tests of all candidate effects and library terms at the linearization point `at`. Only the parameters of
+    /// the model under test are nuisance parameters.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated.
@@ -125,8 +124,7 @@ impl Search {
         Ok(search)
     }
 
-    /// Whether a candidate or a library term (product of variables added to a load) is significant at the fit of the
-    /// model under test.
+    /// Whether a candidate or a library term is significant at the fit of the model under test.
     pub fn is_significant(&self) -> bool {
         let ln_p_value = |test: Option<&ScoreTest>| test.map_or(0.0, |test| test.ln_p_value);
         let candidate = self
@@ -189,8 +187,8 @@ impl Search {
         Ok(fitted)
     }
 
-    /// Fits a hypothesis (set of missing effects) again, with initial values estimated from the samples, because its
-    /// refit from the fit of the model under test did not converge. Returns the fit with the smaller sum of squares.
+    /// Fits a hypothesis again, with initial values estimated from the samples, because its refit from the fit of the
+    /// model under test did not converge. Returns the fit with the smaller sum of squares.
     fn fitted_from_scratch(
         &self,
         model: &ScoreTestModel<'_>,
@@ -211,9 +209,8 @@ impl Search {
         Ok(again.unwrap_or(hypothesis))
     }
 
-    /// Estimates the noise with the hypothesis (set of missing effects) `given` included. If the estimate differs from
-    /// the stored noise model, stores the estimate, repeats all tests with it, and returns true; otherwise returns
-    /// false.
+    /// Estimates the noise with the hypothesis `given` included. If the estimate differs from the stored noise model,
+    /// stores the estimate, repeats all tests with it, and returns true; otherwise returns false.
     fn refine_noise(
         &mut self,
         model: &mut ScoreTestModel<'_>,

@@ -17,62 +17,58 @@ use crate::extension::ExtendedModel;
 use crate::score_test::{ScoreTest, ScoreTests};
 use crate::text::three_figures;
 
-/// Maximum number of library terms (products of variables added to loads) selected by the stepwise regression.
+/// Maximum number of library terms selected by the stepwise regression.
 pub(crate) const MAX_SELECTED: usize = 4;
 
 /// Maximum number of library terms listed in the report: those with the largest score statistics. Selected terms are
 /// listed in addition.
 const MAX_REPORTED: usize = 12;
 
-/// Score test of one library term (product of variables added to a load), as listed in a report.
+/// Score test of one library term, as listed in a report.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StepwiseTerm {
-    /// Display name of the effect (model extension) that is created from the library term (product of variables added
-    /// to a load).
+    /// Display name of the effect that is created from the library term.
     pub name: String,
-    /// Site of the library term (product of variables): the load to which it is added, such as lift.
+    /// Site of the library term: the load to which it is added, such as lift.
     pub site: String,
     /// Formula of the product of variables of the library term, in the model language.
     pub formula: String,
     /// Score statistic, χ² with one degree of freedom.
     pub score_chi2: f64,
-    /// One-step estimate of the coefficient of the library term (product of variables added to a load), SI.
+    /// One-step estimate of the coefficient of the library term, SI.
     pub value: f64,
     /// Standard error of `value`, SI.
     pub std_error: f64,
-    /// Whether the library term (product of variables added to a load) is part of the extended model.
+    /// Whether the library term is part of the extended model.
     pub selected: bool,
 }
 
-/// The model under test with library terms (products of variables added to loads) selected one by one.
+/// The model under test with library terms selected one by one.
 pub(crate) struct StepwiseModel {
     /// Identifiers of the candidate effects that are included in the model in addition to the library terms.
     pub effects: Vec<String>,
     /// Number of unknowns that the candidate effects of this model add, over all flights.
     effect_unknowns: usize,
-    /// The selected library terms (products of variables added to loads), in the order of their selection.
+    /// The selected library terms, in the order of their selection.
     selected: Vec<TermId>,
     /// Library terms listed in the report: those with the largest score statistics, and the selected ones.
     pub terms: Vec<StepwiseTerm>,
-    /// Score test of each library term (product of variables added to a load) in the model without any selected term.
+    /// Score test of each library term in the model without any selected term.
     first: IndexVec<TermId, StepwiseTerm>,
-    /// Models extended by the first selected library term (product of variables added to a load), by the first two
-    /// terms, and so on, with their fits.
+    /// Models extended by the first selected library term, by the first two terms, and so on, with their fits.
     pub fitted: Vec<FittedTerms>,
     /// Weighted sum of squares of the residuals of the model with the selected terms; the weights follow from the noise
     /// that the search estimated.
     pub squares: f64,
     /// Whether no candidate effect and no other library term is significant once the selected terms are included.
     pub is_adequate: bool,
-    /// Whether any library term (product of variables added to a load) is significant in the model without selected
-    /// terms.
+    /// Whether any library term is significant in the model without selected terms.
     pub has_significant_term: bool,
-    /// The library term (product of variables added to a load) to be selected next, and its score statistic; `None` if
-    /// no further term is to be selected.
+    /// The library term to be selected next, and its score statistic; `None` if no further term is to be selected.
     next: Option<(TermId, f64)>,
 }
 
-/// The model extended by some library terms (products of variables added to loads), with its fit.
+/// The model extended by some library terms, with its fit.
 pub(crate) struct FittedTerms {
     /// The model under test, extended by the library terms.
     pub extension: ExtendedModel,
@@ -83,8 +79,7 @@ pub(crate) struct FittedTerms {
 }
 
 impl StepwiseModel {
-    /// Keeps only the first `count` selected library terms (products of variables added to loads); the removed terms
-    /// are reported as not selected.
+    /// Keeps only the first `count` selected library terms; the removed terms are reported as not selected.
     pub fn keep_first(&mut self, count: usize, terms: &LibraryTerms) {
         if count >= self.selected.len() {
             return;
@@ -101,8 +96,7 @@ impl StepwiseModel {
         self.is_adequate = false;
     }
 
-    /// Number of unknowns that library terms (products of variables added to loads) and candidate effects add to the
-    /// model under test, over all flights.
+    /// Number of unknowns that library terms and candidate effects add to the model under test, over all flights.
     pub fn unknowns(&self) -> usize {
         self.selected.len() + self.effect_unknowns
     }
@@ -330,23 +324,21 @@ fn step(
     }))
 }
 
-/// The library term (product of variables added to a load) with the smallest p-value, and its score statistic. `None`
-/// if the log p-value is not below `reject`, or the term is already in `selected`.
+/// The library term with the smallest p-value, and its score statistic. `None` if the log p-value is not below
+/// `reject`, or the term is already in `selected`.
 fn next_term(tests: &ScoreTests, reject: f64, selected: &[TermId]) -> Option<(TermId, f64)> {
     let (term, test) = tests.strongest_term()?;
     (test.ln_p_value < reject && !selected.contains(&term)).then_some((term, test.score_chi2))
 }
 
-/// Results of the score tests of all library terms (products of variables added to loads), in the form in which the
-/// report lists them.
+/// Results of the score tests of all library terms, in the form in which the report lists them.
 fn reported(terms: &LibraryTerms, tests: &ScoreTests) -> IndexVec<TermId, StepwiseTerm> {
     let each = tests.terms.iter_enumerated();
     each.map(|(id, test)| StepwiseTerm::new(terms, id, test))
         .collect()
 }
 
-/// The library terms (products of variables added to loads) with the largest score statistics, in descending order; at
-/// most [`MAX_REPORTED`].
+/// The library terms with the largest score statistics, in descending order; at most [`MAX_REPORTED`].
 fn strongest_terms(terms: &LibraryTerms, tests: &ScoreTests) -> Vec<StepwiseTerm> {
     let each = tests.terms.iter_enumerated();
     let mut order: Vec<(TermId, &ScoreTest)> = each
@@ -374,8 +366,8 @@ impl StepwiseTerm {
     }
 }
 
-/// Doc comment of the effect created from a library term (product of variables added to a load). It names the dataset
-/// and the number of flights in which the term was found; score statistic and estimate are added if `term` is given.
+/// Doc comment of the effect created from a library term. It names the dataset and the number of flights in which the
+/// term was found; score statistic and estimate are added if `term` is given.
 fn evidence(dataset: &str, flights: usize, term: Option<&StepwiseTerm>) -> String {
     let test = term.map_or_else(String::new, |term| {
         format!(

@@ -13,9 +13,9 @@ use crate::context::Context;
 /// half.
 const FOLDS: usize = 2;
 
-/// Out-of-sample gain (reduction of the prediction error) of the second model over the first by cross-validation: each
-/// fold of the flights is predicted by a fit of the other folds. A fold that cannot be fitted is skipped. `None` if
-/// there are fewer than two flights, or no flight can be predicted.
+/// Out-of-sample gain of the second model over the first by cross-validation: each fold of the flights is predicted by
+/// a fit of the other folds. A fold that cannot be fitted is skipped. `None` if there are fewer than two flights, or no
+/// flight can be predicted.
 ///
 /// # Errors
 /// [`FitError::Interrupted`] if the caller cancelled.
@@ -58,9 +58,9 @@ pub(crate) fn cross_validate(
     Ok(summarize(all, noise_m, false))
 }
 
-/// Out-of-sample gain (reduction of the prediction error) of the second model over the first, each given with its fit
-/// to the flights of the diagnosis: on the held-out flights if the dataset declares some, otherwise by
-/// cross-validation. `noise_m` is the standard deviation of the noise of one coordinate, m.
+/// Out-of-sample gain of the second model over the first, each given with its fit to the flights of the diagnosis: on
+/// the held-out flights if the dataset declares some, otherwise by cross-validation. `noise_m` is the standard
+/// deviation of the noise of one coordinate, m.
 ///
 /// # Errors
 /// [`FitError::Interrupted`] if the caller cancelled.

@@ -7,10 +7,10 @@ use identify::{CONDITIONING_FRACTION, Fit};
 /// segment) by the effects added to a model. If the increase is larger, the flight contradicts these effects.
 const MAX_CHI2_INCREASE: f64 = 10.0;
 
-/// Rule that selects the held-out flights that are predicted with the extension (the effects added to the model).
+/// Rule that selects the held-out flights that are predicted with the extension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ApplyTo {
-    /// All held-out flights are predicted with the extension (the effects added to the model).
+    /// All held-out flights are predicted with the extension.
     AllFlights,
     /// The extension (added effects) is applied to those held-out flights whose conditioning segment, the first 30 % of
     /// the samples, does not contradict it.

@@ -12,8 +12,7 @@ use crate::error::DiagnosisError;
 use crate::extension::ExtendedModel;
 use crate::selection::Hypothesis;
 
-/// The model extended by the effects of a hypothesis, with its fit and out-of-sample gain (reduction of the prediction
-/// error).
+/// The model extended by the effects of a hypothesis, with its fit and out-of-sample gain.
 pub(crate) struct Validated {
     /// The model extended by the effects of the hypothesis.
     pub extension: ExtendedModel,
@@ -25,8 +24,7 @@ pub(crate) struct Validated {
 }
 
 impl Validated {
-    /// Fits the model extended by the effects of a hypothesis and measures its out-of-sample gain (reduction of the
-    /// prediction error).
+    /// Fits the model extended by the effects of a hypothesis and measures its out-of-sample gain.
     ///
     /// # Errors
     /// [`DiagnosisError`] if the effects cannot be combined, the flights cannot be fitted, or the caller cancelled.

@@ -7,9 +7,9 @@ use dataset::statistics::median_of;
 use identify::{Fit, FitReport};
 use serde::{Deserialize, Serialize};
 
-/// Prediction errors on held-out flights without and with the extension (the effects added to the model). The initial
-/// state of a held-out flight is fitted on the first 30 % of its samples. Flights that neither model predicts are set
-/// apart and not included in any statistic.
+/// Prediction errors on held-out flights without and with the extension. The initial state of a held-out flight is
+/// fitted on the first 30 % of its samples. Flights that neither model predicts are set apart and not included in any
+/// statistic.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PredictiveGain {
     /// RMS prediction error of one coordinate by the model without the added effects, m; the mean is over all predicted

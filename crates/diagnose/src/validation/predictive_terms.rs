@@ -5,10 +5,10 @@ use crate::context::Context;
 use crate::error::{DiagnosisError, if_possible};
 use crate::selection::StepwiseModel;
 
-/// Number of selected library terms (products of variables added to loads) that are retained, counted in the order of
-/// their selection. The first term is always retained. A further term is retained if it reduces the out-of-sample
-/// prediction error by more than the standard error of the reduction; the first term that does not, and all after it,
-/// are dropped. `noise_m` is the standard deviation of the noise of one coordinate, m.
+/// Number of selected library terms that are retained, counted in the order of their selection. The first term is
+/// always retained. A further term is retained if it reduces the out-of-sample prediction error by more than the
+/// standard error of the reduction; the first term that does not, and all after it, are dropped. `noise_m` is the
+/// standard deviation of the noise of one coordinate, m.
 ///
 /// # Errors
 /// [`DiagnosisError::Fit`] if the caller cancelled.

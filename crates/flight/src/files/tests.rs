@@ -16,7 +16,7 @@ fn open(path: &Path) -> ResultFolder {
     ResultFolder::open(path).unwrap()
 }
 
-/// Paths and contents of all files in a folder of results, except the manifest (list of written files).
+/// Paths and contents of all files in a folder of results, except the manifest.
 fn contents(folder: &Path) -> Vec<(String, String)> {
     let mut files = files_below(folder).unwrap();
     files.retain(|path| path != MANIFEST);

@@ -37,7 +37,7 @@ pub fn read_file_in_wind(
     })
 }
 
-/// Parses the text of a release file (initial conditions of a flight, TOML).
+/// Parses the text of a release file.
 ///
 /// `file` is the file name in error messages. `vocabulary` returns the names defined by a model, given the model's name
 /// or path; an error of `vocabulary` becomes a fault at the location of that name. Winds by height and gusts, which
@@ -56,9 +56,9 @@ pub fn read(
     reader.finish(file, release)
 }
 
-/// Parses the text of a release file (initial conditions of a flight, TOML), which may specify winds by height and
-/// gusts. The top-level keys `own_keys` are allowed, but their values are ignored. Also returns the names defined by
-/// the model after the wind has been added to it; the flight must be simulated with the model in [`Vocabulary::model`].
+/// Parses the text of a release file, which may specify winds by height and gusts. The top-level keys `own_keys` are
+/// allowed, but their values are ignored. Also returns the names defined by the model after the wind has been added to
+/// it; the flight must be simulated with the model in [`Vocabulary::model`].
 ///
 /// # Errors
 /// [`ReleaseError`] with all faults of the file.

@@ -10,8 +10,8 @@ use crate::throw::{FIELDS, Throw, ThrowError, ThrownModel};
 use crate::toml_reader::{Reader, suggestion};
 
 impl<'t> Reader<'t> {
-    /// Parses the table `[throw]`, which a release file (initial conditions of a flight) may contain instead of
-    /// `[initial]`. Sets the initial values of the release to the state in which the body has the motion of this throw.
+    /// Parses the table `[throw]`, which a release file may contain instead of `[initial]`. Sets the initial values of
+    /// the release to the state in which the body has the motion of this throw.
     pub(super) fn throw(
         &mut self,
         document: &DeTable<'t>,

@@ -62,7 +62,7 @@ pub const FIELDS: [(&str, &str, f64, f64); 8] = [
     ("wobble", "deg", 0.0, 60.0),
 ];
 
-/// Reason why no state of a model has the motion of a throw (motion of the body at release).
+/// Reason why no state of a model has the motion of a throw.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ThrowError {
     /// A field of the throw has a value outside its range.
@@ -102,7 +102,7 @@ pub enum ThrowError {
         /// Name of the model that neither declares a body nor states that its equations describe one.
         model: String,
     },
-    /// No state within the model's domain of validity has the motion of the throw (motion of the body at release).
+    /// No state within the model's domain of validity has the motion of the throw.
     #[error(
         "no state of the model {model} within its limits has this motion; expected a throw that it can have, as by another \
          nose or hyzer"
@@ -251,14 +251,14 @@ impl Throw {
     }
 }
 
-/// Model of a body, prepared for the conversion of throws (motions at release) to states and of states to throws.
+/// Model of a body, prepared for the conversion of throws to states and of states to throws.
 pub struct ThrownModel {
     motion: MotionModel,
     name: String,
 }
 
 impl ThrownModel {
-    /// Prepares a model for the conversion between throws (motions of the body at release) and states.
+    /// Prepares a model for the conversion between throws and states.
     ///
     /// # Errors
     /// [`ThrowError::NoBody`] if the model neither declares a body nor states that its equations describe one.
@@ -275,8 +275,8 @@ impl ThrownModel {
         self.motion.has_attitude()
     }
 
-    /// Parameter vector of the model for a release (initial conditions of a flight), in the order of the model's
-    /// [`Layout`](codegen::Layout): the values specified in the release, and default values of all other parameters.
+    /// Parameter vector of the model for a release, in the order of the model's [`Layout`](codegen::Layout): the values
+    /// specified in the release, and default values of all other parameters.
     pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
         self.motion.release_parameters(release)
     }

@@ -38,8 +38,7 @@ pub struct MotionModel {
     pub(super) compiled: CompiledModel,
     has_attitude: bool,
     pub(super) is_revolution: bool,
-    /// Indices of the states on which the motion of the body does not depend, such as those that effects (optional
-    /// model extensions) add.
+    /// Indices of the states on which the motion of the body does not depend, such as those that effects add.
     pub(super) added: Vec<usize>,
     /// Indices of the states that are rotation angles of the model's frames.
     pub(super) angles: Vec<usize>,
@@ -94,8 +93,8 @@ impl MotionModel {
         self.has_attitude
     }
 
-    /// Parameter vector of the model for a release (initial conditions of a flight), in the order of the model's
-    /// [`Layout`](codegen::Layout): the values specified in the release, and default values of all other parameters.
+    /// Parameter vector of the model for a release, in the order of the model's [`Layout`](codegen::Layout): the values
+    /// specified in the release, and default values of all other parameters.
     pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
         self.compiled.release_parameters(release)
     }

@@ -22,7 +22,7 @@ const DIFFERENCE_STEP: f64 = 1e-5;
 /// magnitudes of these vectors in SI units.
 const SAME: f64 = 1e-9;
 
-/// Finds the model states for throws (motions at release) that are near a throw whose state is known.
+/// Finds the model states for throws that are near a throw whose state is known.
 pub struct NearThrows<'m> {
     thrown: &'m ThrownModel,
     /// State of the known throw, from which the search for the state of a similar throw starts.
@@ -44,8 +44,8 @@ pub struct NearThrows<'m> {
 struct Vectors([Vector3<f64>; VECTORS]);
 
 impl<'m> NearThrows<'m> {
-    /// Prepares the search for the states of throws (motions at release) near a known throw. Newton's method starts at
-    /// `near`, the state of the known throw.
+    /// Prepares the search for the states of throws near a known throw. Newton's method starts at `near`, the state of
+    /// the known throw.
     pub fn new(thrown: &'m ThrownModel, near: &[f64]) -> NearThrows<'m> {
         let motion = &thrown.motion;
         let mut attitude = motion.angles.clone();

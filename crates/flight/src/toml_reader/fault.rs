@@ -2,10 +2,10 @@
 
 use std::fmt;
 
-/// Error for an invalid release file (initial conditions of a flight), with all faults of the file.
+/// Error for an invalid release file, with all faults of the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ReleaseError {
-    /// Name of the release file (initial conditions of a flight).
+    /// Name of the release file.
     pub file: String,
     /// Faults in order of location; at least one.
     pub faults: Vec<Fault>,

@@ -53,15 +53,14 @@ impl WindField {
     }
 }
 
-/// Parses the built-in effect (model extension) of this name, which adds a wind; its text is a file in
-/// `model-spec/winds`.
+/// Parses the built-in effect of this name, which adds a wind; its text is a file in `model-spec/winds`.
 fn law(name: &str) -> Result<EffectTree, LoadError> {
     let found = WINDS.iter().find(|(own, _)| *own == name);
     let text = found.map_or("", |(_, text)| *text);
     EffectTree::parse(&format!("{name}.hyz"), text)
 }
 
-/// Built-in effect (model extension) of this name that adds a wind, with the statements `parts` appended.
+/// Built-in effect of this name that adds a wind, with the statements `parts` appended.
 fn extended(name: &str, parts: Vec<EffectPart>) -> Result<EffectTree, LoadError> {
     let mut tree = law(name)?.tree().clone();
     tree.parts.extend(parts);
@@ -119,9 +118,8 @@ fn insert(e: &mut Expr, lets: &HashMap<&str, &Expr>) {
     e.children_mut(&mut |child| insert(child, lets));
 }
 
-/// The two effects (model extensions) that together define the gust velocity `gust_velocity`. The first one defines the
-/// standard deviations and length scales of the gusts, the second one the sinusoids, which are scaled by these
-/// quantities.
+/// The two effects that together define the gust velocity `gust_velocity`. The first one defines the standard
+/// deviations and length scales of the gusts, the second one the sinusoids, which are scaled by these quantities.
 fn gust_effects(gusts: &Gusts, mean: &MeanWind<'_>) -> Result<[EffectTree; 2], LoadError> {
     let strength = match gusts.strength {
         GustStrength::LowAltitude => {

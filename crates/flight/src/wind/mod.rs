@@ -13,8 +13,8 @@ mod text;
 pub use dryden::{GUST_TERMS, gust_phases, gust_spectrum};
 pub use read::{StatedWind, read_wind_file};
 
-/// Wind that may be specified in a release file (launch conditions) in addition to a constant wind: a mean wind as a
-/// function of the height, gusts, or both.
+/// Wind that may be specified in a release file in addition to a constant wind: a mean wind as a function of the
+/// height, gusts, or both.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WindField {
     /// Mean wind as a function of the height; `None` if there is only a constant mean wind.

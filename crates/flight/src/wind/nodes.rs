@@ -82,8 +82,7 @@ pub(super) fn sum(terms: impl IntoIterator<Item = Expr>) -> Option<Expr> {
     terms.reduce(|a, b| binary(BinaryOp::Add, a, b))
 }
 
-/// Statement, for an effect (model extension) of the model language, that defines the quantity named `text` by the
-/// expression `value`.
+/// Statement, for an effect of the model language, that defines the quantity named `text` by the expression `value`.
 pub(super) fn add_let(text: &str, value: Expr) -> EffectPart {
     let binding = Let {
         name: identifier(text),
@@ -93,8 +92,8 @@ pub(super) fn add_let(text: &str, value: Expr) -> EffectPart {
     added(ItemKind::Let(binding), String::new())
 }
 
-/// Statement, for an effect (model extension) of the model language, that declares the dimensionless parameter named
-/// `text`, with the default value 0 and the description `doc`.
+/// Statement, for an effect of the model language, that declares the dimensionless parameter named `text`, with the
+/// default value 0 and the description `doc`.
 pub(super) fn add_parameter(text: &str, doc: &str) -> EffectPart {
     let parameter = Parameter {
         class: ParameterClass::Param,
@@ -105,8 +104,8 @@ pub(super) fn add_parameter(text: &str, doc: &str) -> EffectPart {
     added(ItemKind::Parameter(parameter), doc.to_owned())
 }
 
-/// Statement, for an effect (model extension) of the model language, that declares the table named `text` of speeds
-/// (m/s) over heights (m), monotone between its knots and constant outside them.
+/// Statement, for an effect of the model language, that declares the table named `text` of speeds (m/s) over heights
+/// (m), monotone between its knots and constant outside them.
 pub(super) fn add_table(text: &str, knots: Vec<(f64, f64)>) -> EffectPart {
     let knots = knots.into_iter();
     let table = Table {

@@ -13,8 +13,8 @@ const MAX_ROWS: usize = 500;
 const MAX_SPEED: f64 = 200.0;
 /// Default height of gusts, m: 10 ft, the minimum height of the low-altitude gust model.
 const GUST_HEIGHT: f64 = 3.048;
-/// Valid keys of the table `[wind]` of a release file (initial conditions of a flight). The keys after `table` describe
-/// a mean wind that is a formula of the height (a logarithmic law or a power law).
+/// Valid keys of the table `[wind]` of a release file. The keys after `table` describe a mean wind that is a formula of
+/// the height (a logarithmic law or a power law).
 const KEYS: [&str; 9] = [
     "constant",
     "gusts",
@@ -26,7 +26,7 @@ const KEYS: [&str; 9] = [
     "roughness",
     "exponent",
 ];
-/// Valid keys of the table `[wind.gusts]` of a release file (initial conditions of a flight).
+/// Valid keys of the table `[wind.gusts]` of a release file.
 const GUST_KEYS: [&str; 8] = [
     "model",
     "seed",
@@ -38,8 +38,8 @@ const GUST_KEYS: [&str; 8] = [
     "length",
 ];
 
-/// Wind specified in a release file (initial conditions of a flight): the constant wind in the inertial frame, m/s, 0
-/// if not specified; and the wind by height and gusts, `None` if neither of these is specified.
+/// Wind specified in a release file: the constant wind in the inertial frame, m/s, 0 if not specified; and the wind by
+/// height and gusts, `None` if neither of these is specified.
 pub type StatedWind = ([f64; 3], Option<WindField>);
 
 /// Reads the wind from the table `[wind]` of a TOML file; other tables are ignored, so that the flight of one release
@@ -66,8 +66,7 @@ pub fn read_wind_file(path: &Path) -> Result<StatedWind, ReleaseError> {
 }
 
 impl<'t> Reader<'t> {
-    /// Parses the table `[wind]` of a release file (initial conditions of a flight) and records its faults; after a
-    /// fault the result must not be used.
+    /// Parses the table `[wind]` of a release file and records its faults; after a fault the result must not be used.
     pub(crate) fn wind(&mut self, document: &DeTable<'t>) -> StatedWind {
         let none = ([0.0; 3], None);
         let Some(value) = document.get("wind") else {

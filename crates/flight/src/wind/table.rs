@@ -5,8 +5,8 @@ use model_spec::syntax::ast::{EffectPart, Expr, ExprKind};
 
 use super::nodes::{add_let, add_table, call, inertial_vector, name};
 
-/// Names of the three tables that give the components of the wind velocity as functions of the height, in the effect
-/// (model extension) by which the wind is added to a model.
+/// Names of the three tables that give the components of the wind velocity as functions of the height, in the effect by
+/// which the wind is added to a model.
 const COMPONENTS: [&str; 3] = ["wind_table_1", "wind_table_2", "wind_table_3"];
 
 /// Statements of the model language that define the height `wind_height` and, from a table over this height, the wind

@@ -4,7 +4,7 @@ use flight::release::{self, Name, Release, Stop, Vocabulary};
 use model_spec::load::LoadError;
 use proptest::prelude::*;
 
-/// Names that release files (initial conditions of a flight) for a disc model may use, with bounds of the coefficients.
+/// Names that release files for a disc model may use, with bounds of the coefficients.
 fn disc() -> Vocabulary {
     let free = |name: &&str| Name {
         name: name.to_string(),

@@ -56,8 +56,7 @@ struct Row {
     is_negligible: bool,
 }
 
-/// Formats the accepted explanations of the report (sets of effects that the model may lack), best fit first; at most
-/// [`MAX_EXPLANATIONS`].
+/// Formats the accepted explanations of the report, best fit first; at most [`MAX_EXPLANATIONS`].
 pub(super) fn explanations(page: &DiagnosisPage<'_>) -> Vec<Section> {
     let explanations = page.report.explanations.iter().take(MAX_EXPLANATIONS);
     explanations.map(|found| section(page, found)).collect()

@@ -40,7 +40,7 @@ pub(super) fn detectable(report: &Report) -> Vec<[String; 4]> {
     .collect()
 }
 
-/// Table row of a library term (product of variables) tested by stepwise regression, with all values formatted as text.
+/// Table row of a library term tested by stepwise regression, with all values formatted as text.
 #[derive(Serialize)]
 pub(super) struct TermRow {
     site: String,
@@ -51,7 +51,7 @@ pub(super) struct TermRow {
     taken: bool,
 }
 
-/// Table rows of the library terms (products of variables) tested by stepwise regression, in the order of the tests.
+/// Table rows of the library terms tested by stepwise regression, in the order of the tests.
 pub(super) fn terms(terms: &[StepwiseTerm]) -> Vec<TermRow> {
     let row = |term: &StepwiseTerm| {
         let digits = Digits::of(term.value, term.std_error);

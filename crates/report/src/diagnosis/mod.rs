@@ -25,8 +25,7 @@ pub struct DiagnosisPage<'a> {
     pub report: &'a Report,
     /// Measured flights with predictions of the model under test; at most the first twelve are drawn.
     pub before: &'a [FlightEvidence],
-    /// Measured flights with the predictions of the extended model (with the effects found), to be drawn; empty if the
-    /// model was not extended.
+    /// Measured flights with the predictions of the extended model, to be drawn; empty if the model was not extended.
     pub after: &'a [FlightEvidence],
     /// Fits of the model under test and of the extended model, from which curves and confidence bands are computed;
     /// `None` omits these figures.
@@ -34,11 +33,11 @@ pub struct DiagnosisPage<'a> {
     /// Text of the effect that the diagnosis added, or of the extended model file, in the model language; `None` if the
     /// model was not extended.
     pub extended: Option<&'a str>,
-    /// Verification status of the model according to its certificate (record of the verification checks).
+    /// Verification status of the model according to its certificate.
     pub certificate: &'a CertificateNote,
 }
 
-/// Fits of the model under test and of the extended model (with the effects that the diagnosis found).
+/// Fits of the model under test and of the extended model.
 #[derive(Clone, Copy)]
 pub struct Fits<'a> {
     /// Fit of the model under test.

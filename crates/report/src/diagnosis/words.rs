@@ -21,7 +21,7 @@ pub(super) fn explanation(explanation: &Explanation) -> String {
     }
 }
 
-/// Name of an effect (optional model extension) as words separated by spaces.
+/// Name of an effect as words separated by spaces.
 pub(super) fn readable(name: &str) -> String {
     name.replace(['-', '_'], " ")
 }

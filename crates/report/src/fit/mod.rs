@@ -26,7 +26,7 @@ pub struct FitPage<'a> {
     pub model: &'a Model,
     /// Name of the dataset to which the model was fitted.
     pub dataset: &'a str,
-    /// Verification status of the model according to its certificate (record of the verification checks).
+    /// Verification status of the model according to its certificate.
     pub certificate: &'a CertificateNote,
 }
 

@@ -68,14 +68,13 @@ enum NameError {
     Ambiguous(String),
 }
 
-/// The model's layout and the sweep plan's release (launch conditions) and throw, in which names of the plan are looked
-/// up.
+/// The model's layout and the sweep plan's release and throw, in which names of the plan are looked up.
 pub(super) struct Names<'a> {
     pub layout: &'a Layout,
     pub vocabulary: &'a Vocabulary,
     pub release: &'a Release,
     pub throw: Option<&'a Throw>,
-    /// Parameter values of the plan's release (launch conditions), in the order of the compiled model's parameters.
+    /// Parameter values of the plan's release, in the order of the compiled model's parameters.
     pub parameters: &'a [f64],
 }
 

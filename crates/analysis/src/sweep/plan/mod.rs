@@ -22,9 +22,9 @@ use correlation::Factor;
 /// Flight `k` is at point `k mod grid` of the grid of input values; its random draws depend on `k` and the seed alone.
 #[derive(Clone)]
 pub struct Plan {
-    /// Model that is simulated, including the effects (optional model extensions) that the plan names.
+    /// Model that is simulated, including the effects that the plan names.
     pub model: Model,
-    /// Release (launch conditions) that all flights have in common; the varied quantities replace some of its values.
+    /// Release that all flights have in common; the varied quantities replace some of its values.
     pub release: Release,
     /// Motion at release, if it is specified in the table `[throw]` of the plan.
     pub throw: Option<Throw>,
@@ -77,7 +77,7 @@ impl Plan {
         even.clamp(MIN, MAX)
     }
 
-    /// Number of parts (blocks of consecutive flights) into which the flights of the sweep are divided.
+    /// Number of parts into which the flights of the sweep are divided.
     pub fn parts(&self) -> u64 {
         self.flights.div_ceil(self.part_len())
     }

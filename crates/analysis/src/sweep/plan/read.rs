@@ -22,7 +22,7 @@ const MAX_NORMAL: usize = 256;
 const MAX_FILE_BYTES: u64 = 16 << 20;
 /// Relative tolerance of the integration if none is specified in the plan; the same as in `hyzer simulate`.
 const TOLERANCE: f64 = 1e-6;
-/// Keys of a sweep plan that a release file (launch conditions) does not have.
+/// Keys of a sweep plan that a release file does not have.
 const OWN_KEYS: [&str; 8] = [
     "effects",
     "flights",
@@ -45,9 +45,9 @@ pub fn read_file(path: &Path) -> Result<Plan, ReleaseError> {
     })
 }
 
-/// Parses the text of a sweep plan (TOML): a release (launch conditions), with `effects`, `flights`, `seed`,
-/// `tolerance`, `method`, `[vary]`, `[[correlations]]` and `[fit]`. Paths in the plan are relative to `folder`; `file`
-/// is the plan's name in messages.
+/// Parses the text of a sweep plan (TOML): a release, with `effects`, `flights`, `seed`, `tolerance`, `method`,
+/// `[vary]`, `[[correlations]]` and `[fit]`. Paths in the plan are relative to `folder`; `file` is the plan's name in
+/// messages.
 ///
 /// # Errors
 /// [`ReleaseError`] with all faults of the text.
@@ -84,8 +84,8 @@ fn beside(name: &str, folder: &Path) -> String {
     }
 }
 
-/// The names in the list `effects` (optional model extensions) of a sweep plan, with paths resolved. Items that are not
-/// strings are skipped here and reported later.
+/// The names in the list `effects` of a sweep plan, with paths resolved. Items that are not strings are skipped here
+/// and reported later.
 fn effects(document: &DeTable<'_>, folder: &Path) -> Vec<String> {
     let items = document.get("effects").and_then(|e| e.get_ref().as_array());
     let names = items
@@ -96,7 +96,7 @@ fn effects(document: &DeTable<'_>, folder: &Path) -> Vec<String> {
 }
 
 /// Parts of a plan that are read before its other keys, because a plan is an extended release file: the model, its
-/// vocabulary (the names that a release may set), and the release (launch conditions).
+/// vocabulary (the names that a release may set), and the release.
 struct Known {
     model: Model,
     vocabulary: Vocabulary,
@@ -177,8 +177,8 @@ fn plan<'t>(
     })
 }
 
-/// Reads the table `[throw]` of a sweep plan (motion of the body at release), whose values were already checked when
-/// the release in the plan was read. `None` if the plan has no such table.
+/// Reads the table `[throw]` of a sweep plan, whose values were already checked when the release in the plan was read.
+/// `None` if the plan has no such table.
 fn throw<'t>(reader: &mut Reader<'t>, document: &DeTable<'t>) -> Option<Throw> {
     document.get("throw")?;
     let mut throw = Throw::at_speed(0.0);

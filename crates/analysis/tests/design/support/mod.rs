@@ -5,7 +5,7 @@ use flight::throw::Throw;
 use nalgebra::Vector3;
 use oracle::{Chart, Point, derivatives};
 
-/// Step size of the oracle's integration (independent implementation of the laws of motion), s.
+/// Step size of the oracle's integration, s.
 const STEP: f64 = 1e-3;
 
 /// Compiles a built-in model, given by its name, as a body that can be thrown.
@@ -21,8 +21,8 @@ pub fn plate() -> ThrownBody {
     ThrownBody::new(model).expect("a body")
 }
 
-/// Positions of the mass centre in a flight that the oracle (independent implementation of the laws of motion)
-/// simulates, at intervals of [`STEP`]; the last one is the landing.
+/// Positions of the mass centre in a flight that the oracle simulates, at intervals of [`STEP`]; the last one is the
+/// landing.
 pub fn oracle_path(flights: &ThrowFlights<'_>, throw: &Throw) -> Vec<Vector3<f64>> {
     let model = &flights.body.model;
     let chart = Chart::declared(model).expect("a chart");

@@ -31,7 +31,7 @@ fn model(name: &str) -> Model {
     }
 }
 
-/// Release (initial conditions of a flight) read from a TOML text, and the model with the wind of the release added.
+/// Release read from a TOML text, and the model with the wind of the release added.
 fn released(text: &str) -> (Release, Model) {
     let names = |name: &str| Ok(Vocabulary::of(&model(name)));
     let (release, names) =
@@ -39,8 +39,8 @@ fn released(text: &str) -> (Release, Model) {
     (release, Model::clone(&names.model.expect("the model")))
 }
 
-/// TOML text of a release (initial conditions of a flight) for the model `name`, without the table `[wind]`; `until` is
-/// the line that specifies the end of the flight.
+/// TOML text of a release for the model `name`, without the table `[wind]`; `until` is the line that specifies the end
+/// of the flight.
 fn throw(name: &str, until: &str) -> String {
     let thrown = |name: &str, more: &str| {
         format!(

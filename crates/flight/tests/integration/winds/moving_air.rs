@@ -22,8 +22,7 @@ fn motions(model: &Model) -> ThrownModel {
     own.unwrap_or_else(|_| ThrownModel::new(&super::model("disc")).expect("the disc"))
 }
 
-/// Copy of a release (initial conditions of a flight) in which the velocity relative to the ground is changed by `by`,
-/// m/s.
+/// Copy of a release in which the velocity relative to the ground is changed by `by`, m/s.
 fn moved(release: &Release, model: &Model, by: Vector3<f64>) -> Release {
     let (thrown, state) = (motions(model), release.state());
     let parameters = thrown.release_parameters(release);

@@ -13,9 +13,9 @@ use crate::fit::draw::not_drawn;
 use crate::numbers::{percent, raised};
 use crate::thin::stride;
 
-/// Maximum number of load channels (force or moment components) drawn, one figure each.
+/// Maximum number of load channels drawn, one figure each.
 const MAX_CHANNELS: usize = 12;
-/// Maximum number of time histories (one for each flight) drawn for each load (force or moment component).
+/// Maximum number of time histories (one for each flight) drawn for each load.
 const MAX_HISTORIES: usize = 12;
 /// Maximum number of points with which a load history is drawn.
 const MAX_POINTS: usize = 120;
@@ -26,8 +26,7 @@ const ABOVE: f64 = 24.0;
 /// Space below the plot area of a load history, SVG units.
 const BELOW: f64 = 24.0;
 
-/// Draws the time histories of the loads that the model lacks, one figure for each load channel (force or moment
-/// component).
+/// Draws the time histories of the loads that the model lacks, one figure for each load channel.
 pub(super) fn channels(report: &Report) -> Vec<Drawn> {
     let all = report.unattributed.iter().flat_map(|o| &o.channels);
     let all = all.filter(|c| !c.histories.is_empty()).take(MAX_CHANNELS);

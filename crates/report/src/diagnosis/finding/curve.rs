@@ -148,8 +148,7 @@ fn abscissa(after: &Fit, at: usize, effect: usize) -> Option<Abscissa<'_>> {
 }
 
 /// Appends to `found` the scalar variables that the expression `expr` reads. A variable that is defined by the effect
-/// (optional model extension) with index `effect`, among those active in `model`, is replaced by the variables in its
-/// definition.
+/// with index `effect`, among those active in `model`, is replaced by the variables in its definition.
 fn collect<'m>(model: &'m Model, expr: &'m Expr, effect: usize, found: &mut Vec<&'m ExprKind>) {
     match &expr.kind {
         ExprKind::AuxVariable(k) if model.aux_variables[*k].effect == Some(effect) => {

@@ -7,8 +7,8 @@ use identify::{FlightEvidence, FlightOutcome, MARKER, NoiseReport};
 
 /// Standard deviation of the noise of a measured marker coordinate in the example, m.
 const SIGMA: f64 = 0.0015;
-/// Candidate effects (possible model extensions) of the example diagnosis: name, coefficient, unit, quantity on which
-/// the effect acts, score statistic.
+/// Candidate effects of the example diagnosis: name, coefficient, unit, quantity on which the effect acts, score
+/// statistic.
 const LOOKED_FOR: [(&str, &str, &str, &str, f64); 26] = [
     ("zero-lift-drag-angle", "alpha_0", "rad", "drag", 812.4),
     ("cubic-drag", "C_Daaa", "1/rad^3", "drag", 604.2),
@@ -349,7 +349,7 @@ pub fn without(flights: &[FlightEvidence]) -> Vec<FlightEvidence> {
     flights
 }
 
-/// Text of an example effect (optional model extension) in the model language.
+/// Text of an example effect in the model language.
 pub const EXTENDED: &str = "/// The drag is least near the angle of zero lift.
 effect zero_lift_drag_angle on disc {
   site drag;
