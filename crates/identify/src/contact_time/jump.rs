@@ -6,7 +6,7 @@
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::rows::{Point, Row};
-use super::trajectory::Part;
+use super::trajectory::{Part, Predicted};
 use crate::noise::NoiseModel;
 
 /// Prior standard deviation of the displacement of a marker by a contact with the ground or an object, in units of the
@@ -55,8 +55,11 @@ pub struct JumpTests<'a> {
     rows: &'a [Vec<Point>],
     /// Normal equations of free motion over all samples before the sample `trajectory.first + i`, by i.
     free: Vec<NormalEquations>,
-    /// Weights of the squared displacements of a marker by a jump, one per axis.
-    weights: [f64; 3],
+    /// Cholesky factors of the normal matrices `free`; `None` where the samples do not determine the motion.
+    factors: Vec<Option<Cholesky<f64, Dyn>>>,
+    /// Priors that a jump just before the sample `trajectory.tried + i` displaces no marker, by i: a normal matrix for
+    /// each time at which the jump is tried.
+    held: Vec<Vec<DMatrix<f64>>>,
 }
 
 impl<'a> JumpTests<'a> {
@@ -70,21 +73,38 @@ impl<'a> JumpTests<'a> {
             rows.for_each(|row| sum.add(row));
             free.push(sum.clone());
         }
+        let weights = noise
+            .sigma
+            .map(|sigma| (DISPLACEMENT_SIGMA * sigma).powi(-2));
+        let held = |markers: &Vec<Predicted>| {
+            let mut sum = DMatrix::zeros(trajectory.dimension, trajectory.dimension);
+            for marker in markers {
+                for (derivatives, weight) in marker.derivatives.iter().zip(weights) {
+                    sum.ger(weight, derivatives, derivatives, 1.0);
+                }
+            }
+            sum
+        };
+        let contacts = trajectory.contacts.iter();
         Self {
             trajectory,
             rows,
+            factors: free
+                .iter()
+                .map(|free| factor(free.matrix.clone(), &free.matrix))
+                .collect(),
             free,
-            weights: noise
-                .sigma
-                .map(|sigma| (DISPLACEMENT_SIGMA * sigma).powi(-2)),
+            held: contacts
+                .map(|times| times.iter().map(held).collect())
+                .collect(),
         }
     }
 
     /// Change of the initial state of the predicted trajectory with which free motion best fits the samples before
     /// `end`; `None` if these samples do not determine it.
     pub fn free_motion(&self, end: usize) -> Option<DVector<f64>> {
-        let free = &self.free[end - self.trajectory.first];
-        Some(-factor(free.matrix.clone(), &free.matrix)?.solve(&free.right))
+        let place = end - self.trajectory.first;
+        Some(-self.factors[place].as_ref()?.solve(&self.free[place].right))
     }
 
     /// Fits a velocity jump just before the sample `contact` to the samples before `end`. The time of the jump is the
@@ -102,18 +122,12 @@ impl<'a> JumpTests<'a> {
             own.ger(-1.0, &row.derivatives, &row.derivatives, 1.0);
             right.axpy(row.residual, &difference, 1.0);
         }
-        let explained = factor(all.matrix.clone(), &all.matrix)?.solve(&cross);
+        let explained = self.factors[end - first].as_ref()?.solve(&cross);
         let rest = &own - cross.tr_mul(&explained);
         right -= explained.tr_mul(&all.right);
         let mut best: Option<Jump> = None;
-        for markers in &self.trajectory.contacts[contact - tried] {
-            let mut held = DMatrix::zeros(own.nrows(), own.ncols());
-            for marker in markers {
-                for (derivatives, weight) in marker.derivatives.iter().zip(self.weights) {
-                    held.ger(weight, derivatives, derivatives, 1.0);
-                }
-            }
-            let Some(factor) = factor(&rest + &held, &(&own + &held)) else {
+        for held in &self.held[contact - tried] {
+            let Some(factor) = factor(&rest + held, &(&own + held)) else {
                 continue;
             };
             let change = -factor.solve(&right);

@@ -106,6 +106,9 @@ pub fn contact_time(
     for _ in 0..=MAX_OUTLIERS {
         let rows = rows::whitened(&observations, trajectory, noise);
         let tests = JumpTests::new(trajectory, &rows, noise);
+        if !may_jump(&tests, tried.clone()) {
+            return None;
+        }
         let is_seen = |sample: &usize| !rows[sample - trajectory.first].is_empty();
         let (jump, end) = first_jump(&tests, tried.clone(), is_seen)?;
         let later = (end..tried.end).filter(is_seen).take(CONFIRMING_SAMPLES);
@@ -129,6 +132,16 @@ pub fn contact_time(
         });
     }
     None
+}
+
+/// Whether a velocity jump at any of the samples `tried`, each tested once with all samples that may show it, explains
+/// as much as a contact. Most flights without a contact need no further test.
+fn may_jump(tests: &JumpTests<'_>, tried: Range<usize>) -> bool {
+    tried.clone().any(|sample| {
+        let end = tried.end.min(sample + MAX_SAMPLES_AFTER);
+        let jump = tests.jump(sample, end);
+        jump.is_some_and(|jump| jump.gain > MIN_GAIN)
+    })
 }
 
 /// First velocity jump at the samples `tried` that the samples up to one of them show, and the end of these samples;
