@@ -140,10 +140,8 @@ impl Search<'_> {
                 }
             };
             let predicted = near.as_ref().or(after.as_ref());
-            let threads = self.at.options.threads();
-            let found = predicted.and_then(|predicted| {
-                contact_time(whole, predicted, self.noise, samples..until, threads)
-            });
+            let found = predicted
+                .and_then(|predicted| contact_time(whole, predicted, self.noise, samples..until));
             if let Some(onset) = found {
                 return Some((onset, local));
             }
