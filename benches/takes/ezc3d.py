@@ -1,7 +1,7 @@
 """Compares the positions that `takes` reads from C3D files with those of ezc3d, and prints a table.
 
     python -m venv ENV && ENV/bin/pip install ezc3d
-    cargo build --release -p hyzer-takes --example points
+    cargo build --release -p hyzer-dataset --example points
     ENV/bin/python benches/takes/ezc3d.py FOLDER
 
 Where the two differ, the table has the median step of a coordinate between two frames in each reading: of a file that is

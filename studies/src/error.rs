@@ -55,14 +55,14 @@ pub enum StudyError {
     Dataset(#[from] dataset::InputError),
     /// A take (recording) cannot be read.
     #[error(transparent)]
-    Take(#[from] takes::TakeError),
+    Take(#[from] dataset::takes::TakeError),
     /// The import of a take (recording) does not track all of its markers; contains the labels of those that it tracks.
     #[error("the points {0:?} are followed")]
     Labels(Vec<String>),
     /// The marker template (positions of the markers on the body) cannot be estimated from the flights of a recording
     /// session.
     #[error(transparent)]
-    Template(#[from] takes::TemplateError),
+    Template(#[from] dataset::takes::TemplateError),
     /// A dataset cannot be fitted.
     #[error(transparent)]
     Fit(#[from] identify::FitError),

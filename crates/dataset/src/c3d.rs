@@ -5,8 +5,8 @@
 
 use std::path::Path;
 
-use takes::c3d::{self, Recording};
-use takes::words::{listed, shown};
+use crate::takes::c3d::{self, Recording};
+use crate::takes::words::{listed, shown};
 
 use super::AXES;
 use super::samples::{self, Unexpected};

@@ -8,7 +8,7 @@ use crate::input_error::{InputError, utf8};
 
 /// Reads a regular file of at most `largest` bytes; `what` describes the expected file in the error message.
 pub(super) fn bytes(file: &Path, largest: u64, what: &str) -> Result<Vec<u8>, InputError> {
-    takes::file::bytes(file, largest, what)
+    crate::takes::file::bytes(file, largest, what)
         .map_err(|error| InputError::of_file(file, error.found, error.expected))
 }
 

@@ -22,6 +22,7 @@ mod sensor;
 pub mod statistics;
 pub mod synthesize;
 mod table;
+pub mod takes;
 mod unplaced;
 mod upright;
 mod words;

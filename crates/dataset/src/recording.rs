@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use takes::{Axis, LengthUnit, TimeUnit};
+use crate::takes::{Axis, LengthUnit, TimeUnit};
 use toml::de::DeTable;
 
 use super::fields::Fields;

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
+use crate::takes::number::number;
 use csv::{ReaderBuilder, StringRecord};
-use takes::number::number;
 
 use super::AXES;
 use super::header::{Header, separator};

@@ -1,7 +1,7 @@
 //! Estimates, from the flights, positions on the body that a dataset does not state.
 
+use crate::takes::{FreeFlight, estimate_template};
 use nalgebra::Vector3;
-use takes::{FreeFlight, estimate_template};
 
 use super::sensor::attitude;
 use super::{Flight, Marker, Sensor, SensorKind};

@@ -6,8 +6,8 @@ use std::fmt::Write;
 
 use anyhow::{Context, bail};
 use dataset::Marker;
-use takes::words::{listed, shown};
-use takes::{FreeFlight, ReadOptions, Take, ThrowOptions, Throws, estimate_template};
+use dataset::takes::words::{listed, shown};
+use dataset::takes::{FreeFlight, ReadOptions, Take, ThrowOptions, Throws, estimate_template};
 
 use super::template::Template;
 use super::{no_throw, up_of};
@@ -45,12 +45,12 @@ pub fn estimated(
     }
     let mut thrown: Vec<(Take, Throws)> = Vec::new();
     for file in &options.takes {
-        let mut take = takes::read(file, reading)?;
+        let mut take = dataset::takes::read(file, reading)?;
         // The positions are estimated from the single points, not from poses of bodies.
         take.bodies.clear();
         let (up, _) = up_of(&take, file, options)?;
         let turned = take.with_z_up(up, options.left_handed);
-        let found = takes::find_throws(&turned, &[], &ThrowOptions::default());
+        let found = dataset::takes::find_throws(&turned, &[], &ThrowOptions::default());
         if !found.throws.is_empty() {
             thrown.push((turned, found));
         }

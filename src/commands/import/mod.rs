@@ -10,10 +10,10 @@ use std::ops::Range;
 use std::path::Path;
 
 use anyhow::{Context, bail};
+use dataset::takes::words::listed;
+use dataset::takes::{Axis, Format, LengthUnit, ReadOptions, Take, Throw, ThrowOptions, TimeUnit};
 use dataset::{Dataset, Flight, Sensor, SensorKind, write_commented};
 use report::import::{ImportPage, ImportedTake};
-use takes::words::listed;
-use takes::{Axis, Format, LengthUnit, ReadOptions, Take, Throw, ThrowOptions, TimeUnit};
 
 use self::page::Shown;
 use self::template::{Followed, Template};
@@ -89,7 +89,7 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
     };
     for file in &options.takes {
         let _ = writeln!(found.decisions, "{}", file.display());
-        let take = takes::read(file, &reading)?;
+        let take = dataset::takes::read(file, &reading)?;
         let before = found.flights.len();
         add(&take, file, &template, &labels, options, &mut found)?;
         if found.flights.len() == before {
@@ -201,7 +201,7 @@ fn add(
         .with_context(|| file.display().to_string())?;
     let followed_labels: Vec<&str> = followed.labels(take);
     let turned = take.clone().with_z_up(up, options.left_handed);
-    let found = takes::find_throws(&turned, &followed_labels, &ThrowOptions::default());
+    let found = dataset::takes::find_throws(&turned, &followed_labels, &ThrowOptions::default());
     let mut notes = take.notes.clone();
     if followed.is_pose() {
         notes.push(
@@ -231,7 +231,7 @@ fn add(
             listed(&followed_labels)
         ),
     }
-    let motion = takes::motion(&turned, &followed_labels);
+    let motion = dataset::takes::motion(&turned, &followed_labels);
     let shown = Shown {
         take: &turned,
         followed: &followed,
@@ -358,7 +358,7 @@ fn other_up(take: &Take, labels: &[&str], left_handed: bool, up: Axis) -> Option
         .filter_map(Axis::parse);
     all.filter(|axis| *axis != up).find(|&axis| {
         let turned = take.clone().with_z_up(axis, left_handed);
-        let found = takes::find_throws(&turned, labels, &ThrowOptions::default());
+        let found = dataset::takes::find_throws(&turned, labels, &ThrowOptions::default());
         !found.throws.is_empty()
     })
 }

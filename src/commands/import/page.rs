@@ -1,8 +1,8 @@
 //! Data of the report page of an import: curves of a recording and its flights.
 
+use dataset::takes::{Cut, Motion, Take, Throw};
 use dataset::{Flight, Marker};
 use report::import::{Curve, Distance, Edge, ImportedFlight};
-use takes::{Cut, Motion, Take, Throw};
 
 use super::template::Followed;
 

@@ -6,8 +6,8 @@ use std::path::Path;
 
 use anyhow::{Context, bail};
 use dataset::Marker;
-use takes::words::listed;
-use takes::{Pose, Take, rotated};
+use dataset::takes::words::listed;
+use dataset::takes::{Pose, Take, rotated};
 
 /// Maximum size of a template file (model, parameters and declared markers of a body), bytes.
 const MAX_FILE_BYTES: u64 = 4 << 20;
@@ -36,7 +36,8 @@ pub enum Followed {
 impl Template {
     /// Reads a template file: a `dataset.toml`, or only its `[[markers]]` with optional `[parameters]` and `model`.
     pub fn read(file: &Path) -> anyhow::Result<Self> {
-        let bytes = takes::file::bytes(file, MAX_FILE_BYTES, "a TOML file with [[markers]]")?;
+        let bytes =
+            dataset::takes::file::bytes(file, MAX_FILE_BYTES, "a TOML file with [[markers]]")?;
         let name = file.display();
         let text = String::from_utf8(bytes).with_context(|| name.to_string())?;
         let table: toml::Table = text.parse().with_context(|| name.to_string())?;

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use dataset::{Dataset, Flight, Marker};
 use flight::batch;
-use takes::{
+use dataset::takes::{
     Axis, CentreHeight, EstimatedTemplate, FreeFlight, Point, ReadOptions, Take, ThrowOptions,
     Throws, estimate_template, find_throws,
 };
@@ -193,7 +193,7 @@ fn round_trip(filmed: &Filmed, files: &[Vec<u8>]) -> Result<SessionResult, Study
         if !throws.throws.is_empty() && labels.iter().any(|label| !throws.labels.contains(label)) {
             return Err(StudyError::Labels(throws.labels.clone()));
         }
-        let ranges = throws.throws.iter().map(takes::Throw::samples);
+        let ranges = throws.throws.iter().map(dataset::takes::Throw::samples);
         add_flights(take, &labels, ranges, &mut found);
         let ranges = truth.flights.iter().map(|(first, last)| *first..last + 1);
         add_flights(take, &labels, ranges, &mut exact);
@@ -262,7 +262,7 @@ fn cut_errors(filmed: &Filmed, imported: &[(Take, Throws)]) -> SessionCuts {
 
 /// Parses the contents of a file as a recording, converts it to axes with z up, and finds the throws in it.
 fn imported(file: &[u8]) -> Result<(Take, Throws), StudyError> {
-    let take = takes::parse(&PathBuf::from("take"), file, &ReadOptions::default())?;
+    let take = dataset::takes::parse(&PathBuf::from("take"), file, &ReadOptions::default())?;
     let up = Axis::parse("+y").expect("an axis");
     let take = take.with_z_up(up, false);
     let found = find_throws(&take, &[], &ThrowOptions::default());

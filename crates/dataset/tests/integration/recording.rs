@@ -1,7 +1,7 @@
 //! Tables that are written in other units and along other axes: the section `[recording]` of a dataset.
 
 use crate::support::{MANIFEST, read_both};
-use takes::{Axis, Take};
+use dataset::takes::{Axis, Take};
 
 /// Times, s, and positions, m, along right-handed axes with z up, which a correctly read table yields.
 const TRUTH: [(f64, [f64; 3]); 3] = [
@@ -89,10 +89,10 @@ fn the_default_is_metres_seconds_and_z_up_to_the_bit() {
 
 #[test]
 fn an_import_turns_a_take_the_same_way() {
-    let take: Take = takes::parse(
+    let take: Take = dataset::takes::parse(
         std::path::Path::new("take"),
         b"t_s,centre_x_m,centre_y_m,centre_z_m\n0,1,2,3\n",
-        &takes::ReadOptions::default(),
+        &dataset::takes::ReadOptions::default(),
     )
     .expect("read");
     for up in ["+z", "-z", "+y", "-y", "+x", "-x"] {
@@ -123,8 +123,8 @@ fn a_pose_is_turned_with_its_place() {
     assert_eq!(readings[0], Some([1.0, -3.0, 2.0, 0.0]));
     // A direction of the body is turned as a position is.
     let direction = [0.3, -0.5, 0.7];
-    let before = takes::rotated([0.6, 0.0, 0.8, 0.0], direction);
-    let after = takes::rotated(readings[1].expect("an attitude"), direction);
+    let before = dataset::takes::rotated([0.6, 0.0, 0.8, 0.0], direction);
+    let after = dataset::takes::rotated(readings[1].expect("an attitude"), direction);
     let wanted = Axis::parse("+y").expect("an axis").upright(false, before);
     assert!(
         after.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-12),

@@ -1,0 +1,129 @@
+//! Parsing of the column names of a table, such as `t`, `time (ms)`, `m1_x`, `m1 X [mm]` or `disc_qw`.
+
+use crate::takes::unit::{LengthUnit, TimeUnit};
+
+/// Content of a column of a table of motion-capture data, derived from the column's name.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Column {
+    /// Label of the recorded point or body to which the column belongs; empty if the column name contains none.
+    pub label: String,
+    pub quantity: Quantity,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Quantity {
+    /// Time; the unit is `None` if the column name states none.
+    Time(Option<TimeUnit>),
+    /// Number of the frame (sample) of the recording.
+    Frame,
+    /// Coordinate 0, 1 or 2 (x, y, z) of a position; the unit is `None` if the column name states none.
+    Coordinate(usize, Option<LengthUnit>),
+    /// Component 0 to 3 of a quaternion, in the order w, x, y, z.
+    Quaternion(usize),
+    Other,
+}
+
+/// Characters that separate the label from the coordinate in a column name.
+const JOINTS: [char; 4] = ['_', ' ', '.', ':'];
+
+impl Column {
+    /// Splits a column name into label, quantity and unit.
+    pub fn parse(name: &str) -> Self {
+        let (bare, unit) = without_unit(name.trim());
+        let lower = bare.to_ascii_lowercase();
+        let named = |quantity| Self {
+            label: String::new(),
+            quantity,
+        };
+        let (time_unit, length_unit) = (
+            unit.and_then(TimeUnit::parse),
+            unit.filter(|unit| LengthUnit::is_whole_name(unit))
+                .and_then(LengthUnit::parse),
+        );
+        match lower.as_str() {
+            "t" | "time" | "timestamp" => {
+                // A column with an unknown unit is not read as a time.
+                return named(if unit.is_some() && time_unit.is_none() {
+                    Quantity::Other
+                } else {
+                    Quantity::Time(time_unit)
+                });
+            }
+            "timeseconds" => return named(Quantity::Time(Some(TimeUnit::Second))),
+            "frame" | "frame#" | "frame number" => return named(Quantity::Frame),
+            _ => {}
+        }
+        let (label, last) = match bare.rfind(JOINTS) {
+            Some(at) => (&bare[..at], &bare[at + 1..]),
+            None => ("", bare),
+        };
+        let last = last.to_ascii_lowercase();
+        let coordinate = ["x", "y", "z"].iter().position(|axis| *axis == last);
+        let component = ["qw", "qx", "qy", "qz"].iter().position(|q| *q == last);
+        let quantity = match (coordinate, component) {
+            (Some(axis), _) if unit.is_none() || length_unit.is_some() => {
+                Quantity::Coordinate(axis, length_unit)
+            }
+            (_, Some(component)) if unit.is_none() => Quantity::Quaternion(component),
+            _ => Quantity::Other,
+        };
+        Self {
+            label: label.trim().to_owned(),
+            quantity,
+        }
+    }
+}
+
+/// Splits a column name with a unit at its end (`x_mm`, `x (mm)`, `x [mm]`) into the part before the unit and the unit;
+/// the unit is `None` if the name contains none.
+fn without_unit(name: &str) -> (&str, Option<&str>) {
+    for (open, close) in [('(', ')'), ('[', ']')] {
+        if let Some(rest) = name.strip_suffix(close)
+            && let Some(at) = rest.rfind(open)
+        {
+            return (name[..at].trim_end(), Some(rest[at + 1..].trim()));
+        }
+    }
+    match name.rfind('_') {
+        Some(at)
+            if at > 0
+                && (matches!(&name[at + 1..], "s" | "ms")
+                    || ["m", "cm", "mm", "in", "ft"].contains(&&name[at + 1..])) =>
+        {
+            (&name[..at], Some(&name[at + 1..]))
+        }
+        _ => (name, None),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_taken_apart() {
+        let parts = |name: &str| {
+            let column = Column::parse(name);
+            (column.label, column.quantity)
+        };
+        let mm = Some(LengthUnit::Millimetre);
+        let cases = [
+            ("t", "", Quantity::Time(None)),
+            ("t_s", "", Quantity::Time(Some(TimeUnit::Second))),
+            ("Time (ms)", "", Quantity::Time(Some(TimeUnit::Millisecond))),
+            ("time [fortnights]", "", Quantity::Other),
+            ("Frame", "", Quantity::Frame),
+            ("x_m", "", Quantity::Coordinate(0, Some(LengthUnit::Metre))),
+            ("m1_x", "m1", Quantity::Coordinate(0, None)),
+            ("left rim Y", "left rim", Quantity::Coordinate(1, None)),
+            ("m1_z [mm]", "m1", Quantity::Coordinate(2, mm)),
+            ("disc_qw", "disc", Quantity::Quaternion(0)),
+            ("qz", "", Quantity::Quaternion(3)),
+            ("roll", "", Quantity::Other),
+            ("m1_x (deg)", "m1", Quantity::Other),
+        ];
+        for (name, label, quantity) in cases {
+            assert_eq!(parts(name), (label.to_owned(), quantity), "{name}");
+        }
+    }
+}

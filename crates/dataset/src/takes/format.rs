@@ -1,0 +1,146 @@
+//! Recognition of the format of a recording by its content.
+
+use std::fmt;
+
+use crate::takes::c3d::is_c3d;
+use crate::takes::columns::{Column, Quantity};
+use crate::takes::error::{Fault, Location};
+use crate::takes::words::shown;
+
+/// File format of a recording.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// C3D, the binary format of most motion-capture laboratories.
+    C3d,
+    /// CSV table of Vicon Nexus, of which the section `Trajectories` is read.
+    Vicon,
+    /// Table of point trajectories from Qualisys Track Manager.
+    Qualisys,
+    /// Table of rigid-body poses (6DOF) from Qualisys Track Manager.
+    QualisysPoses,
+    /// CSV table of OptiTrack Motive.
+    OptiTrack,
+    /// Points digitised in video by DLTdv8, with columns such as `pt1_X,pt1_Y,pt1_Z`.
+    Dltdv,
+    /// Table of rigid-body poses, whose header line names the columns of positions and quaternions.
+    Poses,
+    /// Table of point positions, whose header line names the column of each coordinate.
+    Plain,
+}
+
+/// Maximum number of header lines before the first row of data in a Qualisys table.
+pub(crate) const QUALISYS_HEADER: usize = 40;
+
+impl Format {
+    /// All formats, each with its name in the option `--format` and its name in messages.
+    pub const ALL: [(Self, &'static str, &'static str); 8] = [
+        (Self::C3d, "c3d", "C3D"),
+        (Self::Vicon, "vicon", "Vicon CSV"),
+        (Self::Qualisys, "qualisys", "Qualisys TSV"),
+        (Self::QualisysPoses, "qualisys-6dof", "Qualisys 6DOF TSV"),
+        (Self::OptiTrack, "optitrack", "OptiTrack CSV"),
+        (Self::Dltdv, "dltdv", "DLTdv8"),
+        (Self::Poses, "poses", "table of poses"),
+        (Self::Plain, "csv", "table of points"),
+    ];
+
+    /// Name of the format as a value of the option `--format`.
+    pub fn name(self) -> &'static str {
+        Self::ALL[self as usize].1
+    }
+
+    /// Format whose name in the option `--format` is `name`, ignoring case; `None` for an unknown name.
+    pub fn parse(name: &str) -> Option<Self> {
+        let mut all = Self::ALL.iter();
+        all.find(|(_, known, _)| known.eq_ignore_ascii_case(name))
+            .map(|&(format, ..)| format)
+    }
+
+    /// Recognises the format of a file by its content: the first bytes and, for text, the first lines.
+    pub(crate) fn recognise(bytes: &[u8]) -> Result<Self, Fault> {
+        const EXPECTED: &str = "a recording: C3D, or a table of Vicon, Qualisys, OptiTrack, DLTdv8, of poses or of points \
+                                (or its name in the option --format)";
+        if is_c3d(bytes) {
+            return Ok(Self::C3d);
+        }
+        if bytes.starts_with(b"PK\x03\x04") {
+            let expected = "a recording; a workbook is exported as CSV first";
+            return Err(Fault::new(Location::Byte(0), "a ZIP archive", expected));
+        }
+        let text = crate::takes::file::text(bytes)?;
+        let lines = || text.lines().zip(1..);
+        let filled = |line: &str| !line.trim_matches([',', ';', '\t', ' ', '\r']).is_empty();
+        let Some((first, line)) = lines().find(|(line, _)| filled(line) && !line.starts_with('#'))
+        else {
+            return Err(Fault::new(Location::Line(1), "an empty file", EXPECTED));
+        };
+        let keyword = first.split([',', ';', '\t']).next().unwrap_or_default();
+        match keyword.trim().trim_matches('"') {
+            "Trajectories" | "Devices" | "Model Outputs" | "Segments" | "Joints" | "Events" => {
+                Ok(Self::Vicon)
+            }
+            "Format Version" => Ok(Self::OptiTrack),
+            keyword if keyword.starts_with("NO_OF_") => {
+                let has_bodies = lines().take(QUALISYS_HEADER).any(|(line, _)| {
+                    line.starts_with("BODY_NAMES") || line.starts_with("NO_OF_BODIES")
+                });
+                Ok(match has_bodies {
+                    true => Self::QualisysPoses,
+                    false => Self::Qualisys,
+                })
+            }
+            "PathFileType" => {
+                let found = "a TRC file";
+                let expected = "another export of the recording, as C3D or CSV";
+                Err(Fault::new(Location::Line(line), found, expected))
+            }
+            _ => by_columns(first).ok_or_else(|| {
+                let found = if first.contains("speedMph") {
+                    "releases (TechDisc), no tracks".to_owned()
+                } else {
+                    format!("the first line {}", shown(first))
+                };
+                Fault::new(Location::Line(line), found, EXPECTED)
+            }),
+        }
+    }
+}
+
+/// Recognises the format of a table by the column names in its header line; `None` if they name neither coordinates nor
+/// quaternions.
+fn by_columns(header: &str) -> Option<Format> {
+    let separator = crate::takes::sheet::separator(header);
+    let names: Vec<&str> = header
+        .split(char::from(separator))
+        .map(|name| name.trim().trim_matches('"'))
+        .collect();
+    let columns: Vec<Column> = names.iter().map(|name| Column::parse(name)).collect();
+    let has = |wanted: fn(&Quantity) -> bool| columns.iter().any(|c| wanted(&c.quantity));
+    if has(|q| matches!(q, Quantity::Quaternion(_))) {
+        Some(Format::Poses)
+    } else if !has(|q| matches!(q, Quantity::Coordinate(..))) {
+        None
+    } else if names.iter().all(|name| is_digitised(name)) {
+        Some(Format::Dltdv)
+    } else {
+        Some(Format::Plain)
+    }
+}
+
+/// Whether a column name has the form that DLTdv8 writes: `pt`, a number, `_`, and `X`, `Y` or `Z`.
+pub(crate) fn is_digitised(name: &str) -> bool {
+    let number = name
+        .strip_prefix("pt")
+        .and_then(|rest| rest.split_once('_'));
+    number.is_some_and(|(number, axis)| {
+        !number.is_empty()
+            && number.bytes().all(|b| b.is_ascii_digit())
+            && matches!(axis, "X" | "Y" | "Z")
+    })
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(Self::ALL[*self as usize].2)
+    }
+}

@@ -1,0 +1,39 @@
+//! Readers of motion-capture recordings, and detection of the throws in them.
+//!
+//! [`read`] recognises the format of a file by its content and returns a [`Take`]: times (s), points and poses (m)
+//! along the axes of the file, with notes on the decisions made while reading. Properties that the file does not state,
+//! such as a unit, come from [`ReadOptions`]; if they are missing there too, the error names the command-line option.
+//! [`Take::with_z_up`] converts a take to the axes of a dataset (right-handed, z up).
+
+mod axes;
+pub mod c3d;
+mod columns;
+mod error;
+pub mod file;
+mod format;
+mod layout;
+pub mod number;
+mod options;
+mod quaternion;
+mod read;
+mod sheet;
+mod take;
+mod template;
+mod throws;
+mod unit;
+pub mod words;
+mod z_up;
+
+pub use axes::Axis;
+pub use error::{Location, TakeError};
+pub use format::Format;
+pub use options::ReadOptions;
+pub use quaternion::rotated;
+pub use read::{parse, read};
+pub use take::{Body, Point, Pose, Take};
+pub use template::{
+    CentreHeight, EstimatedMarker, EstimatedTemplate, FreeFlight, TemplateError, UpVote,
+    estimate_template,
+};
+pub use throws::{Cause, Cut, Motion, Throw, ThrowOptions, Throws, find_throws, motion};
+pub use unit::{LengthUnit, TimeUnit};

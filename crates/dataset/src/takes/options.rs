@@ -1,0 +1,71 @@
+//! Options that supply what the file of a recording does not state.
+
+use crate::takes::error::{Fault, Location};
+use crate::takes::format::Format;
+use crate::takes::number::checked_rate;
+use crate::takes::unit::{LengthUnit, TimeUnit};
+
+/// Properties of a recording file that the user states, such as units. They supplement and override those that the file
+/// specifies.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ReadOptions {
+    /// Format of the file; recognised by the content if `None`.
+    pub format: Option<Format>,
+    /// Unit of the coordinates; if `None`, it must be specified in the file.
+    pub length: Option<LengthUnit>,
+    /// Unit of the times; if `None`, it must be specified in the file.
+    pub time: Option<TimeUnit>,
+    /// Frames per second; if `None`, the file must specify the rate or contain times.
+    pub rate: Option<f64>,
+}
+
+impl ReadOptions {
+    /// Unit of length: the user's unit if it is given, otherwise the unit `stated`, which is specified in the file.
+    /// Adds a note if both are given and differ. Fails if neither is given, with `location` as the location of the error.
+    pub(crate) fn length(
+        &self,
+        stated: Option<LengthUnit>,
+        location: Location,
+        notes: &mut Vec<String>,
+    ) -> Result<LengthUnit, Fault> {
+        match (self.length, stated) {
+            (Some(option), Some(stated)) if option != stated => {
+                notes.push(format!(
+                    "the file states lengths in {stated}; read in {option}, by the option --length"
+                ));
+                Ok(option)
+            }
+            (Some(unit), _) | (None, Some(unit)) => Ok(unit),
+            (None, None) => Err(Fault::new(
+                location,
+                "no unit of length",
+                "a unit in the file, or the option --length m, cm, mm, in or ft",
+            )),
+        }
+    }
+
+    /// Frames per second: the user's rate if it is given, otherwise the rate `stated`, which is specified in the file.
+    /// Adds a note if both are given and differ. Fails if neither is given or the rate is out of range, with `location` as
+    /// the location of the error.
+    pub(crate) fn rate(
+        &self,
+        stated: Option<f64>,
+        location: Location,
+        notes: &mut Vec<String>,
+    ) -> Result<f64, Fault> {
+        let rate = match (self.rate, stated) {
+            (Some(option), Some(stated)) if option != stated => {
+                notes.push(format!(
+                    "the file states {stated} frames per second; read with {option}, by the option --rate"
+                ));
+                option
+            }
+            (Some(rate), _) | (None, Some(rate)) => rate,
+            (None, None) => {
+                let expected = "times in the file, or the option --rate with the frames per second";
+                return Err(Fault::new(location, "no times", expected));
+            }
+        };
+        checked_rate(rate).map_err(|(found, expected)| Fault::new(location, found, expected))
+    }
+}

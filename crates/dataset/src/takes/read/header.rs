@@ -1,0 +1,180 @@
+//! Reader of tables with one header line that names every column: points, poses, and files of DLTdv8.
+
+use crate::takes::columns::{Column, Quantity};
+use crate::takes::error::{Fault, Location};
+use crate::takes::format::{Format, is_digitised};
+use crate::takes::layout::{Attitude, Clock, Layout, Tracks};
+use crate::takes::options::ReadOptions;
+use crate::takes::sheet::{Sheet, separator};
+use crate::takes::take::Take;
+use crate::takes::unit::{LengthUnit, TimeUnit};
+use crate::takes::words::{listed, shown};
+
+/// Label used for a point or body whose column names contain no label.
+const UNNAMED: &str = "body";
+
+/// Columns of a table of motion-capture data, as its header line names them.
+#[derive(Default)]
+struct Header {
+    /// Columns of each recorded point or body by its label.
+    tracks: Tracks<String>,
+    time: Option<(usize, Option<TimeUnit>)>,
+    frame: Option<usize>,
+    length: Option<LengthUnit>,
+    others: Vec<String>,
+}
+
+pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<Take, Fault> {
+    let first = text.lines().find(|line| {
+        let line = line.trim();
+        !line.is_empty() && !line.starts_with('#')
+    });
+    let mut sheet = Sheet::new(text, separator(first.unwrap_or_default()));
+    if !sheet.advance()? {
+        let expected = "a header that names the columns";
+        return Err(Fault::new(Location::Line(1), "no header", expected));
+    }
+    let header = Header::new(&sheet)?;
+    let line = Location::Line(sheet.line());
+    if format == Format::Dltdv
+        && let Some((index, name)) = foreign(&sheet)
+    {
+        let expected = "columns such as pt1_X, pt1_Y, pt1_Z of DLTdv8";
+        return Err(sheet.fault(index, shown(&name), expected));
+    }
+    let mut notes = Vec::new();
+    let clock = header.clock(line, options, &mut notes)?;
+    let length = options.length(header.length, line, &mut notes)?;
+    if !header.others.is_empty() {
+        let names = listed(&header.others);
+        notes.push(format!("columns that are not read: {names}"));
+    }
+    let mut layout = Layout {
+        format,
+        clock,
+        length,
+        points: Vec::new(),
+        bodies: Vec::new(),
+        width: sheet.filled(),
+        zero_is_gap: false,
+        notes,
+        stated: None,
+    };
+    for (label, track) in header.tracks.list {
+        let label = if label.is_empty() {
+            UNNAMED.to_owned()
+        } else {
+            label
+        };
+        let incomplete = |what: String| {
+            let expected = "x, y and z of every point, and qw, qx, qy and qz of every pose";
+            Fault::new(line, what, expected)
+        };
+        let [Some(x), Some(y), Some(z)] = track.position else {
+            let missing = track.position.iter().position(Option::is_none);
+            let axis = ["x", "y", "z"][missing.unwrap_or(0)];
+            return Err(incomplete(format!("no {axis} of {}", shown(&label))));
+        };
+        match track.quaternion {
+            [None, None, None, None] => layout.points.push((label, [x, y, z])),
+            [Some(a), Some(b), Some(c), Some(d)] => {
+                let quaternion = Attitude::Quaternion([a, b, c, d]);
+                layout.bodies.push((label, [x, y, z], quaternion));
+            }
+            _ => {
+                let found = format!("a quaternion of {} with a part missing", shown(&label));
+                return Err(incomplete(found));
+            }
+        }
+    }
+    if format == Format::Poses && layout.bodies.is_empty() {
+        let expected = "columns qw, qx, qy and qz of at least one pose";
+        return Err(Fault::new(line, "no quaternion", expected));
+    }
+    if !layout.bodies.is_empty() {
+        let note =
+            "the quaternions are read as rotations from the body's axes to those of the room";
+        layout.notes.push(note.into());
+    }
+    if !sheet.advance()? {
+        return Err(Fault::new(
+            line,
+            "a header and no rows",
+            "at least one sample",
+        ));
+    }
+    layout.samples(&mut sheet, |_| false)
+}
+
+/// Index and name of the first column whose name is not one that DLTdv8 writes; `None` if there is none.
+fn foreign(sheet: &Sheet<'_>) -> Option<(usize, String)> {
+    let cells = sheet.cells();
+    let found = cells.iter().position(|name| !is_digitised(name))?;
+    Some((found, cells[found].clone()))
+}
+
+impl Header {
+    fn new(sheet: &Sheet<'_>) -> Result<Self, Fault> {
+        let mut header = Self::default();
+        for (index, name) in sheet.cells().iter().enumerate().take(sheet.filled()) {
+            let column = Column::parse(name);
+            let twice = |before: Option<usize>| match before {
+                Some(_) => {
+                    let found = format!("a second column {}", shown(name));
+                    Err(sheet.fault(index, found, "each column once"))
+                }
+                None => Ok(()),
+            };
+            match column.quantity {
+                Quantity::Time(unit) => {
+                    twice(header.time.map(|(index, _)| index))?;
+                    header.time = Some((index, unit));
+                }
+                Quantity::Frame => twice(header.frame.replace(index))?,
+                Quantity::Coordinate(axis, unit) => {
+                    let track = header.tracks.entry(column.label);
+                    twice(track.position[axis].replace(index))?;
+                    match (header.length, unit) {
+                        (Some(a), Some(b)) if a != b => {
+                            let found = format!("lengths in {a} and in {b}");
+                            return Err(sheet.fault(index, found, "one unit of length"));
+                        }
+                        _ => header.length = header.length.or(unit),
+                    }
+                }
+                Quantity::Quaternion(component) => {
+                    let track = header.tracks.entry(column.label);
+                    twice(track.quaternion[component].replace(index))?;
+                }
+                Quantity::Other => header.others.push(shown(name)),
+            }
+        }
+        Ok(header)
+    }
+
+    fn clock(
+        &self,
+        line: Location,
+        options: &ReadOptions,
+        notes: &mut Vec<String>,
+    ) -> Result<Clock, Fault> {
+        match (self.time, self.frame) {
+            (Some((index, unit)), _) => match options.time.or(unit) {
+                Some(chosen) => {
+                    if unit.is_some_and(|unit| unit != chosen) {
+                        let note = "the unit of the times was set by the option --time";
+                        notes.push(note.into());
+                    }
+                    Ok(Clock::Column(index, chosen.seconds()))
+                }
+                None => Err(Fault::new(
+                    line,
+                    "times without a unit",
+                    "a unit in the column's name, as in t_s, or the option --time s or ms",
+                )),
+            },
+            (None, Some(index)) => Ok(Clock::Frame(index, options.rate(None, line, notes)?)),
+            (None, None) => Ok(Clock::Count(options.rate(None, line, notes)?)),
+        }
+    }
+}

@@ -1,0 +1,354 @@
+//! Shape of a rigid set of points: generalised Procrustes analysis of samples with gaps and outliers.
+//!
+//! J. C. Gower, "Generalized Procrustes analysis", Psychometrika 40 (1975).
+
+use nalgebra::{DMatrix, Matrix3, Vector3};
+
+use super::{FreeFlight, MIN_SAMPLES, TemplateError};
+use crate::takes::throws::{centred, fitted, median};
+
+/// Maximum number of iterations of the estimate of the marker positions on the body, and number of initial iterations
+/// that also decide which measured positions are outliers.
+const PASSES: (usize, usize) = (60, 8);
+/// Maximum change of any marker position on the body in one iteration, m, at which the estimate of these positions
+/// counts as converged.
+const CONVERGED: f64 = 1e-9;
+/// Factors a and b of the maximum sum of squared residuals of a pose, σ² (f + a √(2f) + b), where f is the number of
+/// degrees of freedom and σ the standard deviation of a measured coordinate. If the sum is greater, a marker position
+/// is removed as an outlier.
+const MISFIT: (f64, f64) = (4.0, 8.0);
+/// Lower bound of the estimated standard deviation of a measured coordinate, m; without it, samples without noise would
+/// count as outliers.
+const FINEST: f64 = 1e-7;
+/// Ratio of the second to the first singular value of a set of points, at or below which the points count as lying on a
+/// line.
+const FLAT: f64 = 0.05;
+
+/// Marker positions on the body (the shape), and the poses of the body in all samples.
+pub(super) struct Shape {
+    /// Positions of the markers on the body relative to their mean, m, in body-fixed axes whose orientation on the body
+    /// is arbitrary; the poses rotate these axes to those of the room.
+    pub points: Vec<Vector3<f64>>,
+    /// Covariance of the coordinates of all marker positions on the body (field `points`), m². The three coordinates of
+    /// a marker are consecutive; the rank is 3 × number of markers − 6.
+    pub covariance: DMatrix<f64>,
+    /// Estimated standard deviation of one coordinate of a measured marker position, m.
+    pub sigma: f64,
+    /// Poses of the body in the samples: one list for each flight.
+    pub poses: Vec<Vec<Placed>>,
+    /// Number of measured marker positions left out as outliers.
+    pub outliers: usize,
+}
+
+/// Position and attitude of the body in one sample.
+#[derive(Clone)]
+pub(super) struct Placed {
+    /// Index of the sample in its flight.
+    pub sample: usize,
+    /// Position in the room, m, of the point of the body that is the mean of all marker positions.
+    pub position: Vector3<f64>,
+    /// Rotation matrix from the body-fixed axes to the axes of the room.
+    pub rotation: Matrix3<f64>,
+    /// For each marker, whether its measured position is used for the pose.
+    pub used: Vec<bool>,
+    /// Sum of the squared residuals of the pose over the markers used for it, m².
+    squares: f64,
+}
+
+type Row = Vec<Option<Vector3<f64>>>;
+
+/// Estimates the marker positions on the body (the shape) and the pose of the body in each sample.
+pub(super) fn shape(labels: &[String], flights: &[FreeFlight<'_>]) -> Result<Shape, TemplateError> {
+    if labels.len() < 3 {
+        let labels = labels.to_vec();
+        return Err(TemplateError::FewPoints { labels });
+    }
+    let rows: Vec<Vec<Row>> = flights.iter().map(rows).collect();
+    let all = || rows.iter().flatten();
+    let mut points = first_shape(labels, all())?;
+    let mut sigma = f64::INFINITY;
+    let mut poses: Vec<Vec<Placed>> = Vec::new();
+    for pass in 0..PASSES.0 {
+        poses = match pass < PASSES.1 {
+            true => rows
+                .iter()
+                .map(|rows| placed(&points, rows, sigma))
+                .collect(),
+            false => replaced(&points, &rows, poses),
+        };
+        let is_first = sigma.is_infinite();
+        sigma = match is_first {
+            true => robust_sigma(&poses),
+            false => pooled_sigma(&poses, points.len()),
+        }
+        .max(FINEST);
+        let next = means(&points, &rows, &poses, is_first);
+        let change = points.iter().zip(&next).map(|(a, b)| (a - b).norm());
+        let change = change.fold(0.0, f64::max);
+        points = next;
+        if pass > PASSES.1 && change < CONVERGED {
+            break;
+        }
+    }
+    let found = poses.iter().map(Vec::len).max().unwrap_or(0);
+    if found < MIN_SAMPLES {
+        let expected = MIN_SAMPLES;
+        return Err(TemplateError::FewSamples { found, expected });
+    }
+    if is_flat(&points) {
+        return Err(TemplateError::Collinear);
+    }
+    let seen = all().flatten().filter(|seen| seen.is_some()).count();
+    let placed = poses.iter().flatten();
+    let used = placed.map(|pose| pose.used.iter().filter(|used| **used).count());
+    let lonely = all().map(|row| row.iter().flatten().count());
+    let lonely: usize = lonely.filter(|seen| *seen < 3).sum();
+    Ok(Shape {
+        covariance: covariance(&points, &poses) * (sigma * sigma),
+        sigma,
+        outliers: seen.saturating_sub(used.sum::<usize>() + lonely),
+        points,
+        poses,
+    })
+}
+
+fn rows(flight: &FreeFlight<'_>) -> Vec<Row> {
+    let row = |row: &Vec<Option<[f64; 3]>>| row.iter().map(|p| p.map(Vector3::from)).collect();
+    flight.positions.iter().map(row).collect()
+}
+
+/// Initial estimate of the marker positions on the body. It is taken from a single sample: of the samples with the most
+/// visible markers, the one whose distances between markers are closest to the median distances. Markers missing in
+/// this sample are located by means of other samples.
+fn first_shape<'r>(
+    labels: &[String],
+    rows: impl Iterator<Item = &'r Row> + Clone,
+) -> Result<Vec<Vector3<f64>>, TemplateError> {
+    let count = labels.len();
+    let pairs: Vec<(usize, usize)> = (0..count)
+        .flat_map(|i| (i + 1..count).map(move |j| (i, j)))
+        .collect();
+    let distance = |row: &Row, (i, j): (usize, usize)| Some((row[i]? - row[j]?).norm());
+    let typical = pairs.iter().map(|&pair| {
+        let mut each: Vec<f64> = rows.clone().filter_map(|row| distance(row, pair)).collect();
+        median(&mut each)
+    });
+    let typical: Vec<f64> = typical.collect();
+    let off = |row: &Row| {
+        let each = pairs.iter().zip(&typical);
+        let each = each.filter_map(|(&pair, typical)| Some((distance(row, pair)? - typical).abs()));
+        each.fold(0.0, f64::max)
+    };
+    let seen = |row: &Row| row.iter().flatten().count();
+    let best = rows.clone().max_by(|a, b| {
+        let by_count = seen(a).cmp(&seen(b));
+        by_count.then_with(|| off(b).total_cmp(&off(a)))
+    });
+    let mut known: Row = best.cloned().unwrap_or_default();
+    if known.iter().flatten().count() < 3 {
+        let (found, expected) = (0, MIN_SAMPLES);
+        return Err(TemplateError::FewSamples { found, expected });
+    }
+    while let Some(lacking) = known.iter().position(Option::is_none) {
+        let template: Vec<Vector3<f64>> = known.iter().map(|p| p.unwrap_or_default()).collect();
+        let place = |k: usize| {
+            let places = rows.clone().filter_map(|row| {
+                let both: Row = (0..count).map(|k| known[k].and(row[k])).collect();
+                let (position, rotation) = fitted(&template, &both)?;
+                Some(rotation.transpose() * (row[k]? - position))
+            });
+            let places: Vec<Vector3<f64>> = places.collect();
+            (!places.is_empty()).then(|| (k, median_point(&places)))
+        };
+        let next = (0..count).filter(|&k| known[k].is_none()).find_map(place);
+        let Some((k, point)) = next else {
+            let label = labels[lacking].clone();
+            return Err(TemplateError::Unplaced { label });
+        };
+        known[k] = Some(point);
+    }
+    let points: Vec<Vector3<f64>> = known.into_iter().flatten().collect();
+    if is_flat(&points) {
+        return Err(TemplateError::Collinear);
+    }
+    Ok(centred(points))
+}
+
+fn median_point(points: &[Vector3<f64>]) -> Vector3<f64> {
+    let axis = |axis: usize| median(&mut points.iter().map(|p| p[axis]).collect::<Vec<f64>>());
+    Vector3::new(axis(0), axis(1), axis(2))
+}
+
+fn is_flat(points: &[Vector3<f64>]) -> bool {
+    let mean = points.iter().sum::<Vector3<f64>>() / points.len().max(1) as f64;
+    let scatter = points.iter().map(|p| (p - mean) * (p - mean).transpose());
+    let scatter: Matrix3<f64> = scatter.sum();
+    let mut values: Vec<f64> = scatter.symmetric_eigenvalues().iter().copied().collect();
+    values.sort_by(f64::total_cmp);
+    values[1] <= FLAT * FLAT * values[2]
+}
+
+/// Pose of the sample with the index `sample`, whose measured marker positions are `row`, from the markers marked as
+/// `used`; `points` are the marker positions on the body. `None` if the used markers do not fix the attitude.
+fn pose(points: &[Vector3<f64>], row: &Row, used: Vec<bool>, sample: usize) -> Option<Placed> {
+    let seen: Row = row
+        .iter()
+        .zip(&used)
+        .map(|(p, used)| p.filter(|_| *used))
+        .collect();
+    let chosen: Vec<Vector3<f64>> = points
+        .iter()
+        .zip(&seen)
+        .filter_map(|(own, seen)| seen.map(|_| *own))
+        .collect();
+    if chosen.len() < 3 || is_flat(&chosen) {
+        return None;
+    }
+    let (position, rotation) = fitted(points, &seen)?;
+    let squares = points.iter().zip(&seen).filter_map(|(own, seen)| {
+        let seen = (*seen)?;
+        Some((position + rotation * own - seen).norm_squared())
+    });
+    Some(Placed {
+        sample,
+        position,
+        rotation,
+        squares: squares.sum(),
+        used,
+    })
+}
+
+impl Placed {
+    /// Degrees of freedom of the residuals of the pose: number of used coordinates minus number of fitted pose
+    /// parameters.
+    fn freedom(&self) -> f64 {
+        3.0 * self.used.iter().filter(|used| **used).count() as f64 - 6.0
+    }
+
+    fn fits(&self, sigma: f64) -> bool {
+        let freedom = self.freedom();
+        self.squares <= sigma * sigma * (freedom + MISFIT.0 * (2.0 * freedom).sqrt() + MISFIT.1)
+    }
+}
+
+/// Computes the pose of the body in each sample of a flight; `rows` are the measured marker positions, one row per
+/// sample, and `sigma` is the standard deviation of a coordinate, m. While the residuals of a sample are too large, the
+/// marker whose removal reduces them most is removed from this sample. A sample whose remaining markers do not fix the
+/// pose is left out.
+fn placed(points: &[Vector3<f64>], rows: &[Row], sigma: f64) -> Vec<Placed> {
+    let place = |(sample, row): (usize, &Row)| {
+        let all: Vec<bool> = row.iter().map(Option::is_some).collect();
+        let mut now = pose(points, row, all, sample)?;
+        while !now.fits(sigma) {
+            let without = (0..points.len()).filter(|&k| now.used[k]).filter_map(|k| {
+                let mut used = now.used.clone();
+                used[k] = false;
+                pose(points, row, used, sample)
+            });
+            now = without.min_by(|a, b| a.squares.total_cmp(&b.squares))?;
+        }
+        Some(now)
+    };
+    rows.iter().enumerate().filter_map(place).collect()
+}
+
+/// Recomputes each pose in `poses` for the marker positions `points` on the body, from the same markers. Poses that
+/// cannot be computed are left out.
+fn replaced(
+    points: &[Vector3<f64>],
+    rows: &[Vec<Row>],
+    poses: Vec<Vec<Placed>>,
+) -> Vec<Vec<Placed>> {
+    let each = rows.iter().zip(poses).map(|(rows, poses)| {
+        let again = poses
+            .into_iter()
+            .filter_map(|before| pose(points, &rows[before.sample], before.used, before.sample));
+        again.collect()
+    });
+    each.collect()
+}
+
+/// Robust standard deviation of a measured coordinate, m, from the median over the samples of the squared residuals of
+/// the poses.
+fn robust_sigma(poses: &[Vec<Placed>]) -> f64 {
+    let each = poses.iter().flatten().map(|pose| {
+        // Median of χ² over its degrees of freedom, by Wilson and Hilferty.
+        let freedom = pose.freedom();
+        pose.squares / (freedom * (1.0 - 2.0 / (9.0 * freedom)).powi(3))
+    });
+    median(&mut each.collect::<Vec<f64>>()).sqrt()
+}
+
+fn pooled_sigma(poses: &[Vec<Placed>], points: usize) -> f64 {
+    let squares: f64 = poses.iter().flatten().map(|pose| pose.squares).sum();
+    let freedom: f64 = poses.iter().flatten().map(Placed::freedom).sum();
+    (squares / (freedom - (3.0 * points as f64 - 6.0)).max(1.0)).sqrt()
+}
+
+/// Mean, or median if `by_median`, of each marker's position over the samples, m, in the body-fixed axes that the poses
+/// define. The result is shifted so that the mean of all markers is 0. A marker that no pose uses has the position that
+/// `points` contains.
+fn means(
+    points: &[Vector3<f64>],
+    rows: &[Vec<Row>],
+    poses: &[Vec<Placed>],
+    by_median: bool,
+) -> Vec<Vector3<f64>> {
+    let each = (0..points.len()).map(|k| {
+        let own = rows.iter().zip(poses).flat_map(|(rows, poses)| {
+            let used = poses.iter().filter(move |pose| pose.used[k]);
+            used.filter_map(move |pose| {
+                let seen = rows[pose.sample][k]?;
+                Some(pose.rotation.transpose() * (seen - pose.position))
+            })
+        });
+        let own: Vec<Vector3<f64>> = own.collect();
+        match (own.len(), by_median) {
+            (0, _) => points[k],
+            (_, true) => median_point(&own),
+            (count, false) => own.iter().sum::<Vector3<f64>>() / count as f64,
+        }
+    });
+    centred(each.collect())
+}
+
+/// Covariance of the marker positions on the body, per unit variance of a measured coordinate: pseudo-inverse of the
+/// normal matrix with the poses eliminated. The six directions of a rigid motion of all markers are left out.
+fn covariance(points: &[Vector3<f64>], poses: &[Vec<Placed>]) -> DMatrix<f64> {
+    let size = 3 * points.len();
+    let mut normal = DMatrix::<f64>::zeros(size, size);
+    // Samples with the same markers have the same matrix.
+    let mut kinds: std::collections::BTreeMap<&[bool], f64> = std::collections::BTreeMap::new();
+    for pose in poses.iter().flatten() {
+        *kinds.entry(&pose.used).or_default() += 1.0;
+    }
+    for (used, times) in kinds {
+        let chosen: Vec<usize> = (0..points.len()).filter(|&k| used[k]).collect();
+        let mut motion = DMatrix::<f64>::zeros(size, 6);
+        let mut own = DMatrix::<f64>::zeros(size, size);
+        for &k in &chosen {
+            let turn = -points[k].cross_matrix();
+            for a in 0..3 {
+                own[(3 * k + a, 3 * k + a)] = 1.0;
+                motion[(3 * k + a, a)] = 1.0;
+                for b in 0..3 {
+                    motion[(3 * k + a, 3 + b)] = turn[(a, b)];
+                }
+            }
+        }
+        let Some(inverse) = (motion.transpose() * &motion).try_inverse() else {
+            continue;
+        };
+        normal += (own - &motion * inverse * motion.transpose()) * times;
+    }
+    let eigen = normal.symmetric_eigen();
+    let most = eigen.eigenvalues.amax();
+    let inverse = eigen.eigenvalues.map(|value| {
+        if value > 1e-9 * most {
+            1.0 / value
+        } else {
+            0.0
+        }
+    });
+    &eigen.eigenvectors * DMatrix::from_diagonal(&inverse) * eigen.eigenvectors.transpose()
+}

@@ -1,0 +1,323 @@
+//! Detection of the throws in a take: the release from the hand, and the end of the free flight.
+//!
+//! No model of the body is used. The motion of a rigid cluster of points, or of a tracked pose, is free flight if it is
+//! smooth, the body moves, and its acceleration without gravity is one that air can cause: not along the velocity, as
+//! that of a hand, and not greater than the bound in [`windows`]. From the middle of such a run the flight is followed
+//! in both directions as long as the samples agree with their prediction, or deviate in a way that air can cause. The
+//! flight is then cut at the time at which a change of velocity or acceleration best explains the samples on both
+//! sides.
+
+mod breaks;
+mod cluster;
+mod cut;
+mod follow;
+mod motion;
+mod quadratic;
+mod track;
+mod windows;
+
+use std::ops::Range;
+
+use crate::takes::take::Take;
+use cut::{Change, FlightEnd, changes};
+use follow::{Checks, Stop, follow};
+pub use motion::{Motion, motion};
+use track::Track;
+pub(crate) use track::{centred, fitted};
+use windows::{Window, windows};
+
+/// Acceleration of gravity that is assumed for recordings, m/s².
+pub(crate) const GRAVITY: f64 = 9.81;
+/// Lower bound to which an estimated standard deviation of a measured position is raised, m.
+const FINEST: f64 = 5e-5;
+
+/// Limits on the duration of flights and of gaps in them, for the search for throws in a recording.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ThrowOptions {
+    /// Minimum duration of a free flight that counts as a throw, s.
+    pub shortest: f64,
+    /// Maximum duration of a gap in the measurements across which a flight is followed, s.
+    pub longest_gap: f64,
+}
+
+impl Default for ThrowOptions {
+    fn default() -> Self {
+        Self {
+            shortest: 0.2,
+            longest_gap: 0.15,
+        }
+    }
+}
+
+/// Cause of the beginning or the end of a throw.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cause {
+    /// The hand releases the body. The value is the magnitude of the jump of the acceleration at the release, m/s²; it
+    /// is 0 if the change was fitted as a jump of the velocity.
+    Hand(f64),
+    /// The body hits the ground: its vertical velocity jumps upwards by this amount, m/s.
+    Ground(f64),
+    /// The body is stopped, as by a net or a hand: its acceleration jumps by this amount, m/s², against the direction
+    /// of flight.
+    Stopped(f64),
+    /// The body hits an obstacle: its velocity jumps by this amount, m/s, against the direction of flight.
+    Struck(f64),
+    /// The velocity or the acceleration changes in a way that fits none of the causes `Hand`, `Ground`, `Stopped` and
+    /// `Struck`.
+    Disturbed,
+    /// The body is not seen for a while; the value is the time between the samples before and after this gap, s.
+    Gap(f64),
+    /// The recording begins or ends during the flight.
+    Recording,
+}
+
+/// Beginning or end of a free flight in a recording, with its cause.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cut {
+    /// Index, in the recording, of the first or the last sample of the free flight.
+    pub sample: usize,
+    /// Time of the change of motion (release, impact) that begins or ends the free flight, s.
+    pub time: f64,
+    /// Cause of the change of motion that begins or ends the free flight, such as the hand or the ground.
+    pub cause: Cause,
+}
+
+/// A throw: one free flight of a body in a recording.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Throw {
+    /// Beginning of the free flight, with its cause.
+    pub release: Cut,
+    /// End of the free flight, with its cause.
+    pub end: Cut,
+    /// Number of samples within the flight in which the body is not seen.
+    pub unseen: usize,
+    /// Mean acceleration over the flight, m/s², along the axes of the recording.
+    pub acceleration: [f64; 3],
+}
+
+impl Throw {
+    /// Range of the indices, in the recording, of the samples of the free flight.
+    pub fn samples(&self) -> Range<usize> {
+        self.release.sample..self.end.sample + 1
+    }
+}
+
+/// Throws found in a recording, and notes on the search for them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Throws {
+    /// Throws in the order of time.
+    pub throws: Vec<Throw>,
+    /// Labels of the points that move as one body, or of the tracked body.
+    pub labels: Vec<String>,
+    /// Notes on motions that do not count as throws, such as free motion of too short a duration, with the reason.
+    pub notes: Vec<String>,
+}
+
+/// Finds the throws in a recording whose z axis points up. The moving body is given by the points or the body named in
+/// `labels`; if `labels` is empty, it is the first tracked body or, without one, the largest set of points that move as
+/// one.
+pub fn find_throws(take: &Take, labels: &[&str], options: &ThrowOptions) -> Throws {
+    let mut found = Throws::default();
+    let Some(track) = Track::new(take, labels, &mut found.notes) else {
+        return found;
+    };
+    found.labels = track.labels.clone();
+    let windows = windows(&track);
+    let mut runs = runs(&track, &windows, options);
+    // The longest runs come first, so that a short run at the edge of a flight becomes part of it.
+    runs.sort_by(|a, b| b.len().cmp(&a.len()).then(a.start.cmp(&b.start)));
+    let mut taken: Vec<Range<usize>> = Vec::new();
+    for run in runs {
+        if taken
+            .iter()
+            .any(|other| run.start < other.end && other.start < run.end)
+        {
+            continue;
+        }
+        if let Some((range, throw)) = throw(&track, &windows, &run, options) {
+            taken.push(range);
+            found.throws.push(throw);
+        }
+    }
+    found.throws.sort_by_key(|throw| throw.release.sample);
+    select(&mut found, options);
+    found
+}
+
+/// Ranges of at least 3 consecutive samples in free flight according to the local quadratic fits `windows`, as indices
+/// in the track (samples in which the body is seen).
+fn runs(track: &Track, windows: &[Option<Window>], options: &ThrowOptions) -> Vec<Range<usize>> {
+    let noise = windows::noise(windows);
+    let mut runs: Vec<Range<usize>> = Vec::new();
+    for (i, window) in windows.iter().enumerate() {
+        if !window.as_ref().is_some_and(|window| window.is_free(noise)) {
+            continue;
+        }
+        match runs.last_mut() {
+            Some(run)
+                if run.end == i && track.times[i] - track.times[i - 1] <= options.longest_gap =>
+            {
+                run.end = i + 1;
+            }
+            _ => runs.push(i..i + 1),
+        }
+    }
+    runs.retain(|run| run.len() >= 3);
+    runs
+}
+
+/// Locates the ends of the free flight around `run`, a range of samples in free flight. Returns the flight as a range
+/// of samples and as a throw; `None` if too few samples remain between its beginning and its end. Ranges are indices in
+/// the track (samples in which the body is seen).
+fn throw(
+    track: &Track,
+    windows: &[Option<Window>],
+    run: &Range<usize>,
+    options: &ThrowOptions,
+) -> Option<(Range<usize>, Throw)> {
+    let path = track.path(windows::offset(windows, run));
+    let ground = breaks::lowest(&path);
+    let is_ground = breaks::is_ground(&track.times, &path, ground);
+    let checks = Checks {
+        is_break: &|last, early| {
+            breaks::is_break(&FlightEnd::new(track, &path, last, early), ground)
+        },
+        touches: &|last| {
+            is_ground && breaks::touches(&FlightEnd::new(track, &path, last, false), ground)
+        },
+    };
+    let (start, end) = follow(track, &path, run, options, &checks);
+    let early = changes(track, &path, &start, true);
+    let late = changes(track, &path, &end, false);
+    let (first, last) = (early.inside, late.inside);
+    if first >= last {
+        return None;
+    }
+    let samples = [track.samples[first], track.samples[last]];
+    let unseen = samples[1] + 1 - samples[0] - (last + 1 - first);
+    let acceleration = cut::mean_acceleration(track, &path, first..last + 1)?;
+    let make = |change: &Change, sample: usize, cause: Cause| Cut {
+        sample,
+        time: change.time,
+        cause,
+    };
+    let release = make(&early, samples[0], cause(track, &start, &early, true));
+    let end = make(&late, samples[1], cause(track, &end, &late, false));
+    let throw = Throw {
+        release,
+        end,
+        unseen,
+        acceleration,
+    };
+    Some((first..last + 1, throw))
+}
+
+/// Cause of the `change` of motion at the beginning (if `early` is true) or at the end of a flight; `stop` is the
+/// reason why the flight could not be followed beyond this change.
+fn cause(track: &Track, stop: &Stop, change: &Change, early: bool) -> Cause {
+    match stop {
+        Stop::Data => Cause::Recording,
+        Stop::Gap { from, to } => Cause::Gap((track.times[*to] - track.times[*from]).abs()),
+        Stop::Deviation { .. } | Stop::Touch { .. } => {
+            let speed = norm(change.velocity);
+            let along = |v: [f64; 3]| match speed > 0.0 {
+                true => dot(v, change.velocity) / speed,
+                false => 0.0,
+            };
+            let pull = along(change.acceleration);
+            // Over few samples, the hand's acceleration may look like a jump; an upward jump is a bounce.
+            let pushed = match change.velocity_jump {
+                Some(jump) => along(jump) > 0.0 && jump[2].abs() < 0.7 * norm(jump),
+                None => pull > 0.0,
+            };
+            if early && pushed {
+                return Cause::Hand(norm(change.acceleration));
+            }
+            match change.velocity_jump {
+                Some(jump) if !early && jump[2] > 0.5 * norm(jump) && change.velocity[2] < 0.0 => {
+                    Cause::Ground(jump[2])
+                }
+                Some(jump) if !early && along(jump) < 0.0 => Cause::Struck(norm(jump)),
+                None if !early && pull < 0.0 => Cause::Stopped(norm(change.acceleration)),
+                _ => Cause::Disturbed,
+            }
+        }
+    }
+}
+
+/// Removes flights that are too short and flights that only follow the impact of an earlier flight; adds a note on
+/// each.
+fn select(found: &mut Throws, options: &ThrowOptions) {
+    let mut kept: Vec<Throw> = Vec::new();
+    let mut last_end: Option<Cut> = None;
+    for throw in std::mem::take(&mut found.throws) {
+        let seconds = throw.end.time - throw.release.time;
+        // A hand needs time: motion that continues at once after an impact is a bounce, whatever its beginning looks
+        // like.
+        let long =
+            |cause: Cause| matches!(cause, Cause::Gap(seconds) if seconds > options.longest_gap);
+        let bounced = last_end.is_some_and(|end| {
+            let near = throw.release.time - end.time < options.shortest;
+            let seen = !matches!(throw.release.cause, Cause::Hand(_) | Cause::Gap(_));
+            near && (seen || !long(end.cause))
+        });
+        last_end = Some(throw.end);
+        let why = if bounced {
+            "it follows the end of a flight without a hand"
+        } else if seconds < options.shortest {
+            "it is too short"
+        } else {
+            kept.push(throw);
+            continue;
+        };
+        found.notes.push(format!(
+            "free motion from {:.3} s to {:.3} s is no throw: {why}",
+            throw.release.time, throw.end.time
+        ));
+    }
+    found.throws = kept;
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn norm(a: [f64; 3]) -> f64 {
+    dot(a, a).sqrt()
+}
+
+/// Distance between two positions, m.
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    norm([b[0] - a[0], b[1] - a[1], b[2] - a[2]])
+}
+
+/// Median of values, or the upper one of the two middle values; 0 if there are none. Sorts the values.
+pub(crate) fn median(values: &mut [f64]) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(0.0)
+}
+
+impl std::fmt::Display for Cause {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Hand(acceleration) => write!(
+                f,
+                "the hand lets go: its acceleration of {acceleration:.0} m/s² along the velocity ends"
+            ),
+            Self::Ground(jump) => write!(
+                f,
+                "the ground: the vertical velocity jumps upwards by {jump:.1} m/s"
+            ),
+            Self::Stopped(acceleration) => write!(
+                f,
+                "stopped, as by a net or a hand: {acceleration:.0} m/s² against the velocity"
+            ),
+            Self::Struck(jump) => {
+                write!(f, "struck: the velocity changes by {jump:.1} m/s at once")
+            }
+            Self::Disturbed => f.write_str("the motion changes suddenly"),
+            Self::Gap(seconds) => write!(f, "not seen for {seconds:.3} s"),
+            Self::Recording => f.write_str("the recording has no more"),
+        }
+    }
+}

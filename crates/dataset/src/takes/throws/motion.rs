@@ -1,0 +1,75 @@
+//! Height, speed and rate of rotation of a followed body over a whole take, for figures.
+
+use super::track::Track;
+use super::{distance, norm};
+use crate::takes::take::Take;
+
+/// Maximum time between two samples, in sampling intervals, for the speed and the rate of rotation between them to be
+/// computed; a longer time counts as a gap.
+const GAP: f64 = 1.5;
+
+/// Time series of the motion of a body in a recording; values are not finite where the body is not seen.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Motion {
+    /// Times, s: those of the samples in which the body is seen, and the middle of each gap between them, at which the
+    /// other values are NaN.
+    pub times: Vec<f64>,
+    /// Height (z coordinate in the recording) of the centroid of the tracked points at each of `times`, m.
+    pub heights: Vec<f64>,
+    /// Speed of the centroid of the tracked points at each of `times`, m/s.
+    pub speeds: Vec<f64>,
+    /// Rate of rotation of the body, rad/s, from the angle between consecutive attitudes; `None` if the attitude is not
+    /// computed. A rate above π per sampling interval is aliased to a lower one.
+    pub rotation: Option<Vec<f64>>,
+}
+
+/// Computes the time series of the motion of the points or bodies named in `labels` in a recording with z up; `None` if
+/// fewer than two samples show all of them together.
+pub fn motion(take: &Take, labels: &[&str]) -> Option<Motion> {
+    let track = Track::new(take, labels, &mut Vec::new())?;
+    let mut motion = Motion::default();
+    let mut rates = Vec::new();
+    let near = |i: usize, j: usize| track.times[j] - track.times[i] <= GAP * track.step;
+    let last = track.times.len() - 1;
+    for i in 0..=last {
+        let next = (i + 1).min(last);
+        let before = i.saturating_sub(1);
+        let (from, to) = (
+            if near(before, i) { before } else { i },
+            if near(i, next) { next } else { i },
+        );
+        motion.times.push(track.times[i]);
+        motion.heights.push(track.centres[i][2]);
+        let moved = distance(track.centres[from], track.centres[to]);
+        motion
+            .speeds
+            .push(moved / (track.times[to] - track.times[from]));
+        rates.push(match next > i && near(i, next) {
+            true => turn(&track, i, next) / (track.times[next] - track.times[i]),
+            false => f64::NAN,
+        });
+        if next > i && !near(i, next) {
+            motion
+                .times
+                .push(0.5 * (track.times[i] + track.times[next]));
+            motion.heights.push(f64::NAN);
+            motion.speeds.push(f64::NAN);
+            rates.push(f64::NAN);
+        }
+    }
+    motion.rotation = track.has_attitude().then_some(rates);
+    Some(motion)
+}
+
+/// Angle of the rotation between the attitudes of the body at two indices of the track (samples in which the body is
+/// seen), rad.
+fn turn(track: &Track, i: usize, j: usize) -> f64 {
+    let relative = track.rotation(j) * track.rotation(i).transpose();
+    // The sine determines the angle accurately near 0, where the cosine alone does not.
+    let sine = [
+        relative[(2, 1)] - relative[(1, 2)],
+        relative[(0, 2)] - relative[(2, 0)],
+        relative[(1, 0)] - relative[(0, 1)],
+    ];
+    norm(sine).atan2(relative.trace() - 1.0)
+}

@@ -1,0 +1,163 @@
+//! Throws of made recordings are cut where they were released and where they ended.
+
+use crate::support::read;
+use crate::support::thrown::{End, Made, recording};
+use dataset::takes::{Axis, Cause, ReadOptions, Take, ThrowOptions, find_throws};
+
+/// Maximum permitted error of a detected release or end of a flight, samples.
+const WITHIN: f64 = 3.0;
+
+fn z_up(text: &str) -> Take {
+    let take = read(text.as_bytes(), &ReadOptions::default()).expect("a take");
+    take.with_z_up(Axis::parse("+y").expect("an axis"), false)
+}
+
+/// Errors (detected − true) of release and end of each throw, in samples; `None` for a throw that was not detected.
+/// Also returns the number of detected throws that do not overlap a true one.
+fn errors(made: &Made) -> (Vec<Option<(f64, f64)>>, usize) {
+    let take = z_up(&made.text);
+    let found = find_throws(&take, &[], &ThrowOptions::default());
+    let mut used = vec![false; found.throws.len()];
+    let mut errors = Vec::new();
+    for truth in &made.truths {
+        let first = take
+            .times
+            .iter()
+            .position(|&t| t - take.times[0] >= truth.release);
+        let last = take
+            .times
+            .iter()
+            .rposition(|&t| t - take.times[0] <= truth.end);
+        let (first, last) = (first.expect("a sample"), last.expect("a sample"));
+        let matching = found.throws.iter().position(|throw| {
+            let range = throw.samples();
+            range.start < last && first < range.end
+        });
+        errors.push(matching.map(|i| {
+            used[i] = true;
+            let throw = &found.throws[i];
+            (
+                throw.release.sample as f64 - first as f64,
+                throw.end.sample as f64 - last as f64,
+            )
+        }));
+        let ok = errors.last().copied().flatten();
+        if !ok.is_some_and(|(a, b)| a.abs() <= WITHIN && b.abs() <= WITHIN) {
+            eprintln!(
+                "{truth:?} at {} Hz: {ok:?}; {:?} {:?}",
+                made.rate, found.throws, found.notes
+            );
+        }
+    }
+    (errors, used.iter().filter(|used| !**used).count())
+}
+
+#[test]
+fn releases_and_ends_are_within_three_samples_of_the_truth() {
+    let (mut flights, mut good, mut false_throws, mut late) = (0, 0, 0, 0);
+    for seed in 0..100 {
+        let made = recording(seed, 2);
+        let (errors, extra) = errors(&made);
+        false_throws += extra;
+        for error in errors {
+            flights += 1;
+            if let Some((release, end)) = error {
+                good += usize::from(release.abs() <= WITHIN && end.abs() <= WITHIN);
+                // A sample of the hand, or after the end, spoils a fit; one less costs little.
+                late += usize::from(release < 0.0 || end > 0.0);
+            }
+        }
+    }
+    eprintln!(
+        "{good} of {flights} flights within {WITHIN} samples at both ends; {late} with a sample outside; {false_throws} that are none"
+    );
+    assert_eq!(flights, 200);
+    assert!(good * 100 >= flights * 95, "{good} of {flights}");
+    assert!(false_throws <= 2, "{false_throws} that are none");
+}
+
+#[test]
+fn each_cut_says_why() {
+    let mut named = [0; 4];
+    let mut ends = 0;
+    for seed in 200..220 {
+        let made = recording(seed, 1);
+        let take = z_up(&made.text);
+        let found = find_throws(&take, &[], &ThrowOptions::default());
+        let Some(throw) = found.throws.first() else {
+            continue;
+        };
+        ends += 1;
+        named[0] += usize::from(matches!(throw.release.cause, Cause::Hand(_)));
+        let is_right = match made.truths[0].kind {
+            End::Ground => matches!(throw.end.cause, Cause::Ground(_)),
+            End::Net | End::Catch => matches!(throw.end.cause, Cause::Stopped(_)),
+        };
+        named[1] += usize::from(is_right);
+        if !is_right {
+            eprintln!("{:?}: {}", made.truths[0].kind, throw.end.cause);
+        }
+    }
+    eprintln!(
+        "of {ends}: {} released by the hand, {} ends named rightly",
+        named[0], named[1]
+    );
+    assert!(ends >= 19 && named[0] * 10 >= ends * 9 && named[1] * 10 >= ends * 9);
+}
+
+#[test]
+fn a_body_that_is_carried_or_rests_is_not_thrown() {
+    let rows = |position: &dyn Fn(f64) -> [f64; 3]| {
+        let mut text = "t_s,m_x_m,m_y_m,m_z_m\n".to_owned();
+        for i in 0..600 {
+            let t = f64::from(i) / 120.0;
+            let [x, y, z] = position(t);
+            let noise = 0.0005 * (f64::from(i) * 12.9898).sin();
+            text += &format!("{t},{},{},{}\n", x + noise, y - noise, z + noise);
+        }
+        text
+    };
+    let carried = rows(&|t| {
+        [
+            1.4 * t,
+            0.1 * (5.0 * t).sin(),
+            1.2 + 0.03 * (11.0 * t).sin(),
+        ]
+    });
+    let swung = rows(&|t| [0.6 * (6.0 * t).sin(), 0.6 * (6.0 * t).cos(), 1.2]);
+    let rests = rows(&|_| [0.0, 1.0, 0.0]);
+    for text in [carried, swung, rests] {
+        let take = read(text.as_bytes(), &ReadOptions::default()).expect("a take");
+        let found = find_throws(&take, &["m"], &ThrowOptions::default());
+        assert!(found.throws.is_empty(), "{:?}", found.throws);
+    }
+}
+
+#[test]
+fn a_long_gap_ends_a_flight_and_a_short_one_does_not() {
+    let fall = |gap: std::ops::Range<i32>| {
+        let mut text = "t_s,m_x_m,m_y_m,m_z_m\n".to_owned();
+        for i in 0..200 {
+            let t = f64::from(i) / 200.0;
+            text += &match gap.contains(&i) {
+                true => format!("{t},,,\n"),
+                false => format!("{t},{},0,{}\n", 8.0 * t, 10.0 + 2.0 * t - 4.905 * t * t),
+            };
+        }
+        let take = read(text.as_bytes(), &ReadOptions::default()).expect("a take");
+        find_throws(&take, &["m"], &ThrowOptions::default()).throws
+    };
+    let [bridged] = &fall(100..110)[..] else {
+        panic!("one flight");
+    };
+    assert_eq!((bridged.samples(), bridged.unseen), (0..200, 10));
+    assert_eq!(bridged.release.cause, Cause::Recording);
+    assert!((bridged.acceleration[2] + 9.81).abs() < 1e-3);
+    let [first, second] = &fall(80..140)[..] else {
+        panic!("two flights");
+    };
+    assert_eq!((first.samples(), second.samples()), (0..80, 140..200));
+    assert!(
+        matches!(first.end.cause, Cause::Gap(_)) && matches!(second.release.cause, Cause::Gap(_))
+    );
+}
