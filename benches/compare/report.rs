@@ -47,7 +47,7 @@ fn machine(results: &Value) -> String {
         n.trim_start_matches([' ', '\t', ':'])
     });
     let of = |tool: &str| results["machine"][tool].as_str().unwrap_or("?").to_string();
-    let threads = flight::batch::threads();
+    let threads = flight::parallel::threads();
     format!("{name}, {threads} threads, {}, {}", of("gcc"), of("rustc"))
 }
 

@@ -30,7 +30,7 @@ pub fn run(options: &Sweep) -> anyhow::Result<Answer> {
     let threads = match options.threads {
         Some(0) => bail!("--threads: found 0, expected a number above 0"),
         Some(threads) => threads,
-        None => flight::batch::threads(),
+        None => flight::parallel::threads(),
     };
     // A file takes precedence over the built-in name.
     let plan = match path.as_os_str() == BUILT_IN.0 && !path.is_file() {

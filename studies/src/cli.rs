@@ -117,7 +117,7 @@ impl Runs {
     /// Number of runs in parallel: `--threads` if given, otherwise one per processor.
     pub fn threads(&self) -> usize {
         let stated = self.threads.map(|threads| threads as usize);
-        stated.unwrap_or_else(flight::batch::threads)
+        stated.unwrap_or_else(flight::parallel::threads)
     }
 }
 

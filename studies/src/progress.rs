@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use flight::batch;
+use flight::parallel;
 
 /// Function that is called after each finished run with the numbers of finished runs and of all runs.
 pub type Progress<'p> = &'p (dyn Fn(usize, usize) + Sync);
@@ -16,7 +16,7 @@ pub(crate) fn each_run<R: Send>(
     run: impl Fn(usize) -> R + Sync,
 ) -> Vec<R> {
     let finished = AtomicUsize::new(0);
-    batch::each_on(threads, count, |index| {
+    parallel::each_on(threads, count, |index| {
         let result = run(index);
         progress(1 + finished.fetch_add(1, Ordering::Relaxed), count);
         result
@@ -25,5 +25,5 @@ pub(crate) fn each_run<R: Send>(
 
 /// Number of threads of each run if `parallel` runs share the processors equally.
 pub(crate) fn threads_of_each_run(parallel: usize) -> usize {
-    (batch::threads() / parallel.max(1)).max(1)
+    (parallel::threads() / parallel.max(1)).max(1)
 }

@@ -31,7 +31,7 @@ mod write;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use flight::batch;
+use flight::parallel;
 pub use input_error::InputError;
 pub use sensor::{Reading, Sensor, SensorKind, attitude, points_on_body, points_seen};
 use write::quoted;
@@ -151,7 +151,7 @@ pub fn load_on(folder: &Path, threads: Option<usize>) -> Result<Dataset, InputEr
     }
     let manifest = manifest::read(&folder.join("dataset.toml"))?;
     let recording = manifest.recording;
-    let threads = threads.unwrap_or_else(batch::threads);
+    let threads = threads.unwrap_or_else(parallel::threads);
     assemble(manifest, threads, |_, entry, markers, sensors| {
         let path = folder.join(&entry.file);
         let names: Vec<&str> = markers.iter().map(|marker| marker.name.as_str()).collect();
@@ -193,7 +193,7 @@ fn assemble(
     + Sync,
 ) -> Result<Dataset, InputError> {
     let (mut flights, mut paths) = (Vec::with_capacity(manifest.flights.len()), Vec::new());
-    let tables = batch::each_on(threads, manifest.flights.len(), |index| {
+    let tables = parallel::each_on(threads, manifest.flights.len(), |index| {
         let entry = &manifest.flights[index];
         samples(index, entry, &manifest.markers, &manifest.sensors)
     });

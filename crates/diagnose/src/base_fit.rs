@@ -7,7 +7,7 @@ use identify::{DataFault, FaultKind, Fit, FitError, FitOptions, fit};
 
 use crate::context::{Context, EncompassingModel};
 use crate::error::DiagnosisError;
-use crate::parallel::join;
+use flight::parallel::join;
 
 /// Fit of the model under test, and the encompassing model, which includes all candidate effects (effects that the
 /// model under test may lack).

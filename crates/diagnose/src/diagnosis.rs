@@ -16,12 +16,12 @@ use crate::lack_of_fit::LackOfFit;
 use crate::noise::random_walk_loads;
 use crate::offer::{ChosenExtension, measure};
 use crate::optimal_design::proposed_throw;
-use crate::parallel::join;
 use crate::report::{self, Consensus, Report, Verdict, Verified};
 use crate::selection::{
     FittedTerms, Search, StepwiseModel, Weights, are_alternative, select_by_bic,
 };
 use crate::validation::{Validated, predictive_terms};
+use flight::parallel::join;
 
 /// A hypothesis of one effect that adds at most this number of unknowns is accepted without comparison by BIC.
 const FREE_UNKNOWNS: usize = 6;

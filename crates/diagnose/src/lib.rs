@@ -40,7 +40,6 @@ mod lack_of_fit;
 mod noise;
 mod offer;
 mod optimal_design;
-mod parallel;
 mod power;
 mod report;
 mod score_test;

@@ -2,16 +2,16 @@
 //! predicts worse.
 
 use dataset::Role;
-use flight::batch;
+use flight::parallel;
 use identify::{Fit, FlightEvidence, FlightId, fit};
 
 use crate::context::Context;
 use crate::error::{DiagnosisError, if_possible};
 use crate::extension::ExtendedModel;
 use crate::lack_of_fit::LackOfFit;
-use crate::parallel::join;
 use crate::report::{self, Report};
 use crate::validation::{ApplyTo, PredictiveGain, cross_validate, gain_of_fits};
+use flight::parallel::join;
 
 /// Model extended by the effects that the diagnosis chose, before its fit and out-of-sample gain are completed.
 pub(crate) struct ChosenExtension {
@@ -154,6 +154,6 @@ fn evidence(context: Context<'_>, fit: &Fit) -> Vec<FlightEvidence> {
     let fitted = flights.filter(|(_, flight)| flight.role == Role::Fit);
     let fitted: Vec<FlightId> = fitted.map(|(index, _)| FlightId::new(index)).collect();
     let threads = context.options.fit.threads();
-    let each = batch::each_on(threads, fitted.len(), |k| fit.evidence(fitted[k]));
+    let each = parallel::each_on(threads, fitted.len(), |k| fit.evidence(fitted[k]));
     each.into_iter().flatten().collect()
 }

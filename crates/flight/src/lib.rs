@@ -28,7 +28,6 @@
 
 #![forbid(unsafe_code)]
 
-pub mod batch;
 mod bound_model;
 mod compiled_model;
 pub mod files;
@@ -38,6 +37,7 @@ mod integrate;
 mod lane_model;
 mod lane_observer;
 mod observer;
+pub mod parallel;
 mod release_file;
 mod rhs;
 mod simulate;

@@ -148,7 +148,9 @@ impl FitOptions<'_> {
 
     /// Number of threads to use: the given number, or the number of processors if none is given; 0 is replaced by 1.
     pub fn threads(&self) -> usize {
-        self.threads.unwrap_or_else(flight::batch::threads).max(1)
+        self.threads
+            .unwrap_or_else(flight::parallel::threads)
+            .max(1)
     }
 }
 

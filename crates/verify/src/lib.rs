@@ -121,7 +121,7 @@ pub fn run(loaded: &Loaded, options: &Options) -> Report {
 fn of_effects(loaded: &Loaded, options: &Options) -> [Row; 2] {
     match checks::effects::variants(loaded) {
         Some((with, without)) => {
-            let values = flight::batch::each(with.len(), |index| Values::of(&with[index]));
+            let values = flight::parallel::each(with.len(), |index| Values::of(&with[index]));
             let with: Vec<(Model, Values)> = with.into_iter().zip(values).collect();
             [
                 checks::effects::check(&without, &with, options),
@@ -170,7 +170,7 @@ type Check<'a> = Box<dyn Fn() -> Vec<Row> + Sync + 'a>;
 
 /// Runs checks on all processors; the results are in the order of `checks`.
 fn rows_of(checks: &[Check<'_>]) -> Vec<Row> {
-    flight::batch::each(checks.len(), |index| checks[index]())
+    flight::parallel::each(checks.len(), |index| checks[index]())
         .into_iter()
         .flatten()
         .collect()

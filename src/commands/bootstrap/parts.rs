@@ -53,8 +53,11 @@ impl Work<'_> {
             threads: Some(1),
             ..*self.options
         };
-        let threads = self.options.threads.unwrap_or_else(flight::batch::threads);
-        let done = flight::batch::each_on(threads, len, |i| {
+        let threads = self
+            .options
+            .threads
+            .unwrap_or_else(flight::parallel::threads);
+        let done = flight::parallel::each_on(threads, len, |i| {
             let number = numbers.start + i as u64;
             let estimates = self.fit.bootstrap(self.seed, number, &alone)?;
             progress(1);

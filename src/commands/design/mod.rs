@@ -55,7 +55,7 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
     }
     let threads = options
         .threads
-        .map_or_else(flight::batch::threads, |n| n as usize);
+        .map_or_else(flight::parallel::threads, |n| n as usize);
     let search = SearchOptions {
         starts: options.starts as usize,
         seed: options.seed,

@@ -6,7 +6,7 @@ use std::sync::Mutex;
 
 use dataset::{Dataset, Role};
 use diagnose::{Diagnosis, DiagnosisOptions, diagnose};
-use flight::batch;
+use flight::parallel;
 use identify::{Fit, fit};
 use model_spec::model::Model;
 
@@ -56,7 +56,7 @@ pub fn run_rows(rows: &[Row], at_a_time: usize, progress: Progress<'_>) -> Vec<R
 pub fn rejections(results: &[RowResult]) -> Vec<Vec<Option<String>>> {
     let models = Models::default();
     let all: Vec<&Outcome> = results.iter().flat_map(|result| &result.outcomes).collect();
-    let texts = batch::each(all.len(), |index| {
+    let texts = parallel::each(all.len(), |index| {
         let outcome = all[index];
         let is_missed = outcome.is_detected() && !outcome.in_set && outcome.is_detectable(1.0);
         is_missed.then(|| rejection(&outcome.case, &models))?

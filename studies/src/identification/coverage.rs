@@ -1,6 +1,6 @@
 //! Coverage of the fit's 95 % confidence intervals over simulated datasets with different throws and noise.
 
-use flight::batch;
+use flight::parallel;
 use identify::{fit, interval};
 use serde::Serialize;
 
@@ -60,7 +60,7 @@ impl Coverage {
 pub fn coverage(plan: &Plan<'_>, condition: &NoiseCondition, seeds: u64) -> Coverage {
     let model = disc();
     let truth = truth(&model, plan);
-    let reports = batch::each(seeds as usize, |seed| {
+    let reports = parallel::each(seeds as usize, |seed| {
         let seed = seed as u64;
         let mut dataset = flights(&model, plan, seed);
         add_noise(&mut dataset, &condition.noise, seed);

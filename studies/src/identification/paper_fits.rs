@@ -3,7 +3,7 @@
 
 use dataset::Dataset;
 use dataset::synthesize::Corruption;
-use flight::batch;
+use flight::parallel;
 use identify::{FitOptions, FitReport, fit};
 use model_spec::model::Model;
 
@@ -143,7 +143,7 @@ pub(crate) fn scenario(
         ar1,
         ..Corruption::default()
     };
-    let reports = batch::each(seeds as usize, |seed| {
+    let reports = parallel::each(seeds as usize, |seed| {
         let mut dataset = exact.clone();
         add_noise(&mut dataset, &noise, seed as u64 + 1);
         let options = FitOptions {

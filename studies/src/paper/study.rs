@@ -69,7 +69,7 @@ impl Study {
         let flown = |name: &str, row: &[f64; 8]| -> Result<Vec<Vec<Option<Outcome>>>, StudyError> {
             let flyer = Flyer::new(name, duration(&claims, name))?;
             let (d, g) = flyer.scales();
-            Ok(flight::batch::each(conventions.len(), |index| {
+            Ok(flight::parallel::each(conventions.len(), |index| {
                 let conventions = &conventions[index];
                 let fly = |&order: &Columns| {
                     flyer.fly(&coefficients(row, order, conventions, d, g), conventions)

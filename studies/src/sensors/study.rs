@@ -2,7 +2,7 @@
 
 use dataset::{Role, Sensor, SensorKind};
 use diagnose::{DiagnosisOptions, diagnose};
-use flight::batch;
+use flight::parallel;
 use identify::{fit, interval};
 use model_spec::compose::Instrument;
 use serde::Serialize;
@@ -88,7 +88,7 @@ pub fn sensors(
             displacement: [0.0; 3],
             noise: SensorNoise::default(),
         };
-        let runs = batch::each_on(threads, seeds as usize, |seed| run(&observed, seed as u64));
+        let runs = parallel::each_on(threads, seeds as usize, |seed| run(&observed, seed as u64));
         let mut set = SensorSet {
             name: name.to_owned(),
             datasets: runs.len(),
@@ -163,7 +163,7 @@ fn gather(runs: &[Run], set: &mut SensorSet) -> Vec<f64> {
 fn diagnoses(observed: &Observed, count: u64, threads: usize, set: &mut SensorSet) {
     let is_accelerometer =
         |sensor: &Sensor| sensor.kind == SensorKind::Instrument(Instrument::Accelerometer);
-    let clean = batch::each_on(threads, count as usize, |seed| {
+    let clean = parallel::each_on(threads, count as usize, |seed| {
         let names = causes(observed, seed as u64)?;
         Some(names.is_empty())
     });
@@ -176,7 +176,7 @@ fn diagnoses(observed: &Observed, count: u64, threads: usize, set: &mut SensorSe
             displacement: DISPLACEMENT,
             ..observed.clone()
         };
-        let found = batch::each_on(threads, count as usize, |seed| {
+        let found = parallel::each_on(threads, count as usize, |seed| {
             let names = causes(&displaced, seed as u64)?;
             Some(
                 names

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use dataset::{Dataset, Flight, Marker};
-use flight::batch;
+use flight::parallel;
 use dataset::takes::{
     Axis, CentreHeight, EstimatedTemplate, FreeFlight, Point, ReadOptions, Take, ThrowOptions,
     Throws, estimate_template, find_throws,
@@ -131,7 +131,7 @@ pub fn sessions(
 /// [`StudyError::Take`] if a take cannot be read.
 pub fn session_cuts(seeds: &[u64], threads: usize) -> Result<SessionCuts, StudyError> {
     let each: Vec<Result<SessionCuts, StudyError>> =
-        batch::each_on(threads, seeds.len(), |index| {
+        parallel::each_on(threads, seeds.len(), |index| {
             let filmed = filmed(seeds[index]);
             let text = |take: &FilmedTake| Writer::Vicon.text(&take.rows, filmed.rate);
             let takes = filmed.takes.iter();

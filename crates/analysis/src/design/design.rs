@@ -4,7 +4,7 @@
 use std::cell::RefCell;
 use std::cmp::Ordering;
 
-use flight::batch::each_on;
+use flight::parallel::each_on;
 use flight::throw::{FIELDS, Throw};
 use nalgebra::{DVector, Vector3};
 use ode::IntegrationOptions;
@@ -37,7 +37,7 @@ impl Default for SearchOptions {
             starts: 384,
             descents: 12,
             seed: 1,
-            threads: flight::batch::threads(),
+            threads: flight::parallel::threads(),
         }
     }
 }

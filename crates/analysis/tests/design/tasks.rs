@@ -254,7 +254,7 @@ fn best_of(
 ) -> f64 {
     let settings = IntegrationOptions::with_tolerance(1e-5);
     let free = bounds.free().count();
-    let figures = flight::batch::each(count, |k| {
+    let figures = flight::parallel::each(count, |k| {
         let mut random = ChaCha8Rng::seed_from_u64(11);
         random.set_stream(k as u64);
         let at = DVector::from_fn(free, |_, _| random.random::<f64>());

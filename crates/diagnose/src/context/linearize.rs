@@ -1,7 +1,7 @@
 //! Normal equations and residuals of the flights, with derivatives by all columns of the score-test model.
 
 use flight::BoundModel;
-use flight::batch;
+use flight::parallel;
 use identify::{
     FitError, FitProblem, FlightError, GlobalId, Iterate, LocalId, Loss, NoiseModel, NormalBlock,
     Observations, PointResidual, Unknowns, each_residual, linearise, linearise_with,
@@ -147,7 +147,7 @@ impl ScoreTestModel<'_> {
         &self,
         work: impl Fn(usize) -> Result<R, FlightError> + Sync,
     ) -> Result<Vec<R>, FitError> {
-        let done = batch::each_on(self.threads(), self.flights.len(), |flight| {
+        let done = parallel::each_on(self.threads(), self.flights.len(), |flight| {
             self.context.check_cancelled()?;
             work(flight).map_err(|reason| self.flight_error(flight, reason))
         });

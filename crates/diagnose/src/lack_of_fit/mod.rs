@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 
 use dataset::Role;
 use dataset::statistics::median_of;
-use flight::batch;
+use flight::parallel;
 use identify::{Channel, Fit, FitError, FlightId, NoiseModel, Observations, each_residual};
 use model_spec::sort_by_number;
 use serde::{Deserialize, Serialize};
@@ -95,7 +95,7 @@ impl LackOfFit {
         let Some(interval) = median_of(intervals) else {
             return Ok(None);
         };
-        let residuals = batch::each_on(threads, flights.len(), |index| {
+        let residuals = parallel::each_on(threads, flights.len(), |index| {
             flights[index].residuals(fit)
         });
         let (mut kept, mut series) = (Vec::new(), Vec::new());
@@ -111,7 +111,7 @@ impl LackOfFit {
         };
         let sigma0 = INTEGRATION_ERROR * fit.problem().sigma0;
         let least_ratio = sigma0 / floor.noise.overall();
-        let misfits = batch::each_on(threads, kept.len(), |index| {
+        let misfits = parallel::each_on(threads, kept.len(), |index| {
             let with = kept[index].with_derivatives(fit, &series[index])?;
             let slow = kept[index].slow();
             Ok(FlightMisfit::new(&with, &slow, &floor.noise, least_ratio))

@@ -5,7 +5,7 @@
 //! maximum likelihood gives variance and autocorrelation of the remainder, without bias from estimating the splines'
 //! coefficients.
 
-use flight::batch;
+use flight::parallel;
 use identify::{AxesNoise, Channel, NoiseModel, group_count};
 
 use super::series::Series;
@@ -82,7 +82,7 @@ impl NoiseFloor {
         for group in 0..group_count(&group_of) {
             let is_single = |channel: &Channel| channel.group == group && channel.components == 1;
             let components = if channels.iter().any(is_single) { 1 } else { 3 };
-            let axes = batch::each_on(threads, components, |axis| {
+            let axes = parallel::each_on(threads, components, |axis| {
                 of_axis(&used, (group, &group_of), axis, interval)
             });
             let (mut noise, mut errors) = (AxesNoise::white(0.0, interval), [0.0; 3]);

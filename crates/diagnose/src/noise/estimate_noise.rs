@@ -1,6 +1,6 @@
 //! Noise estimate from the residuals after removing all significant effects, to first order.
 
-use flight::batch;
+use flight::parallel;
 use identify::NormalBlock;
 use identify::outliers::{group_scales, judged_scales, local_residuals, outlier_mask};
 use identify::{FitError, NoiseModel, PointResidual, Residuals, eliminate};
@@ -51,7 +51,7 @@ impl ScoreTestModel<'_> {
             .enumerate()
             .map(|(flight, block)| self.local_step(flight, block, &with, &global_step))
             .collect::<Result<_, _>>()?;
-        let remaining = batch::each_on(self.threads(), self.flights.len(), |flight| {
+        let remaining = parallel::each_on(self.threads(), self.flights.len(), |flight| {
             self.residuals_after_step(at, flight, (&global_step, &local_steps[flight]))
         });
         let remaining: Vec<Residuals> = remaining.into_iter().collect::<Result<_, FitError>>()?;

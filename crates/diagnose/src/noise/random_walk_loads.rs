@@ -4,7 +4,7 @@
 //! estimated by expectation maximization from all flights together. The load coefficient of a channel without evidence
 //! of a load remains at 0.
 
-use flight::batch;
+use flight::parallel;
 use identify::{Iterate, Loss, NoiseModel, linearise_with, pseudo_inverse};
 use model_spec::layout::ParamId;
 use nalgebra::{DMatrix, DVector};
@@ -62,7 +62,7 @@ pub(crate) fn random_walk_loads(
         return Vec::new();
     };
     let count = model.flights.len().min(MAX_FLIGHTS);
-    let flights = batch::each_on(model.threads(), count, |flight| {
+    let flights = parallel::each_on(model.threads(), count, |flight| {
         FlightLoads::new(model, terms, flight, at, noise)
     });
     let flights: Vec<FlightLoads> = flights.into_iter().flatten().collect();

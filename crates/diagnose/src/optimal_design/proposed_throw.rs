@@ -1,6 +1,6 @@
 //! The throw that would best distinguish the accepted hypotheses.
 
-use flight::batch;
+use flight::parallel;
 use flight::throw::{RPM, Throw};
 use identify::{
     FitProblem, Iterate, Loss, NoiseModel, NormalBlock, Observations, Unknowns, linearise,
@@ -86,7 +86,7 @@ pub(crate) fn proposed_throw(
     let now = separation(&model.base, &alternatives, &known);
     let mut random = ChaCha12Rng::seed_from_u64(SEED);
     let throws: Vec<Throw> = (0..THROWS).map(|_| draw(ranges, &mut random)).collect();
-    let after = batch::each_on(model.threads(), throws.len(), |index| {
+    let after = parallel::each_on(model.threads(), throws.len(), |index| {
         let flight = (&model.flights[0], &throws[index]);
         let block = simulated(problem, flight, ranges, iterate, noise)?;
         let more = information(model, &[block])?;

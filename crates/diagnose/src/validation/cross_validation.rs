@@ -1,7 +1,7 @@
 //! 2-fold cross-validation over flights.
 
 use dataset::{Dataset, Role};
-use flight::batch;
+use flight::parallel;
 use identify::{Fit, FitError, FitOptions, fit};
 use model_spec::model::Model;
 
@@ -35,7 +35,7 @@ pub(crate) fn cross_validate(
         profiles: &[],
         ..*options
     };
-    let fits = batch::each_on(threads, 2 * FOLDS, |index| {
+    let fits = parallel::each_on(threads, 2 * FOLDS, |index| {
         fit(
             models[index % 2],
             &with_fold_held_out(dataset, index / 2),

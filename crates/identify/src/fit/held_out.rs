@@ -1,7 +1,7 @@
 //! Held-out flights: the initial state is fitted to the conditioning segment with the global parameters fixed, and the
 //! rest of the flight is predicted.
 
-use flight::batch;
+use flight::parallel;
 use nalgebra::{DMatrix, DVector};
 
 use super::initial_guess::{observations_and_poses, refined_guesses};
@@ -41,7 +41,7 @@ pub fn held_out(
     if !flights.is_empty() {
         options.stage_started("held-out flights", flights.len());
     }
-    let found = batch::each_on(options.threads(), flights.len(), |index| {
+    let found = parallel::each_on(options.threads(), flights.len(), |index| {
         let flight = flights[index].index();
         let search = contacts.get(flight).and_then(Option::as_ref);
         let flight = &dataset.flights[flight];

@@ -1,6 +1,6 @@
 //! Observations and initial guesses of single flights, and exclusion of unusable flights.
 
-use flight::batch;
+use flight::parallel;
 
 use super::FitError;
 use super::one_flight::FixedGlobal;
@@ -79,7 +79,7 @@ pub fn observe(
     contacts: &[Option<ContactSearch>],
     options: &FitOptions<'_>,
 ) -> ObservedFlights {
-    let each = batch::each_on(options.threads(), flights.len(), |index| {
+    let each = parallel::each_on(options.threads(), flights.len(), |index| {
         let flight = flights[index].index();
         let search = contacts.get(flight).and_then(Option::as_ref);
         let flight = &dataset.flights[flight];
@@ -143,7 +143,7 @@ pub fn initial_guesses<'a>(
     let interval = median_interval(usable.iter().map(|(_, observations)| observations));
     let mut state = State::new(problem, options, problem.model_values(), interval);
     let at = state.fixed_global();
-    let found = batch::each_on(options.threads(), usable.len(), |index| {
+    let found = parallel::each_on(options.threads(), usable.len(), |index| {
         if options.is_cancelled() {
             return Err(FlightError::Interrupted);
         }

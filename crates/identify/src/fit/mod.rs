@@ -35,7 +35,7 @@ use std::borrow::Borrow;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
-use flight::batch;
+use flight::parallel;
 use model_spec::model::Model;
 use nalgebra::DVector;
 
@@ -117,7 +117,7 @@ fn fit_after(
     earlier: Option<&Fit>,
 ) -> Result<Fit, FitError> {
     options.validate()?;
-    batch::within(options.threads(), || {
+    parallel::within(options.threads(), || {
         fit_within(model, dataset, options, earlier)
     })
 }

@@ -5,7 +5,7 @@
 //! from all parts of the flights cover all flow regimes, and a flight that cannot be integrated as a whole at the
 //! present parameters can still be integrated in arcs.
 
-use flight::batch;
+use flight::parallel;
 use nalgebra::DVector;
 
 use super::FitError;
@@ -172,7 +172,7 @@ fn arcs<'a>(state: &State<'a>) -> Result<Option<State<'a>>, FitError> {
             first = end;
         }
     }
-    let guesses = batch::each_on(options.threads(), cut.len(), |index| {
+    let guesses = parallel::each_on(options.threads(), cut.len(), |index| {
         match options.is_cancelled() {
             true => None,
             false => guess(problem, &cut[index].1),

@@ -1,6 +1,6 @@
 //! Multistart: detects flights that converged to a wrong minimum and fits them again from other initial guesses.
 
-use flight::batch;
+use flight::parallel;
 use nalgebra::DVector;
 
 use super::FitError;
@@ -42,7 +42,7 @@ pub fn multistart(state: &mut State<'_>, cache: ResidualCache) -> Result<Residua
         return Ok(cache);
     }
     options.stage_started("flights that stand out", suspects.len());
-    let found = batch::each_on(options.threads(), suspects.len(), |index| {
+    let found = parallel::each_on(options.threads(), suspects.len(), |index| {
         let flight = suspects[index];
         let found = restart(state, flight, scales[flight]);
         options.flight_done();

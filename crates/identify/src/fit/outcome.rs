@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use flight::batch;
+use flight::parallel;
 use nalgebra::{DMatrix, DVector};
 
 use super::output_error::OutputError;
@@ -302,7 +302,7 @@ fn evaluate(
     covariance: &Covariance,
 ) -> Result<Vec<(PostFit, FlightReport)>, FitError> {
     let (problem, options) = (state.problem, state.options);
-    let each = batch::each_on(options.threads(), state.flights.len(), |index| {
+    let each = parallel::each_on(options.threads(), state.flights.len(), |index| {
         if options.is_cancelled() {
             return Err(FitError::Interrupted);
         }

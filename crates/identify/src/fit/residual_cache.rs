@@ -1,6 +1,6 @@
 //! Cache of the trajectories and residuals of all flights at one iterate, computed once for all stages that use them.
 
-use flight::batch;
+use flight::parallel;
 
 use super::state::{State, retain};
 use super::{FitError, flight_error};
@@ -46,7 +46,7 @@ impl ResidualCache {
     pub fn new(state: &State<'_>, samples: &[usize]) -> Self {
         let (problem, options) = (state.problem, state.options);
         let count = state.flights.len();
-        Self(batch::each_on(options.threads(), count, |flight| {
+        Self(parallel::each_on(options.threads(), count, |flight| {
             if options.is_cancelled() {
                 return CachedFlight {
                     path: Err(FlightError::Interrupted),

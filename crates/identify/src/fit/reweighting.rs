@@ -1,7 +1,7 @@
 //! Alternating estimation of noise and unknowns (iterated feasible generalised least squares): the noise is estimated
 //! from the residuals, and the residuals are weighted by the noise.
 
-use flight::batch;
+use flight::parallel;
 
 use super::FitError;
 use super::exclusion::{exclude_failed, solve_flights};
@@ -174,7 +174,7 @@ pub fn estimate_noise(
     let group_of = problem.noise_groups();
     let own: Vec<Vec<[f64; 3]>> = judged.iter().map(|flight| flight.scales.clone()).collect();
     let scales = outliers::judged_scales(&own);
-    let marked = batch::each_on(options.threads(), state.flights.len(), |flight| {
+    let marked = parallel::each_on(options.threads(), state.flights.len(), |flight| {
         let residuals = &cache.path(&state.flights, flight)?.residuals;
         let observations = &state.flights[flight];
         // The candidates of a flight that is noisier than the others are judged by its own scale.
@@ -231,7 +231,7 @@ fn outlier_candidates(
     cache: &ResidualCache,
 ) -> Result<Vec<FlightOutliers>, FitError> {
     let group_of = state.problem.noise_groups();
-    let each = batch::each_on(state.options.threads(), state.flights.len(), |flight| {
+    let each = parallel::each_on(state.options.threads(), state.flights.len(), |flight| {
         let residuals = &cache.path(&state.flights, flight)?.residuals;
         let local_residuals = outliers::local_residuals(&state.flights[flight].times, residuals);
         let scales = outliers::group_scales(&local_residuals, &group_of);

@@ -1,7 +1,7 @@
 //! Tries excluded flights again with the parameters estimated from the others. Far from the solution, a flight may seem
 //! unlike the others, or its samples may seem not to determine its initial state.
 
-use flight::batch;
+use flight::parallel;
 use nalgebra::DVector;
 
 use super::FitError;
@@ -48,7 +48,7 @@ pub fn take_back(
             global: &reweighted.solution.iterate.global,
             ..state.fixed_global()
         };
-        let found = batch::each_on(options.threads(), tried.len(), |index| {
+        let found = parallel::each_on(options.threads(), tried.len(), |index| {
             let flight = &dataset.flights[tried[index].flight.index()];
             let found = like_the_others(at, flight, usual);
             options.flight_done();

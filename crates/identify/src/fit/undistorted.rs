@@ -2,7 +2,7 @@
 //! that are recorded late, a scale, misplaced markers. The poses of distorted samples show a motion that is not that of
 //! the body.
 
-use flight::batch;
+use flight::parallel;
 use nalgebra::DVector;
 
 use super::initial_guess::first_segment;
@@ -87,7 +87,7 @@ pub fn start<'a>(state: &State<'a>) -> Option<State<'a>> {
         global: &global,
         ..state.fixed_global()
     };
-    let found = batch::each_on(state.options.threads(), state.flights.len(), |flight| {
+    let found = parallel::each_on(state.options.threads(), state.flights.len(), |flight| {
         let observations = &state.flights[flight];
         let guesses = initial_state::initial_guesses(problem, observations).ok()?;
         let as_seen = guesses.into_iter().next()?.state;

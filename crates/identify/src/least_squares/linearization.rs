@@ -1,6 +1,6 @@
 //! Normal equations of all flights at an iterate, and the damped steps that follow from them.
 
-use flight::batch;
+use flight::parallel;
 
 use super::{
     Iterate, LeastSquaresProblem, NormalBlock, ReducedSystem, SchurComplement, SolveError,
@@ -78,7 +78,7 @@ impl Linearization {
         iterate: &Iterate,
         damping: f64,
     ) -> Result<Self, SolveError> {
-        let each = batch::each_on(problem.threads(), problem.flights(), |flight| {
+        let each = parallel::each_on(problem.threads(), problem.flights(), |flight| {
             if problem.is_cancelled() {
                 return Err(FlightError::Interrupted);
             }

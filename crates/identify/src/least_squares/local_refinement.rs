@@ -3,7 +3,7 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use flight::batch;
+use flight::parallel;
 use nalgebra::DVector;
 
 use super::{Constraint, Iterate, LeastSquaresProblem, NormalBlock, SolveError, Unknowns};
@@ -100,7 +100,7 @@ pub fn with_refined_locals(
 ) -> Result<Option<Iterate>, SolveError> {
     // If some flights exceed the limit, all flights do, so that the result does not depend on the order of the flights.
     let left = Mutex::new(0.0);
-    let refined = batch::each_on(problem.threads(), problem.flights(), |flight| {
+    let refined = parallel::each_on(problem.threads(), problem.flights(), |flight| {
         let one = OneFlight {
             problem,
             flight,

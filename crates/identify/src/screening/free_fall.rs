@@ -2,7 +2,7 @@
 //! another unit. All flights together are compared with gravity; a single flight is compared with the loads fitted to
 //! all flights.
 
-use flight::batch;
+use flight::parallel;
 use model_spec::model::FrameKind;
 use nalgebra::{Matrix3, Vector3};
 
@@ -98,7 +98,7 @@ impl<'a> FreeFall<'a> {
         tracks: &[Option<Track>],
         threads: usize,
     ) -> Self {
-        let each = batch::each_on(threads, tracks.len(), |index| match &tracks[index] {
+        let each = parallel::each_on(threads, tracks.len(), |index| match &tracks[index] {
             Some(track) => (
                 rows(track, omega(problem, &dataset.flights[index])),
                 upright(problem, track),

@@ -19,7 +19,7 @@ mod turned;
 
 use crate::data_fault::{DataFault, FaultKind};
 
-use flight::batch;
+use flight::parallel;
 
 use self::free_fall::FreeFall;
 use self::track::Track;
@@ -54,7 +54,7 @@ pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) ->
     let mirror_is_decided = problem.has_attitude && mirror::is_decided_by(&problem.markers);
     let rigid = rigid::rigid_pairs(problem);
     let is_rigid = rigid.iter().all(|is_rigid| *is_rigid);
-    let each = batch::each_on(threads, dataset.flights.len(), |index| {
+    let each = parallel::each_on(threads, dataset.flights.len(), |index| {
         let flight = &dataset.flights[index];
         let fault = records::check(dataset, index)
             .or_else(|| template::check(dataset, index, &rigid))
@@ -93,7 +93,7 @@ fn compare_flights(
     if of_fall.is_empty() {
         of_fall = turned::check(problem, dataset, &tracks);
     }
-    let each = batch::each_on(threads, dataset.flights.len(), |index| {
+    let each = parallel::each_on(threads, dataset.flights.len(), |index| {
         let flight = &dataset.flights[index];
         let found = of_fall.iter().find(|fault| fault.file == flight.file);
         match (&faults[index], found, &tracks[index]) {

@@ -33,7 +33,7 @@ pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
     // A refused effect is for another kind of model, or is a duplicate of another effect.
     let mut known = known_effects(&without);
     known.retain(|known| known.refused.is_none());
-    let models = flight::batch::each(known.len(), |index| apply(&[known[index].effect.name()]));
+    let models = flight::parallel::each(known.len(), |index| apply(&[known[index].effect.name()]));
     let (mut alone, mut together, mut specific) = (Vec::new(), Vec::new(), Vec::new());
     for (known, model) in known.iter().zip(models) {
         let Some(model) = model else {

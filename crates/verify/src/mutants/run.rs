@@ -4,7 +4,7 @@ use super::equivalence::Original;
 use super::status::evaluate;
 use super::{MutationMatrix, mutants};
 use crate::Options;
-use flight::batch;
+use flight::parallel;
 use model_spec::model::Source;
 use model_spec::syntax::ast::File;
 
@@ -23,7 +23,7 @@ pub fn run(
         ..*options
     };
     let mutants = mutants(file, sources);
-    let statuses = batch::each(mutants.len(), |index| {
+    let statuses = parallel::each(mutants.len(), |index| {
         evaluate(&mutants[index], sources, original, &options)
     });
     MutationMatrix::of(&mutants, &statuses)

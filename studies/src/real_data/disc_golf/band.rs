@@ -1,6 +1,6 @@
 //! Scatter of the landing points of launches drawn within their uncertainties.
 
-use flight::batch;
+use flight::parallel;
 use rand::SeedableRng;
 use rand_chacha::ChaCha12Rng;
 use rand_distr::{Distribution, StandardNormal};
@@ -36,7 +36,7 @@ pub(super) fn band(simulator: &Simulator<'_>, throw: &Throw, draws: usize, seed:
         })
     });
     let launches: Vec<Launch> = launches.collect();
-    let tracks = batch::each(draws, |k| {
+    let tracks = parallel::each(draws, |k| {
         simulator.track(throw, &launches[k], &[1.0; 3], &times)
     });
     let count = draws.max(1) as f64;

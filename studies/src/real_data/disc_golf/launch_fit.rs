@@ -1,6 +1,6 @@
 //! Fits a launch to its measured track, with the stated launch as a prior.
 
-use flight::batch;
+use flight::parallel;
 use nalgebra::{DMatrix, DVector};
 
 use super::simulate::{Factors, Simulator};
@@ -103,7 +103,7 @@ fn minimised(
     let mut here = residuals(&unknowns);
     let mut covariance = DMatrix::identity(count, count);
     for _ in 0..MAX_STEPS {
-        let columns = batch::each(count, |k| {
+        let columns = parallel::each(count, |k| {
             let shifted = |by: f64| {
                 let mut unknowns = unknowns.clone();
                 unknowns[k] += by;

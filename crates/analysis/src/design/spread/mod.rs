@@ -31,7 +31,7 @@ impl Default for SampleOptions {
         SampleOptions {
             count: 1000,
             seed: 1,
-            threads: flight::batch::threads(),
+            threads: flight::parallel::threads(),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Sampled spread of landings: throws drawn from the scatter, a flight for each, and quantile bands of their paths.
 
-use flight::batch::each_on;
+use flight::parallel::each_on;
 use flight::throw::{FIELDS, Throw};
 use nalgebra::{DVector, Matrix2, Vector2, Vector3};
 use ode::IntegrationOptions;

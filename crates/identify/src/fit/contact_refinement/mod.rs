@@ -8,7 +8,7 @@
 
 mod search;
 
-use flight::batch;
+use flight::parallel;
 
 use self::search::Search;
 use super::FitError;
@@ -97,14 +97,14 @@ pub fn refine_contacts(
         noise: &noise,
         usual,
     };
-    let of_fitted = batch::each_on(options.threads(), suspects.len(), |index| {
+    let of_fitted = parallel::each_on(options.threads(), suspects.len(), |index| {
         let index = suspects[index];
         let flight = &dataset.flights[state.ids[index].index()];
         let found = search.retruncated(flight, &state.flights[index], &state.local[index]);
         options.flight_done();
         found
     });
-    let of_unlike = batch::each_on(options.threads(), unlike.len(), |index| {
+    let of_unlike = parallel::each_on(options.threads(), unlike.len(), |index| {
         let flight = &dataset.flights[unlike[index].flight.index()];
         let found = search.excluded_until_contact(flight);
         options.flight_done();

@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 /// Runs `task(0)`, …, `task(count - 1)` on all processors; results are in the order of the index.
 ///
 /// ```
-/// let squares = flight::batch::each(4, |i| i * i);
+/// let squares = flight::parallel::each(4, |i| i * i);
 /// assert_eq!(squares, [0, 1, 4, 9]);
 /// ```
 ///
@@ -34,17 +34,19 @@ pub fn each_on<R: Send>(threads: usize, count: usize, task: impl Fn(usize) -> R 
     if threads.min(count) <= 1 {
         return (0..count).map(task).collect();
     }
-    let results: Vec<Mutex<Option<R>>> = (0..count).map(|_| Mutex::new(None)).collect();
-    run(threads, count, &|index| {
-        let result = task(index);
-        let slot = results[index].lock();
-        *slot.unwrap_or_else(PoisonError::into_inner) = Some(result);
-    });
-    let results = results.into_iter().map(|result| {
-        let result = result.into_inner().unwrap_or_else(PoisonError::into_inner);
-        result.expect("every task has run")
-    });
-    results.collect()
+    // One task at a time per thread, since their durations differ.
+    let parallel = || -> Vec<R> {
+        let tasks = (0..count).into_par_iter().with_max_len(1);
+        tasks.map(&task).collect()
+    };
+    if threads == rayon::current_num_threads() {
+        return parallel();
+    }
+    match shared_pool(threads) {
+        Ok(pool) => pool.install(parallel),
+        // The operating system refuses further threads.
+        Err(_) => (0..count).map(&task).collect(),
+    }
 }
 
 /// Runs `task` on a thread of the pool with `threads` threads that [`each_on`] uses. Calls of [`each_on`] in `task`
@@ -68,21 +70,16 @@ pub fn within<R: Send>(threads: usize, task: impl FnOnce() -> R + Send) -> R {
     }
 }
 
-/// Runs `task(0)`, …, `task(count - 1)` on `threads` threads. The task is a trait object, so that this function is
-/// compiled only once.
-fn run(threads: usize, count: usize, task: &(dyn Fn(usize) + Sync)) {
-    // One task at a time per thread, since their durations differ.
-    let parallel = || {
-        let tasks = (0..count).into_par_iter().with_max_len(1);
-        tasks.for_each(task);
-    };
-    if threads == rayon::current_num_threads() {
-        return parallel();
-    }
-    match shared_pool(threads) {
-        Ok(pool) => pool.install(parallel),
-        // The operating system refuses further threads.
-        Err(_) => (0..count).for_each(task),
+/// Calls two functions, in parallel if `threads` is greater than 1, and returns both results.
+pub fn join<A: Send, B: Send>(
+    threads: usize,
+    first: impl FnOnce() -> A + Send,
+    second: impl FnOnce() -> B + Send,
+) -> (A, B) {
+    if threads <= 1 {
+        (first(), second())
+    } else {
+        rayon::join(first, second)
     }
 }
 
