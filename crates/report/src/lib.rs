@@ -6,7 +6,6 @@
 mod angle;
 mod atomic_file;
 mod bands;
-mod certificate;
 mod data_faults;
 pub mod diagnosis;
 pub mod effects;
@@ -22,7 +21,6 @@ pub mod viewer;
 
 pub use atomic_file::write_atomic;
 pub use bands::{PredictionBand, prediction_band};
-pub use certificate::{CertificateNote, WithCertificate};
 pub use figure_file::{FigureError, FigureKind};
 pub use result_folder::{MANIFEST, ResultFile, ResultFolder, ResultFolderError};
 pub use sheet::{Section, Sheet, SheetFigure, Table};

@@ -10,7 +10,6 @@
 //! Errors are relative to the sum of the magnitudes of the terms that make up a value (see
 //! [`oracle::scalar::ErrorBound`]), so cancellation neither hides a fault nor looks like one.
 
-pub mod certificate;
 pub mod checks;
 mod claim;
 mod claimed_flights;
@@ -23,6 +22,7 @@ mod integration;
 mod meaning;
 pub mod mutants;
 pub mod random;
+pub mod record;
 pub mod refute;
 pub mod report;
 pub mod rounding;
@@ -40,7 +40,8 @@ use model_spec::load::Loaded;
 use model_spec::model::Model;
 use mutants::equivalence::Original;
 use random::Random;
-use report::{Report, Row};
+pub use report::Report;
+use report::Row;
 use rounding::{Effort, Rounding};
 use same_motion::SameMotion;
 use subject::Subject;

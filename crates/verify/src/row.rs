@@ -23,6 +23,16 @@ impl Verdict {
     pub fn of(holds: bool) -> Self {
         if holds { Self::Holds } else { Self::Refuted }
     }
+
+    /// Verdict in words for messages: `holds`, `refuted`, `skipped` or `not verified`.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Holds => "holds",
+            Self::Refuted => "refuted",
+            Self::Skipped => "skipped",
+            Self::Unverified => "not verified",
+        }
+    }
 }
 
 /// Unit in which the errors of a check are expressed.

@@ -8,11 +8,10 @@ use anyhow::Context;
 use codegen::generate::generate_with;
 use dataset::Dataset;
 use identify::{FitOptions, FitStatus};
+use report::ResultFile;
 use report::diagnosis::{DiagnosisPage, Fits};
 use report::viewer::View;
-use report::{CertificateNote, ResultFile, WithCertificate};
 
-use super::certificate;
 use super::fit::{
     FLIGHTS, dataset_name, deadline, drawn, evidence, figure_files, fitted_text, held, model_of,
     priors,
@@ -41,7 +40,6 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
         &options.inputs.dataset,
         &dataset,
     )?;
-    let certificate = certificate::Found::read(options.certificate.as_deref(), &model)?;
     let model = model_spec::load::load(&model, &super::names(&options.inputs.with))?;
     let name = dataset_name(&options.inputs.dataset);
     let progress = Progress::new()?;
@@ -74,8 +72,7 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     let has_extension = found.after.is_some();
     if let Some(folder) = &out {
         found.report.extended_model = has_extension.then(|| EXTENDED.to_owned());
-        let note = certificate.note(&model);
-        let mut files = results(&dataset, &name, &found, &reasons, &note)?;
+        let mut files = results(&dataset, &name, &found, &reasons)?;
         output::add_figures(&mut files, &options.figures)?;
         output::replace(folder, &files)?;
     }
@@ -174,12 +171,8 @@ fn results(
     name: &str,
     found: &Diagnosis,
     reasons_against: &[String],
-    certificate: &CertificateNote,
 ) -> anyhow::Result<Vec<ResultFile>> {
-    let json = serde_json::to_string_pretty(&WithCertificate {
-        report: &found.report,
-        certificate,
-    })?;
+    let json = serde_json::to_string_pretty(&found.report)?;
     let mut files = vec![
         ResultFile::new("report.json", json + "\n"),
         ResultFile::new("candidates.csv", tables::candidates(&found.report)?),
@@ -210,7 +203,6 @@ fn results(
         }),
         reasons_against,
         extended: extended.as_deref(),
-        certificate,
     };
     let (html, figures) = report::diagnosis::html_and_figures(&page);
     files.push(ResultFile::new("report.html", html));

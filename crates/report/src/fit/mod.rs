@@ -9,7 +9,6 @@ pub(crate) mod page;
 pub(crate) mod thin;
 pub(crate) mod words;
 
-use crate::certificate::CertificateNote;
 use crate::figures::csv::of_panels;
 use crate::figures::{Layout, Panel, figure_of};
 use identify::{Coefficient, Fit, FitReport, FlightEvidence};
@@ -28,8 +27,6 @@ pub struct FitPage<'a> {
     pub model: &'a Model,
     /// Name of the dataset to which the model was fitted.
     pub dataset: &'a str,
-    /// Verification status of the model according to its certificate (record of the verification checks).
-    pub certificate: &'a CertificateNote,
 }
 
 impl FitPage<'_> {

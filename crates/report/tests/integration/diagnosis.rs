@@ -5,7 +5,6 @@ use crate::made;
 use dataset::Role;
 use diagnose::{Report, Verdict};
 use identify::FlightEvidence;
-use report::CertificateNote;
 use report::diagnosis::{DiagnosisPage, html_and_figures};
 use report::fit::Figure;
 
@@ -32,7 +31,6 @@ fn page(report: &Report, before: &[FlightEvidence], after: &[FlightEvidence]) ->
         before,
         after,
         extended,
-        certificate: &CertificateNote::none(),
     });
     check(&made);
     made
@@ -304,7 +302,6 @@ fn names_from_outside_are_escaped() {
         before: &after,
         after: &after,
         extended: Some(EVIL),
-        certificate: &CertificateNote::none(),
     });
     check(&made);
     assert!(made.html.matches("&lt;script&gt;alert(1)").count() > 30);
@@ -459,7 +456,6 @@ fn what_cannot_be_relied_on_says_so_first_and_flights_are_compared_in_pairs() {
         fits: None,
         reasons_against: &["the time limit was reached".to_owned()],
         extended: None,
-        certificate: &CertificateNote::none(),
     });
     check(&made);
     let body = &made.html[made.html.find("<main>").unwrap()..];

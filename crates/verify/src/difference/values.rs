@@ -9,6 +9,7 @@ use codegen::tape::Tape;
 use model_spec::model::{AuxVariable, Expr, ExprKind, Load, Model, Shape};
 use oracle::Point;
 use oracle::scalar::Prime;
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// A model compiled to one program that computes all its values, such as state derivatives and auxiliary variables.
@@ -92,6 +93,15 @@ impl<'a> Everything<'a> {
             .chain(observed.map(|axis| format!("observation {axis}")))
             .chain(limits.map(|k| format!("limit {k}")))
             .collect()
+    }
+
+    /// Indices of the outputs of each row, by its name, and of each auxiliary variable and load, by class and name.
+    pub fn groups(&self) -> BTreeMap<String, Range<usize>> {
+        let rows = self.rows().into_iter().zip(0..);
+        let rows = rows.map(|(row, k)| (row, k..k + 1));
+        let named = self.named.iter();
+        let named = named.map(|n| (format!("{} {}", n.class, n.name), n.outputs.clone()));
+        rows.chain(named).collect()
     }
 
     /// Values of the model at a point, in floating-point arithmetic: all outputs of the program [`Everything::code`],
