@@ -44,8 +44,7 @@ pub struct Chart {
     pub angular_velocity: Option<([usize; 3], usize)>,
 }
 
-/// Rate of change of the physical state (position, velocity, attitude, angular velocity) of a body, in inertial
-/// components.
+/// Rate of change of the physical state of a body, in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PhysicalRate {
     /// Rate of the position, that is the velocity of the mass centre, in inertial components, m/s.
@@ -59,8 +58,8 @@ pub struct PhysicalRate {
 }
 
 impl Chart {
-    /// Coordinate chart (physical meaning of each state) given by the body declaration of a model; `None` if the model
-    /// has no body or its sequence of rotations is not supported.
+    /// Coordinate chart given by the body declaration of a model; `None` if the model has no body or its sequence of
+    /// rotations is not supported.
     pub fn declared(model: &Model) -> Option<Self> {
         let body = model.body.as_ref()?;
         let mut chart = Self {
@@ -114,8 +113,7 @@ impl Chart {
         !self.steps.is_empty()
     }
 
-    /// Converts the states of a model to the physical state (position, velocity, attitude, angular velocity) that they
-    /// describe.
+    /// Converts the states of a model to the physical state that they describe.
     pub fn physical<T: Real>(&self, states: &[T]) -> Physical<T> {
         let placed = self.attitudes_along(states);
         let pick = |i: [usize; 3]| Vector3::from(i.map(|i| states[i]));
@@ -206,8 +204,7 @@ impl Chart {
         out
     }
 
-    /// Converts time derivatives of the states to the rate of change of the physical state (position, velocity,
-    /// attitude, angular velocity) of the body.
+    /// Converts time derivatives of the states to the rate of change of the physical state of the body.
     pub fn physical_rate(&self, states: &[f64], rates: &[f64]) -> PhysicalRate {
         let along: Vec<Dual<f64>> = states
             .iter()
@@ -227,8 +224,8 @@ impl Chart {
         }
     }
 
-    /// Converts the physical state (position, velocity, attitude, angular velocity) of a body to the states of a model.
-    /// `None` if two consecutive rotations from the inertial frame to the body frame are about the same axis.
+    /// Converts the physical state of a body to the states of a model. `None` if two consecutive rotations from the
+    /// inertial frame to the body frame are about the same axis.
     pub fn states(&self, physical: &Physical<f64>) -> Option<Vec<f64>> {
         let mut out = self.defaults.clone();
         match self.steps.as_slice() {

@@ -41,10 +41,9 @@ impl Verdict {
 pub enum Measure {
     /// Absolute error divided by the sum of the magnitudes of the terms that are added to give the value.
     Relative,
-    /// Spacing of f64 numbers (unit in the last place) at the compared value.
+    /// Spacing of f64 numbers at the compared value.
     Ulp,
-    /// Spacing of f64 numbers (unit in the last place) at the sum of the magnitudes of the terms that are added to give
-    /// the value.
+    /// Spacing of f64 numbers at the sum of the magnitudes of the terms that are added to give the value.
     Magnitude,
     /// Number of faults found, for a check that has no numerical error.
     Count,

@@ -19,9 +19,9 @@ fn states<const N: usize>(
     Ok(indices)
 }
 
-/// Coordinate chart (meaning of the states) of a body with attitude. The attitude is a quaternion if the model has a
-/// state `q0`. Otherwise it consists of the angles phi, theta and gamma about the axes 1, 2 and 3, with the rates
-/// phidot, thetadot and gammadot; the velocity components u, v and w are in the frame after the first two rotations.
+/// Coordinate chart of a body with attitude. The attitude is a quaternion if the model has a state `q0`. Otherwise it
+/// consists of the angles phi, theta and gamma about the axes 1, 2 and 3, with the rates phidot, thetadot and gammadot;
+/// the velocity components u, v and w are in the frame after the first two rotations.
 ///
 /// # Errors
 /// [`BindError::MissingState`] if the model lacks one of the states of the chart.
@@ -43,8 +43,8 @@ pub(super) fn with_attitude(model: &Model) -> Result<Chart, BindError> {
     })
 }
 
-/// Coordinate chart (meaning of the states) of a body with the attitude quaternion q0, q1, q2, q3. The velocity
-/// vx, vy, vz is in inertial components, the angular velocity p, q, r in components of the body frame.
+/// Coordinate chart of a body with the attitude quaternion q0, q1, q2, q3. The velocity vx, vy, vz is in inertial
+/// components, the angular velocity p, q, r in components of the body frame.
 ///
 /// # Errors
 /// [`BindError::MissingState`] if the model lacks one of these states or of the position x, y, z.

@@ -1,15 +1,14 @@
 //! Checks the balance laws under arbitrary loads: dp/dt = F, dH/dt = M, dE/dt = F·v + M·ω, and dr/dt = v.
 
 use crate::claim::{Bounded, along, compare_sides};
+use crate::options::{Options, TOLERANCE};
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;
-use crate::subject::Subject;
-use crate::{Options, TOLERANCE};
-use model_spec::model::Body;
+use crate::subject::{Subject, body_properties};
 use nalgebra::Vector3;
 use oracle::scalar::{Dual, ErrorBound, Real};
-use oracle::{MassProperties, Motion, Point, Tree, inertia_in_n, mass_properties};
+use oracle::{MassProperties, Motion, Point, Tree, inertia_in_n};
 
 /// Name of this check in reports: balances of momentum, angular momentum and energy at random points.
 pub const IDENTITIES: &str = "momentum and energy";
@@ -79,8 +78,8 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
 }
 
 /// Checks the balances of momentum, angular momentum, energy and position for the body that the model's explicitly
-/// written equations are declared to describe. Effects (optional model extensions) have their null values, at which
-/// they change nothing; coefficients added by the model's author have random values.
+/// written equations are declared to describe. Effects have their null values, at which they change nothing;
+/// coefficients added by the model's author have random values.
 fn of_claim(subject: &Subject<'_>, options: &Options) -> Row {
     let mut random = Random::new(options.seed, IDENTITIES);
     let mut worst = Worst::default();
@@ -136,18 +135,6 @@ fn loads(
         |reference| reference.mass_properties(point),
     );
     Some((motion, properties))
-}
-
-/// Mass properties of a declared body, with the inertia tensor rotated from the frame of its declaration to the body
-/// frame.
-pub(crate) fn body_properties<T: Real>(tree: &Tree<'_, T>, body: &Body) -> MassProperties<T> {
-    let mut properties = mass_properties(tree, body);
-    if let (Some(rotation), Some(inertia)) = (&body.rotation, properties.inertia) {
-        let turn = tree.frames[rotation.body_frame].axes.transpose()
-            * tree.frames[rotation.inertia_frame].axes;
-        properties.inertia = Some(inertia_in_n(&turn, &inertia));
-    }
-    properties
 }
 
 fn value(v: &Vector3<Bounded>) -> Vector3<ErrorBound> {

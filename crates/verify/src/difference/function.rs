@@ -4,19 +4,20 @@
 
 use super::values::Everything;
 use crate::checks::exact::FieldPoint;
+use crate::options::TOLERANCE;
 use crate::random::Random;
-use crate::{TOLERANCE, sample};
+use crate::sample;
 use model_spec::model::Model;
 use oracle::scalar::{ErrorBound, Field, Real};
 use oracle::{Point, Tree, derivatives_of};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// Number of random points of the prime field (integers modulo 2^61 − 1) at which the values of two functions must be
-/// equal for the functions to count as equal.
+/// Number of random points of the prime field at which the values of two functions must be equal for the functions to
+/// count as equal.
 const POINTS: usize = 4;
-/// Maximum number of random trial points of the prime field (integers modulo 2^61 − 1). A trial point is usable only if
-/// the argument of every square root is a square in the field.
+/// Maximum number of random trial points of the prime field. A trial point is usable only if the argument of every
+/// square root is a square in the field.
 const MAX_TRIALS: usize = 4096;
 /// Lower bound, in SI units, of the magnitude by which the difference of two auxiliary variables or loads is divided.
 /// Because of this bound, values that are 0 except for rounding count as equal.
@@ -31,10 +32,10 @@ const NUMBERS: usize = 24;
 #[serde(rename_all = "kebab-case")]
 pub enum Sameness {
     /// The outputs of the old and the new model are the same function, as decided by exact evaluation at random points
-    /// of the prime field (integers modulo 2^61 − 1).
+    /// of the prime field.
     Same,
-    /// The values of the two models' outputs in the prime field (integers modulo 2^61 − 1) differ or do not exist, but
-    /// their floating-point values agree within the tolerance.
+    /// The values of the two models' outputs in the prime field differ or do not exist, but their floating-point values
+    /// agree within the tolerance.
     Agrees,
     /// The outputs of the old and the new model are different functions, also in floating-point arithmetic.
     Changed,
@@ -130,8 +131,7 @@ pub fn compare(old: &Everything<'_>, new: &Everything<'_>) -> BTreeMap<String, C
 }
 
 /// For each pair of outputs (index in the old model, index in the new model), whether both have the same value at
-/// random points of the prime field (integers modulo 2^61 − 1); `None` if the values exist in the field at too few
-/// points.
+/// random points of the prime field; `None` if the values exist in the field at too few points.
 fn exactly(
     old: &Everything<'_>,
     new: &Everything<'_>,

@@ -67,8 +67,7 @@ pub struct Difference {
     pub models: Pair<String>,
     /// Whether any state derivative, component of the observation or validity limit differs between the models.
     pub changed: bool,
-    /// Comparison of every row (state derivative, component of the observation, validity limit): rows of the new model
-    /// in its order, then the rows that only the old model has.
+    /// Comparison of every row: rows of the new model in its order, then the rows that only the old model has.
     pub rows: Vec<RowChange>,
     /// Statements that differ between the two model files.
     pub statements: Vec<Statement>,
@@ -101,8 +100,7 @@ impl Difference {
         };
     }
 
-    /// Names of the rows (state derivatives, components of the observation, validity limits) that differ or that only
-    /// one of the models has.
+    /// Names of the rows that differ or that only one of the models has.
     pub fn changed_rows(&self) -> Vec<&str> {
         let rows = self.rows.iter().filter(|row| row.is_changed());
         rows.map(|row| row.row.as_str()).collect()

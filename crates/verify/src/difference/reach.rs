@@ -43,8 +43,7 @@ fn kind(model: &Model, row: usize) -> RowKind {
     }
 }
 
-/// For each row of a model (state derivative, component of the observation, validity limit), the statements on which it
-/// depends.
+/// For each row of a model, the statements on which it depends.
 pub struct Reach {
     uses: BTreeMap<Key, BTreeSet<Key>>,
     roots: BTreeMap<String, BTreeSet<Key>>,

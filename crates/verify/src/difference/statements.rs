@@ -97,9 +97,9 @@ fn changed(key: &Key, old: &Item, new: &Item, is_same: &IsSame<'_>) -> Option<St
     })
 }
 
-/// Descriptions of the statements that cause the difference of a row (state derivative, component of the observation,
-/// validity limit). These are the added, removed and changed statements on which the row depends in the old or the new
-/// model, whose dependencies are `reach`. Each description contains the terms that differ.
+/// Descriptions of the statements that cause the difference of a row. These are the added, removed and changed
+/// statements on which the row depends in the old or the new model, whose dependencies are `reach`. Each description
+/// contains the terms that differ.
 pub fn causes(statements: &[Statement], reach: &[Reach; 2], row: &str) -> Vec<String> {
     let reached = reach.each_ref().map(|reach| reach.of_row(row));
     let is_cause = |s: &&Statement| {
@@ -160,7 +160,7 @@ pub fn title((class, name): &Key) -> String {
 }
 
 /// Statements of a model file, each with its class and name, such as `let alpha`. Statements that do not influence the
-/// motion are left out: the model's name, reference law, check cases and effects (optional extensions).
+/// motion are left out: the model's name, reference law, check cases and effects.
 pub fn keyed(file: &File) -> Vec<(Key, &Item)> {
     let mut limits = 0;
     let mut key = |item: &Item| {

@@ -4,8 +4,7 @@ use super::{Change, Difference, End, Flown, Landing, Pair, RowChange, Sameness, 
 use std::fmt::Write;
 
 impl Difference {
-    /// Summarises in one sentence whether the two models compute the same functions, and which rows (state derivatives,
-    /// components of the observation, validity limits) differ.
+    /// Summarises in one sentence whether the two models compute the same functions, and which rows differ.
     pub fn sentence(&self) -> String {
         let changed = self.changed_rows();
         if changed.is_empty() {

@@ -110,9 +110,8 @@ impl<'a> Everything<'a> {
         evaluated(&self.tape, point)
     }
 
-    /// Values of the model at a point of the prime field (integers modulo 2^61 − 1): all outputs of the program
-    /// [`Everything::code`], in order. `None` for a value that does not exist in the field, such as the square root of
-    /// a non-square.
+    /// Values of the model at a point of the prime field: all outputs of the program [`Everything::code`], in order.
+    /// `None` for a value that does not exist in the field, such as the square root of a non-square.
     pub fn exact(&self, spot: &FieldPoint) -> Vec<Option<Prime>> {
         Machine::new(&spot.point, &spot.circles, true).run(&self.code.program)
     }

@@ -40,15 +40,17 @@ fn with_word(file: &File, from: &str, to: &str) -> String {
 /// Variants (description, text) of a model file, each with one name of an auxiliary variable, a frame or a load replaced
 /// by another.
 fn renamed(file: &File) -> Vec<(String, String)> {
-    let mut names = Vec::new();
+    let (mut names, mut others) = (Vec::new(), Vec::new());
     for item in &file.items {
         match &item.kind {
             ItemKind::Let(l) => names.push(l.name.text.clone()),
             ItemKind::Frame(f) => names.push(f.name.text.clone()),
             ItemKind::Load(l) => names.push(l.name.text.clone()),
+            ItemKind::Parameter(c) => others.push(c.name.text.clone()),
             _ => {}
         }
     }
+    names.retain(|name| !others.contains(name));
     names
         .iter()
         .map(|name| {
@@ -280,7 +282,7 @@ fn quiet(change: Change) -> bool {
 }
 
 /// For each state of `a`, whether its derivative differs between two models. The derivatives are computed by the
-/// reference simulator (crate `oracle`), which shares no code with the compiler. `None` if they cannot be computed.
+/// reference simulator, which shares no code with the compiler. `None` if they cannot be computed.
 fn changed_rows(a: &Model, b: &Model) -> Option<Vec<bool>> {
     let mut random = Random::new(5, "mutants");
     let mut changed = vec![false; a.states.len()];
