@@ -59,7 +59,6 @@ fn polar(y: Prime, x: Prime) -> Symbolic {
 }
 
 oracle::wrapped_ops!(Symbolic(Prime));
-oracle::assign_ops!([] Symbolic);
 
 impl Zero for Symbolic {
     fn zero() -> Self {

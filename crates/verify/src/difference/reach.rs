@@ -6,41 +6,29 @@ use model_spec::model::Model;
 use model_spec::syntax::ast::{Expr, ExprKind};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Kind of a row of a model, which determines the statements on which it depends.
-enum RowKind {
-    /// Derivative of the state with this name, defined by an equation written explicitly in the model file.
-    Stated(String),
-    /// Derivative of a position component of the body, defined by its velocity.
-    Position,
-    /// Derivative of a velocity component of the body, determined by the forces on it.
-    Velocity,
-    /// Derivative of an attitude angle, quaternion component or angular velocity component of the body. All of these
-    /// count as depending on the moments, although moments affect only angular accelerations.
-    Rotation,
-    /// Component of the observation, defined by the measurement equation.
-    Observation,
-    /// Validity limit of the model, by its index in the order of the file, from 1.
-    Limit(usize),
-}
-
-/// Kind of the row with the index `row`, in this order: state derivatives, components of the observation, validity
-/// limits.
-fn kind(model: &Model, row: usize) -> RowKind {
-    if let Some(state) = model.states.get(row) {
-        if model.equations.iter().any(|e| e.state == row) {
-            return RowKind::Stated(state.name.clone());
-        }
-        return match &model.body {
-            Some(body) if body.position.contains(&row) => RowKind::Position,
-            Some(body) if body.velocity.contains(&row) => RowKind::Velocity,
-            _ => RowKind::Rotation,
+/// Whether the row with the index `row` depends directly on a statement. The rows are: state derivatives, components of
+/// the observation, validity limits. The rates of the attitude count as depending on the moments, although moments
+/// affect only angular accelerations.
+fn is_root(model: &Model, row: usize, (class, name): &Key) -> bool {
+    let Some(state) = model.states.get(row) else {
+        let observed = if model.observation.is_some() { 3 } else { 0 };
+        return match (row - model.states.len()).checked_sub(observed) {
+            None => ["observe", "marker", "frame"].contains(class),
+            Some(limit) => *class == "limit" && *name == (limit + 1).to_string(),
         };
+    };
+    if *class == "clock" {
+        return true;
     }
-    let observed = if model.observation.is_some() { 3 } else { 0 };
-    match (row - model.states.len()).checked_sub(observed) {
-        None => RowKind::Observation,
-        Some(limit) => RowKind::Limit(limit + 1),
+    if model.equations.iter().any(|e| e.state == row) {
+        return *class == "der" && *name == state.name;
     }
+    let load = match &model.body {
+        Some(body) if body.position.contains(&row) => "body",
+        Some(body) if body.velocity.contains(&row) => "force",
+        _ => "moment",
+    };
+    ["body", "frame", load].contains(class)
 }
 
 /// For each row of a model, the statements on which it depends.
@@ -74,23 +62,10 @@ impl Reach {
             found.retain(|k| k.0 != "der" || used.contains(&k.1));
             uses.insert(key.clone(), found);
         }
-        let of = |classes: &[&str]| -> BTreeSet<Key> {
-            let keys = items.iter().map(|(key, _)| key.clone());
-            keys.filter(|key| classes.contains(&key.0)).collect()
-        };
         let roots = rows.iter().enumerate().map(|(k, row)| {
-            let mut roots = match kind(model, k) {
-                RowKind::Stated(state) => BTreeSet::from([("der", state)]),
-                RowKind::Position => of(&["body", "frame"]),
-                RowKind::Velocity => of(&["force", "body", "frame"]),
-                RowKind::Rotation => of(&["moment", "body", "frame"]),
-                RowKind::Observation => of(&["observe", "marker", "frame"]),
-                RowKind::Limit(k) => BTreeSet::from([("limit", k.to_string())]),
-            };
-            if k < model.states.len() {
-                roots.extend(of(&["clock"]));
-            }
-            (row.clone(), roots)
+            let keys = items.iter().map(|(key, _)| key);
+            let own = keys.filter(|key| is_root(model, k, key));
+            (row.clone(), own.cloned().collect())
         });
         Self {
             roots: roots.collect(),
