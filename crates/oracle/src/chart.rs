@@ -247,8 +247,8 @@ impl Chart {
         Some(out)
     }
 
-    /// Attitude and angular velocity of the frames reached from the inertial frame after 0, 1, … rotations of `attitude`;
-    /// angular velocities are in inertial components, rad/s. Quaternion rotations add no angular velocity.
+    /// Attitude and angular velocity of the frames reached from the inertial frame after 0, 1, … rotations of
+    /// `attitude`; angular velocities are in inertial components, rad/s. Quaternion rotations add no angular velocity.
     fn attitudes_along<T: Real>(&self, states: &[T]) -> Vec<(Quaternion<T>, Vector3<T>)> {
         let mut placed = vec![(Quaternion::identity(), Vector3::zeros())];
         match self.attitude {

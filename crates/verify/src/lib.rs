@@ -55,8 +55,8 @@ use values::Values;
 /// incomplete vectors are tested.
 const BACKEND_POINTS: usize = 37;
 
-/// Runs every check of a loaded model, on all processors; the report does not depend on their number. Diagnostics of the
-/// language checker are reported as faults. The numerical checks run only if the language checker produced a model.
+/// Runs every check of a loaded model, on all processors; the report does not depend on their number. Diagnostics of
+/// the language checker are reported as faults. The numerical checks run only if the language checker produced a model.
 pub fn run(loaded: &Loaded, options: &Options) -> Report {
     let mut report = Report {
         model: loaded

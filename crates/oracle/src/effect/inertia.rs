@@ -27,9 +27,9 @@ pub(super) fn added<T: Real>(name: &str, values: &[T]) -> Matrix3<T> {
 /// Force on a body of mass `mass` by the reaction of the added mass μ of the surrounding air, N; `force` is the sum of
 /// all other forces, N.
 ///
-/// The momentum of the air is p = μ (v·n) n with the velocity v relative to the air and the unit vector n along the axis
-/// of the body. The force −dp/dt depends on the acceleration to which it contributes, so the equation is solved for the
-/// component of the acceleration along n.
+/// The momentum of the air is p = μ (v·n) n with the velocity v relative to the air and the unit vector n along the
+/// axis of the body. The force −dp/dt depends on the acceleration to which it contributes, so the equation is solved
+/// for the component of the acceleration along n.
 pub(super) fn added_mass_force<T: Real>(
     air: T,
     flow: &Flow<'_, T>,

@@ -20,9 +20,9 @@ const VISCOSITY: f64 = 1.5e-5;
 /// Critical Reynolds number of the drag crisis, and half-width of the transition around it (both dimensionless).
 const CRISIS: (f64, f64) = (1e5, 2e4);
 
-/// Force, N, and moment about the mass centre, N·m, of the effect called `name`, in inertial components; 0 for an effect
-/// that adds no load. `values` are those of the effect's coefficients and states. The force of the added mass, which
-/// depends on all other forces, is not included.
+/// Force, N, and moment about the mass centre, N·m, of the effect called `name`, in inertial components; 0 for an
+/// effect that adds no load. `values` are those of the effect's coefficients and states. The force of the added mass,
+/// which depends on all other forces, is not included.
 pub(super) fn load<T: Real>(name: &str, values: &[T], flow: &Flow<'_, T>) -> Load<T> {
     let lift = |change: T| Load::force(flow.lift(values[0] * change));
     let side = |by: T| {

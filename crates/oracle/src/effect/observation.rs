@@ -25,9 +25,9 @@ pub(super) fn displacement<T: Real>(
     }
 }
 
-/// Displacement of a marker by the motion of the body during the `delay` (s) with which each marker is sampled after the
-/// preceding one, m. `arm` points from the mass centre to the marker; vectors are in inertial components. `which` has a
-/// 1 at the index of the observed marker.
+/// Displacement of a marker by the motion of the body during the `delay` (s) with which each marker is sampled after
+/// the preceding one, m. `arm` points from the mass centre to the marker; vectors are in inertial components. `which`
+/// has a 1 at the index of the observed marker.
 pub(super) fn motion_until_sampled<T: Real>(
     delay: T,
     at: &Physical<T>,
@@ -41,8 +41,8 @@ pub(super) fn motion_until_sampled<T: Real>(
     (at.velocity + omega.cross(&arm)) * later + centripetal * (later * later / T::lit(2.0))
 }
 
-/// Position that a measurement with the effect called `name` reports for a marker at the true position `position`, m, in
-/// inertial components. A tilt rotates the axes of the measurement about x, then about the rotated y axis.
+/// Position that a measurement with the effect called `name` reports for a marker at the true position `position`, m,
+/// in inertial components. A tilt rotates the axes of the measurement about x, then about the rotated y axis.
 pub(super) fn reported<T: Real>(name: &str, values: &[T], position: Vector3<T>) -> Vector3<T> {
     match name {
         "tilted_vertical" => {

@@ -25,8 +25,8 @@ pub(super) fn factor<T: Real>(name: &str, values: &[T]) -> Option<(&'static str,
     Some((constant, T::one() + values[0]))
 }
 
-/// Factor 1/(1 + e) by which an error of the clock multiplies the seconds of true time per second of recorded time, with
-/// the relative error e of the time stamps, the only value of the effect.
+/// Factor 1/(1 + e) by which an error of the clock multiplies the seconds of true time per second of recorded time,
+/// with the relative error e of the time stamps, the only value of the effect.
 pub(super) fn clock<T: Real>(values: &[T]) -> T {
     T::one() / (T::one() + values[0])
 }
