@@ -49,7 +49,7 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
         if subject.clock(&point) != 1.0 {
             return Row::skipped(INVARIANTS, OWN_CLOCK);
         }
-        let Some(before) = flying(subject, &point) else {
+        let Some((_, _, properties)) = loads(subject, &point) else {
             return Row::unverified(INVARIANTS, "neither loads nor a reference say what acts");
         };
         let end = match fly(subject, &point) {
@@ -62,7 +62,8 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
         if !is_valid(subject.model, &point) || !is_valid(subject.model, &end) {
             return Row::skipped(INVARIANTS, "without air it leaves the limits of the model");
         }
-        let Some(after) = flying(subject, &end) else {
+        let [Some(before), Some(after)] = [&point, &end].map(|at| flying(subject, at, &properties))
+        else {
             return subject.without_meaning(INVARIANTS);
         };
         if subject.reference.is_none() && !before.is_under_load_of(&after) {
@@ -309,10 +310,14 @@ impl Flying {
     }
 }
 
-/// The body of a model at a point; `None` if the model has neither a reference law nor a body, or the meaning of its
-/// states is unknown.
-fn flying(subject: &Subject<'_>, point: &Point<f64>) -> Option<Flying> {
-    let (force, moment, properties) = loads(subject, point)?;
+/// The body of a model at a point, with the mass properties of the release; `None` if the model has neither a reference
+/// law nor a body, or the meaning of its states is unknown.
+fn flying(
+    subject: &Subject<'_>,
+    point: &Point<f64>,
+    properties: &MassProperties<f64>,
+) -> Option<Flying> {
+    let (force, moment, _) = loads(subject, point)?;
     let body = subject.chart.as_ref()?.physical(&point.states);
     let axes = body.attitude.matrix();
     let angular_momentum = properties.inertia.map_or_else(Vector3::zeros, |inertia| {

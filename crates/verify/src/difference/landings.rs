@@ -39,7 +39,8 @@ pub struct End {
     pub time_s: f64,
     /// Event that ended the flight, such as `ground`, or `time`.
     pub reason: String,
-    /// Position of the body, m, by the names of its states; for a model without a body, all states, in SI units.
+    /// Position of the body, m, by the names of its states; for a model without a body, the states x, y and z, or all
+    /// states if it has no such states, in SI units.
     pub state: BTreeMap<String, f64>,
 }
 
@@ -76,18 +77,21 @@ fn fly(release: &str, model: &Model) -> Result<Flown, ReleaseError> {
     };
     let options = IntegrationOptions::with_tolerance(TOLERANCE);
     let flight = simulate(&CompiledModel::new(model), &read, &options);
-    let position = |index: usize| {
-        model
-            .body
-            .as_ref()
-            .is_none_or(|b| b.position.contains(&index))
+    let is_axis = |index: usize| ["x", "y", "z"].contains(&model.states[index].name.as_str());
+    let has_axes = (0..model.states.len())
+        .filter(|&index| is_axis(index))
+        .count()
+        == 3;
+    let is_shown = |index: usize| match &model.body {
+        Some(body) => body.position.contains(&index),
+        None => !has_axes || is_axis(index),
     };
     Ok(match flight {
         Ok(flight) => Flown::End(End {
             time_s: flight.end,
             reason: flight.terminal_event.unwrap_or_else(|| "time".into()),
             state: (0..model.states.len())
-                .filter(|&index| position(index))
+                .filter(|&index| is_shown(index))
                 .map(|index| (model.states[index].name.clone(), flight.end_state[index]))
                 .collect(),
         }),
