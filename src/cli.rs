@@ -44,13 +44,13 @@ pub enum Command {
     Generate(Generate),
     /// Verify models by every independent check against a reference implementation
     #[command(
-        after_help = "Example:\n  hyzer verify disc --json\n  hyzer verify                          # all models\n  hyzer verify disc --rounding\n  hyzer verify disc --certificate disc.certificate.json\n  hyzer verify --check disc.certificate.json\n\nA certificate is a JSON file: what was checked, on which texts and code (SHA-256), with which options, and the verdicts. With\n--check the exit status is 0 where it stands, 1 where something that it covers has changed, 2 for a bad file.\n\nExit status: 0 verified, every check that applies was made and holds; 1 refuted, at least one check fails; 3 not verified,\nno check fails and at least one that applies could not be made: the table says which and why. A check that is `skipped` does\nnot apply to the model."
+        after_help = "Example:\n  hyzer verify disc --json\n  hyzer verify                          # all models\n  hyzer verify disc --rounding\n  hyzer verify disc --json > disc.json  # verdicts, and hashes (SHA-256) of the texts and of the generated code\n  hyzer verify --check disc.json        # the same verification again\n\nWith --check the exit status is 0 where hashes and verdicts agree, 1 where they differ, 2 for a bad file.\n\nExit status: 0 verified, every check that applies was made and holds; 1 refuted, at least one check fails; 3 not verified,\nno check fails and at least one that applies could not be made: the table says which and why. A check that is `skipped` does\nnot apply to the model."
     )]
     Verify(Verify),
     /// Compare two versions of a model: which derivatives are exactly the same function, and in which terms the
     /// others differ
     #[command(
-        after_help = "Examples:\n  hyzer diff disc_appendix_printed disc_appendix\n  hyzer diff HEAD:model-spec/models/ball.hyz ball --markdown   # a file at a revision of git\n  hyzer diff disc disc_quaternion --time --json\n\nNames may change and statements may be reordered, factored or written in another frame. Whether a derivative is the same\nfunction of states, parameters and time is decided by evaluation at random points of a prime field; where functions differ as\nsymbols and agree in numbers to rounding, the output says so. Exit status: 0 the same function (stated values may differ,\nthey are listed), 1 another function."
+        after_help = "Examples:\n  hyzer diff disc_appendix_printed disc_appendix\n  hyzer diff disc disc_appendix --release backhand --json\n\nFor a file at a revision of git: git show REVISION:PATH > old.hyz\n\nStates, parameters and inputs correspond by name; statements may be reordered, factored or written in another frame.\nWhether a derivative is the same function of states, parameters and time is decided by evaluation at random points of a\nprime field; where functions differ as symbols and agree in numbers to rounding, the output says so. Exit status: 0 the\nsame function (default values may differ, they are among the statements), 1 another function."
     )]
     Diff(Diff),
     /// Trace one quantity, or its derivative, from its line in the model to formula and code
@@ -193,47 +193,31 @@ pub struct Verify {
     /// Number of random states for each check
     #[arg(long, default_value_t = 200)]
     pub cases: usize,
-    /// Write a certificate: what was checked, on which texts and code, and the verdicts
-    #[arg(long, value_name = "FILE")]
-    pub certificate: Option<PathBuf>,
-    /// Check whether a certificate is still valid, and list what has changed
+    /// Repeat a verification whose JSON is in a file, and list each hash or verdict that differs
     #[arg(
         long,
         value_name = "FILE",
-        conflicts_with_all = ["models", "with", "mutants", "rounding", "seed", "cases", "certificate"]
+        conflicts_with_all = ["models", "with", "mutants", "rounding", "seed", "cases"]
     )]
     pub check: Option<PathBuf>,
-    /// With --check: also repeat the checks of the certificate, and compare the verdicts
-    #[arg(
-        long,
-        requires = "check",
-        conflicts_with_all = ["models", "with", "mutants", "rounding", "seed", "cases", "certificate"]
-    )]
-    pub again: bool,
 }
 
 /// Arguments of `hyzer diff`.
 #[derive(Args)]
 pub struct Diff {
-    /// Model before the change: a name, a path, or REVISION:PATH of a file in git
+    /// Model before the change: a name or a path
     pub old: String,
-    /// Model after the change: a name, a path, or REVISION:PATH of a file in git
+    /// Model after the change: a name or a path
     pub new: String,
     /// Add an effect to both models, by name or path; may be repeated
     #[arg(long, value_name = "EFFECT")]
     pub with: Vec<String>,
+    /// Fly a release with both models, and print where and when each flight ends; may be repeated
+    #[arg(long, value_name = "RELEASE")]
+    pub release: Vec<String>,
     /// Print the result as JSON
-    #[arg(long, conflicts_with = "markdown")]
+    #[arg(long)]
     pub json: bool,
-    /// Print the result as Markdown, for a pull request
-    #[arg(long)]
-    pub markdown: bool,
-    /// Measure the time of evaluating the derivatives, alternating between the models
-    #[arg(long)]
-    pub time: bool,
-    /// Duration of the compared flights, s
-    #[arg(long, value_name = "S", default_value_t = 2.0)]
-    pub seconds: f64,
 }
 
 /// Arguments of `hyzer explain`.
@@ -417,10 +401,6 @@ pub struct Fit {
     /// Stop after this many seconds with the best answer so far; the result then says so
     #[arg(long, value_name = "S")]
     pub max_seconds: Option<f64>,
-    /// Certificate of the model, written by `hyzer verify --certificate`, that the report cites; by default
-    /// MODEL.certificate.json next to the model's file
-    #[arg(long, value_name = "FILE")]
-    pub certificate: Option<PathBuf>,
     /// Also write every figure as pdf or png; may be repeated
     #[arg(long, value_name = "KIND", value_parser = figure_kind, requires = "out")]
     pub figures: Vec<FigureKind>,
@@ -441,10 +421,6 @@ pub struct Diagnose {
     /// Stop after this many seconds with the best answer so far; the result then says so
     #[arg(long, value_name = "S")]
     pub max_seconds: Option<f64>,
-    /// Certificate of the model, written by `hyzer verify --certificate`, that the report cites; by default
-    /// MODEL.certificate.json next to the model's file
-    #[arg(long, value_name = "FILE")]
-    pub certificate: Option<PathBuf>,
     /// Also write every figure as pdf or png; may be repeated
     #[arg(long, value_name = "KIND", value_parser = figure_kind, requires = "out")]
     pub figures: Vec<FigureKind>,

@@ -1,7 +1,6 @@
 //! Implementations of the commands, one module each.
 
 mod bootstrap;
-mod certificate;
 mod check;
 mod design;
 mod diagnose;

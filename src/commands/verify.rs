@@ -1,14 +1,17 @@
 //! Command `hyzer verify`: runs every independent check of a model.
 
+use std::fs::File;
+use std::io::Read;
 use std::path::Path;
 
+use anyhow::{Context, bail};
 use model_spec::load::{Loaded, MODELS, inspect};
 use model_spec::model::Model;
-use verify::Options;
-use verify::certificate::{Certificate, CertifiedModel, folder_of};
+use serde_json::{Value, json};
+use verify::record::{self, Record};
 use verify::report::Outcome;
+use verify::{Options, Report};
 
-use super::certificate;
 use crate::cli::Verify;
 use crate::{Answer, output};
 
@@ -16,20 +19,25 @@ use crate::{Answer, output};
 /// other.
 const SAME: [&str; 3] = ["disc", "disc_appendix", "disc_quaternion"];
 
+/// A model to be verified: the name or path and the effects by which it was loaded, and what was loaded.
+struct Candidate<'a> {
+    source: &'a str,
+    with: Vec<&'a str>,
+    loaded: Loaded,
+}
+
 /// Runs `hyzer verify`: verifies each model. Returns `Answer::No` if any check of any model fails, and
-/// `Answer::Undecided` if none fails but some applicable checks could not be made. With `--check`, answers whether a
-/// certificate is still valid.
+/// `Answer::Undecided` if none fails but some applicable checks could not be made. With `--check`, answers whether an
+/// earlier verification has the same hashes and verdicts.
 pub fn run(options: &Verify) -> anyhow::Result<Answer> {
     if let Some(path) = &options.check {
-        return certificate::check(path, options.again, options.json, is_same);
+        return check(path, options.json);
     }
-    if options.cases == 0 || options.cases > 100_000 {
-        anyhow::bail!("--cases: found {}, expected 1 to 100000", options.cases);
-    }
-    let all = options.models.is_empty();
-    let names: Vec<&str> = match all {
-        true => MODELS.iter().map(|(name, _)| *name).collect(),
-        false => options.models.iter().map(String::as_str).collect(),
+    check_cases("--cases", options.cases)?;
+    let names: Vec<&str> = if options.models.is_empty() {
+        MODELS.iter().map(|(name, _)| *name).collect()
+    } else {
+        options.models.iter().map(String::as_str).collect()
     };
     let settings = Options {
         seed: options.seed,
@@ -38,58 +46,20 @@ pub fn run(options: &Verify) -> anyhow::Result<Answer> {
         ..Options::default()
     };
     let with = super::names(&options.with);
-    let mut outcome = Outcome::Verified;
-    let mut reports = Vec::new();
-    let mut models: Vec<Model> = Vec::new();
-    let mut certified: Vec<CertifiedModel> = Vec::new();
-    let mut refused = Vec::new();
-    for name in names {
-        let loaded = inspect(name, &with)?;
-        if loaded.model.is_none() {
-            refuse(&loaded);
-            outcome = Outcome::Refuted;
-            refused.push(name);
-            continue;
-        }
-        let report = verify::run(&loaded, &settings);
-        let model = loaded.model.as_ref().filter(|_| options.rounding);
-        let rounding = model.map(|model| verify::rounding(model, &settings));
-        outcome = outcome.max(report.outcome());
-        if let Some(path) = &options.certificate {
-            let folder = folder_of(path);
-            certified.extend(CertifiedModel::new(&folder, name, &with, &loaded, &report));
-        }
-        if options.json {
-            let mut value = serde_json::to_value(&report)?;
-            value["outcome"] = serde_json::to_value(report.outcome())?;
-            if let Some(rounding) = rounding {
-                value["rounding"] = serde_json::to_value(rounding)?;
-            }
-            reports.push(value);
-        } else {
-            output::print(report.table())?;
-            if let Some(rounding) = rounding {
-                output::print(format!("\n{}", rounding.table()))?;
-            }
-        }
-        models.extend(loaded.model.filter(is_same));
-    }
-    let same = (models.len() > 1).then(|| verify::same_motion(&models, &settings));
-    if same.as_ref().is_some_and(|same| !same.holds()) {
-        outcome = Outcome::Refuted;
-    }
+    let candidate = |source| -> anyhow::Result<Candidate<'_>> {
+        let loaded = inspect(source, &with)?;
+        let with = with.clone();
+        Ok(Candidate {
+            source,
+            with,
+            loaded,
+        })
+    };
+    let candidates = names.into_iter().map(candidate);
+    let candidates = candidates.collect::<anyhow::Result<Vec<_>>>()?;
+    let (outcome, value) = verify_all(candidates, &settings, options.rounding, !options.json)?;
     if options.json {
-        let holds = outcome != Outcome::Refuted;
-        let value = serde_json::json!({
-            "holds": holds, "outcome": outcome, "models": reports, "same_motion": same
-        });
         output::print(serde_json::to_string_pretty(&value)? + "\n")?;
-    } else if let Some(same) = &same {
-        output::print(same.table())?;
-    }
-    if let Some(path) = &options.certificate {
-        let written = Certificate::new(&settings, certified, same.as_ref());
-        write(path, &written, &refused)?;
     }
     Ok(match outcome {
         Outcome::Verified => Answer::Yes,
@@ -98,19 +68,127 @@ pub fn run(options: &Verify) -> anyhow::Result<Answer> {
     })
 }
 
-fn is_same(model: &Model) -> bool {
-    SAME.contains(&model.name.as_str())
+/// Verifies models, prints their tables if `print`, and returns the worst outcome and the verification as JSON.
+/// `rounding` adds the rounding errors.
+fn verify_all(
+    candidates: Vec<Candidate<'_>>,
+    settings: &Options,
+    rounding: bool,
+    print: bool,
+) -> anyhow::Result<(Outcome, Value)> {
+    let mut outcome = Outcome::Verified;
+    let mut values = Vec::new();
+    let mut same: Vec<Model> = Vec::new();
+    for candidate in candidates {
+        let Some(model) = &candidate.loaded.model else {
+            refuse(&candidate.loaded);
+            outcome = Outcome::Refuted;
+            continue;
+        };
+        let report = verify::run(&candidate.loaded, settings);
+        outcome = outcome.max(report.outcome());
+        let mut value = of_model(&candidate, model, &report)?;
+        if print {
+            output::print(report.table())?;
+        }
+        if rounding {
+            let rounding = verify::rounding(model, settings);
+            if print {
+                output::print(format!("\n{}", rounding.table()))?;
+            }
+            value["rounding"] = serde_json::to_value(rounding)?;
+        }
+        values.push(value);
+        let of_group = |model: &Model| SAME.contains(&model.name.as_str());
+        same.extend(candidate.loaded.model.filter(of_group));
+    }
+    let same = (same.len() > 1).then(|| verify::same_motion(&same, settings));
+    if same.as_ref().is_some_and(|same| !same.holds()) {
+        outcome = Outcome::Refuted;
+    }
+    if let Some(same) = same.as_ref().filter(|_| print) {
+        output::print(same.table())?;
+    }
+    let value = json!({
+        "schema": record::SCHEMA,
+        "program": env!("CARGO_PKG_VERSION"),
+        "seed": settings.seed,
+        "cases": settings.cases,
+        "mutants": settings.mutants,
+        "holds": outcome != Outcome::Refuted,
+        "outcome": outcome,
+        "models": values,
+        "same_motion": same,
+    });
+    Ok((outcome, value))
 }
 
-/// Writes a certificate to `path`. If `refused`, the names of the models whose text has errors, is not empty, writes no
-/// file, says so on standard error and returns `Ok`.
-fn write(path: &Path, certificate: &Certificate, refused: &[&str]) -> anyhow::Result<()> {
-    if !refused.is_empty() {
-        eprintln!("no certificate is written: {} refused", refused.join(", "));
-        return Ok(());
+/// The verification of one model as JSON: its report, where its text is from, and the hashes of text and code.
+fn of_model(
+    candidate: &Candidate<'_>,
+    model: &Model,
+    report: &Report,
+) -> serde_json::Result<Value> {
+    let mut value = serde_json::to_value(report)?;
+    value["outcome"] = serde_json::to_value(report.outcome())?;
+    value["source"] = json!(candidate.source);
+    value["with"] = json!(candidate.with);
+    value["text_sha256"] = json!(record::text_hash(&candidate.loaded.sources));
+    value["code_sha256"] = json!(record::code_hash(model));
+    Ok(value)
+}
+
+/// Repeats the verification whose JSON is in the file `path`, and prints the differences of hashes and verdicts.
+/// Returns `Answer::No` if there are any.
+fn check(path: &Path, json: bool) -> anyhow::Result<Answer> {
+    let shown = path.display();
+    let record = read(path).with_context(|| format!("--check: {shown}"))?;
+    let settings = Options {
+        seed: record.seed,
+        cases: record.cases,
+        mutants: record.mutants,
+        ..Options::default()
+    };
+    let mut candidates = Vec::new();
+    for model in &record.models {
+        let with = super::names(&model.with);
+        match inspect(&model.source, &with) {
+            Ok(loaded) => candidates.push(Candidate {
+                source: &model.source,
+                with,
+                loaded,
+            }),
+            Err(error) => eprintln!("{error}"),
+        }
     }
-    output::write(path, certificate.text())?;
-    eprintln!("{}: {}", path.display(), certificate.summary());
+    let (_, now) = verify_all(candidates, &settings, false, false)?;
+    let differences = record.differences(&Record::parse(&now.to_string())?);
+    let agrees = differences.is_empty();
+    output::print(if json {
+        let value = json!({ "agrees": agrees, "differences": differences });
+        serde_json::to_string_pretty(&value)? + "\n"
+    } else if agrees {
+        format!("{shown}: hashes and verdicts agree\n")
+    } else {
+        differences.join("\n") + "\n"
+    })?;
+    Ok(if agrees { Answer::Yes } else { Answer::No })
+}
+
+fn read(path: &Path) -> anyhow::Result<Record> {
+    let mut text = String::new();
+    File::open(path)?
+        .take(record::MAX_BYTES + 1)
+        .read_to_string(&mut text)?;
+    let record = Record::parse(&text)?;
+    check_cases("cases", record.cases)?;
+    Ok(record)
+}
+
+fn check_cases(what: &str, cases: usize) -> anyhow::Result<()> {
+    if cases == 0 || cases > 100_000 {
+        bail!("{what}: found {cases}, expected 1 to 100000");
+    }
     Ok(())
 }
 

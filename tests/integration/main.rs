@@ -2,7 +2,6 @@
 
 mod bodies;
 mod bootstrap;
-mod certificate;
 mod cli;
 mod dask;
 mod design;
@@ -18,4 +17,5 @@ mod support;
 mod sweep;
 mod synthesize;
 mod throws;
+mod verification;
 mod wind;

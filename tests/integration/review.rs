@@ -57,60 +57,40 @@ fn diff_says_the_same_function_of_a_rewriting_and_names_what_a_change_changes() 
             String::from_utf8(output.stderr).expect("text"),
         )
     };
-    write(
-        "new.hyz",
-        &disc
-            .replace("C_L0", "C_L_0")
-            .replace("rho_air*V^2/2", "V*rho_air/2*V"),
-    );
+    write("new.hyz", &disc.replace("rho_air*V^2/2", "V*rho_air/2*V"));
     let (output, _) = diff(&["disc", "new.hyz"], 0);
     assert!(output.contains(": the same function"), "{output}");
-    assert!(output.contains("C_L0 → C_L_0"), "{output}");
+    assert!(output.contains("rewritten let q"), "{output}");
 
-    let git = |arguments: &[&str]| {
-        let mut git = std::process::Command::new("git");
-        let identity = ["-c", "user.name=a", "-c", "user.email=a@b"];
-        let done = git
-            .args(identity)
-            .args(arguments)
-            .current_dir(folder.path());
-        assert!(
-            done.output().expect("git").status.success(),
-            "{arguments:?}"
-        );
-    };
-    git(&["init", "--quiet"]);
-    git(&["add", "new.hyz"]);
-    git(&["commit", "--quiet", "--message", "first"]);
-    write("new.hyz", &disc);
-    git(&["commit", "--quiet", "--all", "--message", "second"]);
     write("new.hyz", &disc.replace("C_Da*alpha^2", "C_Da*alpha^3"));
-    let (output, _) = diff(&["HEAD:new.hyz", "new.hyz"], 1);
+    let flown = ["disc", "new.hyz", "--release", "backhand"];
+    let (output, _) = diff(&flown, 1);
     assert!(
         output.contains("another function: der(u), der(v), der(w)"),
         "{output}"
     );
-    let (output, _) = diff(&["HEAD:new.hyz", "new.hyz", "--json"], 1);
+    assert!(output.contains("\nflights\n  backhand\n    - "), "{output}");
+    let (output, _) = diff(&[flown.as_slice(), &["--json"]].concat(), 1);
     let value: serde_json::Value = serde_json::from_str(&output).expect("JSON");
-    assert_eq!(value["schema"], "hyzer.diff/1");
+    assert_eq!(value["schema"], "hyzer.diff/2");
     assert_eq!(value["changed"], true);
-    assert_eq!(value["flights"].as_array().map(Vec::len), Some(3));
-    let (output, _) = diff(&["HEAD:new.hyz", "new.hyz", "--markdown", "--time"], 1);
-    assert!(
-        output.contains("| `der(u)` |") && output.contains("| ns of `f`"),
-        "{output}"
-    );
+    assert!(value["operations"]["f"]["new"].as_u64() > Some(0));
+    let [old, new] = ["old", "new"].map(|model| &value["landings"][0][model]["end"]);
+    assert_ne!(old["state"]["x"], new["state"]["x"]);
+    assert!(old["time_s"].as_f64() > Some(0.5), "{output}");
 
-    for (wanted, why) in [
-        ("HEAD:none.hyz", "git has no such file"),
-        ("none:new.hyz", "git has no such file"),
-        ("--output=x:new.hyz", "begins with `-`"),
-        ("nothing", "there is no model"),
+    for (arguments, why) in [
+        (["nothing", "disc", "backhand"], "there is no model"),
+        (
+            ["ball", "disc", "backhand"],
+            "the old model cannot fly the release",
+        ),
+        (["disc", "disc", "absent.toml"], "absent.toml"),
     ] {
-        let (_, error) = diff(&["--", wanted, "disc"], 2);
-        assert!(error.contains(why), "{wanted}: {error}");
+        let [old, new, release] = arguments;
+        let (_, error) = diff(&[old, new, "--release", release], 2);
+        assert!(error.contains(why), "{arguments:?}: {error}");
     }
-    assert!(!folder.path().join("x:new.hyz").exists());
     let (output, _) = diff(&["disc_appendix_printed", "disc_appendix"], 1);
     assert!(output.contains("units\n  mended"), "{output}");
     let term = "I_a*(der(phidot)*sin(theta) + phidot*thetadot*cos(theta))";

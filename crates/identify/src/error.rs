@@ -81,16 +81,13 @@ pub enum FlightError {
     /// The normal equations of the initial state are singular: the samples do not determine it.
     #[error("its samples do not determine its initial state")]
     SingularInitialState,
-    /// All samples of a held-out flight belong to its conditioning segment (the first samples, to which the initial
-    /// state is fitted), so that none remains to be predicted.
+    /// All samples of a held-out flight belong to its conditioning segment, so that none remains to be predicted.
     #[error("too short: no samples remain to be predicted after its first {samples}")]
     NothingToPredict {
-        /// Number of samples in the conditioning segment (the first samples of the flight), to which the initial state
-        /// is fitted.
+        /// Number of samples in the conditioning segment, to which the initial state is fitted.
         samples: usize,
     },
-    /// No marker is measured after the conditioning segment of a held-out flight (the first samples, to which the
-    /// initial state is fitted).
+    /// No marker is measured after the conditioning segment of a held-out flight.
     #[error("no marker is measured in the samples that are to be predicted")]
     NothingMeasuredToPredict,
     /// The residuals of the flight are far larger than those of the other flights, from every initial state tried.

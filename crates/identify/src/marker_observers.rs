@@ -4,8 +4,8 @@
 use flight::{BoundModel, CompiledModel, ModelObserver, ObservationJacobians};
 use model_spec::layout::ParamId;
 
-/// Components of the model input `marker_is`, with which effects (optional model extensions) refer to single markers:
-/// component k is 1 in the measurement equation of marker k and 0 in all others.
+/// Components of the model input `marker_is`, with which effects refer to single markers: component k is 1 in the
+/// measurement equation of marker k and 0 in all others.
 const MARKER_IS: [&str; 3] = ["marker_is_x", "marker_is_y", "marker_is_z"];
 
 /// Models with given parameter values for the measurement equations of the markers. One model serves all points; but if

@@ -190,8 +190,8 @@ fn at_zero(points: &[(f64, f64)], space: &mut Vec<f64>) -> f64 {
     median(space)
 }
 
-/// Robust standard deviation of the local residuals (differences of residuals from the line through their neighbours)
-/// of each group of channels, along each axis, m. `group_of` gives the group of each channel.
+/// Robust standard deviation of the local residuals of each group of channels, along each axis, m. `group_of` gives the
+/// group of each channel.
 pub fn group_scales(local_residuals: &Residuals, group_of: &[usize]) -> Vec<[f64; 3]> {
     let groups = group_count(group_of);
     let of_group = |group: usize| {
@@ -206,8 +206,7 @@ pub fn group_scales(local_residuals: &Residuals, group_of: &[usize]) -> Vec<[f64
     }
 }
 
-/// Robust standard deviation along each axis of the local residuals (differences of residuals from the line through
-/// their neighbours) of all channels together, m.
+/// Robust standard deviation along each axis of the local residuals of all channels together, m.
 pub fn robust_scale(local_residuals: &Residuals) -> [f64; 3] {
     let mut sizes = Vec::with_capacity(local_residuals.iter().map(Vec::len).sum());
     [0, 1, 2].map(|axis| {

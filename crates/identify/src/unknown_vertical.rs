@@ -23,8 +23,8 @@ fn directions() -> Vec<[f64; 3]> {
     all.filter(|v| (1..=2).contains(&zeros(v))).collect()
 }
 
-/// Adds to the model the effect (model extension) that rotates the axes of the measured positions by two estimated
-/// angles, about x and then y. The arguments are the initial values of these angles, rad.
+/// Adds to the model the effect that rotates the axes of the measured positions by two estimated angles, about x and
+/// then y. The arguments are the initial values of these angles, rad.
 fn turned(model: &Model, [about_x, about_y]: [f64; 2]) -> Result<Model, FitError> {
     let [x, y] = ANGLES;
     let text = format!(
@@ -52,8 +52,8 @@ fn turned(model: &Model, [about_x, about_y]: [f64; 2]) -> Result<Model, FitError
     tree.check().map_err(refused)
 }
 
-/// Returns the model with the effect (model extension) that rotates the axes of the measured positions by two angles.
-/// The initial angles are those of the best fit to a few flights, over all trial directions of the vertical.
+/// Returns the model with the effect that rotates the axes of the measured positions by two angles. The initial angles
+/// are those of the best fit to a few flights, over all trial directions of the vertical.
 ///
 /// # Errors
 /// The error of the last fit if no fit succeeds; [`FitError::Interrupted`] if the work is cancelled.
@@ -98,8 +98,8 @@ pub fn with_vertical(
     }
 }
 
-/// Ratio of the root mean square residual to the noise floor (noise estimated without a model), below which the search
-/// for the initial direction of the vertical ends, as no other direction can fit noticeably better.
+/// Ratio of the root mean square residual to the noise floor, below which the search for the initial direction of the
+/// vertical ends, as no other direction can fit noticeably better.
 const NOISE_RATIO: f64 = 1.1;
 
 /// Whether the residuals of a fit are at the level of the measurement noise.

@@ -14,12 +14,10 @@ use crate::unknown_vertical;
 use crate::vertical;
 use dataset::{Dataset, Sensor, SensorKind};
 
-/// Effect (model extension) that displaces all markers together on the body: its name and the names of its
-/// coefficients, m.
+/// Effect that displaces all markers together on the body: its name and the names of its coefficients, m.
 const OFFSET: (&str, [&str; 3]) = ("marker_offset", ["offset_1", "offset_2", "offset_3"]);
 
-/// Effect (model extension) that displaces the accelerometer on the body: its name and the names of its coefficients,
-/// m.
+/// Effect that displaces the accelerometer on the body: its name and the names of its coefficients, m.
 const LEVER: (&str, [&str; 3]) = (
     "accelerometer_misplaced",
     [
@@ -34,27 +32,27 @@ const LEVER: (&str, [&str; 3]) = (
 const UNKNOWN: f64 = 0.1;
 
 /// A model and a dataset in which sensor positions, origin and vertical direction count as known: where the original
-/// dataset declares them unknown, effects (model extensions) with estimated coefficients represent them.
+/// dataset declares them unknown, effects with estimated coefficients represent them.
 pub struct Resolved<'d> {
     /// The model, with two kinds of additions: a definition of the quantity that each kind of instrument in the dataset
-    /// measures, such as the angular velocity for a gyroscope, unless the model defines it; and an effect (model
-    /// extension) for each sensor position, origin or vertical direction that the dataset declares unknown.
+    /// measures, such as the angular velocity for a gyroscope, unless the model defines it; and an effect for each
+    /// sensor position, origin or vertical direction that the dataset declares unknown.
     pub model: Model,
     /// The dataset, with all sensor positions, the origin and the vertical direction marked as known. What it declared
-    /// unknown is estimated as coefficients of effects (model extensions) instead.
+    /// unknown is estimated as coefficients of effects instead.
     pub dataset: Cow<'d, Dataset>,
     /// Priors given in the fit options, and priors of the coefficients that represent what the dataset declares
     /// unknown: sensor positions and the origin.
     pub priors: Vec<Prior>,
-    /// Fixed coefficients given in the fit options, and fixed coefficients of the effects (model extensions) that
-    /// represent what the dataset declares unknown; `None` fixes a coefficient at the model's value.
+    /// Fixed coefficients given in the fit options, and fixed coefficients of the effects that represent what the
+    /// dataset declares unknown; `None` fixes a coefficient at the model's value.
     pub fixed: Vec<(String, Option<f64>)>,
 }
 
 impl Resolved<'_> {
-    /// Adds to the model an effect (model extension) with a name and three coefficients, which displace the markers or
-    /// the accelerometer along the axes of the body. `errors` are the prior standard deviations of the coefficients
-    /// about 0, m; 0 fixes a coefficient.
+    /// Adds to the model an effect with a name and three coefficients, which displace the markers or the accelerometer
+    /// along the axes of the body. `errors` are the prior standard deviations of the coefficients about 0, m; 0 fixes a
+    /// coefficient.
     fn free(
         &mut self,
         (effect, coefficients): &(&str, [&str; 3]),
@@ -91,8 +89,8 @@ impl Resolved<'_> {
     }
 }
 
-/// Adds to the model an effect (model extension) for each quantity that the dataset declares unknown: sensor positions,
-/// origin of the markers' positions on the body, direction of the vertical.
+/// Adds to the model an effect for each quantity that the dataset declares unknown: sensor positions, origin of the
+/// markers' positions on the body, direction of the vertical.
 ///
 /// # Errors
 /// [`FitError::Sensor`] if a sensor or an uncertain origin does not fit the model; the errors of [`fit`](fn@fit) if no
@@ -125,9 +123,9 @@ pub fn resolve<'d>(
     Ok(resolved)
 }
 
-/// Adds to the model an effect (model extension) for each sensor whose position on the body is unknown, so that the fit
-/// estimates this position, and marks the position as known in the dataset. Sensors whose readings do not depend on
-/// their position get no effect.
+/// Adds to the model an effect for each sensor whose position on the body is unknown, so that the fit estimates this
+/// position, and marks the position as known in the dataset. Sensors whose readings do not depend on their position get
+/// no effect.
 fn place_sensors(resolved: &mut Resolved<'_>) -> Result<(), FitError> {
     let sensors = resolved.dataset.sensors.iter();
     let unplaced: Vec<Sensor> = sensors

@@ -2,15 +2,15 @@
 
 use model_spec::model::Model;
 
-/// Name of the effect (model extension) that rotates the axes in which positions are measured, so that the vertical
-/// direction can be estimated.
+/// Name of the effect that rotates the axes in which positions are measured, so that the vertical direction can be
+/// estimated.
 pub const EFFECT: &str = "unknown_vertical";
 
-/// Names of the coefficients of the effect (model extension) `unknown_vertical`, which are rotation angles, rad: about
-/// the x axis, then about the rotated y axis.
+/// Names of the coefficients of the effect `unknown_vertical`, which are rotation angles, rad: about the x axis, then
+/// about the rotated y axis.
 pub const ANGLES: [&str; 2] = ["vertical_x", "vertical_y"];
 
-/// Whether the model includes the effect (model extension) that rotates the axes in which positions are measured.
+/// Whether the model includes the effect that rotates the axes in which positions are measured.
 pub(crate) fn is_in(model: &Model) -> bool {
     model.effects.iter().any(|own| own.name == EFFECT)
 }

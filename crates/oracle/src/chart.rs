@@ -8,20 +8,28 @@ use crate::scalar::{Dual, Real};
 use model_spec::model::{FrameKind, Model};
 use nalgebra::{Matrix3, Vector3};
 
-/// One rotation in the sequence from the inertial frame to the body frame.
+/// Rotation about an axis by an angle that is a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Step {
-    /// Rotation about an axis by the state `angle`, whose rate is the state `rate`.
-    Angle {
-        /// Axis of rotation: 1, 2 or 3.
-        axis: u8,
-        /// Index of the state that is the angle, rad.
-        angle: usize,
-        /// Index of the state that is the rate of the angle, rad/s.
-        rate: usize,
-    },
-    /// Rotation by a unit quaternion: indices of its four states, scalar part first.
-    Quaternion([usize; 4]),
+pub struct Turn {
+    /// Axis of rotation: 1, 2 or 3.
+    pub axis: u8,
+    /// Index of the state that is the angle, rad.
+    pub angle: usize,
+    /// Index of the state that is the rate of the angle, rad/s.
+    pub rate: usize,
+}
+
+/// States that are the attitude of a body: the rotations from the inertial frame to the body frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Attitude {
+    /// None: a point mass.
+    Point,
+    /// Three rotations in sequence; their rates are the angular velocity.
+    Turns([Turn; 3]),
+    /// A unit quaternion: indices of its four states, scalar part first; and the state indices of the angular velocity
+    /// components, with the number of rotations, 0 or 1, that lead from the inertial frame to the frame of these
+    /// components.
+    Quaternion([usize; 4], ([usize; 3], usize)),
 }
 
 /// Coordinate chart: physical meaning of each state of a model.
@@ -33,19 +41,15 @@ pub struct Chart {
     /// State indices of the position components, in the inertial frame.
     pub position: [usize; 3],
     /// State indices of the velocity components. They are given in the frame to which the first `velocity_after`
-    /// rotations of `steps` lead from the inertial frame.
+    /// rotations of `attitude` lead from the inertial frame.
     pub velocity: [usize; 3],
     /// Number of rotations from the inertial frame to the frame of the velocity components.
     pub velocity_after: usize,
-    /// Sequence of rotations from the inertial frame to the body frame.
-    pub steps: Vec<Step>,
-    /// State indices of the angular velocity components, and number of rotations of `steps` that lead from the inertial
-    /// frame to the frame of these components. `None` if the angular velocity is not a state.
-    pub angular_velocity: Option<([usize; 3], usize)>,
+    /// States that are the attitude of the body.
+    pub attitude: Attitude,
 }
 
-/// Rate of change of the physical state (position, velocity, attitude, angular velocity) of a body, in inertial
-/// components.
+/// Rate of change of the physical state of a body, in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PhysicalRate {
     /// Rate of the position, that is the velocity of the mass centre, in inertial components, m/s.
@@ -59,8 +63,8 @@ pub struct PhysicalRate {
 }
 
 impl Chart {
-    /// Coordinate chart (physical meaning of each state) given by the body declaration of a model; `None` if the model
-    /// has no body or its sequence of rotations is not supported.
+    /// Coordinate chart given by the body declaration of a model; `None` if the model has no body or its sequence of
+    /// rotations is not supported.
     pub fn declared(model: &Model) -> Option<Self> {
         let body = model.body.as_ref()?;
         let mut chart = Self {
@@ -68,61 +72,53 @@ impl Chart {
             position: body.position,
             velocity: body.velocity,
             velocity_after: 0,
-            steps: Vec::new(),
-            angular_velocity: None,
+            attitude: Attitude::Point,
         };
         let Some(rotation) = &body.rotation else {
             return (body.velocity_frame == 0).then_some(chart);
         };
         let chain = chain(model, rotation.body_frame);
-        for &frame in &chain[1..] {
-            chart.steps.push(match model.frames[frame].kind {
-                FrameKind::Turned {
-                    axis, angle, rate, ..
-                } => Step::Angle {
-                    axis,
-                    angle,
-                    rate: rate?,
-                },
-                FrameKind::Quaternion { states, .. } => Step::Quaternion(states),
-                FrameKind::Inertial => return None,
-            });
-        }
         let after = |frame: usize| chain.iter().position(|&f| f == frame);
+        let turn = |frame: &usize| match model.frames[*frame].kind {
+            FrameKind::Turned {
+                axis, angle, rate, ..
+            } => Some(Turn {
+                axis,
+                angle,
+                rate: rate?,
+            }),
+            _ => None,
+        };
         chart.velocity_after = after(body.velocity_frame)?;
-        if let Some((components, frame)) = rotation.angular_velocity {
-            chart.angular_velocity = Some((components, after(frame)?));
-        }
-        chart.is_supported().then_some(chart)
-    }
-
-    /// Whether conversions support the chart's kind of attitude: three angles with rates as states, one quaternion with
-    /// the angular velocity as states, or none.
-    fn is_supported(&self) -> bool {
-        match self.steps.as_slice() {
-            [] => true,
-            [Step::Quaternion(_)] => self.angular_velocity.is_some(),
-            [Step::Angle { .. }, Step::Angle { .. }, Step::Angle { .. }] => {
-                self.angular_velocity.is_none()
+        chart.attitude = match (&chain[1..], rotation.angular_velocity) {
+            ([frame], Some((components, of))) => match model.frames[*frame].kind {
+                FrameKind::Quaternion { states, .. } => {
+                    Attitude::Quaternion(states, (components, after(of)?))
+                }
+                _ => return None,
+            },
+            (frames, None) => {
+                let turns = frames.iter().map(turn).collect::<Option<Vec<Turn>>>()?;
+                Attitude::Turns(turns.try_into().ok()?)
             }
-            _ => false,
-        }
+            _ => return None,
+        };
+        Some(chart)
     }
 
     /// Whether the states describe the attitude of a body; false for a point mass.
     pub fn has_attitude(&self) -> bool {
-        !self.steps.is_empty()
+        self.attitude != Attitude::Point
     }
 
-    /// Converts the states of a model to the physical state (position, velocity, attitude, angular velocity) that they
-    /// describe.
+    /// Converts the states of a model to the physical state that they describe.
     pub fn physical<T: Real>(&self, states: &[T]) -> Physical<T> {
         let placed = self.attitudes_along(states);
         let pick = |i: [usize; 3]| Vector3::from(i.map(|i| states[i]));
         let (attitude, rate) = placed[placed.len() - 1];
-        let angular_velocity = match self.angular_velocity {
-            Some((components, after)) => placed[after].0.carry(pick(components)),
-            None => rate,
+        let angular_velocity = match self.attitude {
+            Attitude::Quaternion(_, (components, after)) => placed[after].0.carry(pick(components)),
+            _ => rate,
         };
         Physical {
             position: pick(self.position),
@@ -145,69 +141,53 @@ impl Chart {
         let physical = self.physical(states);
         let omega = physical.angular_velocity;
         // The frame of a quaternion is the body frame.
-        let frame_rate = |after: usize| {
-            if after > 0 && self.angular_velocity.is_some() {
+        let is_quaternion = matches!(self.attitude, Attitude::Quaternion(..));
+        let component_rates = |after: usize, rate: Vector3<T>, v: Vector3<T>| {
+            let (attitude, of_turns) = placed[after];
+            let frame_rate = if after > 0 && is_quaternion {
                 omega
             } else {
-                placed[after].1
-            }
-        };
-        let component_rates = |after: usize, rate: Vector3<T>, v: Vector3<T>| {
-            placed[after]
-                .0
-                .bring_back(rate - frame_rate(after).cross(&v))
+                of_turns
+            };
+            attitude.bring_back(rate - frame_rate.cross(&v))
         };
         put(self.position, physical.velocity);
         put(
             self.velocity,
             component_rates(self.velocity_after, motion.acceleration, physical.velocity),
         );
-        if let Some((components, after)) = self.angular_velocity {
-            put(
-                components,
-                component_rates(after, motion.angular_acceleration, omega),
-            );
-        }
-        match self.steps.as_slice() {
-            [Step::Quaternion(q)] => {
+        match self.attitude {
+            Attitude::Point => {}
+            Attitude::Quaternion(q, (components, after)) => {
+                let rates = component_rates(after, motion.angular_acceleration, omega);
+                put(components, rates);
                 let rate = Quaternion {
                     w: T::zero(),
                     v: omega,
                 }
                 .times(physical.attitude);
-                for (i, part) in q.iter().zip(rate.parts()) {
-                    out[*i] = part * T::lit(0.5);
+                for (i, part) in q.into_iter().zip(rate.parts()) {
+                    out[i] = part * T::lit(0.5);
                 }
             }
-            [
-                Step::Angle { rate: r1, .. },
-                Step::Angle { rate: r2, .. },
-                Step::Angle { rate: r3, .. },
-            ] => {
+            Attitude::Turns(turns) => {
                 let mut axes = Matrix3::zeros();
                 let mut rest = motion.angular_acceleration;
-                for (k, step) in self.steps.iter().enumerate() {
-                    let Step::Angle { axis, rate, .. } = *step else {
-                        continue;
-                    };
-                    let axis = placed[k].0.axis(axis);
-                    rest -= placed[k].1.cross(&axis) * states[rate];
+                for (k, turn) in turns.iter().enumerate() {
+                    let axis = placed[k].0.axis(turn.axis);
+                    rest -= placed[k].1.cross(&axis) * states[turn.rate];
                     axes.set_column(k, &axis);
                 }
-                put([*r1, *r2, *r3], solve(&axes, &rest));
-                for step in &self.steps {
-                    if let Step::Angle { angle, rate, .. } = *step {
-                        out[angle] = states[rate];
-                    }
+                put(turns.map(|turn| turn.rate), solve(&axes, &rest));
+                for turn in turns {
+                    out[turn.angle] = states[turn.rate];
                 }
             }
-            _ => {}
         }
         out
     }
 
-    /// Converts time derivatives of the states to the rate of change of the physical state (position, velocity,
-    /// attitude, angular velocity) of the body.
+    /// Converts time derivatives of the states to the rate of change of the physical state of the body.
     pub fn physical_rate(&self, states: &[f64], rates: &[f64]) -> PhysicalRate {
         let along: Vec<Dual<f64>> = states
             .iter()
@@ -227,79 +207,68 @@ impl Chart {
         }
     }
 
-    /// Converts the physical state (position, velocity, attitude, angular velocity) of a body to the states of a model.
-    /// `None` if two consecutive rotations from the inertial frame to the body frame are about the same axis.
+    /// Converts the physical state of a body to the states of a model. `None` if two consecutive rotations from the
+    /// inertial frame to the body frame are about the same axis.
     pub fn states(&self, physical: &Physical<f64>) -> Option<Vec<f64>> {
         let mut out = self.defaults.clone();
-        match self.steps.as_slice() {
-            [] => {}
-            [Step::Quaternion(q)] => {
-                for (i, part) in q.iter().zip(physical.attitude.parts()) {
-                    out[*i] = part;
+        match self.attitude {
+            Attitude::Point => {}
+            Attitude::Quaternion(q, _) => {
+                for (i, part) in q.into_iter().zip(physical.attitude.parts()) {
+                    out[i] = part;
                 }
             }
-            [
-                Step::Angle {
-                    axis: first,
-                    angle: a1,
-                    rate: r1,
-                },
-                Step::Angle {
-                    axis: second,
-                    angle: a2,
-                    rate: r2,
-                },
-                Step::Angle {
-                    axis: third,
-                    angle: a3,
-                    rate: r3,
-                },
-            ] => {
-                let axes = [*first, *second, *third];
-                [out[*a1], out[*a2], out[*a3]] = angles(&physical.attitude.matrix(), axes)?;
+            Attitude::Turns(turns) => {
+                let axes = turns.map(|turn| turn.axis);
+                let angles = angles(&physical.attitude.matrix(), axes)?;
+                for (turn, angle) in turns.iter().zip(angles) {
+                    out[turn.angle] = angle;
+                }
                 let placed = self.attitudes_along(&out);
                 let columns = [0, 1, 2].map(|k| placed[k].0.axis(axes[k]));
                 let rates = solve(&Matrix3::from_columns(&columns), &physical.angular_velocity);
-                (out[*r1], out[*r2], out[*r3]) = (rates.x, rates.y, rates.z);
+                for (turn, rate) in turns.iter().zip(rates.iter()) {
+                    out[turn.rate] = *rate;
+                }
             }
-            _ => return None,
         }
         let placed = self.attitudes_along(&out);
-        let mut put = |indices: [usize; 3], v: Vector3<f64>| {
-            for (i, value) in indices.into_iter().zip(v.iter()) {
+        let mut put = |indices: [usize; 3], after: usize, v: Vector3<f64>| {
+            let components = placed[after].0.bring_back(v);
+            for (i, value) in indices.into_iter().zip(components.iter()) {
                 out[i] = *value;
             }
         };
-        put(self.position, physical.position);
-        put(
-            self.velocity,
-            placed[self.velocity_after].0.bring_back(physical.velocity),
-        );
-        if let Some((components, after)) = self.angular_velocity {
-            put(
-                components,
-                placed[after].0.bring_back(physical.angular_velocity),
-            );
+        put(self.position, 0, physical.position);
+        put(self.velocity, self.velocity_after, physical.velocity);
+        if let Attitude::Quaternion(_, (components, after)) = self.attitude {
+            put(components, after, physical.angular_velocity);
         }
         Some(out)
     }
 
-    /// Attitude and angular velocity of the frames reached from the inertial frame after 0, 1, … rotations of `steps`;
-    /// angular velocities are in inertial components, rad/s. Quaternion rotations add no angular velocity.
+    /// Attitude and angular velocity of the frames reached from the inertial frame after 0, 1, … rotations of
+    /// `attitude`; angular velocities are in inertial components, rad/s. Quaternion rotations add no angular velocity.
     fn attitudes_along<T: Real>(&self, states: &[T]) -> Vec<(Quaternion<T>, Vector3<T>)> {
         let mut placed = vec![(Quaternion::identity(), Vector3::zeros())];
-        for (k, step) in self.steps.iter().enumerate() {
-            let (attitude, angular_velocity) = placed[k];
-            placed.push(match *step {
-                Step::Angle { axis, angle, rate } => (
-                    attitude.times(Quaternion::turn(axis, states[angle])),
-                    angular_velocity + attitude.carry(unit::<T>(axis)) * states[rate],
-                ),
-                Step::Quaternion(q) => (
-                    attitude.times(Quaternion::from_parts(q.map(|i| states[i]))),
-                    angular_velocity,
-                ),
-            });
+        match self.attitude {
+            Attitude::Point => {}
+            Attitude::Quaternion(q, _) => {
+                placed.push((
+                    Quaternion::from_parts(q.map(|i| states[i])),
+                    Vector3::zeros(),
+                ));
+            }
+            Attitude::Turns(turns) => {
+                for (k, turn) in turns.iter().enumerate() {
+                    let (attitude, angular_velocity): (Quaternion<T>, Vector3<T>) = placed[k];
+                    let axis = attitude.carry(unit::<T>(turn.axis));
+                    placed.push((
+                        attitude.times(Quaternion::turn(turn.axis, states[turn.angle])),
+                        angular_velocity + axis * states[turn.rate],
+                    ));
+                }
+            }
         }
         placed
     }

@@ -200,7 +200,7 @@ impl<T: Real> ClaimedBody<Dual<T>> {
 }
 
 /// Point with derivatives with respect to true time: the states change at the given rates, and [`Point::time`], which
-/// is recorded time (the time stamps of the measurements), at `time_rate`. All other values are constant.
+/// is recorded time, at `time_rate`. All other values are constant.
 pub fn moving<T: Real>(point: &Point<T>, rates: &[T], time_rate: T) -> Point<Dual<T>> {
     let mut out = point.map(Dual::constant);
     out.time.derivative = time_rate;

@@ -24,8 +24,8 @@ const RESIDUAL: f64 = 1e-10;
 /// describe.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClaimedRates {
-    /// Derivative of each state with respect to true time, in contrast to recorded time (the time stamps of the
-    /// measurements); `None` if the laws do not determine it.
+    /// Derivative of each state with respect to true time, in contrast to recorded time; `None` if the laws do not
+    /// determine it.
     pub rates: Vec<Option<ErrorBound>>,
     /// Laws of motion that no rates of the states satisfy. Each comes with its residual, divided by the sum of the
     /// absolute values of the law's terms; of the components of a law, the greatest ratio counts.
@@ -36,8 +36,8 @@ pub struct ClaimedRates {
 }
 
 /// Solves the laws of motion of the body that a model claims to describe for the derivatives of the model's states with
-/// respect to true time; `time_rate` is the number of seconds of recorded time (the time stamps of the measurements)
-/// per second of true time. `None` if the model claims no body or a value is not finite.
+/// respect to true time; `time_rate` is the number of seconds of recorded time per second of true time. `None` if the
+/// model claims no body or a value is not finite.
 pub fn claimed_rates(
     model: &Model,
     point: &Point<ErrorBound>,

@@ -12,15 +12,13 @@ use crate::tree::Tree;
 use model_spec::model::{Body, FrameKind, Model, Rotation};
 use nalgebra::{Matrix3, Vector3};
 
-/// Computes the derivative of every state of a model at a point with respect to recorded time (the time stamps of the
-/// measurements, which may run at another rate than true time).
+/// Computes the derivative of every state of a model at a point with respect to recorded time.
 pub fn derivatives<T: Real>(model: &Model, point: &Point<T>) -> Result<Vec<T>, Unsupported> {
     derivatives_of(&Tree::new(model, point))
 }
 
 /// Computes the derivative of every state of the model that `tree` has evaluated, at the point of this evaluation. The
-/// derivatives are with respect to recorded time (the time stamps of the measurements, which may run at another rate
-/// than true time).
+/// derivatives are with respect to recorded time.
 pub fn derivatives_of<T: Real>(tree: &Tree<'_, T>) -> Result<Vec<T>, Unsupported> {
     let model = tree.model;
     let mut out = match &model.body {

@@ -7,26 +7,26 @@ use thiserror::Error;
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum BindError {
     /// No reference implementation has the name that the model gives after the keyword `reference`.
-    #[error("there is no reference `{name}`; available: {}", crate::reference::LAWS.map(|law| law.0).join(", "))]
+    #[error("there is no reference `{name}`; available: {}", available.join(", "))]
     UnknownReference {
         /// Unknown name that the model gives after `reference`.
         name: String,
+        /// Names of all reference laws.
+        available: Vec<&'static str>,
     },
-    /// A parameter or coefficient of the reference law (independent implementation of a law of motion) is missing from
-    /// the model.
+    /// A parameter or coefficient of the reference law is missing from the model.
     #[error("`{name}` is not declared")]
     MissingConstant {
         /// Name, in the reference law, of the parameter or coefficient that the model does not declare.
         name: &'static str,
     },
-    /// A state of the reference law (independent implementation of a law of motion) is missing from the model.
+    /// A state of the reference law is missing from the model.
     #[error("the state `{name}` of the reference is not declared")]
     MissingState {
         /// Name, in the reference law, of the state that the model does not declare.
         name: &'static str,
     },
-    /// An input that the reference law (independent implementation of a law of motion) takes as an inertial vector is
-    /// declared in another frame.
+    /// An input that the reference law takes as an inertial vector is declared in another frame.
     #[error(
         "the input `{name}` is declared in the frame `{frame}`; the reference expects it in the inertial frame"
     )]
@@ -36,17 +36,16 @@ pub enum BindError {
         /// Name of the frame in which the model declares the input.
         frame: String,
     },
-    /// An effect (optional addition to a model) has no reference implementation for the law of motion that the model
-    /// names.
+    /// An effect has no reference implementation for the law of motion that the model names.
     #[error("the effect `{name}` has no reference implementation for this law")]
     UnknownEffect {
-        /// Name of the effect (optional addition to a model).
+        /// Name of the effect.
         name: String,
     },
-    /// A coefficient or state of an effect (optional addition to a model) is missing from the model.
+    /// A coefficient or state of an effect is missing from the model.
     #[error("`{name}` of the effect `{effect}` is not declared")]
     MissingEffectValue {
-        /// Name of the effect (optional addition to a model).
+        /// Name of the effect.
         effect: &'static str,
         /// Name of the effect's coefficient or state that the model does not declare.
         name: &'static str,

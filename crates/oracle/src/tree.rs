@@ -25,7 +25,7 @@ pub enum Value<T> {
 pub struct Tree<'a, T> {
     /// Model that is evaluated.
     pub model: &'a Model,
-    /// Point (values of time, states, constants and inputs) at which the model is evaluated.
+    /// Point at which the model is evaluated.
     pub point: &'a Point<T>,
     /// Axes and angular velocity of each frame of the model at the point, in the order of the model's frames.
     pub frames: Vec<PlacedFrame<T>>,
@@ -124,8 +124,8 @@ impl<'a, T: Real> Tree<'a, T> {
             .fold(Vector3::zeros(), |sum, load| sum + self.vector(&load.value))
     }
 
-    /// Seconds of true time per second of recorded time (the time stamps of the measurements) at the point; 1 if the
-    /// model does not declare that the two rates differ.
+    /// Seconds of true time per second of recorded time at the point; 1 if the model does not declare that the two
+    /// rates differ.
     pub fn clock(&self) -> T {
         let stated = self.model.clock.as_ref();
         stated.map_or_else(|| T::lit(1.0), |clock| self.scalar(&clock.value))

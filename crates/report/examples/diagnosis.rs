@@ -10,7 +10,6 @@ mod made;
 use std::path::PathBuf;
 
 use diagnose::Verdict;
-use report::CertificateNote;
 use report::diagnosis::{DiagnosisPage, html_and_figures};
 
 fn main() -> std::io::Result<()> {
@@ -38,7 +37,6 @@ fn main() -> std::io::Result<()> {
         },
         after: if extended { &after } else { &[] },
         extended: extended.then_some(found::EXTENDED),
-        certificate: &CertificateNote::none(),
     };
     let (html, figures) = html_and_figures(&page);
     std::fs::create_dir_all(&folder)?;

@@ -5,7 +5,6 @@ mod made;
 
 use std::path::PathBuf;
 
-use report::CertificateNote;
 use report::fit::{FitPage, html_and_figures};
 
 fn main() -> std::io::Result<()> {
@@ -20,7 +19,6 @@ fn main() -> std::io::Result<()> {
         evidence: &evidence,
         model: &model,
         dataset: "made up",
-        certificate: &CertificateNote::none(),
     };
     std::fs::create_dir_all(&folder)?;
     let (html, figures) = html_and_figures(&page);

@@ -5,7 +5,6 @@
 
 mod angle;
 mod bands;
-mod certificate;
 mod data_faults;
 pub mod diagnosis;
 pub mod effects;
@@ -21,6 +20,5 @@ mod thin;
 pub mod viewer;
 
 pub use bands::{PredictionBand, prediction_band};
-pub use certificate::{CertificateNote, WithCertificate};
 pub use figure_file::{FigureError, FigureKind};
 pub use sheet::{Section, Sheet, SheetFigure, Table};

@@ -1,6 +1,6 @@
 //! The body that stated equations are claimed to describe, moving as these equations state.
 
-use crate::TOLERANCE;
+use crate::options::TOLERANCE;
 use crate::row::Worst;
 use crate::subject::Subject;
 use nalgebra::Vector3;

@@ -1,10 +1,11 @@
 //! Checks on integrated flights of claimed bodies: conservation of energy and angular momentum without air, and the
 //! changes of position, momentum, angular momentum and energy compared with the time integrals of their causes.
 
-use crate::Options;
 use crate::flights::{
-    DURATION, INVARIANTS, MOMENTA, OWN_CLOCK, RELEASES, TOLERANCE, airless, integrate,
+    DURATION, Flying, INVARIANTS, MOMENTA, OTHER_LOADS, OWN_CLOCK, RELEASES, TOLERANCE, airless,
+    integrate,
 };
+use crate::options::Options;
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample::{is_valid, typical, within_limits};
@@ -13,10 +14,10 @@ use nalgebra::Vector3;
 use ode::IntegrationError;
 use oracle::{ClaimedBody, Point, Quaternion, Tree};
 
-/// Maximum number of draws of a release (initial state of a flight) until one is within the model's validity limits.
+/// Maximum number of draws of a release until one is within the model's validity limits.
 const MAX_DRAWS: usize = 100;
-/// Maximum deviation of a state of a random release (initial state of a flight) from the state's default, relative to
-/// the typical magnitude of quantities with the state's unit.
+/// Maximum deviation of a state of a random release from the state's default, relative to the typical magnitude of
+/// quantities with the state's unit.
 const SPREAD: f64 = 0.2;
 
 /// Checks that energy and angular momentum are conserved in flights without air of the body that the model claims to
@@ -36,28 +37,14 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
         let Some((end, _)) = fly(subject, &point) else {
             continue;
         };
-        let (Some(before), Some(after)) = (body(subject, &point), body(subject, &end)) else {
+        let [Some(before), Some(after)] = [&point, &end].map(|at| flying(subject, at)) else {
             return subject.without_meaning(INVARIANTS);
         };
-        if !acts_alike(&before, &after) {
-            return Row::skipped(
-                INVARIANTS,
-                "without air and with its coefficients at 0, loads are left that are not a constant force",
-            );
+        if !before.is_under_load_of(&after) {
+            return Row::skipped(INVARIANTS, OTHER_LOADS);
         }
         flown += 1;
-        // Work of the constant force F over the displacement: F·Δr.
-        let fall = before.force.dot(&(after.position - before.position));
-        let energies = (before.kinetic_energy(), after.kinetic_energy());
-        let size = (energies.0 + energies.1).max(f64::MIN_POSITIVE);
-        worst.update((energies.1 - energies.0 - fall).abs() / size, || {
-            String::from("energy")
-        });
-        let momenta = (before.angular_momentum(), after.angular_momentum());
-        let size = momenta.0.norm().max(f64::MIN_POSITIVE);
-        worst.update((momenta.1 - momenta.0).norm() / size, || {
-            String::from("angular momentum")
-        });
+        before.compare_invariants(&after, &mut worst);
     }
     if flown == 0 {
         return Row::skipped(INVARIANTS, "without air it leaves the limits of the model");
@@ -122,18 +109,19 @@ fn body(subject: &Subject<'_>, point: &Point<f64>) -> Option<ClaimedBody<f64>> {
     ClaimedBody::of(&Tree::new(subject.model, point))
 }
 
-/// Whether the load at the start (`before`) and at the end (`after`) of a flight is the same force F without a moment.
-/// The work of the force is then F·Δr.
-fn acts_alike(before: &ClaimedBody<f64>, after: &ClaimedBody<f64>) -> bool {
-    let moment = |body: &ClaimedBody<f64>| body.turning.map_or(0.0, |t| t.moment.norm());
-    let size = before.force.norm() + after.force.norm();
-    moment(before) == 0.0
-        && moment(after) == 0.0
-        && (before.force - after.force).norm() <= TOLERANCE * size
+fn flying(subject: &Subject<'_>, point: &Point<f64>) -> Option<Flying> {
+    let body = body(subject, point)?;
+    Some(Flying {
+        position: body.position,
+        kinetic_energy: body.kinetic_energy(),
+        angular_momentum: body.angular_momentum(),
+        force: body.force,
+        moment: body.turning.map_or_else(Vector3::zeros, |t| t.moment),
+    })
 }
 
-/// Draws a release (initial state of a flight) near the default state of the model, with random inputs and without
-/// effects (optional model extensions). `None` if no draw is within the model's validity limits.
+/// Draws a release near the default state of the model, with random inputs and without effects. `None` if no draw is
+/// within the model's validity limits.
 fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     let model = subject.model;
     (0..MAX_DRAWS).find_map(|_| {

@@ -70,8 +70,8 @@ impl Entries {
     }
 }
 
-/// Inputs of a tape (a program of the bytecode interpreter) at a point. `p` is the point's parameter vector, `prepared`
-/// the results of the function `prepare`, which computes values that depend on parameters only.
+/// Inputs of a tape at a point. `p` is the point's parameter vector, `prepared` the results of the function `prepare`,
+/// which computes values that depend on parameters only.
 pub fn inputs<'a>(point: &'a Point<f64>, p: &'a [f64], prepared: &'a [f64]) -> Inputs<'a, f64> {
     Inputs {
         t: point.time,
@@ -83,7 +83,7 @@ pub fn inputs<'a>(point: &'a Point<f64>, p: &'a [f64], prepared: &'a [f64]) -> I
 }
 
 impl Engine {
-    /// Creates a tape (program of the bytecode interpreter) for each function of a compiled model.
+    /// Creates a tape for each function of a compiled model.
     pub fn new(compiled: &Compiled) -> Self {
         let (states, parameters) = (
             compiled.layout.states.len(),

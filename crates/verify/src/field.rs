@@ -13,13 +13,13 @@ use oracle::Point;
 use oracle::scalar::{Field, PRIME, Prime};
 use std::f64::consts::PI;
 
-/// An angle and its (sine, cosine), as elements of the prime field (integers modulo 2^61 − 1).
+/// An angle and its (sine, cosine), as elements of the prime field.
 pub type Angle = (Prime, (Prime, Prime));
 
 /// Maximum n for which sine and cosine of n·α are derived by the addition formulas, if those of the angle α are given.
 const MULTIPLES: usize = 4;
 
-/// Evaluator of compiled programs at a point of the prime field (integers modulo 2^61 − 1).
+/// Evaluator of compiled programs at a point of the prime field.
 pub struct Machine<'a> {
     point: &'a Point<Prime>,
     circles: &'a [(Prime, Prime)],
@@ -46,8 +46,8 @@ impl<'a> Machine<'a> {
         }
     }
 
-    /// Runs a program and returns its outputs; `None` for an output without a value in the prime field (integers modulo
-    /// 2^61 − 1), such as the square root of a non-square.
+    /// Runs a program and returns its outputs; `None` for an output without a value in the prime field, such as the
+    /// square root of a non-square.
     pub fn run(&self, program: &Program) -> Vec<Option<Prime>> {
         let mut temps: Vec<Option<Prime>> = Vec::with_capacity(program.statements.len());
         let mut angles: Vec<Angle> = self
@@ -147,8 +147,8 @@ impl<'a> Machine<'a> {
     }
 }
 
-/// (sine, cosine) = (2t, 1 − t²)/(1 + t²): point of the unit circle over the prime field (integers modulo 2^61 − 1),
-/// from a rational parametrization.
+/// (sine, cosine) = (2t, 1 − t²)/(1 + t²): point of the unit circle over the prime field, from a rational
+/// parametrization.
 pub fn on_circle(t: Prime) -> (Prime, Prime) {
     let scale = (Prime::one() + t * t).inverse();
     (
@@ -176,10 +176,9 @@ pub fn table(fingerprint: u64, order: u8, a: Prime) -> Prime {
     symbol(0x100 + u64::from(order), &[Prime::new(fingerprint), a])
 }
 
-/// Element of the prime field (integers modulo 2^61 − 1) for a numeric literal. It is the rational number that rounds
-/// to the literal, if one with a suitable denominator is found. Otherwise, for a rational multiple of π, it is this
-/// multiple of the pseudo-random element that represents π. Otherwise it is a pseudo-random element determined by the
-/// literal's bits.
+/// Element of the prime field for a numeric literal. It is the rational number that rounds to the literal, if one with
+/// a suitable denominator is found. Otherwise, for a rational multiple of π, it is this multiple of the pseudo-random
+/// element that represents π. Otherwise it is a pseudo-random element determined by the literal's bits.
 pub fn literal(c: f64) -> Prime {
     let number = |c: f64| symbol(3, &[Prime::new(c.to_bits())]);
     constant(c)
@@ -215,8 +214,8 @@ fn constant(c: f64) -> Option<Prime> {
     })
 }
 
-/// Square root of `a` in the prime field (integers modulo 2^61 − 1). Of the two roots ±r, the one that is itself a
-/// square is returned; `None` if `a` has no root.
+/// Square root of `a` in the prime field. Of the two roots ±r, the one that is itself a square is returned; `None` if
+/// `a` has no root.
 pub fn root(a: Prime) -> Option<Prime> {
     let root = power(a, PRIME.div_ceil(4));
     (root * root == a).then_some(root)
@@ -275,8 +274,8 @@ pub fn circle(a: Prime) -> (Prime, Prime) {
     (sine * sign, cosine)
 }
 
-/// The element of {a, −a} of the prime field (integers modulo 2^61 − 1) with the smaller integer representative, and
-/// the factor (1 or −1) whose product with this element is `a`.
+/// The element of {a, −a} of the prime field with the smaller integer representative, and the factor (1 or −1) whose
+/// product with this element is `a`.
 fn least(a: Prime) -> (Prime, Prime) {
     if (-a).value() < a.value() {
         (-a, -Prime::one())
@@ -285,7 +284,7 @@ fn least(a: Prime) -> (Prime, Prime) {
     }
 }
 
-/// Hash of a function's number and its arguments, as an element of the prime field (integers modulo 2^61 − 1).
+/// Hash of a function's number and its arguments, as an element of the prime field.
 fn symbol(function: u64, arguments: &[Prime]) -> Prime {
     let mut hash = 0x9e37_79b9_7f4a_7c15_u64 ^ function;
     for argument in arguments {

@@ -1,13 +1,13 @@
 //! Checks on integrated flights: conservation of energy and angular momentum without air, agreement with the reference
 //! law integrated in momenta, and agreement of two models.
 
-use crate::Options;
-use crate::checks::identities::body_properties;
+use crate::comparison::relative_difference;
 use crate::integration::{self, RightHandSide};
+use crate::options::Options;
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample::is_valid;
-use crate::subject::Subject;
+use crate::subject::{Subject, body_properties};
 use nalgebra::{Matrix3, Vector3};
 use ode::{IntegrationError, IntegrationOptions};
 use oracle::{MassProperties, Physical, Point, Quaternion, Reference, Tree, inertia_in_n, solve};
@@ -15,8 +15,7 @@ use oracle::{MassProperties, Physical, Point, Quaternion, Reference, Tree, inert
 /// Name in reports of the check that energy and angular momentum are conserved in a flight without air.
 pub const INVARIANTS: &str = "flight without air";
 /// Name in reports of the check that compares flights computed from the model's equations with flights computed from
-/// the reference law (independent implementation of the law of motion). The reference law is integrated with momentum
-/// and angular momentum as states.
+/// the reference law. The reference law is integrated with momentum and angular momentum as states.
 pub const MOMENTA: &str = "flight: reference in momenta";
 /// Name in reports of the check that compares the flights of two models.
 const FLIGHTS: &str = "flights";
@@ -25,12 +24,15 @@ const FLIGHTS: &str = "flights";
 pub(crate) const TOLERANCE: f64 = 1e-8;
 /// Relative tolerance with which the flights of the flight checks are integrated.
 const RTOL: f64 = 1e-11;
-/// Reason given in the report for skipping a check, for a model in which recorded time (the time stamps of the
-/// measurements) does not advance by 1 s per second of flight.
+/// Reason given in the report for skipping a check, for a model in which recorded time does not advance by 1 s per
+/// second of flight.
 pub(crate) const OWN_CLOCK: &str = "its clock does not keep to the seconds of the flight";
+/// Reason given in the report for skipping the check of energy and angular momentum.
+pub(crate) const OTHER_LOADS: &str =
+    "without air and with its coefficients at 0, loads are left that are not a constant force";
 /// Number of simulated flights per flight check.
 pub(crate) const RELEASES: usize = 3;
-/// Maximum number of draws of a release (initial state of a flight) until one is within the model's validity limits.
+/// Maximum number of draws of a release until one is within the model's validity limits.
 const MAX_DRAWS: usize = 100;
 /// Duration of a simulated flight in the flight checks, s.
 pub(crate) const DURATION: f64 = 1.0;
@@ -47,7 +49,7 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
         if subject.clock(&point) != 1.0 {
             return Row::skipped(INVARIANTS, OWN_CLOCK);
         }
-        let Some((force, moment, properties)) = loads(subject, &point) else {
+        let Some((_, _, properties)) = loads(subject, &point) else {
             return Row::unverified(INVARIANTS, "neither loads nor a reference say what acts");
         };
         let end = match fly(subject, &point) {
@@ -60,26 +62,17 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
         if !is_valid(subject.model, &point) || !is_valid(subject.model, &end) {
             return Row::skipped(INVARIANTS, "without air it leaves the limits of the model");
         }
-        if subject.reference.is_none() && !acts_alike(subject, &point, &end) {
-            return Row::skipped(
-                INVARIANTS,
-                "without air and with its coefficients at 0, loads are left that are not a constant force",
-            );
-        }
-        let conserved = |point: &Point<f64>| conserved(subject, point, &properties);
-        let (Some(before), Some(after)) = (conserved(&point), conserved(&end)) else {
+        let [Some(before), Some(after)] = [&point, &end].map(|at| flying(subject, at, &properties))
+        else {
             return subject.without_meaning(INVARIANTS);
         };
-        worst.update(moment.norm(), || {
+        if subject.reference.is_none() && !before.is_under_load_of(&after) {
+            return Row::skipped(INVARIANTS, OTHER_LOADS);
+        }
+        worst.update(before.moment.norm(), || {
             String::from("a moment is left where there is no air")
         });
-        // Work of the constant force F over the displacement: F·Δr.
-        let fall = force.dot(&(after.position - before.position));
-        let energy = (after.energy - before.energy - fall).abs() / (before.energy + after.energy);
-        worst.update(energy, || String::from("energy"));
-        let size = before.angular_momentum.norm().max(f64::MIN_POSITIVE);
-        let change = (after.angular_momentum - before.angular_momentum).norm();
-        worst.update(change / size, || String::from("angular momentum"));
+        before.compare_invariants(&after, &mut worst);
     }
     Row::judged(INVARIANTS, RELEASES, &worst, TOLERANCE)
 }
@@ -139,20 +132,8 @@ pub fn same_flights(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row 
     Row::judged(FLIGHTS, RELEASES, &worst, TOLERANCE)
 }
 
-/// Whether the load at the start and at the end of a flight is the same force without a moment. The check of energy
-/// requires this. Without air, a model may still contain other loads, such as the tension of a cord.
-fn acts_alike(subject: &Subject<'_>, start: &Point<f64>, end: &Point<f64>) -> bool {
-    let (Some((force, moment, _)), Some((later, other, _))) =
-        (loads(subject, start), loads(subject, end))
-    else {
-        return false;
-    };
-    let size = force.norm() + later.norm();
-    moment.norm() == 0.0 && other.norm() == 0.0 && (force - later).norm() <= TOLERANCE * size
-}
-
-/// Result, with the verdict "unverified", of a flight check for a model for which no release (initial state of a
-/// flight) within the model's validity limits was found.
+/// Result, with the verdict "unverified", of a flight check for a model for which no release within the model's
+/// validity limits was found.
 fn unreleased(subject: &Subject<'_>, check: &'static str) -> Row {
     if subject.chart.is_none() {
         return subject.without_meaning(check);
@@ -160,8 +141,8 @@ fn unreleased(subject: &Subject<'_>, check: &'static str) -> Row {
     Row::unverified(check, "no release was found within the limits of the model")
 }
 
-/// Draws a release (initial state of a flight) within the validity limits of the model; `None` if no draw is within
-/// these limits or the meaning of the states is unknown.
+/// Draws a release within the validity limits of the model; `None` if no draw is within these limits or the meaning of
+/// the states is unknown.
 fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     (0..MAX_DRAWS).find_map(|_| {
         let point = any_release(subject, random)?;
@@ -169,10 +150,9 @@ fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     })
 }
 
-/// Draws a release (initial state of a flight), with default constants and random inputs. The velocity along the first
-/// inertial axis is uniformly distributed in 12 ± 3 m/s, the spin about the third body axis in −40 ± 10 rad/s. The
-/// other components of velocity and spin and the tilt angles of the body are small. `None` if the meaning of the states
-/// is unknown.
+/// Draws a release, with default constants and random inputs. The velocity along the first inertial axis is uniformly
+/// distributed in 12 ± 3 m/s, the spin about the third body axis in −40 ± 10 rad/s. The other components of velocity
+/// and spin and the tilt angles of the body are small. `None` if the meaning of the states is unknown.
 fn any_release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     let chart = subject.chart.as_ref()?;
     let mut point = Point::defaults(subject.model);
@@ -227,8 +207,8 @@ fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Result<Point<f64>, Integrati
     integration::fly(&rates, from, DURATION, &options)
 }
 
-/// Integrates the reference law (independent implementation of the law of motion) in position, momentum, attitude and
-/// angular momentum. Returns the physical state after the duration of the flight checks.
+/// Integrates the reference law in position, momentum, attitude and angular momentum. Returns the physical state after
+/// the duration of the flight checks.
 fn fly_by_momenta(
     reference: &Reference,
     point: &Point<f64>,
@@ -298,19 +278,46 @@ fn compare(worst: &mut Worst, a: &Physical<f64>, b: &Physical<f64>) {
     }
 }
 
-/// Position (m), kinetic energy (J) and angular momentum (kg·m²/s) of a body. Without air, the energy changes only by
-/// the work of a constant force, and the angular momentum is conserved.
-struct Conserved {
-    position: Vector3<f64>,
-    energy: f64,
-    angular_momentum: Vector3<f64>,
+/// A flying body at one instant, in inertial components and SI units.
+pub(crate) struct Flying {
+    pub position: Vector3<f64>,
+    pub kinetic_energy: f64,
+    pub angular_momentum: Vector3<f64>,
+    pub force: Vector3<f64>,
+    pub moment: Vector3<f64>,
 }
 
-fn conserved(
+impl Flying {
+    /// Whether the load here and `later` is the same force without a moment. Without air, a model may still contain
+    /// other loads, such as the tension of a cord, whose work is unknown.
+    pub fn is_under_load_of(&self, later: &Self) -> bool {
+        let size = self.force.norm() + later.force.norm();
+        self.moment.norm() == 0.0
+            && later.moment.norm() == 0.0
+            && (self.force - later.force).norm() <= TOLERANCE * size
+    }
+
+    /// Compares the energy, less the work F·Δr of the constant force, and the angular momentum with those `later`.
+    pub fn compare_invariants(&self, later: &Self, worst: &mut Worst) {
+        let fall = self.force.dot(&(later.position - self.position));
+        let energies = (self.kinetic_energy, later.kinetic_energy);
+        let size = (energies.0 + energies.1).max(f64::MIN_POSITIVE);
+        let energy = (energies.1 - energies.0 - fall).abs() / size;
+        worst.update(energy, || String::from("energy"));
+        let size = self.angular_momentum.norm().max(f64::MIN_POSITIVE);
+        let change = (later.angular_momentum - self.angular_momentum).norm();
+        worst.update(change / size, || String::from("angular momentum"));
+    }
+}
+
+/// The body of a model at a point, with the mass properties of the release; `None` if the model has neither a reference
+/// law nor a body, or the meaning of its states is unknown.
+fn flying(
     subject: &Subject<'_>,
     point: &Point<f64>,
     properties: &MassProperties<f64>,
-) -> Option<Conserved> {
+) -> Option<Flying> {
+    let (force, moment, _) = loads(subject, point)?;
     let body = subject.chart.as_ref()?.physical(&point.states);
     let axes = body.attitude.matrix();
     let angular_momentum = properties.inertia.map_or_else(Vector3::zeros, |inertia| {
@@ -318,10 +325,12 @@ fn conserved(
     });
     let energy = properties.mass * body.velocity.norm_squared()
         + angular_momentum.dot(&body.angular_velocity);
-    Some(Conserved {
+    Some(Flying {
         position: body.position,
-        energy: energy / 2.0,
+        kinetic_energy: energy / 2.0,
         angular_momentum,
+        force,
+        moment,
     })
 }
 
@@ -342,10 +351,4 @@ fn loads(
     let tree = Tree::new(model, point);
     let (force, moment) = (tree.total(&model.forces), tree.total(&model.moments));
     Some((force, moment, body_properties(&tree, body)))
-}
-
-/// Norm of the difference of two vectors, in SI units, relative to the sum of their norms and 1. Positions, velocities
-/// and accelerations of flights are of order 1 to 1000; the added 1 is far below a typical fault.
-pub(crate) fn relative_difference(a: Vector3<f64>, b: Vector3<f64>) -> f64 {
-    (a - b).norm() / (a.norm() + b.norm() + 1.0)
 }

@@ -10,19 +10,22 @@
 //! Errors are relative to the sum of the magnitudes of the terms that make up a value (see
 //! [`oracle::scalar::ErrorBound`]), so cancellation neither hides a fault nor looks like one.
 
-pub mod certificate;
 pub mod checks;
 mod claim;
 mod claimed_flights;
+mod comparison;
 pub mod difference;
 pub mod engine;
+mod evaluation;
 mod expressions;
 mod field;
 pub mod flights;
 mod integration;
 mod meaning;
 pub mod mutants;
+mod options;
 pub mod random;
+pub mod record;
 pub mod refute;
 pub mod report;
 pub mod rounding;
@@ -39,49 +42,21 @@ use engine::Engine;
 use model_spec::load::Loaded;
 use model_spec::model::Model;
 use mutants::equivalence::Original;
+pub use options::{Options, TOLERANCE};
 use random::Random;
-use report::{Report, Row};
+pub use report::Report;
+use report::Row;
 use rounding::{Effort, Rounding};
 use same_motion::SameMotion;
 use subject::Subject;
 use values::Values;
 
-/// Options of a verification.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Options {
-    /// Seed of all random numbers of the verification.
-    pub seed: u64,
-    /// Number of random points at which each check evaluates the model.
-    pub cases: usize,
-    /// Whether to run mutation testing: the checks are repeated on models with one deliberate change each.
-    pub mutants: bool,
-    /// Whether to check effects (optional model extensions): that they change nothing at their null values, and that
-    /// they agree with their reference implementations.
-    pub effects: bool,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self {
-            seed: 1,
-            cases: 200,
-            mutants: true,
-            effects: true,
-        }
-    }
-}
-
 /// Number of random points at which backends are compared. It is not a multiple of any number of SIMD lanes, so that
 /// incomplete vectors are tested.
 const BACKEND_POINTS: usize = 37;
 
-/// Maximum error, relative to the sum of the magnitudes of the terms of a value, that counts as rounding in a
-/// comparison of f64 values. Checks with larger numerical errors, such as those of flights, have tolerances of their
-/// own.
-pub const TOLERANCE: f64 = 1e-12;
-
-/// Runs every check of a loaded model, on all processors; the report does not depend on their number. Diagnostics of the
-/// language checker are reported as faults. The numerical checks run only if the language checker produced a model.
+/// Runs every check of a loaded model, on all processors; the report does not depend on their number. Diagnostics of
+/// the language checker are reported as faults. The numerical checks run only if the language checker produced a model.
 pub fn run(loaded: &Loaded, options: &Options) -> Report {
     let mut report = Report {
         model: loaded
@@ -115,9 +90,9 @@ pub fn run(loaded: &Loaded, options: &Options) -> Report {
     report
 }
 
-/// Results of the two checks of effects (optional model extensions). The first compares the model with effects at their
-/// null values, at which they must change nothing, with the model without effects. The second compares effects with
-/// their reference implementations.
+/// Results of the two checks of effects. The first compares the model with effects at their null values, at which they
+/// must change nothing, with the model without effects. The second compares effects with their reference
+/// implementations.
 fn of_effects(loaded: &Loaded, options: &Options) -> [Row; 2] {
     match checks::effects::variants(loaded) {
         Some((with, without)) => {
@@ -147,8 +122,8 @@ pub fn same_motion(models: &[Model], options: &Options) -> SameMotion {
     same_motion::compare(&subjects, options)
 }
 
-/// Measures the rounding errors of every backend (generated code or bytecode interpreter), and the bits that every
-/// statement of a model loses. The points are those of the detailed report ([`Effort::DETAILS`]).
+/// Measures the rounding errors of every backend, and the bits that every statement of a model loses. The points are
+/// those of the detailed report ([`Effort::DETAILS`]).
 pub fn rounding(model: &Model, options: &Options) -> Rounding {
     let compiled = codegen::compile(model);
     let engine = Engine::new(&compiled);

@@ -16,20 +16,19 @@ const HALVINGS: usize = 30;
 /// angular velocity are divided by 1 + norm of the quantity.
 const CONVERGED: f64 = 1e-12;
 
-/// How the states of a model determine the physical quantities of its rigid body or point mass (position, velocity,
-/// attitude, angular velocity).
+/// How the states of a model determine the physical quantities of its rigid body or point mass.
 pub enum Meaning<'a> {
     /// Each state of the model is a component of a physical quantity, such as the velocity.
     Chart(&'a Chart),
-    /// The equations are written explicitly in the model file, which also declares (claims) which expressions are the
-    /// position, velocity, attitude and angular velocity of a body. The states for given physical quantities are found
-    /// by solving for them numerically.
+    /// The equations are written explicitly in the model file, which also declares which expressions are the position,
+    /// velocity, attitude and angular velocity of a body. The states for given physical quantities are found by solving
+    /// for them numerically.
     Claim(&'a Model),
 }
 
 impl<'a> Meaning<'a> {
-    /// Determines how the states of a model are converted; `None` if the model has neither a [`Chart`] (direct
-    /// conversion between states and physical quantities) nor a `claim` statement that describes a body.
+    /// Determines how the states of a model are converted; `None` if the model has neither a [`Chart`] nor a `claim`
+    /// statement that describes a body.
     pub fn of(subject: &'a Subject<'_>) -> Option<Self> {
         match &subject.chart {
             Some(chart) => Some(Self::Chart(chart)),
@@ -65,8 +64,7 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// Physical state (position, velocity, attitude, angular velocity) of the body at a point; `None` if a value is not
-    /// finite.
+    /// Physical state of the body at a point; `None` if a value is not finite.
     pub fn physical(&self, point: &Point<f64>) -> Option<Physical<f64>> {
         match self {
             Self::Chart(chart) => Some(chart.physical(&point.states)),

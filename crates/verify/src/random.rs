@@ -44,7 +44,7 @@ impl Random {
         self.next().is_multiple_of(n)
     }
 
-    /// Draws a uniformly distributed element of the prime field (integers modulo 2^61 − 1).
+    /// Draws a uniformly distributed element of the prime field.
     pub fn prime(&mut self) -> Prime {
         Prime::new(self.next() >> 3)
     }

@@ -52,7 +52,7 @@ pub struct Report {
     /// Equations der(state) = … of the model file that disagree with the reference law or the laws of motion, with
     /// corrections if any were found.
     pub refuted: Vec<Refutation>,
-    /// Results of mutation testing (checks run on models with one deliberate change each); `None` if not requested.
+    /// Results of mutation testing; `None` if not requested.
     pub mutants: Option<crate::mutants::MutationMatrix>,
 }
 

@@ -23,6 +23,16 @@ impl Verdict {
     pub fn of(holds: bool) -> Self {
         if holds { Self::Holds } else { Self::Refuted }
     }
+
+    /// Verdict in words for messages: `holds`, `refuted`, `skipped` or `not verified`.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Holds => "holds",
+            Self::Refuted => "refuted",
+            Self::Skipped => "skipped",
+            Self::Unverified => "not verified",
+        }
+    }
 }
 
 /// Unit in which the errors of a check are expressed.
@@ -31,10 +41,9 @@ impl Verdict {
 pub enum Measure {
     /// Absolute error divided by the sum of the magnitudes of the terms that are added to give the value.
     Relative,
-    /// Spacing of f64 numbers (unit in the last place) at the compared value.
+    /// Spacing of f64 numbers at the compared value.
     Ulp,
-    /// Spacing of f64 numbers (unit in the last place) at the sum of the magnitudes of the terms that are added to give
-    /// the value.
+    /// Spacing of f64 numbers at the sum of the magnitudes of the terms that are added to give the value.
     Magnitude,
     /// Number of faults found, for a check that has no numerical error.
     Count,

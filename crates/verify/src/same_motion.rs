@@ -1,13 +1,12 @@
 //! Compares several models of the same body: accelerations at equal physical states, and flights from equal releases.
 
-use crate::flights::relative_difference;
+use crate::comparison::rate_differences;
+use crate::options::{Options, TOLERANCE};
 use crate::random::Random;
 use crate::row::{Row, Verdict, Worst};
 use crate::sample;
 use crate::subject::Subject;
 use crate::table::plain_table;
-use crate::{Options, TOLERANCE};
-use oracle::PhysicalRate;
 use serde::Serialize;
 
 /// Comparison of the motions of two models that should describe the same motion.
@@ -101,17 +100,4 @@ fn accelerations(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row {
         }
     }
     Row::judged(NAME, options.cases, &worst, 1e3 * TOLERANCE)
-}
-
-/// Relative differences of velocity, acceleration, angular velocity and angular acceleration between two bodies, each
-/// with the name of the quantity. The norm of the difference is divided by the sum of both norms and 1, in SI units.
-pub(crate) fn rate_differences(a: &PhysicalRate, b: &PhysicalRate) -> [(&'static str, f64); 4] {
-    let turning = (a.angular_acceleration, b.angular_acceleration);
-    [
-        ("velocity", (a.velocity, b.velocity)),
-        ("acceleration", (a.acceleration, b.acceleration)),
-        ("angular velocity", (a.angular_velocity, b.angular_velocity)),
-        ("angular acceleration", turning),
-    ]
-    .map(|(what, (a, b))| (what, relative_difference(a, b)))
 }

@@ -13,10 +13,9 @@ const MAX_DRAWS: usize = 1000;
 /// validity limits is halved. If the point is still outside after `HALVINGS` − 1 halvings, the default point is used.
 const HALVINGS: i32 = 20;
 
-/// Draws a point (values of a model's states, parameters and other variables) within the validity limits. States have
-/// magnitudes typical of flights, one in four up to 1000 times smaller. Parameters are drawn around their defaults;
-/// coefficients within their bounds, with random signs where the bounds allow it, never 0. Inputs and marker are
-/// random.
+/// Draws a point within the validity limits. States have magnitudes typical of flights, one in four up to 1000 times
+/// smaller. Parameters are drawn around their defaults; coefficients within their bounds, with random signs where the
+/// bounds allow it, never 0. Inputs and marker are random.
 pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
     let mut point = anywhere(model, random);
     for _ in 0..MAX_DRAWS {

@@ -2,35 +2,36 @@
 
 use crate::row::Row;
 use model_spec::Layout;
-use model_spec::model::Model;
+use model_spec::model::{Body, Model};
 use nalgebra::Vector3;
-use oracle::{BindError, Chart, Point, Reference, Tree, Unsupported, derivatives};
+use oracle::scalar::Real;
+use oracle::{
+    BindError, Chart, MassProperties, Point, Reference, Tree, Unsupported, derivatives,
+    inertia_in_n, mass_properties,
+};
 
-/// Equations of motion that can be evaluated at a point, independent of the backend (generated code, bytecode
-/// interpreter or reference simulator).
+/// Equations of motion that can be evaluated at a point, independent of the backend.
 pub trait Equations: Sync {
-    /// Derivative of every state with respect to recorded time (the time stamps of the measurements, which may run at
-    /// another rate than true time), in state order.
+    /// Derivative of every state with respect to recorded time, in state order.
     fn rates(&self, point: &Point<f64>) -> Vec<f64>;
     /// Observation (marker position) in inertial components; `None` if the model has no observation.
     fn observation(&self, point: &Point<f64>) -> Option<Vector3<f64>>;
 }
 
-/// A model to be checked, its equations of motion, and its reference law (independent implementation of a law of
-/// motion).
+/// A model to be checked, its equations of motion, and its reference law.
 pub struct Subject<'a> {
     /// The checked model.
     pub model: &'a Model,
     /// Equations of motion under test.
     pub equations: &'a dyn Equations,
-    /// Reference law (independent implementation of a law of motion) that the model names, with its constants and
-    /// states found in the model by name. `None` if the model names none or a name was not found.
+    /// Reference law that the model names, with its constants and states found in the model by name. `None` if the
+    /// model names none or a name was not found.
     pub reference: Option<Reference>,
     /// Why the constants and states of the reference law cannot be found in the model by name; `None` if they are
     /// found, or the model names no reference law.
     pub unbound: Option<BindError>,
-    /// Conversion between states and physical quantities (position, velocity, attitude, angular velocity): from the
-    /// reference law, else from the body declared in the model; `None` if neither exists.
+    /// Conversion between states and physical quantities: from the reference law, else from the body declared in the
+    /// model; `None` if neither exists.
     pub chart: Option<Chart>,
 }
 
@@ -56,8 +57,7 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// Seconds of flight per second of recorded time (the time stamps of the measurements, which may run at another
-    /// rate than true time), at a point.
+    /// Seconds of flight per second of recorded time, at a point.
     pub fn clock(&self, point: &Point<f64>) -> f64 {
         match &self.model.clock {
             Some(_) => Tree::new(self.model, point).clock(),
@@ -65,8 +65,7 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// Derivative of every state with respect to the true time of flight, rather than recorded time (the time stamps of
-    /// the measurements).
+    /// Derivative of every state with respect to the true time of flight, rather than recorded time.
     pub fn flight_rates(&self, point: &Point<f64>) -> Vec<f64> {
         let pace = self.clock(point);
         let rates = self.equations.rates(point);
@@ -76,8 +75,7 @@ impl<'a> Subject<'a> {
     /// Converts a point of this model to a point of the model `other`. Both points have the same physical state of the
     /// body, time and marker position. Parameters, coefficients, inputs and states that do not belong to the body are
     /// copied if both models have the name; otherwise they have their default values. `None` if one of the models has
-    /// no [`Chart`] (conversion between states and physical quantities), or if the chart of `other` cannot represent
-    /// the attitude.
+    /// no [`Chart`], or if the chart of `other` cannot represent the attitude.
     pub fn corresponding_point(
         &self,
         other: &Subject<'_>,
@@ -99,8 +97,8 @@ impl<'a> Subject<'a> {
     }
 
     /// Index and null value of each extra coefficient. A coefficient is extra if the reference law does not contain it
-    /// or, without a reference law, if it belongs to an effect (optional model extension). At its null value a
-    /// coefficient does not change the equations.
+    /// or, without a reference law, if it belongs to an effect. At its null value a coefficient does not change the
+    /// equations.
     pub fn extras(&self) -> Vec<(usize, f64)> {
         match &self.reference {
             Some(reference) => reference.null_values(self.model),
@@ -108,15 +106,15 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// Coefficients of all effects (optional model extensions) of the model: index among the model's coefficients, and
-    /// null value, at which the coefficient does not change the equations.
+    /// Coefficients of all effects of the model: index among the model's coefficients, and null value, at which the
+    /// coefficient does not change the equations.
     fn of_effects(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         let coefficients = self.model.effects.iter().flat_map(|e| &e.coefficients);
         coefficients.map(|c| (c.index, c.null_value))
     }
 
     /// Indices of the coefficients added by the model's author: coefficients that neither the reference law nor an
-    /// effect (optional model extension) contains; empty without a reference law.
+    /// effect contains; empty without a reference law.
     pub fn own_coefficients(&self) -> Vec<usize> {
         let of_effects: Vec<usize> = self.of_effects().map(|(index, _)| index).collect();
         let extras = self.extras().into_iter().map(|(index, _)| index);
@@ -124,22 +122,20 @@ impl<'a> Subject<'a> {
     }
 
     /// Whether only the `claim` statement of the model relates its states to the physical quantities of a body: the
-    /// model has such a statement, but no [`Chart`] (direct conversion between states and physical quantities) exists.
+    /// model has such a statement, but no [`Chart`] exists.
     pub fn is_known_by_claim(&self) -> bool {
         self.chart.is_none() && self.model.claim.is_some()
     }
 
-    /// Returns the point with the coefficients of effects (optional model extensions) at their null values, at which
-    /// they change nothing. All states that are not states of the body, such as those of effects, are set to their
-    /// default values.
+    /// Returns the point with the coefficients of effects at their null values, at which they change nothing. All
+    /// states that are not states of the body, such as those of effects, are set to their default values.
     pub fn without_effects(&self, point: Point<f64>) -> Point<f64> {
         self.of_body_alone(point, self.of_effects())
     }
 
-    /// Result of a check that requires a reference law (independent implementation of a law of motion), for a model
-    /// that names none. The check is skipped if other checks apply: the model declares a body, from which its equations
-    /// are derived, or it claims which body its explicitly written equations describe. Otherwise the verdict is
-    /// "unverified".
+    /// Result of a check that requires a reference law, for a model that names none. The check is skipped if other
+    /// checks apply: the model declares a body, from which its equations are derived, or it claims which body its
+    /// explicitly written equations describe. Otherwise the verdict is "unverified".
     pub fn without_reference(&self, check: &'static str) -> Row {
         if self.model.body.is_some() {
             return Row::skipped(check, "the model claims no reference");
@@ -159,15 +155,14 @@ impl<'a> Subject<'a> {
     }
 
     /// Sets each coefficient that the reference law does not contain to its null value, at which it does not change the
-    /// equations, and returns the point. Without a reference law, these are the coefficients of effects (optional model
-    /// extensions). All states that are not states of the body, such as those of effects, are set to their default
-    /// values.
+    /// equations, and returns the point. Without a reference law, these are the coefficients of effects. All states
+    /// that are not states of the body, such as those of effects, are set to their default values.
     pub fn without_extras(&self, point: Point<f64>) -> Point<f64> {
         self.of_body_alone(point, self.extras())
     }
 
     /// Returns the point with the coefficients set to the given values (index, value), and with all states that are not
-    /// states of the body, such as those of effects (optional model extensions), set to their default values.
+    /// states of the body, such as those of effects, set to their default values.
     fn of_body_alone(
         &self,
         mut point: Point<f64>,
@@ -204,15 +199,26 @@ pub(crate) fn carry_by_name(
     is_complete
 }
 
-/// Equations of motion of a model, evaluated by the reference simulator (crate `oracle`) from the model's vector
-/// expressions.
+/// Mass properties of a declared body, with the inertia tensor rotated from the frame of its declaration to the body
+/// frame.
+pub(crate) fn body_properties<T: Real>(tree: &Tree<'_, T>, body: &Body) -> MassProperties<T> {
+    let mut properties = mass_properties(tree, body);
+    if let (Some(rotation), Some(inertia)) = (&body.rotation, properties.inertia) {
+        let turn = tree.frames[rotation.body_frame].axes.transpose()
+            * tree.frames[rotation.inertia_frame].axes;
+        properties.inertia = Some(inertia_in_n(&turn, &inertia));
+    }
+    properties
+}
+
+/// Equations of motion of a model, evaluated by the reference simulator from the model's vector expressions.
 pub struct Interpreted<'a>(&'a Model);
 
 impl<'a> Interpreted<'a> {
     /// Creates an interpreter of a model's equations of motion.
     ///
     /// # Errors
-    /// [`Unsupported`] if the reference simulator (crate `oracle`) cannot derive the model's equations of motion.
+    /// [`Unsupported`] if the reference simulator cannot derive the model's equations of motion.
     pub fn new(model: &'a Model) -> Result<Self, Unsupported> {
         derivatives(model, &Point::defaults(model)).map(|_| Self(model))
     }

@@ -10,7 +10,7 @@ use oracle::Interpolant;
 use oracle::scalar::{Elementary, Field, Prime, Real};
 use std::cell::RefCell;
 
-/// An element of the prime field (integers modulo 2^61 − 1), with the functions of the model language.
+/// An element of the prime field, with the functions of the model language.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Symbolic(pub Prime);
 
@@ -59,7 +59,6 @@ fn polar(y: Prime, x: Prime) -> Symbolic {
 }
 
 oracle::wrapped_ops!(Symbolic(Prime));
-oracle::assign_ops!([] Symbolic);
 
 impl Zero for Symbolic {
     fn zero() -> Self {

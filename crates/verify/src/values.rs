@@ -56,7 +56,7 @@ impl Equations for Values {
     }
 }
 
-/// Floating-point outputs of a tape (a program of the bytecode interpreter) at a point.
+/// Floating-point outputs of a tape at a point.
 pub(crate) fn evaluated(tape: &Tape, point: &Point<f64>) -> Vec<f64> {
     let p = point.parameters();
     let mut out = vec![0.0; tape.outputs()];

@@ -11,9 +11,7 @@ use flight::files::ResultFile;
 use identify::FitOptions;
 use report::diagnosis::{DiagnosisPage, Fits};
 use report::viewer::View;
-use report::{CertificateNote, WithCertificate};
 
-use super::certificate;
 use super::fit::{
     FLIGHTS, dataset_name, deadline, drawn, evidence, figure_files, held, model_of, priors,
 };
@@ -41,7 +39,6 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
         &options.inputs.dataset,
         &dataset,
     )?;
-    let certificate = certificate::Found::read(options.certificate.as_deref(), &model)?;
     let model = model_spec::load::load(&model, &super::names(&options.inputs.with))?;
     let name = dataset_name(&options.inputs.dataset);
     let progress = Progress::new()?;
@@ -73,8 +70,7 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     let has_extension = found.after.is_some();
     if let Some(folder) = &out {
         found.report.extended_model = has_extension.then(|| EXTENDED.to_owned());
-        let note = certificate.note(&model);
-        let mut files = results(&dataset, &name, &found, &note)?;
+        let mut files = results(&dataset, &name, &found)?;
         output::add_figures(&mut files, &options.figures)?;
         output::replace(folder, &files)?;
     }
@@ -133,16 +129,8 @@ fn verified(text: &str) -> anyhow::Result<Verified> {
 }
 
 /// Result files of `hyzer diagnose`, which are written to the folder `--out`.
-fn results(
-    dataset: &Dataset,
-    name: &str,
-    found: &Diagnosis,
-    certificate: &CertificateNote,
-) -> anyhow::Result<Vec<ResultFile>> {
-    let json = serde_json::to_string_pretty(&WithCertificate {
-        report: &found.report,
-        certificate,
-    })?;
+fn results(dataset: &Dataset, name: &str, found: &Diagnosis) -> anyhow::Result<Vec<ResultFile>> {
+    let json = serde_json::to_string_pretty(&found.report)?;
     let mut files = vec![
         ResultFile::new("report.json", json + "\n"),
         ResultFile::new("candidates.csv", tables::candidates(&found.report)?),
@@ -172,7 +160,6 @@ fn results(
             after: after.map(|(_, fitted)| fitted),
         }),
         extended: extended.as_deref(),
-        certificate,
     };
     let (html, figures) = report::diagnosis::html_and_figures(&page);
     files.push(ResultFile::new("report.html", html));

@@ -19,9 +19,8 @@ use model_spec::sort_by_number;
 use report::fit::Figure;
 use report::fit::FitPage;
 use report::viewer::View;
-use report::{CertificateNote, WithCertificate};
 
-use super::{certificate, number};
+use super::number;
 use crate::cli::Fit;
 use crate::progress::Progress;
 use crate::{Answer, output};
@@ -43,7 +42,6 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     let out = output::folder(options.out.as_deref())?;
     let dataset = dataset::load_on(&inputs.dataset, inputs.threads)?;
     let model = model_of(inputs.model.as_ref(), &inputs.dataset, &dataset)?;
-    let certificate = certificate::Found::read(options.certificate.as_deref(), &model)?;
     let model = model_spec::load::load(&model, &super::names(&inputs.with))?;
     let progress = Progress::new()?;
     let asked = FitOptions {
@@ -62,8 +60,7 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     drop(progress);
     let fitted = fitted.with_context(|| format!("cannot fit {}", inputs.dataset.display()))?;
     if let Some(folder) = &out {
-        let note = certificate.note(&model);
-        let mut files = results(&inputs.dataset, &model, &dataset, &fitted, &note)?;
+        let mut files = results(&inputs.dataset, &model, &dataset, &fitted)?;
         output::add_figures(&mut files, &options.figures)?;
         output::replace(folder, &files)?;
     }
@@ -124,7 +121,6 @@ fn results(
     model: &Model,
     dataset: &Dataset,
     fitted: &identify::Fit,
-    certificate: &CertificateNote,
 ) -> anyhow::Result<Vec<ResultFile>> {
     let name = dataset_name(from);
     let evidence = evidence(fitted, &drawn(fitted));
@@ -134,12 +130,8 @@ fn results(
         evidence: &evidence,
         model,
         dataset: &name,
-        certificate,
     };
-    let json = serde_json::to_string_pretty(&WithCertificate {
-        report: &fitted.report,
-        certificate,
-    })?;
+    let json = serde_json::to_string_pretty(&fitted.report)?;
     let (html, figures) = report::fit::html_and_figures(&page);
     let note = format!("Default values fitted to {name} by `hyzer fit`.");
     let fitted_model = fitted.fitted_text(&ModelTree::of(model), dataset, &note)?;

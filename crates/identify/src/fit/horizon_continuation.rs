@@ -41,12 +41,12 @@ const HORIZON_SCALE: f64 = 5.0;
 /// would cost another integration.
 const STEP_SCALE: f64 = 2.0;
 
-/// Maximum median over the flights of their residual scales (robust standard deviations of the residuals), in units of
-/// the initial noise estimate `sigma0`, at which the residuals are considered noise.
+/// Maximum median over the flights of their residual scales, in units of the initial noise estimate `sigma0`, at which
+/// the residuals are considered noise.
 const MAX_MEDIAN_NOISE: f64 = 1.1;
 
-/// Maximum residual scale (robust standard deviation of the residuals) of a single flight, in units of the initial
-/// noise estimate `sigma0`, at which its residuals are considered noise.
+/// Maximum residual scale of a single flight, in units of the initial noise estimate `sigma0`, at which its residuals
+/// are considered noise.
 const MAX_FLIGHT_NOISE: f64 = 2.0;
 
 /// Maximum ratio of the median residual scale after a step to that before the step, for the step to be accepted. The

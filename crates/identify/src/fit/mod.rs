@@ -217,11 +217,10 @@ struct Screened<'a> {
 
 impl Screened<'_> {
     /// Last stages of a fit: estimates the noise, predicts the held-out flights, and creates the report. `cache`
-    /// contains the residuals for the present values of the unknowns in `state`, and `predicted_reduction` the predicted
-    /// reduction of the sum of squares by the step before, as for [`reweighting::reweight`]. `noise_floor` is the noise
-    /// floor (noise estimated without a model) along each axis, m. `floor_m` is the noise that the report states as its
-    /// floor, m: one value for all axes. `started` is the time, s after the start of the fit, at which the initial
-    /// guesses were known.
+    /// contains the residuals for the present values of the unknowns in `state`, and `predicted_reduction` the
+    /// predicted reduction of the sum of squares by the step before, as for [`reweighting::reweight`]. `noise_floor` is
+    /// the noise floor along each axis, m. `floor_m` is the noise that the report states as its floor, m: one value for
+    /// all axes. `started` is the time, s after the start of the fit, at which the initial guesses were known.
     fn finish(
         mut self,
         mut state: State<'_>,

@@ -25,7 +25,7 @@ const ARC: f64 = 0.14;
 /// Minimum number of samples of an arc, a part of a flight with its own initial state.
 const MIN_ARC_SAMPLES: usize = 12;
 
-/// Number of consecutive arcs of a flight (parts with separate initial states) that are joined into one longer arc.
+/// Number of consecutive arcs of a flight that are joined into one longer arc.
 const JOINED: usize = 3;
 
 /// Minimum distance between the initial value of a parameter and its bounds, in units of the parameter's typical
@@ -155,8 +155,7 @@ fn shoot(
     anneal_scale(state).map(Some)
 }
 
-/// Divides all flights into arcs (parts with separate initial states), each with its initial guess; `None` if no arc
-/// has an initial guess.
+/// Divides all flights into arcs, each with its initial guess; `None` if no arc has an initial guess.
 fn arcs<'a>(state: &State<'a>) -> Result<Option<State<'a>>, FitError> {
     let (problem, options) = (state.problem, state.options);
     let mut cut = Vec::new();

@@ -13,22 +13,21 @@ use super::undistorted;
 use crate::observations::Observations;
 use dataset::statistics::median;
 
-/// Ratio of a flight's residual scale (robust standard deviation of its residuals) to a reference value, which is
-/// usually the median over the flights, above which the flight is fitted again.
+/// Ratio of a flight's residual scale to a reference value, which is usually the median over the flights, above which
+/// the flight is fitted again.
 const SUSPECT_RATIO: f64 = 3.0;
 
-/// Maximum ratio of the new residual scale of a flight (robust standard deviation of its residuals) to the old one, for
-/// the new initial state to be accepted.
+/// Maximum ratio of the new residual scale of a flight to the old one, for the new initial state to be accepted.
 const ACCEPTED_RATIO: f64 = 0.7;
 
-/// Median over the flights of their residual scales (robust standard deviations of the residuals), in units of the
-/// initial noise estimate `sigma0`, above which the model or most initial guesses are wrong. The residual scale of a
-/// flight is then compared with `sigma0` instead of this median.
+/// Median over the flights of their residual scales, in units of the initial noise estimate `sigma0`, above which the
+/// model or most initial guesses are wrong. The residual scale of a flight is then compared with `sigma0` instead of
+/// this median.
 const MISFIT_RATIO: f64 = 10.0;
 
-/// Refits flights whose residual scale (robust standard deviation of the residuals) is far above that of the other
-/// flights and of the noise. If a refit improves a flight, all flights are fitted again together. `cache` contains the
-/// residuals for the present values of the unknowns in `state`. Returns the residuals for the new values.
+/// Refits flights whose residual scale is far above that of the other flights and of the noise. If a refit improves a
+/// flight, all flights are fitted again together. `cache` contains the residuals for the present values of the unknowns
+/// in `state`. Returns the residuals for the new values.
 ///
 /// # Errors
 /// The errors of [`anneal_scale`].
@@ -65,9 +64,8 @@ pub fn multistart(state: &mut State<'_>, cache: ResidualCache) -> Result<Residua
     }
 }
 
-/// Reference value, m, with which the residual scale of each flight (robust standard deviation of its residuals) is
-/// compared. It is the median of all flights' `scales`, or `sigma0` if the median is below `sigma0` or more than
-/// `MISFIT_RATIO` × `sigma0`.
+/// Reference value, m, with which the residual scale of each flight is compared. It is the median of all flights'
+/// `scales`, or `sigma0` if the median is below `sigma0` or more than `MISFIT_RATIO` × `sigma0`.
 fn reference_scale(scales: &[f64], sigma0: f64) -> f64 {
     let median = median(&mut scales.to_vec());
     match median > MISFIT_RATIO * sigma0 {
@@ -77,8 +75,7 @@ fn reference_scale(scales: &[f64], sigma0: f64) -> f64 {
 }
 
 /// Better initial state of a flight at the present global parameters, with a note for the report; `None` if no initial
-/// guess leads to a residual scale (robust standard deviation of the residuals) clearly below `before`, m. `flight` is
-/// an index among the fitted flights.
+/// guess leads to a residual scale clearly below `before`, m. `flight` is an index among the fitted flights.
 fn restart(state: &State<'_>, flight: usize, before: f64) -> Option<(DVector<f64>, String)> {
     let best = fly_to_the_end(state.fixed_global(), &state.flights[flight]);
     let (scale, local, turns) = best.filter(|(scale, ..)| *scale < ACCEPTED_RATIO * before)?;
@@ -93,10 +90,10 @@ fn restart(state: &State<'_>, flight: usize, before: f64) -> Option<(DVector<f64
     Some((local, note))
 }
 
-/// Fits the initial state of one flight, once from each of its initial guesses. Each fit
-/// starts with a short initial segment of the flight, which is extended step by step to the whole flight. Returns the
-/// fit with the smallest residual scale (robust standard deviation of the residuals): this scale (m), the initial
-/// state, and the number of additional turns per sampling interval. `None` if every fit fails.
+/// Fits the initial state of one flight, once from each of its initial guesses. Each fit starts with a short initial
+/// segment of the flight, which is extended step by step to the whole flight. Returns the fit with the smallest
+/// residual scale: this scale (m), the initial state, and the number of additional turns per sampling interval. `None`
+/// if every fit fails.
 pub fn fly_to_the_end(
     at: FixedGlobal<'_>,
     observations: &Observations,

@@ -72,9 +72,8 @@ impl ResidualCache {
         self.0.iter().map(|flight| flight.scale).collect()
     }
 
-    /// Whether a flight's residual scale (robust standard deviation of its residuals) exceeds the reference scale
-    /// `usual`, m, by more than the factor `ratio` and by more than `errors` standard errors. `true` if the flight has
-    /// no residual scale.
+    /// Whether a flight's residual scale exceeds the reference scale `usual`, m, by more than the factor `ratio` and by
+    /// more than `errors` standard errors. `true` if the flight has no residual scale.
     pub fn stands_out(&self, flight: usize, usual: f64, ratio: f64, errors: f64) -> bool {
         let CachedFlight { path, scale } = &self.0[flight];
         let (Some(scale), Ok(path)) = (scale, path) else {
@@ -85,15 +84,13 @@ impl ResidualCache {
         *scale > usual * ratio.max(by_chance)
     }
 
-    /// Median over the flights of their residual scales (robust standard deviations of the residuals), m; 0 if no
-    /// flight has a residual scale.
+    /// Median over the flights of their residual scales, m; 0 if no flight has a residual scale.
     pub fn median_scale(&self) -> f64 {
         let scales = self.0.iter().filter_map(|flight| flight.scale);
         median_of(scales).unwrap_or(0.0)
     }
 
-    /// Root mean square over the flights of their residual scales (robust standard deviations of the residuals), m; 0
-    /// if no flight has a residual scale.
+    /// Root mean square over the flights of their residual scales, m; 0 if no flight has a residual scale.
     pub fn rms_scale(&self) -> f64 {
         let scales: Vec<f64> = self.0.iter().filter_map(|flight| flight.scale).collect();
         let squares: f64 = scales.iter().map(|scale| scale * scale).sum();

@@ -76,9 +76,9 @@ fn with_alias<'a>(state: &State<'a>, alternatives: &[Vec<InitialGuess>], alias: 
     state
 }
 
-/// Median over the flights of their residual scales (robust standard deviations of the residuals), m. The scale of a
-/// flight that cannot be integrated counts as infinite, as do those of the flights that were excluded, whose number is
-/// `excluded`. The median is used because single flights may still be in a wrong minimum.
+/// Median over the flights of their residual scales, m. The scale of a flight that cannot be integrated counts as
+/// infinite, as do those of the flights that were excluded, whose number is `excluded`. The median is used because
+/// single flights may still be in a wrong minimum.
 fn median_scale(cache: &ResidualCache, excluded: usize) -> f64 {
     let scales = cache.scales().into_iter();
     let flown = scales.map(|scale| scale.unwrap_or(f64::INFINITY));

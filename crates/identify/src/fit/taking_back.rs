@@ -17,8 +17,8 @@ use crate::error::{ExcludedFlight, FlightError};
 use crate::observations::Observations;
 use dataset::{Dataset, Flight};
 
-/// Maximum ratio of a flight's residual scale (robust standard deviation of its residuals) to that of the other
-/// flights, at which the flight is considered similar to them.
+/// Maximum ratio of a flight's residual scale to that of the other flights, at which the flight is considered similar
+/// to them.
 pub const LIKE_RATIO: f64 = 3.0;
 
 /// Maximum number of passes over the excluded flights. Flights that one pass includes improve the parameters, so that
@@ -99,8 +99,8 @@ pub fn may_come_back(excluded: &ExcludedFlight) -> bool {
     }
 }
 
-/// Observations and fitted initial state of an excluded flight, if its residual scale (robust standard deviation of its
-/// residuals) is at most `LIKE_RATIO` × `usual`, the residual scale of the other flights, m; `None` otherwise.
+/// Observations and fitted initial state of an excluded flight, if its residual scale is at most `LIKE_RATIO` ×
+/// `usual`, the residual scale of the other flights, m; `None` otherwise.
 fn like_the_others(
     at: FixedGlobal<'_>,
     flight: &Flight,

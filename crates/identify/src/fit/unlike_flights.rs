@@ -12,13 +12,12 @@ use crate::error::{ExcludedFlight, FlightError};
 use crate::least_squares::FailedFlight;
 use crate::observations::Observations;
 
-/// Ratio of a flight's residual scale (robust standard deviation of its residuals) to the median over all flights, or
-/// to the initial noise estimate `sigma0` if that is greater. Flights above this ratio are suspects, without which the
-/// other flights are fitted.
+/// Ratio of a flight's residual scale to the median over all flights, or to the initial noise estimate `sigma0` if that
+/// is greater. Flights above this ratio are suspects, without which the other flights are fitted.
 const SUSPECT_RATIO: f64 = 3.0;
 
-/// Ratio of a flight's residual scale (robust standard deviation of its residuals) to that of the other flights, fitted
-/// without it, above which the flight is excluded, because it would bias the fit of all others.
+/// Ratio of a flight's residual scale to that of the other flights, fitted without it, above which the flight is
+/// excluded, because it would bias the fit of all others.
 const UNLIKE_RATIO: f64 = 10.0;
 
 /// Maximum number of passes, each of which may exclude flights and fits the remaining ones again.

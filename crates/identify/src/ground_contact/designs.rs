@@ -2,23 +2,23 @@
 
 use super::motion::Point;
 
-/// Maximum number of stored designs (factorised regression matrices). For evenly spaced samples, the designs of
-/// different ranges differ only by the rounding of the times, whose pattern repeats after a few samples.
+/// Maximum number of stored designs. For evenly spaced samples, the designs of different ranges differ only by the
+/// rounding of the times, whose pattern repeats after a few samples.
 const MAX_DESIGNS: usize = 8;
 /// Maximum difference between times that are considered equal, s. A body moves by only some nanometres in this time.
 const SAME_TIME: f64 = 1e-9;
 
-/// Recently used designs (factorised regression matrices) for ranges of points (samples with a pose). Ranges whose
-/// samples have the same times relative to a reference time share one design.
+/// Recently used designs for ranges of points. Ranges whose samples have the same times relative to a reference time
+/// share one design.
 #[derive(Debug)]
 pub struct Designs<D> {
     recent: Vec<(Vec<(usize, f64)>, D)>,
-    /// Index of the oldest stored design (factorised regression matrix), which the next new design replaces.
+    /// Index of the oldest stored design, which the next new design replaces.
     oldest: usize,
 }
 
 impl<D> Designs<D> {
-    /// Creates a collection without designs (factorised regression matrices).
+    /// Creates a collection without designs.
     pub fn new() -> Self {
         Self {
             recent: Vec::new(),
@@ -26,9 +26,8 @@ impl<D> Designs<D> {
         }
     }
 
-    /// Returns the design (factorised regression matrix) of a range of points (samples with a pose), with times
-    /// relative to `about`, s: a stored design for the same times, or the result of `make`, which is then stored.
-    /// `None` if `make` returns `None` or there are no points.
+    /// Returns the design of a range of points, with times relative to `about`, s: a stored design for the same times,
+    /// or the result of `make`, which is then stored. `None` if `make` returns `None` or there are no points.
     pub fn of<'p>(
         &mut self,
         points: impl ExactSizeIterator<Item = &'p Point> + Clone,

@@ -4,19 +4,18 @@ use nalgebra::Vector3;
 
 use super::motion::Point;
 
-/// Maximum number of points (samples with a pose) within which a hand stops a body, counted from an interval in which a
-/// contact with the ground is suspected. A disc that slides on the ground takes longer to stop.
+/// Maximum number of points within which a hand stops a body, counted from an interval in which a contact with the
+/// ground is suspected. A disc that slides on the ground takes longer to stop.
 const WITHIN: usize = 24;
-/// Number of points (samples with a pose) from which the final speed of the body is computed: the last ones of the
-/// `WITHIN` points that follow a suspected ground contact. A hand that catches the body must stop it within these
-/// `WITHIN` points.
+/// Number of points from which the final speed of the body is computed: the last ones of the `WITHIN` points that
+/// follow a suspected ground contact. A hand that catches the body must stop it within these `WITHIN` points.
 const LAST: usize = 3;
 /// Maximum ratio of the final speed to the speed before the suspected ground contact for a body to be considered at
 /// rest. The limit allows for noise and for samples that end shortly before a caught body is at rest.
 const REST: f64 = 0.2;
 
 /// Whether a body that has the velocity `velocity`, m/s, before point `index` comes to rest within the next `WITHIN`
-/// points (samples with a pose), as if stopped by a hand.
+/// points, as if stopped by a hand.
 pub fn is_stopped(points: &[Point], index: usize, velocity: &Vector3<f64>) -> bool {
     let end = index.saturating_add(WITHIN).min(points.len());
     let soon = points.get(index..end).unwrap_or_default();
@@ -34,8 +33,8 @@ mod tests {
     /// Interval between samples, s.
     const INTERVAL: f64 = 1.0 / 120.0;
 
-    /// Simulated points (samples with a pose) of a body that flies at 9 m/s and, from point 40 on, loses the fraction
-    /// `lost` of its speed over `braked` sampling intervals.
+    /// Simulated points of a body that flies at 9 m/s and, from point 40 on, loses the fraction `lost` of its speed
+    /// over `braked` sampling intervals.
     fn points(count: usize, braked: usize, lost: f64) -> Vec<Point> {
         let mut position = Vector3::new(0.0, 0.0, 1.0);
         let each = (0..count).map(|sample| {

@@ -47,11 +47,11 @@ pub struct Character {
     pub noise: [f64; 2],
 }
 
-/// Result of testing one interval between two successive points (samples with a pose) for a ground contact: comparison
-/// of free motion with motion that is disturbed within the interval, so that its velocity and wobble change.
+/// Result of testing one interval between two successive points for a ground contact: comparison of free motion with
+/// motion that is disturbed within the interval, so that its velocity and wobble change.
 #[derive(Clone, Copy, Debug)]
 pub struct Comparison {
-    /// Index of the first point (sample with a pose) after the interval that is tested for a ground contact.
+    /// Index of the first point after the interval that is tested for a ground contact.
     pub index: usize,
     /// Decreases of the sums of squared residuals of the position and of the body axis if the motion may change within
     /// the tested interval. Each is divided by its noise variance, or by `LOCAL_PART` × its residual variance if that
@@ -74,9 +74,9 @@ impl Character {
         (self.noise[part] / deviation).powi(2)
     }
 
-    /// Regression rows for a point (sample with a pose) in motion without a ground contact: for the position, and for
-    /// the direction of the most steady body axis (whose direction changes least). The basis functions are powers of
-    /// time, and a sine and cosine at the wobble rate. `about` is the origin of time, s.
+    /// Regression rows for a point in motion without a ground contact: for the position, and for the direction of the
+    /// most steady body axis (whose direction changes least). The basis functions are powers of time, and a sine and
+    /// cosine at the wobble rate. `about` is the origin of time, s.
     pub fn free_rows(&self, point: &Point, about: f64) -> (Row<7>, Row<6>) {
         let u = (point.time - about) / SCALE;
         let (sine, cosine) = (self.rate * (point.time - about)).sin_cos();
@@ -111,9 +111,9 @@ impl Character {
         [0.0, 0.0, 0.0, self.precision(1, BEND), 0.0, 0.0]
     }
 
-    /// Variances by which the gains (decreases of the sum of squared residuals) of position, m², and axis are divided:
-    /// the noise variance, or `LOCAL_PART` × the residual variance if that is greater. `variances` contains the
-    /// residual variances of position, m², and axis for motion that may change within the tested interval.
+    /// Variances by which the gains of position, m², and axis are divided: the noise variance, or `LOCAL_PART` × the
+    /// residual variance if that is greater. `variances` contains the residual variances of position, m², and axis for
+    /// motion that may change within the tested interval.
     pub fn units(&self, variances: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|part| self.noise[part].powi(2).max(LOCAL_PART * variances[part]))
     }
@@ -126,9 +126,9 @@ impl Character {
         [0, 1].map(|part| of.gains[part] * there[part] / here[part])
     }
 
-    /// Values, at a point (sample with a pose), of the functions by which a ground contact at the time `about`, s,
-    /// changes the position and the direction of the most steady body axis. The contact changes the velocity and the
-    /// acceleration of the position, and the drift and the wobble of the axis.
+    /// Values, at a point, of the functions by which a ground contact at the time `about`, s, changes the position and
+    /// the direction of the most steady body axis. The contact changes the velocity and the acceleration of the
+    /// position, and the drift and the wobble of the axis.
     pub fn disturbance(&self, point: &Point, about: f64) -> (SVector<f64, 2>, SVector<f64, 3>) {
         let since = (point.time - about).max(0.0);
         let (u, (sine, cosine)) = (since / SCALE, (self.rate * since).sin_cos());

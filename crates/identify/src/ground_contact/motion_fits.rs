@@ -8,21 +8,18 @@ use super::designs::Designs;
 use super::motion::{Character, Comparison, Point, SCALE};
 use super::regression::{Design, Extended, Extension, Regression, Residuals};
 
-/// Maximum numbers of points (samples with a pose) that are used before and after an interval between two successive
-/// points that is tested for a ground contact.
+/// Maximum numbers of points that are used before and after an interval between two successive points that is tested
+/// for a ground contact.
 pub const SIDES: (usize, usize) = (20, 8);
 /// Maximum numbers of samples, with or without a pose, that the points used before and after an interval tested for a
 /// ground contact may span.
 const SPANS: (usize, usize) = (26, 16);
-/// Minimum numbers of points (samples with a pose) that are required before and after an interval tested for a ground
-/// contact.
+/// Minimum numbers of points that are required before and after an interval tested for a ground contact.
 const MIN_SIDES: (usize, usize) = (8, 4);
-/// Maximum number of points (samples with a pose) around an interval tested for a ground contact that are excluded as
-/// outliers.
+/// Maximum number of points around an interval tested for a ground contact that are excluded as outliers.
 const MAX_OUTLIERS: usize = 2;
-/// Threshold above which a point (sample with a pose) is an outlier. It applies to the decrease of the sum of squared
-/// residuals if the point is removed: that of the position plus that of the direction of the body axis, each divided by
-/// its noise variance.
+/// Threshold above which a point is an outlier. It applies to the decrease of the sum of squared residuals if the point
+/// is removed: that of the position plus that of the direction of the body axis, each divided by its noise variance.
 const OUTLIER: f64 = 40.0;
 
 /// Motion without a ground contact that is fitted to the poses in some samples (points).
@@ -51,8 +48,8 @@ struct MotionDesigns {
 }
 
 impl MotionDesigns {
-    /// Factorises the regression matrices for the times of `points` (samples with a pose), for motion that a ground
-    /// contact may change at the time `about`, s; `None` if the points do not determine motion without a contact.
+    /// Factorises the regression matrices for the times of `points`, for motion that a ground contact may change at the
+    /// time `about`, s; `None` if the points do not determine motion without a contact.
     fn new(of: &Character, points: &[&Point], about: f64) -> Option<Self> {
         let rows = points.iter().map(|point| of.free_rows(point, about));
         let (positions, axes): (Vec<_>, Vec<_>) = rows.unzip();
@@ -68,8 +65,8 @@ impl MotionDesigns {
     }
 }
 
-/// Least-squares fits of free motion, and of motion with a velocity jump, to ranges of points (samples with a pose) of
-/// one flight. Ranges with equally spaced times share one factorised regression matrix.
+/// Least-squares fits of free motion, and of motion with a velocity jump, to ranges of points of one flight. Ranges
+/// with equally spaced times share one factorised regression matrix.
 #[derive(Debug)]
 pub struct MotionFits {
     /// Wobble rate and noise of the flight that the regressions assume.
@@ -86,8 +83,8 @@ impl MotionFits {
         }
     }
 
-    /// Factorised regression matrices for the times of `points` (samples with a pose), with times relative to `about`,
-    /// s; `None` if the points do not determine motion without a ground contact.
+    /// Factorised regression matrices for the times of `points`, with times relative to `about`, s; `None` if the
+    /// points do not determine motion without a ground contact.
     fn designs(&mut self, points: &[&Point], about: f64) -> Option<&MotionDesigns> {
         let of = &self.character;
         self.designs.of(points.iter().copied(), about, || {
@@ -95,9 +92,8 @@ impl MotionFits {
         })
     }
 
-    /// Fits motion without a ground contact to `points` (samples with a pose), separately to their positions and to the
-    /// directions of their body axes. Times are relative to `about`, s. `None` if the points do not determine the
-    /// motion.
+    /// Fits motion without a ground contact to `points`, separately to their positions and to the directions of their
+    /// body axes. Times are relative to `about`, s. `None` if the points do not determine the motion.
     pub fn free(&mut self, points: &[&Point], about: f64) -> Option<FreeMotion> {
         let MotionDesigns { position, axis, .. } = self.designs(points, about)?;
         let positions = position.whiten(points.iter().map(|point| point.position));
@@ -115,9 +111,9 @@ impl MotionFits {
         })
     }
 
-    /// Fits motion whose velocity and wobble change at the time `about`, s, to the points (samples with a pose) to
-    /// which the motion `free` was fitted, separately to their positions and to the directions of their body axes.
-    /// `None` if the points do not determine the motion.
+    /// Fits motion whose velocity and wobble change at the time `about`, s, to the points to which the motion `free`
+    /// was fitted, separately to their positions and to the directions of their body axes. `None` if the points do not
+    /// determine the motion.
     fn disturbed(
         &mut self,
         points: &[&Point],
@@ -131,10 +127,10 @@ impl MotionFits {
         ))
     }
 
-    /// Removes up to `MAX_OUTLIERS` outliers from the points (samples with a pose) in the index range `range`. An
-    /// outlier is a point without which free motion fits the rest far better; a ground contact affects all later
-    /// points, so that the removal of one point does not help. Returns the remaining points and the free motion through
-    /// them; `None` if the points do not determine free motion.
+    /// Removes up to `MAX_OUTLIERS` outliers from the points in the index range `range`. An outlier is a point without
+    /// which free motion fits the rest far better; a ground contact affects all later points, so that the removal of
+    /// one point does not help. Returns the remaining points and the free motion through them; `None` if the points do
+    /// not determine free motion.
     fn robust<'p>(
         &mut self,
         points: &'p [Point],
@@ -157,8 +153,8 @@ impl MotionFits {
         Some((kept, free))
     }
 
-    /// Returns the points (samples with a pose) in the index range `range` without the outliers, which deviate from the
-    /// motion without a ground contact that is fitted to the points. `None` if the points do not determine this motion.
+    /// Returns the points in the index range `range` without the outliers, which deviate from the motion without a
+    /// ground contact that is fitted to the points. `None` if the points do not determine this motion.
     pub fn without_outliers<'p>(
         &mut self,
         points: &'p [Point],
@@ -206,8 +202,8 @@ impl MotionFits {
     }
 }
 
-/// Index range of the points (samples with a pose) to which the motion before point `index` is fitted: at most the
-/// `SIDES.0` preceding points.
+/// Index range of the points to which the motion before point `index` is fitted: at most the `SIDES.0` preceding
+/// points.
 pub fn range_before(points: &[Point], index: usize) -> Range<usize> {
     let end = index.min(points.len());
     let from = end.saturating_sub(SIDES.0);
@@ -217,8 +213,7 @@ pub fn range_before(points: &[Point], index: usize) -> Range<usize> {
     from + far.count()..end
 }
 
-/// Index range of the points (samples with a pose) to which the motion from point `index` on is fitted: at most
-/// `SIDES.1` points.
+/// Index range of the points to which the motion from point `index` on is fitted: at most `SIDES.1` points.
 fn range_after(points: &[Point], index: usize) -> Range<usize> {
     let end = (index + SIDES.1).min(points.len());
     let after = points.get(index..end).unwrap_or_default();

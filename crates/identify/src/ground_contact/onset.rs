@@ -3,20 +3,20 @@
 use super::motion::{Comparison, Point};
 use super::motion_fits::{MotionFits, SIDES, range_before};
 
-/// Numbers of points (samples with a pose) before and after the interval in which a ground contact was detected, among
-/// which the first point after the contact is searched. The test of an interval uses up to `SIDES.1` points after it. A
-/// hard contact among these points may therefore be detected in an interval that precedes the contact.
+/// Numbers of points before and after the interval in which a ground contact was detected, among which the first point
+/// after the contact is searched. The test of an interval uses up to `SIDES.1` points after it. A hard contact among
+/// these points may therefore be detected in an interval that precedes the contact.
 const SOUGHT: (usize, usize) = (7, SIDES.1 + 2);
-/// Minimum number of points (samples with a pose) to which free motion is fitted. They precede the points among which
-/// the first point after a ground contact is searched.
+/// Minimum number of points to which free motion is fitted. They precede the points among which the first point after a
+/// ground contact is searched.
 const MIN_BEFORE: usize = 8;
-/// Neutral squared innovation: three times the expected squared innovation in free motion. A point (sample with a pose)
-/// with a greater squared innovation is evidence of a ground contact; one with a smaller value is evidence of free
-/// motion. The squared innovations of position and axis are each divided by their noise variance and added.
+/// Neutral squared innovation: three times the expected squared innovation in free motion. A point with a greater
+/// squared innovation is evidence of a ground contact; one with a smaller value is evidence of free motion. The squared
+/// innovations of position and axis are each divided by their noise variance and added.
 const NEUTRAL: f64 = 18.0;
-/// Minimum of the neutral squared innovation, above which a point (sample with a pose) is evidence of a ground contact,
-/// as a fraction of the sum of the gains (decreases of the sum of squares) by which the contact was detected. The
-/// minimum is high for a strong contact, so that small prediction errors before the contact are not mistaken for it.
+/// Minimum of the neutral squared innovation, above which a point is evidence of a ground contact, as a fraction of the
+/// sum of the gains (decreases of the sum of squares) by which the contact was detected. The minimum is high for a
+/// strong contact, so that small prediction errors before the contact are not mistaken for it.
 const NEUTRAL_PART: f64 = 0.02;
 /// Maximum squared innovation that is counted for a sample, so that a single outlier is not mistaken for a ground
 /// contact. It is in units of the neutral squared innovation, above which a sample is evidence of a contact.
@@ -36,9 +36,9 @@ pub fn onset(points: &[Point], comparison: &Comparison, fits: &mut MotionFits) -
     }
 }
 
-/// Index of the first point (sample with a pose) after the ground contact that the test `found` detected. It is the
-/// first point near this contact that free motion, fitted to the preceding points, does not predict. `None` if the
-/// points do not determine the free motion.
+/// Index of the first point after the ground contact that the test `found` detected. It is the first point near this
+/// contact that free motion, fitted to the preceding points, does not predict. `None` if the points do not determine
+/// the free motion.
 fn first_point(points: &[Point], found: &Comparison, fits: &mut MotionFits) -> Option<usize> {
     let character = fits.character;
     let base = found.index.saturating_sub(SOUGHT.0).max(MIN_BEFORE);
@@ -68,9 +68,9 @@ fn first_point(points: &[Point], found: &Comparison, fits: &mut MotionFits) -> O
     Some(best.1.min(points.len() - 1))
 }
 
-/// Finds the first sample after a ground contact between points `index − 1` and `index` (samples with a pose), if the
-/// samples between these points have no pose. For each sample in this range, motion that changes just before the sample
-/// is fitted to the points; the sample with the smallest residuals is returned. `None` if no fit is possible.
+/// Finds the first sample after a ground contact between points `index − 1` and `index`, if the samples between these
+/// points have no pose. For each sample in this range, motion that changes just before the sample is fitted to the
+/// points; the sample with the smallest residuals is returned. `None` if no fit is possible.
 fn in_gap(points: &[Point], index: usize, fits: &mut MotionFits) -> Option<usize> {
     let (last, next) = (&points[index - 1], &points[index]);
     let samples = last.sample + 1..=next.sample;

@@ -13,11 +13,11 @@ use super::wobble::{Posed, noise_correlation, points_with_axis, wobble_rate};
 use crate::path_noise::path_noise;
 use dataset::statistics::{median, median_of};
 
-/// Minimum number of points (samples with a pose) before an interval that is tested for a ground contact. With fewer
-/// points, the model of free motion could follow any curve.
+/// Minimum number of points before an interval that is tested for a ground contact. With fewer points, the model of
+/// free motion could follow any curve.
 const MIN_BEFORE: usize = 32;
-/// Minimum number of points (samples with a pose) after an interval that is tested for a ground contact; the motion
-/// after a contact is fitted to them. Intervals nearer to the end of the flight are not tested.
+/// Minimum number of points after an interval that is tested for a ground contact; the motion after a contact is fitted
+/// to them. Intervals nearer to the end of the flight are not tested.
 const MIN_AFTER: usize = 4;
 /// Minimum usual gains of the position and of the direction of the most steady body axis; smaller usual gains are
 /// raised to these values. The gain of an interval is the decrease of the sum of squared residuals if a ground contact
@@ -27,9 +27,9 @@ const MIN_USUAL: [f64; 2] = [8.0, 12.0];
 /// Minimum number of earlier intervals for the usual gain (see `MIN_USUAL`) to be the median of the gains of these
 /// intervals. With fewer, the usual gain is the lower quartile over the whole flight.
 const EARLIER: usize = 8;
-/// Minimum gains (decreases of the sum of squared residuals) of a ground contact, as multiples of the usual gains of
-/// intervals without a contact. The first value applies to the gain of the position and to that of the direction of the
-/// most steady body axis, the second value to the geometric mean of the two gains.
+/// Minimum gains of a ground contact, as multiples of the usual gains of intervals without a contact. The first value
+/// applies to the gain of the position and to that of the direction of the most steady body axis, the second value to
+/// the geometric mean of the two gains.
 const MIN_GAINS: (f64, f64) = (3.5, 5.5);
 /// Minimum upward velocity jump, m/s, of a ground contact that is detected from both the position and the most steady
 /// body axis (see `MIN_GAINS`).
@@ -46,8 +46,8 @@ const MIN_OF_PATH: (f64, f64, f64) = (7.0, 0.8, 0.3);
 /// a rough noise estimate. A flight in which no interval exceeds these lower thresholds has no contact.
 const ROUGH: f64 = 0.5;
 
-/// Spacing, in points (samples with a pose), of the intervals that are tested for a ground contact in the first, cheap
-/// pass. Not every interval need be tested, because a contact affects the tests of several neighbouring intervals.
+/// Spacing, in points, of the intervals that are tested for a ground contact in the first, cheap pass. Not every
+/// interval need be tested, because a contact affects the tests of several neighbouring intervals.
 const ROUGH_STEP: usize = 3;
 
 /// A contact of a body with the ground.

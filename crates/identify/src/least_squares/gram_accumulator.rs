@@ -12,14 +12,11 @@ const BATCH: usize = 64;
 const PADDING: usize = 8;
 
 /// Accumulates the Gram matrix of the Jacobian rows of one flight. A row contains the derivatives with respect to the
-/// local parameters (initial state of the flight) and the global parameters (common to all flights), each in its
-/// column. The residual follows, and then zeros as padding.
+/// local parameters and the global parameters, each in its column. The residual follows, and then zeros as padding.
 pub struct GramAccumulator {
-    /// Columns of the Jacobian rows that contain the derivatives with respect to the local parameters (initial state of
-    /// the flight).
+    /// Columns of the Jacobian rows that contain the derivatives with respect to the local parameters.
     local: Vec<usize>,
-    /// Columns of the Jacobian rows that contain the derivatives with respect to the global parameters (common to all
-    /// flights).
+    /// Columns of the Jacobian rows that contain the derivatives with respect to the global parameters.
     global: Vec<usize>,
     width: usize,
     /// Jacobian rows that are not summed yet, concatenated.

@@ -9,8 +9,8 @@ use nalgebra::DVector;
 use super::{Constraint, Iterate, LeastSquaresProblem, NormalBlock, SolveError, Unknowns};
 use crate::error::FlightError;
 
-/// Schedule of attempts to refine the local parameters (initial states of the flights) after rejected steps: with each
-/// successive failure, the number of rejected steps before the next attempt doubles.
+/// Schedule of attempts to refine the local parameters after rejected steps: with each successive failure, the number
+/// of rejected steps before the next attempt doubles.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Backoff {
     /// Number of further rejected steps until the next attempt to refine the local parameters.
@@ -21,8 +21,7 @@ pub struct Backoff {
 }
 
 impl Backoff {
-    /// Whether to try a refinement of the local parameters (initial states of the flights) after this rejected step.
-    /// Call it once per rejected step.
+    /// Whether to try a refinement of the local parameters after this rejected step. Call it once per rejected step.
     pub fn is_due(&mut self) -> bool {
         let is_due = self.wait == 0;
         self.wait = self.wait.saturating_sub(1);

@@ -1,19 +1,17 @@
 //! Normal equations of many flights, from which the local parameters of each flight are eliminated.
 //!
-//! The local parameters of a flight (its initial state) occur only in the residuals of that flight. Their elimination,
-//! flight by flight, leaves a system of the size of the global parameters, so that the cost is linear in the number of
-//! flights.
+//! The local parameters of a flight occur only in the residuals of that flight. Their elimination, flight by flight,
+//! leaves a system of the size of the global parameters, so that the cost is linear in the number of flights.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::scaled_cholesky::ScaledCholesky;
 use crate::ids::{GlobalId, LocalId};
 
-/// Normal equations of one flight: JᵀJ and Jᵀr of its residuals r, in blocks of local parameters (initial state of the
-/// flight) and global parameters (common to all flights).
+/// Normal equations of one flight: JᵀJ and Jᵀr of its residuals r, in blocks of local parameters and global parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NormalBlock {
-    /// Block of JᵀJ: local × local parameters (initial state of the flight).
+    /// Block of JᵀJ: local × local parameters.
     pub local: DMatrix<f64>,
     /// Block of JᵀJ: local × global parameters.
     pub cross: DMatrix<f64>,
@@ -54,7 +52,7 @@ impl NormalBlock {
         self.count += 1;
     }
 
-    /// Whether the residuals determine the local parameters (initial state of the flight) at fixed global parameters.
+    /// Whether the residuals determine the local parameters at fixed global parameters.
     pub fn determines_local(&self) -> bool {
         ScaledCholesky::independent(&self.local, 0.0).is_some()
     }
@@ -90,8 +88,8 @@ pub(crate) struct SchurComplement {
 }
 
 impl SchurComplement {
-    /// Eliminates the local parameters (initial state of the flight), with damping relative to the diagonal of JᵀJ;
-    /// `None` if the residuals do not determine them.
+    /// Eliminates the local parameters, with damping relative to the diagonal of JᵀJ; `None` if the residuals do not
+    /// determine them.
     pub fn new(block: &NormalBlock, damping: f64) -> Option<Self> {
         let factor = ScaledCholesky::independent(&block.local, damping)?;
         let through = block.cross.tr_mul(&factor.solve_matrix(&block.cross));
@@ -104,8 +102,8 @@ impl SchurComplement {
     }
 }
 
-/// Normal equations of the global parameters after elimination of all local parameters (initial states of the flights),
-/// with the factors required for back-substitution.
+/// Normal equations of the global parameters after elimination of all local parameters, with the factors required for
+/// back-substitution.
 pub struct ReducedSystem<'a> {
     blocks: &'a [NormalBlock],
     factors: Vec<ScaledCholesky>,

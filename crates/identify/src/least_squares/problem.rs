@@ -10,12 +10,11 @@ use crate::error::FlightError;
 pub enum Unknowns {
     /// The local parameters only: the initial state of the flight.
     Local,
-    /// The local parameters (initial state of the flight) and the global parameters (common to all flights).
+    /// The local parameters and the global parameters.
     All,
 }
 
-/// Sum of squared residuals of all flights, as a function of global parameters (common to all flights) and of local
-/// parameters of each flight (its initial state).
+/// Sum of squared residuals of all flights, as a function of global parameters and of local parameters of each flight.
 pub trait LeastSquaresProblem: Sync {
     /// Number of flights.
     fn flights(&self) -> usize;

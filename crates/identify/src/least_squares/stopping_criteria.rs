@@ -58,8 +58,7 @@ impl StoppingCriteria {
         accept_unevaluated: f64::INFINITY,
         ..StoppingCriteria::COARSE
     };
-    /// Criteria for a refinement of the local parameters (initial states of the flights) at fixed global parameters,
-    /// between two steps of all unknowns.
+    /// Criteria for a refinement of the local parameters at fixed global parameters, between two steps of all unknowns.
     pub const REFINEMENT: StoppingCriteria = StoppingCriteria {
         max_steps: 8,
         ..StoppingCriteria::COARSE

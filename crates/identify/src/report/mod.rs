@@ -28,7 +28,7 @@ pub struct FitReport {
     pub schema: String,
     /// Name of the model.
     pub model: String,
-    /// Names of the effects (optional extensions) that the model includes.
+    /// Names of the effects that the model includes.
     pub effects: Vec<String>,
     /// Whether the estimates and their standard errors are reliable: the fit converged, few flights are excluded, the
     /// residuals are near the noise floor, and neither the fitted data nor the marker positions have faults.

@@ -10,8 +10,7 @@ use crate::least_squares::StopReason;
 pub enum FlightOutcome {
     /// The initial state of the flight was fitted together with the global parameters.
     Fitted,
-    /// The initial state was fitted to the conditioning segment (the first samples of the flight), and the later
-    /// samples were predicted.
+    /// The initial state was fitted to the conditioning segment, and the later samples were predicted.
     HeldOut,
     /// The flight was not used in the fit.
     Excluded {

@@ -4,13 +4,12 @@ use super::{FitReport, FitStatus};
 use crate::wording::count;
 use dataset::Role;
 
-/// Ratio of the rms residual to the noise floor (noise estimated without a model), above which a fit is not reliable.
-/// Correlated noise lowers the noise floor, but the ratio stays below this limit even for an AR(1) noise of coefficient
-/// 0.9.
+/// Ratio of the rms residual to the noise floor, above which a fit is not reliable. Correlated noise lowers the noise
+/// floor, but the ratio stays below this limit even for an AR(1) noise of coefficient 0.9.
 const MAX_NOISE_RATIO: f64 = 5.0;
 
-/// Minimum noise floor (noise estimated without a model) with which the rms residual is compared, m. Smaller noise
-/// floors are raised to this value, because rounding in tables and integration errors also contribute to the residuals.
+/// Minimum noise floor with which the rms residual is compared, m. Smaller noise floors are raised to this value,
+/// because rounding in tables and integration errors also contribute to the residuals.
 const MIN_NOISE_FLOOR: f64 = 1e-5;
 
 /// Fraction of the flights to be fitted that are excluded, above which the fit is not reliable.

@@ -58,7 +58,7 @@ pub struct Distances {
     pub pairs: Vec<(usize, usize)>,
     /// Measured distances `samples[sample][pair]`, m; NaN if a marker of the pair is missing.
     pub samples: Vec<Vec<f64>>,
-    /// Distance between the markers of each pair according to the template (the declared positions of the markers), m.
+    /// Distance between the markers of each pair according to the template, m.
     pub declared: Vec<f64>,
     /// Median measured distance between the markers of each pair, m; NaN for a pair that is never measured.
     pub medians: Vec<f64>,
@@ -67,9 +67,9 @@ pub struct Distances {
 }
 
 impl Distances {
-    /// Distances between the markers of those pairs whose distance the template (the declared marker positions) fixes.
-    /// `rigid` has an entry for each pair, in the order of [`marker_pairs`], which is true if the distance of the pair
-    /// is fixed. `None` if no such pair is measured.
+    /// Distances between the markers of those pairs whose distance the template fixes. `rigid` has an entry for each
+    /// pair, in the order of [`marker_pairs`], which is true if the distance of the pair is fixed. `None` if no such
+    /// pair is measured.
     pub fn of(flight: &Flight, markers: &[Marker], rigid: &[bool]) -> Option<Self> {
         let pairs = marker_pairs(markers.len()).into_iter().zip(rigid);
         let pairs: Vec<(usize, usize)> =

@@ -31,27 +31,27 @@ const ALONG: f64 = 0.866;
 /// aerodynamic loads that the regression does not include may explain such a ratio. For comparison, times that are
 /// wrong by a factor of 2 give a ratio of 4 or 1/4.
 const USUAL_FACTORS: std::ops::Range<f64> = 0.38..2.6;
-/// Minimum misfit (unexplained acceleration) of a single flight at which corrections of its data are tried: the larger
-/// of the first number times gravity and the second number times the median misfit of all flights.
+/// Minimum misfit of a single flight at which corrections of its data are tried: the larger of the first number times
+/// gravity and the second number times the median misfit of all flights.
 const SINGLE_MISFIT: (f64, f64) = (0.25, 4.0);
-/// Limits of the misfit (unexplained acceleration) of a single flight after a correction of its data. The correction is
-/// accepted if the misfit is less than the first number times the misfit before the correction. It must also be less
-/// than the second number times the median misfit of all flights, or less than the third number times gravity.
+/// Limits of the misfit of a single flight after a correction of its data. The correction is accepted if the misfit is
+/// less than the first number times the misfit before the correction. It must also be less than the second number times
+/// the median misfit of all flights, or less than the third number times gravity.
 const MENDED_MISFIT: (f64, f64, f64) = (0.3, 2.5, 0.15);
-/// Maximum misfit (unexplained acceleration) of a single flight after any accepted correction, in units of gravity. It
-/// rejects a correction that merely shrinks all lengths: the accelerations then tend to 0 and the misfit to gravity.
+/// Maximum misfit of a single flight after any accepted correction, in units of gravity. It rejects a correction that
+/// merely shrinks all lengths: the accelerations then tend to 0 and the misfit to gravity.
 const MAX_MENDED: f64 = 0.4;
 /// Minimum magnitude of the vertical component of the unit normal of the markers' plane at which it is clear which side
 /// of the body is up.
 const UPRIGHT: f64 = 0.3;
 /// Limit for reporting a flight as mirrored, which is considered if its body appears upside down: maximum ratio of the
-/// misfit (unexplained acceleration) of the mirror image of the flight to that of the recorded flight.
+/// misfit of the mirror image of the flight to that of the recorded flight.
 const TURNED_MISFIT: f64 = 0.7;
 /// Maximum ratio of the median residual acceleration to the median standard error of the measured accelerations at
 /// which noise alone explains the residuals. No fault of all flights is then reported.
 const NOISE: f64 = 2.5;
-/// Weight, in the misfit (unexplained acceleration) of a flight, of the scatter of its accelerations about their
-/// median; the deviation of the median from gravity has the weight 1.
+/// Weight, in the misfit of a flight, of the scatter of its accelerations about their median; the deviation of the
+/// median from gravity has the weight 1.
 const SCATTER_PART: f64 = 0.25;
 /// Minimum number of flights in the dataset at which the accelerations of each flight are compared with those of all
 /// flights.

@@ -36,7 +36,7 @@ struct SampleRange {
 }
 
 /// Data fault of a flight in which labels of markers are exchanged; `None` if the measured distances between markers
-/// match the template (the declared positions of the markers).
+/// match the template.
 pub fn check(distances: &Distances, flight: &Flight, markers: &[Marker]) -> Option<DataFault> {
     let count = markers.len().min(MAX_MARKERS);
     let mut best: Option<(Vec<usize>, SampleRange)> = None;

@@ -15,7 +15,7 @@ const SAMPLES: usize = 20;
 /// marker positions at which the set can be distinguished from its mirror image.
 const THICKNESS: f64 = 0.05;
 /// Limit for reporting a flight as mirrored: minimum ratio of the mean squared distance of the measured markers from
-/// the fitted template (the declared marker positions) to that from the fitted mirror image of the template.
+/// the fitted template to that from the fitted mirror image of the template.
 const RATIO: f64 = 10.0;
 /// Minimum root mean square distance of the measured markers from their declared positions in the best-fitting pose, m,
 /// at which a flight is reported as mirrored.
@@ -24,8 +24,8 @@ const MIN_DISTANCE: f64 = 0.003;
 /// Instruction for correcting left-handed axes, for the user.
 pub const MEND: &str = "change the sign of one horizontal axis (write -y for y)";
 
-/// Whether the mirror image of the template (the declared marker positions) can be distinguished from the template,
-/// which requires four markers not in a plane.
+/// Whether the mirror image of the template can be distinguished from the template, which requires four markers not in
+/// a plane.
 pub fn is_decided_by(markers: &[[f64; 3]]) -> bool {
     if markers.len() < 4 {
         return false;

@@ -14,8 +14,8 @@ const MIN_LOG_RATIO: f64 = 0.18;
 const GROSS_FRACTION: f64 = 0.15;
 
 /// First data fault of the flight with the index `flight` that the measured distances between markers reveal; `None` if
-/// the distances match the template (the declared positions of the markers). `rigid` states for each pair, in the order
-/// of [`marker_pairs`](super::distances::marker_pairs), whether the template fixes its distance.
+/// the distances match the template. `rigid` states for each pair, in the order of
+/// [`marker_pairs`](super::distances::marker_pairs), whether the template fixes its distance.
 pub fn check(dataset: &Dataset, flight: usize, rigid: &[bool]) -> Option<DataFault> {
     let (flight, markers) = (&dataset.flights[flight], &dataset.markers[..]);
     let distances = Distances::of(flight, markers, rigid)?;

@@ -82,7 +82,7 @@ fn flights_that_cannot_be_fitted_are_excluded_and_the_others_fitted() {
     );
 }
 
-/// Two short simulated flights of the disc model without effects (model extensions).
+/// Two short simulated flights of the disc model without effects.
 fn two_flights() -> (Model, Dataset) {
     let (model, truth, release) = released(&[], &[]);
     let plan = Plan {

@@ -1,26 +1,25 @@
 //! Reference law with active effects, evaluated for given values.
 
-use super::{Effect, Flow, Kind, clock};
+use super::{Effect, Flow, inertia, loads, observation, surroundings};
 use crate::physical::{Load, Motion, Physical};
 use crate::reference::Law;
 use crate::scalar::Real;
 use nalgebra::Vector3;
 
-/// A built-in effect (an optional addition to a model) with the values of its coefficients and states.
+/// A built-in effect with the values of its coefficients and states.
 #[derive(Clone, Debug)]
 pub struct ActiveEffect<T> {
-    /// Description of the effect (optional addition to a model): names of its coefficients and states, and its
-    /// reference implementation.
+    /// Description of the effect: names of its coefficients and states, and its reference implementation.
     pub effect: &'static Effect,
-    /// Values of the coefficients of the effect (optional addition to a model), then of its states.
+    /// Values of the coefficients of the effect, then of its states.
     pub values: Vec<T>,
 }
 
-/// A law of motion with effects (optional additions), and with the values of constants, wind and effects; the order of
-/// the effects does not matter.
+/// A law of motion with effects, and with the values of constants, wind and effects; the order of the effects does not
+/// matter.
 #[derive(Clone, Debug)]
 pub struct ExtendedLaw<T> {
-    /// The law of motion without effects (optional additions to a model).
+    /// The law of motion without effects.
     pub law: Law,
     /// Values of the law's constants, in the order of [`Law::constants`].
     pub constants: Vec<T>,
@@ -54,35 +53,30 @@ impl<T: Real> ExtendedLaw<T> {
         let flow = Flow::new(self.law, &constants, at, air, time, self.omega);
         let (mut force, mut moment) = (unextended.force + force, unextended.moment + moment);
         for active in &self.effects {
-            let load = active.load(&flow);
+            let load = loads::load(active.effect.name, &active.values, &flow);
             force += load.force;
             moment += load.moment;
         }
         let mut properties = self.law.mass_properties(&constants);
         // The reaction of the added mass depends on the sum of all other forces.
-        let added_mass = self.effects.iter().fold(Vector3::zeros(), |sum, active| {
-            sum + active.added_mass_force(&flow, force, properties.mass)
-        });
+        let added_mass = self
+            .called("added_mass")
+            .fold(Vector3::zeros(), |sum, values| {
+                sum + inertia::added_mass_force(values[0], &flow, force, properties.mass)
+            });
         force += added_mass;
-        if let Some(inertia) = &mut properties.inertia {
+        if let Some(tensor) = &mut properties.inertia {
             for active in &self.effects {
-                if let Kind::Inertia(kind) = active.effect.kind {
-                    *inertia += kind.added(&active.values);
-                }
+                *tensor += inertia::added(active.effect.name, &active.values);
             }
         }
         Motion::under(Load { force, moment }, &properties, at)
     }
 
-    /// Seconds of true time per second of recorded time (the time stamps of the measurements); 1 without an effect on
-    /// the rate of the time stamps.
+    /// Seconds of true time per second of recorded time; 1 without an effect on the rate of the time stamps.
     pub fn clock(&self) -> T {
-        self.effects
-            .iter()
-            .fold(T::one(), |rate, active| match active.effect.kind {
-                Kind::Clock => rate * clock::factor(&active.values),
-                _ => rate,
-            })
+        self.called("clock_rate")
+            .fold(T::one(), |rate, values| rate * surroundings::clock(values))
     }
 
     /// Position of a marker as the measurement reports it, m. `marker` is the marker's measured position in the body
@@ -93,45 +87,40 @@ impl<T: Real> ExtendedLaw<T> {
         marker: Vector3<T>,
         which: Vector3<T>,
     ) -> Vector3<T> {
-        let of_observation = self.effects.iter().filter_map(|active| {
-            let Kind::Observation(kind) = active.effect.kind else {
-                return None;
-            };
-            Some((kind, active.values.as_slice()))
-        });
-        let on_body = of_observation.clone().fold(marker, |sum, (kind, values)| {
-            sum + kind.displacement(values, marker, which)
+        let effects = self.effects.iter();
+        let on_body = effects.clone().fold(marker, |sum, active| {
+            sum + observation::displacement(active.effect.name, &active.values, marker, which)
         });
         let arm = at.attitude.carry(on_body);
-        let position = of_observation
-            .clone()
-            .fold(at.position + arm, |sum, (kind, values)| {
-                sum + kind.motion_until_sampled(values, at, arm, which)
-            });
-        of_observation.fold(position, |position, (kind, values)| {
-            kind.reported(values, position)
+        let delays = self.called("marker_time_offset");
+        let position = delays.fold(at.position + arm, |sum, values| {
+            sum + observation::motion_until_sampled(values[0], at, arm, which)
+        });
+        effects.fold(position, |position, active| {
+            observation::reported(active.effect.name, &active.values, position)
         })
+    }
+
+    /// Values of the effect called `name`, if it is active.
+    fn called<'a>(&'a self, name: &'a str) -> impl Iterator<Item = &'a [T]> {
+        let active = self.effects.iter().filter(move |a| a.effect.name == name);
+        active.map(|active| active.values.as_slice())
     }
 
     /// Velocity of the air at the body, m/s, in inertial components.
     fn air_velocity(&self, at: &Physical<T>) -> Vector3<T> {
-        self.effects
-            .iter()
-            .fold(self.wind, |sum, active| match active.effect.kind {
-                Kind::Air(kind) => sum + kind.velocity(&active.values, at),
-                _ => sum,
-            })
+        self.effects.iter().fold(self.wind, |sum, active| {
+            sum + surroundings::wind(active.effect.name, &active.values, at.position.z)
+        })
     }
 
-    /// Constants of the law of motion in the order of [`Law::constants`], multiplied by the factors of the effects
-    /// (optional additions to a model) on air density and gravity.
+    /// Constants of the law of motion in the order of [`Law::constants`], multiplied by the factors of the effects on
+    /// air density and gravity.
     fn scaled_constants(&self) -> Vec<T> {
         let mut constants = self.constants.clone();
         for active in &self.effects {
-            let Kind::Air(kind) = active.effect.kind else {
-                continue;
-            };
-            if let Some((name, factor)) = kind.factor(&active.values) {
+            let factor = surroundings::factor(active.effect.name, &active.values);
+            if let Some((name, factor)) = factor {
                 let names = self.law.constants().iter();
                 for (constant, _) in constants.iter_mut().zip(names).filter(|(_, n)| **n == name) {
                     *constant *= factor;
@@ -139,30 +128,5 @@ impl<T: Real> ExtendedLaw<T> {
             }
         }
         constants
-    }
-}
-
-impl<T: Real> ActiveEffect<T> {
-    /// Force, N, and moment about the mass centre, N·m, that this effect adds to those of the law of motion, in
-    /// inertial components. They do not depend on other effects. The force of the added mass is not included.
-    fn load(&self, flow: &Flow<'_, T>) -> Load<T> {
-        let values = self.values.as_slice();
-        match self.effect.kind {
-            Kind::Lift(kind) => kind.load(values, flow),
-            Kind::Drag(kind) => kind.load(values, flow),
-            Kind::Side(kind) => kind.load(values, flow),
-            Kind::Roll(kind) => kind.load(values, flow),
-            Kind::Pitch(kind) => kind.load(values, flow),
-            Kind::Spin(kind) => kind.load(values, flow),
-            Kind::Ball(kind) => kind.load(values, flow),
-            Kind::Air(_) | Kind::Inertia(_) | Kind::Observation(_) | Kind::Clock => Load::zero(),
-        }
-    }
-
-    fn added_mass_force(&self, flow: &Flow<'_, T>, force: Vector3<T>, mass: T) -> Vector3<T> {
-        match self.effect.kind {
-            Kind::Inertia(kind) => kind.added_mass_force(&self.values, flow, force, mass),
-            _ => Vector3::zeros(),
-        }
     }
 }

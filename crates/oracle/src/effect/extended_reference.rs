@@ -8,12 +8,11 @@ use crate::scalar::Real;
 use model_spec::model::Model;
 use nalgebra::Vector3;
 
-/// The reference law (independent implementation of a law of motion) and the effects (optional additions) of a model.
-/// Contains the indices in the model of the law's constants and of the effects' coefficients and states.
+/// The reference law and the effects of a model. Contains the indices in the model of the law's constants and of the
+/// effects' coefficients and states.
 #[derive(Clone, Debug)]
 pub struct ExtendedReference {
-    /// The reference law (independent implementation of a law of motion), without effects (optional additions to a
-    /// model).
+    /// The reference law, without effects.
     pub reference: Reference,
     effects: Vec<(&'static Effect, Vec<Slot>)>,
     omega: Option<usize>,
@@ -27,9 +26,8 @@ enum Slot {
 }
 
 impl ExtendedReference {
-    /// Looks up, in a model, the constants and states of its reference law (independent implementation of a law of
-    /// motion) and the coefficients and states of its effects (optional additions). `None` if the model names no
-    /// reference law.
+    /// Looks up, in a model, the constants and states of its reference law and the coefficients and states of its
+    /// effects. `None` if the model names no reference law.
     ///
     /// # Errors
     /// The errors of [`Reference::bind`]; [`BindError::UnknownEffect`] if an effect has no reference implementation for
@@ -76,8 +74,7 @@ impl ExtendedReference {
         }
     }
 
-    /// Computes the derivative of every state with respect to recorded time (the time stamps of the measurements, which
-    /// may run at another rate than true time).
+    /// Computes the derivative of every state with respect to recorded time.
     pub fn derivatives<T: Real>(&self, point: &Point<T>) -> Vec<T> {
         let law = self.at(point);
         let chart = &self.reference.chart;
@@ -101,8 +98,7 @@ impl ExtendedReference {
     }
 }
 
-/// Indices in a model of the coefficients of an effect (optional addition), followed by those of the states of the
-/// effect.
+/// Indices in a model of the coefficients of an effect, followed by those of the states of the effect.
 fn slots(effect: &'static Effect, model: &Model) -> Result<Vec<Slot>, BindError> {
     let missing = |name| BindError::MissingEffectValue {
         effect: effect.name,

@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 pub struct Flow<'a, T> {
     law: Law,
     constants: &'a [T],
-    /// Physical state (position, velocity, attitude, angular velocity) of the body.
+    /// Physical state of the body.
     pub at: &'a Physical<T>,
     /// Time since release, s.
     pub time: T,

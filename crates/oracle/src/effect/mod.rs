@@ -5,79 +5,34 @@
 //! coefficients and the fixed constants of an effect's form (stall angle, height of the ground effect) are the same in
 //! both.
 //!
-//! A new effect is a row of `EFFECTS` and a variant with its law in the file of its kind; a new kind is a file, listed
-//! in `Kind` and in `KINDS`.
+//! A new effect is a row of `EFFECTS`, and its formula in the file of what it changes: loads, surroundings, inertia or
+//! observation.
 
-mod air;
-mod ball;
-mod clock;
-mod drag;
 mod extended_law;
 mod extended_reference;
 mod flow;
 mod inertia;
-mod lift;
+mod loads;
 mod observation;
-mod pitch;
-mod roll;
-mod side;
-mod spin;
+mod surroundings;
 
 pub use extended_law::{ActiveEffect, ExtendedLaw};
 pub use extended_reference::ExtendedReference;
 pub use flow::Flow;
 
-use crate::physical::Load;
 use crate::reference::Law;
 
-/// Built-in effects (optional additions to a model), one slice per kind of quantity that they change, such as drag or
-/// lift.
-static KINDS: [&[Effect]; 11] = [
-    drag::EFFECTS,
-    pitch::EFFECTS,
-    roll::EFFECTS,
-    spin::EFFECTS,
-    side::EFFECTS,
-    lift::EFFECTS,
-    air::EFFECTS,
-    inertia::EFFECTS,
-    observation::EFFECTS,
-    ball::EFFECTS,
-    clock::EFFECTS,
-];
-
-/// A built-in effect (an optional addition to a model) with its reference implementation.
+/// A built-in effect with a reference implementation. The effect is absent if all its coefficients and states are 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effect {
-    /// Name of the effect (optional addition to a model) in the model language.
+    /// Name of the effect in the model language.
     pub name: &'static str,
-    /// Names of the coefficients of the effect (optional addition to a model). The effect is absent if all its
-    /// coefficients and states are 0.
+    /// Names of the coefficients of the effect.
     pub coefficients: &'static [&'static str],
-    /// Names of the states that the effect (optional addition to a model) adds. They are constant during a flight and
-    /// estimated for each flight. The effect is absent if all its coefficients and states are 0.
+    /// Names of the states that the effect adds. They are constant during a flight and estimated for each flight.
     pub states: &'static [&'static str],
-    /// Reference laws (independent implementations of laws of motion) to which the effect (optional addition to a
-    /// model) can be applied.
+    /// Reference laws to which the effect can be applied.
     pub laws: &'static [Law],
-    kind: Kind,
-}
-
-/// Kind of quantity, such as drag or lift, that an effect (optional addition to a model) changes. The inner value
-/// selects the formula of the change.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Kind {
-    Lift(lift::Lift),
-    Drag(drag::Drag),
-    Side(side::Side),
-    Roll(roll::Roll),
-    Pitch(pitch::Pitch),
-    Spin(spin::Spin),
-    Ball(ball::Ball),
-    Air(air::Air),
-    Inertia(inertia::Inertia),
-    Observation(observation::Observation),
-    Clock,
 }
 
 const DISC: [Law; 1] = [Law::Disc];
@@ -89,30 +44,85 @@ const fn effect(
     name: &'static str,
     coefficients: &'static [&'static str],
     laws: &'static [Law],
-    kind: Kind,
 ) -> Effect {
     Effect {
         name,
         coefficients,
         states: &[],
         laws,
-        kind,
     }
 }
 
+static EFFECTS: [Effect; 39] = [
+    effect("zero_lift_drag_angle", &["alpha_0"], &DISC),
+    effect("drag_by_spin", &["C_DS"], &DISCS),
+    effect("drag_by_reynolds", &["C_DRe"], &DISCS),
+    effect("constant_pitching_moment", &["C_M0"], &DISCS),
+    effect("cubic_pitching_moment", &["C_Maaa"], &DISC),
+    effect("pitching_moment_by_spin", &["C_MS"], &DISCS),
+    effect("roll_damping", &["C_Rp"], &DISCS),
+    effect("rolling_moment_by_angle", &["C_Ra"], &DISCS),
+    effect("rolling_moment_by_spin_ratio", &["C_RS"], &DISCS),
+    effect("rolling_moment_at_low_angle", &["C_Rg"], &DISCS),
+    effect("quadratic_spin_down", &["C_Nrr"], &DISCS),
+    effect("spin_down_by_pressure", &["C_Np"], &DISCS),
+    effect("spin_down_by_angle", &["C_Na"], &DISCS),
+    effect("side_force_by_spin", &["C_YS"], &DISCS),
+    effect("side_force_by_spin_and_angle", &["C_YSa"], &DISCS),
+    effect("stall", &["C_Ls"], &DISC),
+    effect("lift_by_spin", &["C_LS"], &DISCS),
+    effect("ground_effect", &["C_Lg"], &DISCS),
+    effect("wind", &["W_x", "W_y"], &ANY),
+    Effect {
+        states: &["gust_x", "gust_y"],
+        ..effect("wind_of_each_flight", &[], &ANY)
+    },
+    effect("wind_by_height", &["shear_x", "shear_y"], &ANY),
+    effect("air_density", &["rho_error"], &ANY),
+    effect("gravity", &["g_error"], &ANY),
+    effect("added_mass", &["m_v"], &DISCS),
+    effect("mass_imbalance", &["I_13", "I_23"], &DISCS),
+    effect("unequal_diametral_inertias", &["dI"], &DISCS),
+    effect("tilted_vertical", &["tilt_x", "tilt_y"], &ANY),
+    effect("scale", &["scale_error"], &ANY),
+    effect("marker_time_offset", &["offset"], &DISCS),
+    effect(
+        "marker_1_misplaced",
+        &["slip_1_1", "slip_1_2", "slip_1_3"],
+        &DISCS,
+    ),
+    effect(
+        "marker_2_misplaced",
+        &["slip_2_1", "slip_2_2", "slip_2_3"],
+        &DISCS,
+    ),
+    effect(
+        "marker_3_misplaced",
+        &["slip_3_1", "slip_3_2", "slip_3_3"],
+        &DISCS,
+    ),
+    effect("marker_height", &["mark_up"], &DISCS),
+    effect("marker_radius", &["radius_error"], &DISCS),
+    effect("magnus", &["C_Lw"], &BALL),
+    effect("spin_decay", &["C_Lwt"], &BALL),
+    effect("drag_crisis", &["C_Dc"], &BALL),
+    effect("buoyancy", &["displaced"], &BALL),
+    effect("clock_rate", &["clock_error"], &ANY),
+];
+
 impl Effect {
-    /// Number of values of the effect (optional addition to a model): coefficients plus states.
+    /// Number of values of the effect: coefficients plus states.
     pub fn values(&self) -> usize {
         self.coefficients.len() + self.states.len()
     }
 }
 
-/// All built-in effects (optional additions to a model) that have a reference implementation.
+/// All built-in effects that have a reference implementation.
 pub fn all() -> impl Iterator<Item = &'static Effect> + Clone {
-    KINDS.iter().copied().flatten()
+    EFFECTS.iter()
 }
 
-/// Built-in effect (optional addition to a model) with the given name; `None` if there is none.
+/// Built-in effect with the given name; `None` if there is none.
 pub fn by_name(name: &str) -> Option<&'static Effect> {
     all().find(|effect| effect.name == name)
 }

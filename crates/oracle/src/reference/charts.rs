@@ -1,6 +1,6 @@
 //! Charts of the reference laws, by the state names that the model contract fixes.
 
-use crate::chart::{Chart, Step, defaults};
+use crate::chart::{Attitude, Chart, Turn, defaults};
 use crate::error::BindError;
 use model_spec::model::Model;
 
@@ -19,9 +19,9 @@ fn states<const N: usize>(
     Ok(indices)
 }
 
-/// Coordinate chart (meaning of the states) of a body with attitude. The attitude is a quaternion if the model has a
-/// state `q0`. Otherwise it consists of the angles phi, theta and gamma about the axes 1, 2 and 3, with the rates
-/// phidot, thetadot and gammadot; the velocity components u, v and w are in the frame after the first two rotations.
+/// Coordinate chart of a body with attitude. The attitude is a quaternion if the model has a state `q0`. Otherwise it
+/// consists of the angles phi, theta and gamma about the axes 1, 2 and 3, with the rates phidot, thetadot and gammadot;
+/// the velocity components u, v and w are in the frame after the first two rotations.
 ///
 /// # Errors
 /// [`BindError::MissingState`] if the model lacks one of the states of the chart.
@@ -31,27 +31,29 @@ pub(super) fn with_attitude(model: &Model) -> Result<Chart, BindError> {
     }
     let [phi, theta, gamma] = states(model, ["phi", "theta", "gamma"])?;
     let [phidot, thetadot, gammadot] = states(model, ["phidot", "thetadot", "gammadot"])?;
-    let rotation = |axis, angle, rate| Step::Angle { axis, angle, rate };
+    let turn = |axis, angle, rate| Turn { axis, angle, rate };
     Ok(Chart {
         velocity_after: 2,
-        steps: vec![
-            rotation(1, phi, phidot),
-            rotation(2, theta, thetadot),
-            rotation(3, gamma, gammadot),
-        ],
+        attitude: Attitude::Turns([
+            turn(1, phi, phidot),
+            turn(2, theta, thetadot),
+            turn(3, gamma, gammadot),
+        ]),
         ..in_inertial_axes(model, ["u", "v", "w"])?
     })
 }
 
-/// Coordinate chart (meaning of the states) of a body with the attitude quaternion q0, q1, q2, q3. The velocity
-/// vx, vy, vz is in inertial components, the angular velocity p, q, r in components of the body frame.
+/// Coordinate chart of a body with the attitude quaternion q0, q1, q2, q3. The velocity vx, vy, vz is in inertial
+/// components, the angular velocity p, q, r in components of the body frame.
 ///
 /// # Errors
 /// [`BindError::MissingState`] if the model lacks one of these states or of the position x, y, z.
 fn quaternion(model: &Model) -> Result<Chart, BindError> {
     Ok(Chart {
-        steps: vec![Step::Quaternion(states(model, ["q0", "q1", "q2", "q3"])?)],
-        angular_velocity: Some((states(model, ["p", "q", "r"])?, 1)),
+        attitude: Attitude::Quaternion(
+            states(model, ["q0", "q1", "q2", "q3"])?,
+            (states(model, ["p", "q", "r"])?, 1),
+        ),
         ..point_mass(model)?
     })
 }
@@ -71,7 +73,6 @@ fn in_inertial_axes(model: &Model, velocity: [&'static str; 3]) -> Result<Chart,
         position: states(model, ["x", "y", "z"])?,
         velocity: states(model, velocity)?,
         velocity_after: 0,
-        steps: Vec::new(),
-        angular_velocity: None,
+        attitude: Attitude::Point,
     })
 }

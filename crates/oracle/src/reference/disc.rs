@@ -13,24 +13,7 @@ pub(super) const CONSTANTS: [&str; 15] = [
 
 #[allow(non_snake_case)]
 pub(super) fn load<T: Real>(constants: &[T], at: &Physical<T>, wind: Vector3<T>) -> Load<T> {
-    let &[
-        _,
-        _,
-        _,
-        _,
-        _,
-        _,
-        _,
-        C_L0,
-        C_La,
-        C_D0,
-        C_Da,
-        C_Ma,
-        C_Mq,
-        C_Rr,
-        C_Nr,
-    ] = constants
-    else {
+    let [C_L0, C_La, C_D0, C_Da, C_Ma, C_Mq, C_Rr, C_Nr] = constants[7..] else {
         unreachable!("bound to {CONSTANTS:?}")
     };
     let stream = Stream::new(at, wind);

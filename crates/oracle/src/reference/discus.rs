@@ -14,24 +14,7 @@ pub(super) const CONSTANTS: [&str; 15] = [
 
 #[allow(non_snake_case)]
 pub(super) fn load<T: Real>(constants: &[T], at: &Physical<T>, wind: Vector3<T>) -> Load<T> {
-    let &[
-        _,
-        _,
-        _,
-        _,
-        _,
-        _,
-        _,
-        C_Ls,
-        C_Lp,
-        s_stall,
-        C_D0,
-        C_Ds,
-        C_Ms,
-        C_Mq,
-        C_Nr,
-    ] = constants
-    else {
+    let [C_Ls, C_Lp, s_stall, C_D0, C_Ds, C_Ms, C_Mq, C_Nr] = constants[7..] else {
         unreachable!("bound to {CONSTANTS:?}")
     };
     let stream = Stream::new(at, wind);

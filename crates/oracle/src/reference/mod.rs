@@ -28,22 +28,21 @@ pub enum Law {
 }
 
 /// Reference laws with the names that a model may state after the keyword `reference`.
-pub(crate) const LAWS: [(&str, Law); 3] = [
+const LAWS: [(&str, Law); 3] = [
     ("hubbard_hummel_disc", Law::Disc),
     ("ball_with_drag", Law::Ball),
     ("frohlich_discus", Law::Discus),
 ];
 
-/// A reference law (independent implementation of a law of motion), with the indices of its parameters, coefficients,
-/// states and wind in a model.
+/// A reference law, with the indices of its parameters, coefficients, states and wind in a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reference {
     /// Law of motion with which the model's equations are compared.
     pub law: Law,
     /// Conversion between the model's states, which are identified by their names, and a physical state.
     pub chart: Chart,
-    /// Indices of the model's coefficients that do not occur in the law, but in effects (optional additions to a model)
-    /// or in terms that the user added.
+    /// Indices of the model's coefficients that do not occur in the law, but in effects or in terms that the user
+    /// added.
     pub unknown: Vec<usize>,
     constants: Vec<Slot>,
     /// Index of the model's input `wind`; `None` if the model has no such input, so that the air is still.
@@ -139,8 +138,10 @@ impl Reference {
     /// [`BindError::InputFrame`] if the model states the wind in another frame than the inertial one.
     pub fn bind(model: &Model) -> Option<Result<Self, BindError>> {
         let name = model.reference.as_ref()?;
-        let law =
-            Law::by_name(name).ok_or_else(|| BindError::UnknownReference { name: name.clone() });
+        let law = Law::by_name(name).ok_or_else(|| BindError::UnknownReference {
+            name: name.clone(),
+            available: LAWS.map(|law| law.0).to_vec(),
+        });
         Some(law.and_then(|law| Self::of(law, model)))
     }
 
@@ -226,8 +227,7 @@ impl Reference {
         self.constants.iter().map(value).collect()
     }
 
-    /// Computes the derivative of every state with respect to true time, in contrast to recorded time (the time stamps
-    /// of the measurements).
+    /// Computes the derivative of every state with respect to true time, in contrast to recorded time.
     pub fn derivatives<T: Real>(&self, point: &Point<T>) -> Vec<T> {
         self.chart.derivatives(&point.states, &self.motion(point))
     }

@@ -9,7 +9,6 @@ use num_traits::{One, Zero};
 use std::cell::RefCell;
 use std::cmp::Ordering;
 use std::collections::HashMap;
-use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::{Elementary, Field, Real};
 
@@ -152,53 +151,28 @@ impl PartialEq for Big {
 
 // Most derivatives of a dual number are 0: a sum or product with 0 makes no new number.
 
-impl Add for Big {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        match (self.is_zero(), other.is_zero()) {
-            (true, _) => other,
-            (_, true) => self,
-            _ => self.with(other, |a, b| a.add(b, PRECISION, NEAREST)),
-        }
-    }
-}
-
-impl Sub for Big {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        match other.is_zero() {
-            true => self,
-            false => self.with(other, |a, b| a.sub(b, PRECISION, NEAREST)),
-        }
-    }
-}
-
-impl Mul for Big {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
+crate::operators!([] Big {
+    Add add(a, b) => match (a.is_zero(), b.is_zero()) {
+        (true, _) => b,
+        (_, true) => a,
+        _ => a.with(b, |a, b| a.add(b, PRECISION, NEAREST)),
+    },
+    Sub sub(a, b) => if b.is_zero() {
+        a
+    } else {
+        a.with(b, |a, b| a.sub(b, PRECISION, NEAREST))
+    },
+    Mul mul(a, b) => {
         let is_zero = |a: Self, b: Self| a.is_zero() && b.is_finite();
-        match is_zero(self, other) || is_zero(other, self) {
-            true => Self::zero(),
-            false => self.with(other, |a, b| a.mul(b, PRECISION, NEAREST)),
+        if is_zero(a, b) || is_zero(b, a) {
+            Self::zero()
+        } else {
+            a.with(b, |a, b| a.mul(b, PRECISION, NEAREST))
         }
-    }
-}
-
-impl Div for Big {
-    type Output = Self;
-    fn div(self, other: Self) -> Self {
-        self.with(other, |a, b| a.div(b, PRECISION, NEAREST))
-    }
-}
-
-crate::assign_ops!([] Big);
-
-impl Neg for Big {
-    type Output = Self;
-    fn neg(self) -> Self {
-        self.map(BigFloat::neg)
-    }
-}
+    },
+    Div div(a, b) => a.with(b, |a, b| a.div(b, PRECISION, NEAREST)),
+    -a => a.map(BigFloat::neg),
+});
 
 impl Zero for Big {
     fn zero() -> Self {

@@ -24,7 +24,6 @@ impl ComplexStep {
 }
 
 crate::wrapped_ops!(ComplexStep(Complex<f64>));
-crate::assign_ops!([] ComplexStep);
 
 impl Zero for ComplexStep {
     fn zero() -> Self {

@@ -3,7 +3,6 @@
 use super::table::Interpolant;
 use super::{Elementary, Field, Real};
 use num_traits::{One, Zero};
-use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Dual number: a value and its derivative in one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,58 +28,20 @@ impl<T: Field> Dual<T> {
     }
 }
 
-impl<T: Field> Add for Dual<T> {
-    type Output = Self;
-    fn add(self, o: Self) -> Self {
-        Self {
-            value: self.value + o.value,
-            derivative: self.derivative + o.derivative,
-        }
-    }
-}
-
-impl<T: Field> Sub for Dual<T> {
-    type Output = Self;
-    fn sub(self, o: Self) -> Self {
-        Self {
-            value: self.value - o.value,
-            derivative: self.derivative - o.derivative,
-        }
-    }
-}
-
-impl<T: Field> Mul for Dual<T> {
-    type Output = Self;
-    fn mul(self, o: Self) -> Self {
-        Self {
-            value: self.value * o.value,
-            derivative: self.derivative * o.value + self.value * o.derivative,
-        }
-    }
-}
-
-impl<T: Field> Div for Dual<T> {
-    type Output = Self;
-    fn div(self, o: Self) -> Self {
-        let value = self.value / o.value;
-        Self {
-            value,
-            derivative: (self.derivative - value * o.derivative) / o.value,
-        }
-    }
-}
-
-impl<T: Field> Neg for Dual<T> {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self {
-            value: -self.value,
-            derivative: -self.derivative,
-        }
-    }
-}
-
-crate::assign_ops!([T: Field] Dual<T>);
+crate::operators!([T: Field] Dual<T> {
+    Add add(a, b) => Self::new(a.value + b.value, a.derivative + b.derivative),
+    Sub sub(a, b) => Self::new(a.value - b.value, a.derivative - b.derivative),
+    Mul mul(a, b) => Self {
+        value: a.value * b.value,
+        derivative: a.derivative * b.value + a.value * b.derivative,
+    },
+    Div div(a, b) => {
+        let value = a.value / b.value;
+        let derivative = (a.derivative - value * b.derivative) / b.value;
+        Self { value, derivative }
+    },
+    -a => Self::new(-a.value, -a.derivative),
+});
 
 impl<T: Field> Zero for Dual<T> {
     fn zero() -> Self {

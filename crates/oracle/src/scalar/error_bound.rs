@@ -7,7 +7,6 @@
 use super::table::Interpolant;
 use super::{Elementary, Field, Real};
 use num_traits::{One, Zero};
-use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A computed number and the scale of its rounding error: the sum of the absolute values of the terms that sum to the
 /// number.
@@ -34,62 +33,29 @@ impl ErrorBound {
     }
 }
 
-impl Add for ErrorBound {
-    type Output = Self;
-    fn add(self, o: Self) -> Self {
-        Self {
-            value: self.value + o.value,
-            magnitude: self.magnitude + o.magnitude,
-        }
-    }
-}
-
-impl Sub for ErrorBound {
-    type Output = Self;
-    fn sub(self, o: Self) -> Self {
-        Self {
-            value: self.value - o.value,
-            magnitude: self.magnitude + o.magnitude,
-        }
-    }
-}
-
-impl Mul for ErrorBound {
-    type Output = Self;
-    fn mul(self, o: Self) -> Self {
-        let value = self.value * o.value;
-        let magnitude =
-            self.value.abs() * o.magnitude + o.value.abs() * self.magnitude - value.abs();
-        Self {
-            value,
-            magnitude: magnitude.max(value.abs()),
-        }
-    }
-}
-
-impl Div for ErrorBound {
-    type Output = Self;
-    fn div(self, o: Self) -> Self {
-        let value = self.value / o.value;
-        let magnitude = (self.magnitude + value.abs() * o.magnitude) / o.value.abs() - value.abs();
-        Self {
-            value,
-            magnitude: magnitude.max(value.abs()),
-        }
-    }
-}
-
-impl Neg for ErrorBound {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self {
-            value: -self.value,
-            magnitude: self.magnitude,
-        }
-    }
-}
-
-crate::assign_ops!([] ErrorBound);
+crate::operators!([] ErrorBound {
+    Add add(a, b) => Self {
+        value: a.value + b.value,
+        magnitude: a.magnitude + b.magnitude,
+    },
+    Sub sub(a, b) => Self {
+        value: a.value - b.value,
+        magnitude: a.magnitude + b.magnitude,
+    },
+    Mul mul(a, b) => {
+        let value = a.value * b.value;
+        let magnitude = a.value.abs() * b.magnitude + b.value.abs() * a.magnitude - value.abs();
+        let magnitude = magnitude.max(value.abs());
+        Self { value, magnitude }
+    },
+    Div div(a, b) => {
+        let value = a.value / b.value;
+        let magnitude = (a.magnitude + value.abs() * b.magnitude) / b.value.abs() - value.abs();
+        let magnitude = magnitude.max(value.abs());
+        Self { value, magnitude }
+    },
+    -a => Self { value: -a.value, ..a },
+});
 
 impl Zero for ErrorBound {
     fn zero() -> Self {

@@ -22,7 +22,6 @@ impl NumDual {
 }
 
 crate::wrapped_ops!(NumDual(Dual64));
-crate::assign_ops!([] NumDual);
 
 impl Zero for NumDual {
     fn zero() -> Self {

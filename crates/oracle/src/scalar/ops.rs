@@ -27,40 +27,60 @@ macro_rules! assign_ops {
     };
 }
 
-/// Implements `+`, `-`, `*`, `/` and negation for a newtype, by means of the operators of its inner type.
+/// Implements one of the operators `+`, `-`, `*` and `/` for a type, by an expression.
+#[macro_export]
+macro_rules! operator {
+    ([$($generics:tt)*] $type:ty, $trait:ident $method:ident($a:ident, $b:ident) => $value:expr) => {
+        impl<$($generics)*> ::std::ops::$trait for $type {
+            type Output = Self;
+            #[inline]
+            fn $method(self, o: Self) -> Self {
+                let ($a, $b) = (self, o);
+                $value
+            }
+        }
+    };
+}
+
+/// Implements `+`, `-`, `*`, `/`, negation and the assigning operators for a type, by an expression for each.
+#[macro_export]
+macro_rules! operators {
+    ($generics:tt $type:ty {
+        $($trait:ident $method:ident($a:ident, $b:ident) => $value:expr,)*
+        -$c:ident => $negative:expr,
+    }) => {
+        $($crate::operator!($generics $type, $trait $method($a, $b) => $value);)*
+        $crate::negation!($generics $type, $c => $negative);
+        $crate::assign_ops!($generics $type);
+    };
+}
+
+/// Implements negation for a type, by an expression.
+#[macro_export]
+macro_rules! negation {
+    ([$($generics:tt)*] $type:ty, $a:ident => $value:expr) => {
+        impl<$($generics)*> ::std::ops::Neg for $type {
+            type Output = Self;
+            #[inline]
+            fn neg(self) -> Self {
+                let $a = self;
+                $value
+            }
+        }
+    };
+}
+
+/// Implements the operators of a newtype by those of its inner type.
 #[macro_export]
 macro_rules! wrapped_ops {
     ($type:ident($inner:ty)) => {
-        impl ::std::ops::Add for $type {
-            type Output = Self;
-            fn add(self, o: Self) -> Self {
-                Self(self.0 + o.0)
-            }
-        }
-        impl ::std::ops::Sub for $type {
-            type Output = Self;
-            fn sub(self, o: Self) -> Self {
-                Self(self.0 - o.0)
-            }
-        }
-        impl ::std::ops::Mul for $type {
-            type Output = Self;
-            fn mul(self, o: Self) -> Self {
-                Self(self.0 * o.0)
-            }
-        }
-        impl ::std::ops::Div for $type {
-            type Output = Self;
-            fn div(self, o: Self) -> Self {
-                Self(self.0 / o.0)
-            }
-        }
-        impl ::std::ops::Neg for $type {
-            type Output = Self;
-            fn neg(self) -> Self {
-                Self(-self.0)
-            }
-        }
+        $crate::operators!([] $type {
+            Add add(a, b) => Self(a.0 + b.0),
+            Sub sub(a, b) => Self(a.0 - b.0),
+            Mul mul(a, b) => Self(a.0 * b.0),
+            Div div(a, b) => Self(a.0 / b.0),
+            -a => Self(-a.0),
+        });
     };
 }
 

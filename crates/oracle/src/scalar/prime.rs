@@ -5,7 +5,6 @@
 
 use super::Field;
 use num_traits::{One, Zero};
-use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Modulus of the prime field in which [`Prime`] numbers compute: 2^61 − 1, a Mersenne prime.
 pub const PRIME: u64 = (1 << 61) - 1;
@@ -54,48 +53,16 @@ impl Prime {
     }
 }
 
-impl Add for Prime {
-    type Output = Self;
-    #[inline]
-    fn add(self, o: Self) -> Self {
-        Self::reduced(self.0 + o.0)
-    }
-}
-
-impl Sub for Prime {
-    type Output = Self;
-    #[inline]
-    fn sub(self, o: Self) -> Self {
-        Self::reduced(self.0 + PRIME - o.0)
-    }
-}
-
-impl Mul for Prime {
-    type Output = Self;
-    #[inline]
-    fn mul(self, o: Self) -> Self {
-        let product = u128::from(self.0) * u128::from(o.0);
+crate::operators!([] Prime {
+    Add add(a, b) => Self::reduced(a.0 + b.0),
+    Sub sub(a, b) => Self::reduced(a.0 + PRIME - b.0),
+    Mul mul(a, b) => {
+        let product = u128::from(a.0) * u128::from(b.0);
         Self::reduced((product as u64 & PRIME) + (product >> 61) as u64)
-    }
-}
-
-impl Div for Prime {
-    type Output = Self;
-    #[allow(clippy::suspicious_arithmetic_impl)]
-    fn div(self, o: Self) -> Self {
-        self * o.inverse()
-    }
-}
-
-impl Neg for Prime {
-    type Output = Self;
-    #[inline]
-    fn neg(self) -> Self {
-        Self::reduced(PRIME - self.0)
-    }
-}
-
-crate::assign_ops!([] Prime);
+    },
+    Div div(a, b) => a * b.inverse(),
+    -a => Self::reduced(PRIME - a.0),
+});
 
 impl Zero for Prime {
     fn zero() -> Self {

@@ -8,7 +8,6 @@ mod limits;
 mod page;
 mod words;
 
-use crate::certificate::CertificateNote;
 use crate::fit::Figure;
 use diagnose::Report;
 
@@ -33,8 +32,6 @@ pub struct DiagnosisPage<'a> {
     /// Text of the effect that the diagnosis added, or of the extended model file, in the model language; `None` if the
     /// model was not extended.
     pub extended: Option<&'a str>,
-    /// Verification status of the model according to its certificate.
-    pub certificate: &'a CertificateNote,
 }
 
 /// Fits of the model under test and of the extended model.

@@ -59,8 +59,6 @@ pub(super) fn html(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figure
         finding => plain_values(finding),
         finding_figure => figures.finding.iter().map(|f| one(&reached(f))).collect::<Vec<_>>(),
         gain => words::gain(report),
-        certificate => page.certificate.sentence(),
-        certified => page.certificate.is_verified(),
         paired => report.predictive_gain.as_ref().and_then(words::paired),
         lack_of_fit => report.lack_of_fit.as_ref().map(|test| plain_values(&limits::lack_of_fit(test))),
         notes => plain_values(&notes),

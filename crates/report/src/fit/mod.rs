@@ -7,7 +7,6 @@ mod noise;
 pub(crate) mod page;
 pub(crate) mod words;
 
-use crate::certificate::CertificateNote;
 use crate::figures::csv::of_panels;
 use crate::figures::{Layout, Panel, figure_of};
 use identify::{Coefficient, Fit, FitReport, FlightEvidence};
@@ -26,8 +25,6 @@ pub struct FitPage<'a> {
     pub model: &'a Model,
     /// Name of the dataset to which the model was fitted.
     pub dataset: &'a str,
-    /// Verification status of the model according to its certificate.
-    pub certificate: &'a CertificateNote,
 }
 
 impl FitPage<'_> {

@@ -53,8 +53,6 @@ pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
         precision => figures.precision.iter().map(|f| one(&reached(f))).collect::<Vec<_>>(),
         predictions => shown(&figures.predictions),
         alarms => plain_values(&words::alarms(page)),
-        certificate => page.certificate.sentence(),
-        verified => page.certificate.is_verified(),
         cautions => plain_values(&cautions(report)),
         faults => plain_values(&data_faults::table(&report.data_faults)),
         coefficients => plain_values(&coefficients::rows(page)),

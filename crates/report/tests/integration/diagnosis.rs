@@ -5,7 +5,6 @@ use crate::made;
 use dataset::Role;
 use diagnose::{Report, Verdict};
 use identify::FlightEvidence;
-use report::CertificateNote;
 use report::diagnosis::{DiagnosisPage, html_and_figures};
 use report::fit::Figure;
 
@@ -31,7 +30,6 @@ fn page(report: &Report, before: &[FlightEvidence], after: &[FlightEvidence]) ->
         before,
         after,
         extended,
-        certificate: &CertificateNote::none(),
     });
     check(&made);
     made
@@ -307,7 +305,6 @@ fn names_from_outside_are_escaped() {
         before: &after,
         after: &after,
         extended: Some(EVIL),
-        certificate: &CertificateNote::none(),
     });
     check(&made);
     assert!(made.html.matches("&lt;script&gt;alert(1)").count() > 30);
@@ -465,7 +462,6 @@ fn what_cannot_be_relied_on_says_so_first_and_flights_are_compared_in_pairs() {
         after: &[],
         fits: None,
         extended: None,
-        certificate: &CertificateNote::none(),
     });
     check(&made);
     let body = &made.html[made.html.find("<main>").unwrap()..];

@@ -9,8 +9,8 @@ use diagnose::{Diagnosis, DiagnosisOptions, Verdict, diagnose};
 use identify::{Fit, FlightEvidence, FlightId};
 use report::diagnosis::{DiagnosisPage, Fits, html_and_figures};
 use report::fit::Figure;
+use report::prediction_band;
 use report::viewer::View;
-use report::{CertificateNote, prediction_band};
 
 /// Diagnosis of the dataset `examples/mystery`, computed once for all tests.
 fn mystery() -> &'static Diagnosis {
@@ -42,7 +42,6 @@ fn page() -> (String, Vec<Figure>) {
             after,
         }),
         extended: None,
-        certificate: &CertificateNote::none(),
     })
 }
 

@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 
 use identify::{FitReport, FlightEvidence, MARKER};
 use model_spec::model::Model;
-use report::CertificateNote;
 use report::fit::{Figure, FitPage, html_and_figures};
 
 const TWO_MEGABYTES: usize = 2_000_000;
@@ -22,7 +21,6 @@ fn made(report: &FitReport, evidence: &[FlightEvidence]) -> (String, Vec<Figure>
         evidence,
         model: &model,
         dataset: "throws",
-        certificate: &CertificateNote::none(),
     };
     let (html, figures) = html_and_figures(&page);
     for figure in &figures {
@@ -142,7 +140,6 @@ fn names_from_outside_are_escaped() {
         evidence: &evidence,
         model: &model,
         dataset: EVIL,
-        certificate: &CertificateNote::changed(EVIL.into(), None, vec![EVIL.into()]),
     };
     let (html, figures) = html_and_figures(&page);
     loads_nothing(&html);
@@ -331,42 +328,4 @@ fn what_was_left_out_is_counted_by_itself() {
     assert!(html.contains("<h3>Excluded</h3>") && !html.contains("0.00\u{a0}mm"));
     // Too few are left for a histogram.
     assert!(figures.iter().all(|figure| figure.name != "rms"));
-}
-
-#[test]
-fn the_page_says_what_the_certificate_of_the_model_says() {
-    let (report, model) = (made::report(2), disc());
-    let says = |note: CertificateNote| {
-        let page = FitPage {
-            fit: None,
-            report: &report,
-            evidence: &[],
-            model: &model,
-            dataset: "throws",
-            certificate: &note,
-        };
-        let (html, _) = html_and_figures(&page);
-        let line = html
-            .lines()
-            .find(|line| line.contains("id=\"certificate\""));
-        line.expect("a line on the certificate").to_owned()
-    };
-    let file = || String::from("disc.certificate.json");
-    let stands = says(CertificateNote::stands(file(), "verified".into()));
-    assert!(stands.contains("class=\"calm\""), "{stands}");
-    assert!(stands.contains("Model verified: the certificate disc.certificate.json stands."));
-    let open = says(CertificateNote::stands(file(), "not verified".into()));
-    assert!(
-        open.contains("class=\"note\">Model not verified:"),
-        "{open}"
-    );
-    let changes = (1..=5).map(|k| format!("change {k}")).collect();
-    let changed = says(CertificateNote::changed(
-        file(),
-        Some("verified".into()),
-        changes,
-    ));
-    assert!(changed.contains("class=\"note\""), "{changed}");
-    assert!(changed.contains("does not stand: change 1; change 2; change 3; 2 more."));
-    assert!(says(CertificateNote::none()).contains("no certificate"));
 }

@@ -5,7 +5,7 @@ use crate::subject::Subject;
 use model_spec::model::{Model, Observable, Target};
 use oracle::{Point, Tree, Value};
 
-/// Name of this check in reports: the check cases (points with expected values) specified in the model file.
+/// Name of this check in reports: the check cases specified in the model file.
 pub const CASES: &str = "check cases of the model";
 
 /// Compares every value expected by a check case of the model file with the computed value: derivatives from the

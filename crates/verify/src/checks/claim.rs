@@ -4,11 +4,11 @@
 //! have any number of states in any parametrization.
 
 use crate::claim::{along, is_fault};
+use crate::options::{Options, TOLERANCE};
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;
 use crate::subject::Subject;
-use crate::{Options, TOLERANCE};
 use oracle::scalar::{ErrorBound, Field};
 use oracle::{BalanceLaw, Tree, claimed_rates};
 use std::collections::BTreeMap;
@@ -31,9 +31,9 @@ force and the angular momentum by the moment; energy, flights and symmetries; an
 const AXES: [u8; 3] = [1, 2, 3];
 
 /// Checks at random points whether explicitly written equations obey the laws of motion of the body that the model
-/// claims to describe (statement `claim`). Effects (optional model extensions) have their null values, at which they
-/// change nothing. If the model makes no such claim, the result states why nothing is checked. `None` for a model that
-/// declares a `body`: its equations are derived from these laws.
+/// claims to describe. Effects have their null values, at which they change nothing. If the model makes no such claim,
+/// the result states why nothing is checked. `None` for a model that declares a `body`: its equations are derived from
+/// these laws.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
     let model = subject.model;
     if model.body.is_some() {

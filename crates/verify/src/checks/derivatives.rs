@@ -6,11 +6,11 @@
 //! Quaternions are varied on the unit sphere only, because other quaternions represent no attitude.
 
 use super::function_rows::{direction, row_name, tree_column};
+use crate::options::{Options, TOLERANCE};
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;
 use crate::subject::{Derivatives, Differentiable, Subject};
-use crate::{Options, TOLERANCE};
 use model_spec::Layout;
 use model_spec::model::Model;
 use oracle::scalar::{ComplexStep, Dual, ErrorBound, Lockstep, NumDual, Real};
@@ -160,8 +160,8 @@ impl Comparison<'_> {
 
 /// Whether the reference implementation has a variable of the model, so that derivatives with respect to it can be
 /// compared. The reference implementation lacks the states and coefficients that the reference law does not contain,
-/// such as those of effects (optional model extensions). `variable` is the index of the variable in the order of the
-/// Jacobian's columns: states, parameters, coefficients, components of inputs.
+/// such as those of effects. `variable` is the index of the variable in the order of the Jacobian's columns: states,
+/// parameters, coefficients, components of inputs.
 fn has_reference(model: &Model, reference: &Reference, variable: usize) -> bool {
     if model.added_states().contains(&variable) {
         return false;
@@ -243,9 +243,8 @@ fn size(point: &Point<f64>, variable: usize) -> f64 {
     all.nth(variable).map_or(0.0, |v| v.abs())
 }
 
-/// Derivatives of the states with respect to recorded time (the time stamps of the measurements), followed by the
-/// components of the observation, from the reference implementation. `clock_rate`: seconds of flight per second of
-/// recorded time.
+/// Derivatives of the states with respect to recorded time, followed by the components of the observation, from the
+/// reference implementation. `clock_rate`: seconds of flight per second of recorded time.
 fn reference_column(
     reference: &Reference,
     model: &Model,

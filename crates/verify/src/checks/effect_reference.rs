@@ -3,24 +3,24 @@
 //! does not contain have their null values, and added states their defaults.
 
 use super::bounded::{compare_observation, compare_rates};
+use crate::options::{Options, TOLERANCE};
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;
 use crate::subject::Equations;
 use crate::values::Values;
-use crate::{Options, TOLERANCE};
 use model_spec::load;
 use model_spec::model::Model;
 use oracle::effect::ExtendedReference;
 use oracle::scalar::ErrorBound;
 use oracle::{BindError, Point};
 
-/// Name of this check in reports: built-in effects (optional model extensions) against their reference implementations.
+/// Name of this check in reports: built-in effects against their reference implementations.
 pub const EFFECT_REFERENCE: &str = "effects: reference";
 
-/// Compares the state derivatives and the observation of models with built-in effects (optional extensions) with those
-/// of their reference implementations. Models with other effects are left out. Each model comes with its compiled state
-/// derivatives and observation.
+/// Compares the state derivatives and the observation of models with built-in effects with those of their reference
+/// implementations. Models with other effects are left out. Each model comes with its compiled state derivatives and
+/// observation.
 pub fn check(with: &[(Model, Values)], options: &Options) -> Row {
     let catalogued: Vec<&(Model, Values)> =
         with.iter().filter(|(model, _)| catalogued(model)).collect();
@@ -38,8 +38,8 @@ pub fn check(with: &[(Model, Values)], options: &Options) -> Row {
     Row::judged(EFFECT_REFERENCE, catalogued.len(), &worst, TOLERANCE)
 }
 
-/// Maximum relative difference between the state derivatives and observation of a model with effects (optional
-/// extensions) and those of its reference implementation; `None` if the model names no reference law.
+/// Maximum relative difference between the state derivatives and observation of a model with effects and those of its
+/// reference implementation; `None` if the model names no reference law.
 ///
 /// # Errors
 /// [`BindError`] if the model cannot be bound to the reference, see [`ExtendedReference::bind`].
@@ -85,8 +85,8 @@ pub fn compare(
     Some(Ok(worst))
 }
 
-/// Returns the point with the coefficients of effects (optional model extensions) set to random values within half of
-/// their bounds, because larger values may make the inertia singular.
+/// Returns the point with the coefficients of effects set to random values within half of their bounds, because larger
+/// values may make the inertia singular.
 fn at_work(model: &Model, mut point: Point<f64>, random: &mut Random) -> Point<f64> {
     for c in model.effects.iter().flat_map(|e| &e.coefficients) {
         let (low, high) = model.coefficients[c.index].bounds.unwrap_or((-1.0, 1.0));
@@ -95,8 +95,8 @@ fn at_work(model: &Model, mut point: Point<f64>, random: &mut Random) -> Point<f
     point
 }
 
-/// Whether every effect (optional extension) of the model is built in. The texts are compared, because a user's effect
-/// may have the name of a built-in effect.
+/// Whether every effect of the model is built in. The texts are compared, because a user's effect may have the name of
+/// a built-in effect.
 fn catalogued(model: &Model) -> bool {
     let built_in = |name: &str| {
         let text = load::EFFECTS.iter().find(|(n, _)| *n == name);

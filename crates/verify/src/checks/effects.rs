@@ -2,20 +2,20 @@
 //! the model without effects. With the null values substituted it must compile to no more operations.
 
 use crate::expressions::{fix_coefficient, fix_state};
+use crate::options::{Options, TOLERANCE};
 use crate::random::Random;
 use crate::row::{Row, Verdict, Worst};
 use crate::sample;
 use crate::subject::{Equations, carry_by_name};
 use crate::values::Values;
-use crate::{Options, TOLERANCE};
 use model_spec::compose::{Origin, known_effects};
 use model_spec::load::{Loaded, from_text};
 use model_spec::model::Model;
 use oracle::scalar::ErrorBound;
 use oracle::{Point, derivatives};
 
-/// Name of this check in reports: a model with effects (optional extensions) at their null values must compute the same
-/// as the model without effects.
+/// Name of this check in reports: a model with effects at their null values must compute the same as the model without
+/// effects.
 pub const EFFECTS: &str = "effects at null values";
 
 /// Returns (models with effects, model without effects); effects are optional model extensions. If the loaded model has
@@ -60,9 +60,9 @@ pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
     Some((alone, without))
 }
 
-/// Checks for each model of `with` that its effects (optional extensions) change nothing at their null values. The
-/// state derivatives must equal those of the model `without` effects, and be computed with no more operations. Each
-/// model comes with its compiled state derivatives and observation.
+/// Checks for each model of `with` that its effects change nothing at their null values. The state derivatives must
+/// equal those of the model `without` effects, and be computed with no more operations. Each model comes with its
+/// compiled state derivatives and observation.
 pub fn check(without: &Model, with: &[(Model, Values)], options: &Options) -> Row {
     if with.is_empty() {
         return Row::skipped(EFFECTS, "no effects for this model");
@@ -117,8 +117,8 @@ pub fn check(without: &Model, with: &[(Model, Values)], options: &Options) -> Ro
     }
 }
 
-/// Returns the point with all coefficients and states of the model's effects (optional extensions) at their null
-/// values, at which the effects do not act.
+/// Returns the point with all coefficients and states of the model's effects at their null values, at which the effects
+/// do not act.
 fn off(model: &Model, mut point: Point<f64>) -> Point<f64> {
     for c in model.effects.iter().flat_map(|e| &e.coefficients) {
         point.coefficients[c.index] = c.null_value;

@@ -3,8 +3,8 @@
 //! points of the field of integers modulo 2^61 − 1. Equality at all points proves equality up to the stated probability
 //! (Schwartz–Zippel lemma).
 
-use crate::Options;
 use crate::field::{Machine, on_circle};
+use crate::options::Options;
 use crate::random::Random;
 use crate::row::Row;
 use crate::subject::Subject;
@@ -19,18 +19,17 @@ use oracle::{Point, free_load_derivatives};
 /// Name of this check in reports: derivatives of a rigid body under an arbitrary force and moment, in exact arithmetic.
 pub const EXACT: &str = "rigid body, exact";
 
-/// Number of random points of the prime field (integers modulo 2^61 − 1) at which the compiled state derivatives are
-/// compared with those of the reference simulator (crate `oracle`). Two different functions of total degree at most d
-/// agree at one point with probability at most d / 2^61.
+/// Number of random points of the prime field at which the compiled state derivatives are compared with those of the
+/// reference simulator. Two different functions of total degree at most d agree at one point with probability at most d
+/// / 2^61.
 pub const POINTS: usize = 8;
 /// Upper bound of the total degree of the state derivatives, which are compared as rational functions. The probability
-/// that different functions agree at a random point of the prime field (integers modulo 2^61 − 1) follows from it
-/// (Schwartz-Zippel lemma).
+/// that different functions agree at a random point of the prime field follows from it (Schwartz-Zippel lemma).
 const DEGREE: f64 = 1e3;
 
-/// Compares the compiled derivatives of the model's rigid body with those of the reference simulator (crate `oracle`)
-/// in exact arithmetic. All loads of the model are replaced by one arbitrary force and moment. The check does not apply
-/// to a model without a declared body, whose equations are written explicitly.
+/// Compares the compiled derivatives of the model's rigid body with those of the reference simulator in exact
+/// arithmetic. All loads of the model are replaced by one arbitrary force and moment. The check does not apply to a
+/// model without a declared body, whose equations are written explicitly.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     if subject.model.body.is_none() {
         return match &subject.reference {
@@ -42,9 +41,8 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     compare(&model, &codegen::compile(&model), options)
 }
 
-/// Compares the state derivatives of a compiled model with those of the reference simulator (crate `oracle`) at random
-/// points of the prime field (integers modulo 2^61 − 1). The last two inputs of the model must be the arbitrary force
-/// and moment that [`free_loads`] adds.
+/// Compares the state derivatives of a compiled model with those of the reference simulator at random points of the
+/// prime field. The last two inputs of the model must be the arbitrary force and moment that [`free_loads`] adds.
 pub fn compare(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     let mut random = Random::new(options.seed, EXACT);
     let mut faults = Vec::new();
@@ -77,7 +75,7 @@ pub fn compare(model: &Model, compiled: &Compiled, options: &Options) -> Row {
 
 /// Returns the model with all loads replaced by one force and one moment that can be chosen freely: they are the last
 /// two inputs, in inertial components. A point mass gets no moment. Equations written explicitly in the model file are
-/// removed, and so is the clock (rate of recorded time relative to true time).
+/// removed, and so is the clock.
 pub fn free_loads(model: &Model) -> Model {
     let mut model = model.clone();
     let mut load = |name: &str| {
@@ -112,8 +110,7 @@ pub fn free_loads(model: &Model) -> Model {
     model
 }
 
-/// Random values of a model's variables, as elements of the prime field (integers modulo 2^61 − 1), with the sine and
-/// cosine of every state.
+/// Random values of a model's variables, as elements of the prime field, with the sine and cosine of every state.
 pub struct FieldPoint {
     /// Values in the prime field of time, parameters, coefficients, inputs, states and marker.
     pub point: Point<Prime>,
@@ -138,8 +135,7 @@ impl FieldPoint {
     }
 }
 
-/// Draws a random unit quaternion over the prime field (integers modulo 2^61 − 1), by a rational parametrization of the
-/// sphere.
+/// Draws a random unit quaternion over the prime field, by a rational parametrization of the sphere.
 fn unit_quaternion(random: &mut Random) -> [Prime; 4] {
     let v = [random.prime(), random.prime(), random.prime()];
     let square = v.iter().fold(Prime::zero(), |sum, &t| sum + t * t);

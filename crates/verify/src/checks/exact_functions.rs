@@ -7,8 +7,8 @@
 use super::exact::{FieldPoint, POINTS};
 use super::function_rows::{Variable, differences, functions, law, variables};
 use super::long_functions;
-use crate::Options;
 use crate::field::{self, Angle, Machine};
+use crate::options::Options;
 use crate::random::Random;
 use crate::row::Row;
 use crate::symbolic::{Symbolic, evaluate};
@@ -22,17 +22,17 @@ use oracle::scalar::{Dual, Prime};
 /// observation, compared in exact arithmetic with the model's vector expressions.
 pub const FUNCTIONS: &str = "f, J and Jp, exact";
 
-/// Maximum number of random trial points of the prime field (integers modulo 2^61 − 1). A trial point is usable only if
-/// the argument of every square root is a square in the field.
+/// Maximum number of random trial points of the prime field. A trial point is usable only if the argument of every
+/// square root is a square in the field.
 const MAX_TRIALS: usize = 4096;
 
 /// Upper bound of the total degree of the compared functions, as polynomials in variables and transcendental function
-/// values. The probability that different functions agree at a random point of the prime field (integers modulo 2^61 −
-/// 1) follows from it (Schwartz-Zippel lemma).
+/// values. The probability that different functions agree at a random point of the prime field follows from it
+/// (Schwartz-Zippel lemma).
 const DEGREE: f64 = 1e4;
-/// Number of random points of the prime field (integers modulo 2^61 − 1) after which the compiled code is reported to
-/// contain another square root than the model. Only points are counted at which all square roots in the model's vector
-/// expressions exist in the field, but one in the compiled code does not.
+/// Number of random points of the prime field after which the compiled code is reported to contain another square root
+/// than the model. Only points are counted at which all square roots in the model's vector expressions exist in the
+/// field, but one in the compiled code does not.
 const LACKING: usize = 64;
 
 /// Compares the state derivatives f, the Jacobians J (states) and Jp (parameters) and the observation of a compiled
@@ -76,9 +76,9 @@ pub fn check(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     Row::counted(FUNCTIONS, good, &faults, &says)
 }
 
-/// Result of the check for functions that cannot be compared in the prime field (integers modulo 2^61 − 1), for the
-/// reason `why`. The result is refuted if the compiled code and the model's vector expressions differ in 256-bit
-/// arithmetic. Otherwise it is skipped, with `why` as the detail.
+/// Result of the check for functions that cannot be compared in the prime field, for the reason `why`. The result is
+/// refuted if the compiled code and the model's vector expressions differ in 256-bit arithmetic. Otherwise it is
+/// skipped, with `why` as the detail.
 fn in_long_arithmetic(model: &Model, compiled: &Compiled, options: &Options, why: &str) -> Row {
     let mut random = Random::new(options.seed, "f, J and Jp in 256 bits");
     match long_functions::faults(model, compiled, &mut random) {
@@ -91,8 +91,7 @@ fn in_long_arithmetic(model: &Model, compiled: &Compiled, options: &Options, why
     }
 }
 
-/// Result of comparing compiled code with the model's vector expressions (the law) at one point of the prime field
-/// (integers modulo 2^61 − 1).
+/// Result of comparing compiled code with the model's vector expressions (the law) at one point of the prime field.
 enum Compared {
     /// Names of the values and derivatives in which the compiled code and the model's vector expressions differ; empty
     /// if all agree.
@@ -132,9 +131,9 @@ fn compare(model: &Model, compiled: &Compiled, spot: &FieldPoint) -> Compared {
     Compared::At(faults)
 }
 
-/// Every state derivative and component of the observation, from the model's vector expressions over the prime field
-/// (integers modulo 2^61 − 1), with its derivative with respect to a variable. `None` if the argument of a square root
-/// is not a square in the field.
+/// Every state derivative and component of the observation, from the model's vector expressions over the prime field,
+/// with its derivative with respect to a variable. `None` if the argument of a square root is not a square in the
+/// field.
 fn exact_law(
     model: &Model,
     spot: &FieldPoint,
@@ -152,10 +151,9 @@ fn exact_law(
     )
 }
 
-/// Reason why different values in the prime field (integers modulo 2^61 − 1) do not prove that the compiled code and
-/// the model's vector expressions differ; `None` if they prove it. The reason is that the code contains branches or
-/// rounded constants. The field represents these by pseudo-random elements, so that equal functions may have different
-/// values.
+/// Reason why different values in the prime field do not prove that the compiled code and the model's vector
+/// expressions differ; `None` if they prove it. The reason is that the code contains branches or rounded constants. The
+/// field represents these by pseudo-random elements, so that equal functions may have different values.
 fn undecided(compiled: &Compiled) -> Option<&'static str> {
     let statements = compiled
         .functions()

@@ -1,15 +1,14 @@
 //! Checks the balance laws under arbitrary loads: dp/dt = F, dH/dt = M, dE/dt = F·v + M·ω, and dr/dt = v.
 
 use crate::claim::{Bounded, along, compare_sides};
+use crate::options::{Options, TOLERANCE};
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;
-use crate::subject::Subject;
-use crate::{Options, TOLERANCE};
-use model_spec::model::Body;
+use crate::subject::{Subject, body_properties};
 use nalgebra::Vector3;
 use oracle::scalar::{Dual, ErrorBound, Real};
-use oracle::{MassProperties, Motion, Point, Tree, inertia_in_n, mass_properties};
+use oracle::{ClaimedBody, MassProperties, Motion, Point, Tree, Turning, inertia_in_n};
 
 /// Name of this check in reports: balances of momentum, angular momentum and energy at random points.
 pub const IDENTITIES: &str = "momentum and energy";
@@ -54,33 +53,32 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
             })
             .collect();
         let body = chart.physical(&along);
-        let lift = |v: ErrorBound| Dual::constant(v);
-        let mass = lift(properties.mass);
-        let momentum = body.velocity * mass;
-        let mut energy = momentum.dot(&body.velocity) / Bounded::lit(2.0);
-        let mut power = motion.force.dot(&value(&body.velocity));
-        if let Some(inertia) = &properties.inertia {
+        let constant = Bounded::constant;
+        let turning = properties.inertia.map(|inertia| {
             let axes = body.attitude.matrix();
-            let spatial = inertia_in_n(&axes, &inertia.map(lift));
-            let angular_momentum = spatial * body.angular_velocity;
-            energy += angular_momentum.dot(&body.angular_velocity) / Bounded::lit(2.0);
-            power += motion.moment.dot(&value(&body.angular_velocity));
-            let change = derivative(&angular_momentum);
-            compare_sides(&mut worst, "dH/dt against M", change, motion.moment);
-        }
-        let change = derivative(&momentum);
-        compare_sides(&mut worst, "dp/dt against F", change, motion.force);
-        let (change, velocity) = (derivative(&body.position), value(&body.velocity));
-        compare_sides(&mut worst, "dr/dt against v", change, velocity);
-        let (energy, power) = (Vector3::repeat(energy.derivative), Vector3::repeat(power));
-        compare_sides(&mut worst, "dE/dt against F·v + M·ω", energy, power);
+            Turning {
+                axis: None,
+                inertia: inertia_in_n(&axes, &inertia.map(constant)),
+                angular_velocity: body.angular_velocity,
+                moment: motion.moment.map(constant),
+                axes,
+            }
+        });
+        let body = ClaimedBody {
+            mass: constant(properties.mass),
+            position: body.position,
+            velocity: body.velocity,
+            force: motion.force.map(constant),
+            turning,
+        };
+        compare_balances(&body, &mut worst);
     }
     Row::judged(IDENTITIES, options.cases, &worst, TOLERANCE)
 }
 
 /// Checks the balances of momentum, angular momentum, energy and position for the body that the model's explicitly
-/// written equations are declared to describe. Effects (optional model extensions) have their null values, at which
-/// they change nothing; coefficients added by the model's author have random values.
+/// written equations are declared to describe. Effects have their null values, at which they change nothing;
+/// coefficients added by the model's author have random values.
 fn of_claim(subject: &Subject<'_>, options: &Options) -> Row {
     let mut random = Random::new(options.seed, IDENTITIES);
     let mut worst = Worst::default();
@@ -89,24 +87,26 @@ fn of_claim(subject: &Subject<'_>, options: &Options) -> Row {
         let Some(body) = along(subject, &point) else {
             return Row::unverified(IDENTITIES, "there are no equations to evaluate");
         };
-        let (energy, power) = (body.kinetic_energy().derivative, body.power().value);
-        let (change, force) = (derivative(&body.momentum()), value(&body.force));
-        compare_sides(&mut worst, "dp/dt against F", change, force);
-        if let Some(turning) = &body.turning {
-            let change = derivative(&body.angular_momentum());
-            compare_sides(
-                &mut worst,
-                "dH/dt against M",
-                change,
-                value(&turning.moment),
-            );
-        }
-        let (change, velocity) = (derivative(&body.position), value(&body.velocity));
-        compare_sides(&mut worst, "dr/dt against v", change, velocity);
-        let (energy, power) = (Vector3::repeat(energy), Vector3::repeat(power));
-        compare_sides(&mut worst, "dE/dt against F·v + M·ω", energy, power);
+        compare_balances(&body, &mut worst);
     }
     Row::judged(IDENTITIES, options.cases, &worst, TOLERANCE)
+}
+
+/// Compares both sides of each balance of a body whose derivatives are those with respect to time.
+fn compare_balances(body: &ClaimedBody<Bounded>, worst: &mut Worst) {
+    let value = |v: &Vector3<Bounded>| v.map(|d| d.value);
+    let derivative = |v: &Vector3<Bounded>| v.map(|d| d.derivative);
+    if let Some(turning) = &body.turning {
+        let change = derivative(&body.angular_momentum());
+        compare_sides(worst, "dH/dt against M", change, value(&turning.moment));
+    }
+    let (change, force) = (derivative(&body.momentum()), value(&body.force));
+    compare_sides(worst, "dp/dt against F", change, force);
+    let (change, velocity) = (derivative(&body.position), value(&body.velocity));
+    compare_sides(worst, "dr/dt against v", change, velocity);
+    let (energy, power) = (body.kinetic_energy().derivative, body.power().value);
+    let (change, power) = (Vector3::repeat(energy), Vector3::repeat(power));
+    compare_sides(worst, "dE/dt against F·v + M·ω", change, power);
 }
 
 /// Force (N) and moment (N·m) in inertial components, and mass properties in the body frame, at a point. Force and
@@ -136,24 +136,4 @@ fn loads(
         |reference| reference.mass_properties(point),
     );
     Some((motion, properties))
-}
-
-/// Mass properties of a declared body, with the inertia tensor rotated from the frame of its declaration to the body
-/// frame.
-pub(crate) fn body_properties<T: Real>(tree: &Tree<'_, T>, body: &Body) -> MassProperties<T> {
-    let mut properties = mass_properties(tree, body);
-    if let (Some(rotation), Some(inertia)) = (&body.rotation, properties.inertia) {
-        let turn = tree.frames[rotation.body_frame].axes.transpose()
-            * tree.frames[rotation.inertia_frame].axes;
-        properties.inertia = Some(inertia_in_n(&turn, &inertia));
-    }
-    properties
-}
-
-fn value(v: &Vector3<Bounded>) -> Vector3<ErrorBound> {
-    v.map(|d| d.value)
-}
-
-fn derivative(v: &Vector3<Bounded>) -> Vector3<ErrorBound> {
-    v.map(|d| d.derivative)
 }

@@ -3,8 +3,8 @@
 //! differences.
 
 use super::function_rows::{differences, functions, law, variables};
+use crate::evaluation::{Inputs, magnitudes, outputs};
 use crate::random::Random;
-use crate::rounding::program::{Inputs, magnitudes, outputs};
 use crate::sample;
 use codegen::Compiled;
 use codegen::program::Function;

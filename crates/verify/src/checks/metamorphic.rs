@@ -8,11 +8,11 @@
 
 use std::collections::BTreeSet;
 
-use crate::Options;
+use crate::comparison::rate_differences;
 use crate::meaning::Meaning;
+use crate::options::Options;
 use crate::random::Random;
 use crate::row::{Row, Worst};
-use crate::same_motion::rate_differences;
 use crate::sample::{self, is_velocity};
 use crate::subject::Subject;
 use model_spec::model::{FrameKind, Model};

@@ -1,20 +1,18 @@
-//! Compares derivatives and observation with the reference implementation and with the model's vector expressions (its
-//! vector tree).
+//! Compares derivatives and observation with the reference implementation and with the model's vector expressions.
 
 use super::bounded::{compare_observation, compare_rates};
+use crate::options::{Options, TOLERANCE};
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;
 use crate::subject::Subject;
-use crate::{Options, TOLERANCE};
 use oracle::scalar::ErrorBound;
 use oracle::{Reference, Tree, derivatives_of};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Name in reports of the check of the state derivatives and the observation against the reference implementation.
 pub const REFERENCE: &str = "reference";
-/// Name in reports of the check against the model's vector expressions (the vector tree), as evaluated by the reference
-/// simulator (crate `oracle`).
+/// Name in reports of the check against the model's vector expressions, as evaluated by the reference simulator.
 pub const TREE: &str = "vector tree";
 
 /// Compares state derivatives and observation with those of the reference law that the model names. Coefficients of the
@@ -117,9 +115,8 @@ fn uncovered(
     Some(lines.collect())
 }
 
-/// Compares state derivatives and observation of the equations under test with those of the reference simulator (crate
-/// `oracle`). The simulator computes them from the vector expressions of the model (its vector tree). All coefficients
-/// have random nonzero values.
+/// Compares state derivatives and observation of the equations under test with those of the reference simulator. The
+/// simulator computes them from the vector expressions of the model. All coefficients have random nonzero values.
 pub fn tree(subject: &Subject<'_>, options: &Options) -> Row {
     let model = subject.model;
     let mut random = Random::new(options.seed, TREE);

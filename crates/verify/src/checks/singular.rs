@@ -8,11 +8,11 @@ use model_spec::model::{FrameKind, Model};
 use oracle::{Point, Tree};
 use std::f64::consts::FRAC_PI_2;
 
-/// Name of this check in reports: finite results at singular points (points at which a divisor may vanish).
+/// Name of this check in reports: finite results at singular points.
 pub const SINGULAR: &str = "singular points";
 
-/// Checks that every result of every compiled function is finite on every backend, at each of the singular points
-/// (points at which a divisor may vanish), given with descriptions.
+/// Checks that every result of every compiled function is finite on every backend, at each of the singular points,
+/// given with descriptions.
 pub fn check(points: &[(String, Point<f64>)], compiled: &Compiled, runs: &[Run]) -> Row {
     let mut faults = Vec::new();
     for run in runs {

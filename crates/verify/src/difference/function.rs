@@ -2,22 +2,22 @@
 //! points of the field of integers modulo 2^61 − 1 (Schwartz–Zippel), and in floating-point numbers where the exact
 //! comparison shows a difference.
 
-use super::pairing::Pairing;
 use super::values::Everything;
 use crate::checks::exact::FieldPoint;
-use crate::field::literal;
+use crate::options::TOLERANCE;
 use crate::random::Random;
-use crate::{TOLERANCE, sample};
+use crate::sample;
 use model_spec::model::Model;
 use oracle::scalar::{ErrorBound, Field, Real};
 use oracle::{Point, Tree, derivatives_of};
 use serde::Serialize;
+use std::collections::BTreeMap;
 
-/// Number of random points of the prime field (integers modulo 2^61 − 1) at which the values of two functions must be
-/// equal for the functions to count as equal.
+/// Number of random points of the prime field at which the values of two functions must be equal for the functions to
+/// count as equal.
 const POINTS: usize = 4;
-/// Maximum number of random trial points of the prime field (integers modulo 2^61 − 1). A trial point is usable only if
-/// the argument of every square root is a square in the field.
+/// Maximum number of random trial points of the prime field. A trial point is usable only if the argument of every
+/// square root is a square in the field.
 const MAX_TRIALS: usize = 4096;
 /// Lower bound, in SI units, of the magnitude by which the difference of two auxiliary variables or loads is divided.
 /// Because of this bound, values that are 0 except for rounding count as equal.
@@ -32,10 +32,10 @@ const NUMBERS: usize = 24;
 #[serde(rename_all = "kebab-case")]
 pub enum Sameness {
     /// The outputs of the old and the new model are the same function, as decided by exact evaluation at random points
-    /// of the prime field (integers modulo 2^61 − 1).
+    /// of the prime field.
     Same,
-    /// The values of the two models' outputs in the prime field (integers modulo 2^61 − 1) differ or do not exist, but
-    /// their floating-point values agree within the tolerance.
+    /// The values of the two models' outputs in the prime field differ or do not exist, but their floating-point values
+    /// agree within the tolerance.
     Agrees,
     /// The outputs of the old and the new model are different functions, also in floating-point arithmetic.
     Changed,
@@ -59,40 +59,84 @@ impl Compared {
     }
 }
 
-/// Compares pairs of outputs (index in the old model, index in the new model) as functions of the states and
-/// parameters. Paired states and parameters have equal random values in both models. Unpaired states and parameters
-/// have independent random values; if `stated` is true, unpaired parameters have the default values of their model.
-pub fn compare(
-    old: &Everything<'_>,
-    new: &Everything<'_>,
-    pairing: &Pairing,
-    pairs: &[(usize, usize)],
-    stated: bool,
-) -> Vec<Compared> {
-    let exact = exactly(old, new, pairing, pairs, stated);
-    let errors = in_numbers(old, new, pairing, pairs, stated);
-    let outcome = |(exact, error): (Option<bool>, f64)| {
-        let agrees = error <= TOLERANCE;
+/// States and parameters of the new model, with the index of that of the same name in the old model; `None` for one
+/// that only the new model has.
+struct Pairing {
+    states: Vec<Option<usize>>,
+    parameters: Vec<Option<usize>>,
+}
+
+impl Pairing {
+    fn of(old: &Everything<'_>, new: &Everything<'_>) -> Self {
+        let by_name = |old: &[String], new: &[String]| {
+            let place = |name| old.iter().position(|o| o == name);
+            new.iter().map(place).collect()
+        };
+        let (old, new) = (&old.code.layout, &new.code.layout);
+        Self {
+            states: by_name(&old.states, &new.states),
+            parameters: by_name(&old.parameters, &new.parameters),
+        }
+    }
+
+    /// Returns a copy of the point `there` of the new model. The values of all paired states and parameters, the time
+    /// and the marker position are taken from the point `here` of the old model.
+    fn carry<T: Field>(&self, here: &Point<T>, there: &Point<T>) -> Point<T> {
+        let given = here.parameters();
+        let mut out = there.clone();
+        out.time = here.time;
+        out.marker = here.marker;
+        for (to, from) in out.states.iter_mut().zip(&self.states) {
+            *to = from.map_or(*to, |from| here.states[from]);
+        }
+        for (to, from) in out.parameters_mut().zip(&self.parameters) {
+            *to = from.map_or(*to, |from| given[from]);
+        }
+        out
+    }
+}
+
+/// Compares every row, auxiliary variable and load that both models have, as a function of the states and parameters.
+/// A state or parameter that only one of the models has takes random values. The keys are the names of rows, or class
+/// and name.
+pub fn compare(old: &Everything<'_>, new: &Everything<'_>) -> BTreeMap<String, Compared> {
+    let pairing = Pairing::of(old, new);
+    let (before, after) = (old.groups(), new.groups());
+    let both = after.into_iter().filter_map(|(name, new)| {
+        let old = before.get(&name)?;
+        (old.len() == new.len()).then(|| (name, old.clone().zip(new).collect::<Vec<_>>()))
+    });
+    let (names, groups): (Vec<String>, Vec<_>) = both.unzip();
+    let pairs = groups.concat();
+    let exact = exactly(old, new, &pairing, &pairs);
+    let errors = in_numbers(old, new, &pairing, &pairs);
+    let mut compared = exact.into_iter().zip(errors).map(|(exact, error)| {
         let sameness = match exact {
             // Functions may be symbolically equal although a root takes a different branch.
             Some(true) if error <= 1e6 * TOLERANCE => Sameness::Same,
-            _ if agrees => Sameness::Agrees,
+            _ if error <= TOLERANCE => Sameness::Agrees,
             _ => Sameness::Changed,
         };
         Compared { sameness, error }
-    };
-    exact.into_iter().zip(errors).map(outcome).collect()
+    });
+    let named = names.into_iter().zip(groups).map(|(name, group)| {
+        let parts = compared.by_ref().take(group.len());
+        let worst = parts.reduce(|a, b| Compared {
+            sameness: a.sameness.max(b.sameness),
+            error: a.error.max(b.error),
+        });
+        Some((name, worst?))
+    });
+    named.flatten().collect()
 }
 
 /// For each pair of outputs (index in the old model, index in the new model), whether both have the same value at
-/// random points of the prime field (integers modulo 2^61 − 1); `None` if the values exist in the field at too few
-/// points. If `stated` is true, unpaired parameters have the default values of their model, otherwise random values.
+/// random points of the prime field; `None` if the values exist in the field at too few points.
 fn exactly(
     old: &Everything<'_>,
     new: &Everything<'_>,
     pairing: &Pairing,
     pairs: &[(usize, usize)],
-    stated: bool,
 ) -> Vec<Option<bool>> {
     let mut random = Random::new(0, "the same function");
     let mut equal = vec![0; pairs.len()];
@@ -102,7 +146,12 @@ fn exactly(
         if !(0..pairs.len()).any(open) {
             break;
         }
-        let (here, there) = field_points(old.model, new.model, pairing, stated, &mut random);
+        let here = FieldPoint::random(old.model, &mut random);
+        let mut there = FieldPoint::random(new.model, &mut random);
+        there.point = pairing.carry(&here.point, &there.point);
+        for (to, from) in there.circles.iter_mut().zip(&pairing.states) {
+            *to = from.map_or(*to, |from| here.circles[from]);
+        }
         let (a, b) = (old.exact(&here), new.exact(&there));
         for (k, &(i, j)) in pairs.iter().enumerate() {
             match (a[i], b[j]) {
@@ -121,68 +170,19 @@ fn exactly(
         .collect()
 }
 
-/// Draws a random point of the prime field (integers modulo 2^61 − 1) for each of the two models. Paired states and
-/// parameters have equal values in both; if `stated`, unpaired parameters have the default values of their model.
-fn field_points(
-    old: &Model,
-    new: &Model,
-    pairing: &Pairing,
-    stated: bool,
-    random: &mut Random,
-) -> (FieldPoint, FieldPoint) {
-    let mut here = FieldPoint::random(old, random);
-    let mut there = FieldPoint::random(new, random);
-    if stated {
-        let defaults = Point::defaults(old).map(literal);
-        here.point = unpaired_at(&here.point, &defaults, |k| {
-            pairing.new_parameter(k).is_some()
-        });
-        let defaults = Point::defaults(new).map(literal);
-        there.point = unpaired_at(&there.point, &defaults, |_| false);
-    }
-    there.point = pairing.carry(&here.point, &there.point);
-    for (to, from) in there.circles.iter_mut().zip(&pairing.states) {
-        *to = from.map_or(*to, |from| here.circles[from]);
-    }
-    (here, there)
-}
-
-/// Returns a copy of `point` in which each parameter with an index k for which `keep(k)` is false has its value from
-/// `defaults`. States and the other parameters are not changed.
-fn unpaired_at<T: Field>(
-    point: &Point<T>,
-    defaults: &Point<T>,
-    keep: impl Fn(usize) -> bool,
-) -> Point<T> {
-    let count = point.parameters().len();
-    let only = Pairing {
-        states: (0..point.states.len()).map(Some).collect(),
-        parameters: (0..count).map(|k| keep(k).then_some(k)).collect(),
-    };
-    only.carry(point, defaults)
-}
-
 /// For each pair of outputs (index in the old model, index in the new model), the maximum relative difference at random
-/// floating-point points. If `stated` is true, unpaired parameters have the default values of their model.
+/// floating-point points.
 fn in_numbers(
     old: &Everything<'_>,
     new: &Everything<'_>,
     pairing: &Pairing,
     pairs: &[(usize, usize)],
-    stated: bool,
 ) -> Vec<f64> {
     let mut random = Random::new(0, "the same numbers");
     let mut worst = vec![0.0_f64; pairs.len()];
     for _ in 0..NUMBERS {
-        let mut here = sample::point(old.model, &mut random);
-        let mut there = sample::point(new.model, &mut random);
-        if stated {
-            here = unpaired_at(&here, &Point::defaults(old.model), |k| {
-                pairing.new_parameter(k).is_some()
-            });
-            there = Point::defaults(new.model);
-        }
-        let there = pairing.carry(&here, &there);
+        let here = sample::point(old.model, &mut random);
+        let there = pairing.carry(&here, &sample::point(new.model, &mut random));
         let (a, b) = (old.numbers(&here), new.numbers(&there));
         let (sizes, others) = (magnitudes(old.model, &here), magnitudes(new.model, &there));
         for (worst, &(i, j)) in worst.iter_mut().zip(pairs) {

@@ -9,6 +9,7 @@ use codegen::tape::Tape;
 use model_spec::model::{AuxVariable, Expr, ExprKind, Load, Model, Shape};
 use oracle::Point;
 use oracle::scalar::Prime;
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// A model compiled to one program that computes all its values, such as state derivatives and auxiliary variables.
@@ -94,15 +95,23 @@ impl<'a> Everything<'a> {
             .collect()
     }
 
+    /// Indices of the outputs of each row, by its name, and of each auxiliary variable and load, by class and name.
+    pub fn groups(&self) -> BTreeMap<String, Range<usize>> {
+        let rows = self.rows().into_iter().zip(0..);
+        let rows = rows.map(|(row, k)| (row, k..k + 1));
+        let named = self.named.iter();
+        let named = named.map(|n| (format!("{} {}", n.class, n.name), n.outputs.clone()));
+        rows.chain(named).collect()
+    }
+
     /// Values of the model at a point, in floating-point arithmetic: all outputs of the program [`Everything::code`],
     /// in order.
     pub fn numbers(&self, point: &Point<f64>) -> Vec<f64> {
         evaluated(&self.tape, point)
     }
 
-    /// Values of the model at a point of the prime field (integers modulo 2^61 − 1): all outputs of the program
-    /// [`Everything::code`], in order. `None` for a value that does not exist in the field, such as the square root of
-    /// a non-square.
+    /// Values of the model at a point of the prime field: all outputs of the program [`Everything::code`], in order.
+    /// `None` for a value that does not exist in the field, such as the square root of a non-square.
     pub fn exact(&self, spot: &FieldPoint) -> Vec<Option<Prime>> {
         Machine::new(&spot.point, &spot.circles, true).run(&self.code.program)
     }

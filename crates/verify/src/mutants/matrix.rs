@@ -6,34 +6,33 @@ use crate::row::Row;
 use crate::table::plain_table;
 use serde::Serialize;
 
-/// Numbers of mutants (models with one deliberate change each) that the checks kill (refute), by mutation operator and
-/// check, and descriptions of the mutants that no check kills.
+/// Numbers of mutants that the checks kill (refute), by mutation operator and check, and descriptions of the mutants
+/// that no check kills.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct MutationMatrix {
     /// Names of the checks that are run on every mutant, in ascending order of computing effort.
     pub checks: Vec<&'static str>,
-    /// Counts of mutants (models with one deliberate change each), one row of the matrix per mutation operator.
+    /// Counts of mutants, one row of the matrix per mutation operator.
     pub rows: Vec<MutationRow>,
-    /// Descriptions of the mutants (models with one deliberate change each) that no check refutes (kills), although the
-    /// reference implementation contains all terms of the model.
+    /// Descriptions of the mutants that no check refutes, although the reference implementation contains all terms of
+    /// the model.
     pub survivors: Vec<String>,
-    /// Descriptions of the mutants (models with one deliberate change each) that no check refutes (kills), for a model
-    /// without a reference implementation or with terms that the reference implementation does not contain.
+    /// Descriptions of the mutants that no check refutes, for a model without a reference implementation or with terms
+    /// that the reference implementation does not contain.
     #[serde(rename = "unwatched")]
     pub not_covered: Vec<String>,
-    /// Descriptions of the mutants (models with one deliberate change each) proved equivalent to the model, each with
-    /// the kind of proof.
+    /// Descriptions of the mutants proved equivalent to the model, each with the kind of proof.
     pub equivalent: Vec<(String, &'static str)>,
 }
 
-/// Counts of the mutants (models with one deliberate change each) made by one mutation operator.
+/// Counts of the mutants made by one mutation operator.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct MutationRow {
     /// Name of the mutation operator, such as `sign flipped`.
     pub operator: &'static str,
     /// Number of mutants, without those that are equivalent to the model or contained in `MutationMatrix::not_covered`.
     pub mutants: usize,
-    /// Number of the operator's mutants that at least one check refutes (kills).
+    /// Number of the operator's mutants that at least one check refutes.
     pub killed: usize,
     /// For each check in `MutationMatrix::checks`, the number of mutants that it kills and that no earlier check in
     /// that list kills.
@@ -88,13 +87,13 @@ impl MutationMatrix {
         table
     }
 
-    /// Total number of mutants (models with one deliberate change each), without those proved equivalent to the model
-    /// and those that the reference implementation does not cover.
+    /// Total number of mutants, without those proved equivalent to the model and those that the reference
+    /// implementation does not cover.
     pub fn mutants(&self) -> usize {
         self.rows.iter().map(|row| row.mutants).sum()
     }
 
-    /// Total number of mutants that at least one check refutes (kills).
+    /// Total number of mutants that at least one check refutes.
     pub fn killed(&self) -> usize {
         self.rows.iter().map(|row| row.killed).sum()
     }

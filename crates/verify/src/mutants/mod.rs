@@ -1,4 +1,4 @@
-//! Mutation testing: generates models with one plausible mistake each, and determines which checks detect (kill) them.
+//! Mutation testing: generates models with one plausible mistake each, and determines which checks detect them.
 
 pub mod equivalence;
 mod matrix;
@@ -78,7 +78,7 @@ impl Operator {
     }
 }
 
-/// A mutation (small deliberate change) of a part of a model file.
+/// A mutation of a part of a model file.
 struct Mutation<T> {
     /// Mutation operator, such as the change of a sign, that produced the mutation.
     operator: Operator,
@@ -88,7 +88,7 @@ struct Mutation<T> {
     to: T,
 }
 
-/// A model with one mutation (small deliberate change), with which the checks of the verification are tested.
+/// A model with one mutation, with which the checks of the verification are tested.
 #[derive(Clone, Debug)]
 pub struct Mutant {
     /// Mutation operator, such as the change of a sign, that made the mutant.
@@ -101,7 +101,7 @@ pub struct Mutant {
     pub file: File,
 }
 
-/// Generates all mutants (copies with one deliberate change each) of a model file, in the order of its statements.
+/// Generates all mutants of a model file, in the order of its statements.
 pub fn mutants(file: &File, sources: &[Source]) -> Vec<Mutant> {
     let names = Names::of(file);
     let angles = file.frames().filter_map(|frame| match &frame.kind {

@@ -2,8 +2,8 @@
 
 use model_spec::syntax::ast::{File, ItemKind, Parameter};
 
-/// Names that a mutation (small deliberate change) may exchange: all frames, constants (with unit) and auxiliary
-/// variables (with the index of the declaring statement) of a model file.
+/// Names that a mutation may exchange: all frames, constants (with unit) and auxiliary variables (with the index of the
+/// declaring statement) of a model file.
 pub struct Names {
     frames: Vec<String>,
     constants: Vec<(String, String)>,

@@ -3,15 +3,15 @@
 use super::equivalence::Original;
 use super::status::evaluate;
 use super::{MutationMatrix, mutants};
-use crate::Options;
+use crate::options::Options;
 use flight::parallel;
 use model_spec::model::Source;
 use model_spec::syntax::ast::File;
 
-/// Maximum number of random points per check of a mutant (model with one deliberate change).
+/// Maximum number of random points per check of a mutant.
 const MAX_CASES: usize = 6;
 
-/// Runs the checks on every mutant (copy with one deliberate change) of a model file and returns the mutation matrix.
+/// Runs the checks on every mutant of a model file and returns the mutation matrix.
 pub fn run(
     file: &File,
     sources: &[Source],

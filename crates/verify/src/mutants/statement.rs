@@ -8,9 +8,8 @@ use model_spec::syntax::ast::{
     UnitFactor,
 };
 
-/// Generates the mutations (small deliberate changes) of a statement other than those of its expressions, such as
-/// another unit or axis; a mutation to `None` deletes the statement. `angles` are the names that may replace a frame's
-/// angle.
+/// Generates the mutations of a statement other than those of its expressions, such as another unit or axis; a mutation
+/// to `None` deletes the statement. `angles` are the names that may replace a frame's angle.
 pub fn changes(item: &Item, names: &Names, angles: &[Name]) -> Vec<Mutation<Option<Item>>> {
     let mut out = Changes {
         item,
@@ -81,8 +80,8 @@ impl Changes<'_> {
     }
 }
 
-/// Adds to `out` mutations (small deliberate changes) of the frame to which the components of an input or a marker
-/// refer. Each mutation replaces it by one of the other frames of the model.
+/// Adds to `out` mutations of the frame to which the components of an input or a marker refer. Each mutation replaces
+/// it by one of the other frames of the model.
 fn frame_of_components(out: &mut Changes<'_>, frame: &Name, names: &Names) {
     for other in names.other_frames(&frame.text) {
         out.push(
@@ -97,8 +96,8 @@ fn frame_of_components(out: &mut Changes<'_>, frame: &Name, names: &Names) {
     }
 }
 
-/// Adds the mutations (small deliberate changes) of an interpolated table to `out`: one changed value per knot, and
-/// another interpolation of the same knots.
+/// Adds the mutations of an interpolated table to `out`: one changed value per knot, and another interpolation of the
+/// same knots.
 fn table(out: &mut Changes<'_>, table: &Table) {
     let mut change = |operator, how: String, change: &dyn Fn(&mut Table)| {
         out.push(operator, how, &|item| {
@@ -159,8 +158,8 @@ fn frame(out: &mut Changes<'_>, kind: &FrameKind, names: &Names, angles: &[Name]
     }
 }
 
-/// Adds to `out` the mutations (small deliberate changes) of one part of a body declaration, such as inertia or
-/// velocity: another frame, and interchanged components. `index` is the position of the part in the declaration.
+/// Adds to `out` the mutations of one part of a body declaration, such as inertia or velocity: another frame, and
+/// interchanged components. `index` is the position of the part in the declaration.
 fn body_part(out: &mut Changes<'_>, index: usize, part: &BodyPartKind, names: &Names) {
     let mut push = |operator, how: String, change: &dyn Fn(&mut BodyPartKind)| {
         out.push(operator, how, &|item| {

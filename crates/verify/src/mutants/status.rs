@@ -2,8 +2,8 @@
 
 use super::Mutant;
 use super::equivalence::Original;
-use crate::Options;
 use crate::checks::{cases, claim, identities, metamorphic, reference};
+use crate::options::Options;
 use crate::row::{Row, Verdict};
 use crate::subject::{Interpreted, Subject};
 use crate::values::Values;
@@ -19,8 +19,8 @@ pub const FRAMES: &str = "frames";
 /// that are run on mutants.
 pub const GRAMMAR: &str = "names and shapes";
 
-/// Names of the checks that are run on mutants (models with one deliberate change), in ascending order of cost. The
-/// last one applies only to models with a `claim` statement, which declares the meaning of their equations.
+/// Names of the checks that are run on mutants, in ascending order of cost. The last one applies only to models with a
+/// `claim` statement, which declares the meaning of their equations.
 pub const CHECKS: [&str; 8] = [
     UNITS,
     FRAMES,
@@ -32,7 +32,7 @@ pub const CHECKS: [&str; 8] = [
     claim::CLAIM,
 ];
 
-/// Result of running the checks of the verification on a mutant (a model with one deliberate change).
+/// Result of running the checks of the verification on a mutant.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum MutantStatus {
     /// At least one check refutes the mutant. Contains the indices of these checks in [`CHECKS`]; never empty.
@@ -46,7 +46,7 @@ pub enum MutantStatus {
     Survived,
 }
 
-/// Runs the checks on a mutant (model with one deliberate change) and returns its status.
+/// Runs the checks on a mutant and returns its status.
 pub fn evaluate(
     mutant: &Mutant,
     sources: &[Source],
@@ -81,8 +81,8 @@ fn killer(fault: &Diagnostic) -> usize {
     }
 }
 
-/// Indices, in [`CHECKS`], of the numerical checks that refute a mutant (model with one deliberate change). The checks
-/// evaluate the mutant's equations from its vector expressions, without compiling them.
+/// Indices, in [`CHECKS`], of the numerical checks that refute a mutant. The checks evaluate the mutant's equations
+/// from its vector expressions, without compiling them.
 fn refusals(model: &Model, original: &Original<'_>, options: &Options) -> Vec<usize> {
     let Ok(equations) = Interpreted::new(model) else {
         return vec![2];

@@ -7,10 +7,10 @@
 
 mod edit;
 
+use crate::options::{Options, TOLERANCE};
 use crate::random::Random;
 use crate::sample;
 use crate::subject::Subject;
-use crate::{Options, TOLERANCE};
 use edit::{Edit, Editor};
 use model_spec::model::{Equation, Expr, ExprKind, FrameKind, Function, Model, Shape};
 use model_spec::unit::Unit;

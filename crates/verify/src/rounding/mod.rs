@@ -7,12 +7,12 @@
 //! [`statements`]).
 
 mod points;
-pub(crate) mod program;
 pub mod statements;
 mod table;
 
-use crate::Options;
 use crate::checks::backends::{self, Run};
+use crate::evaluation::{Inputs, magnitudes, outputs};
+use crate::options::Options;
 use crate::random::Random;
 use crate::row::{Measure, Row, Verdict};
 use crate::sample;
@@ -21,7 +21,6 @@ use codegen::Compiled;
 use codegen::program::Function;
 use oracle::Point;
 use oracle::scalar::{Big, ErrorBound, Real, with_numbers};
-use program::{Inputs, magnitudes, outputs};
 use serde::Serialize;
 use statements::{Loss, REPORTED_BITS};
 
@@ -35,7 +34,7 @@ pub const ALLOWED: f64 = 64.0;
 /// Numbers of points at which the rounding errors of a model's code are measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effort {
-    /// Number of random points (values of time, states, parameters, coefficients, inputs and marker position).
+    /// Number of random points.
     pub random: usize,
     /// Number of simulated flights, each starting from a random point.
     pub flights: usize,
@@ -62,9 +61,9 @@ impl Effort {
 /// the spacing of f64 numbers (ulp) at the sum of the magnitudes of a value's terms.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Error {
-    /// Name of the backend (generated code or bytecode interpreter) that computed the values.
+    /// Name of the backend that computed the values.
     pub backend: String,
-    /// Whether the backend (generated code or bytecode interpreter) computes with fused multiply-add operations.
+    /// Whether the backend computes with fused multiply-add operations.
     pub fuses: bool,
     /// Name of the compiled function whose results are compared.
     pub function: &'static str,
@@ -83,8 +82,8 @@ pub struct Error {
     pub place: String,
 }
 
-/// Rounding errors of a model's compiled functions on all backends (generated code and bytecode interpreter), and the
-/// bits that each statement of the model loses.
+/// Rounding errors of a model's compiled functions on all backends, and the bits that each statement of the model
+/// loses.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Rounding {
     /// Text that names the unit of the rounding errors in reports.
@@ -114,8 +113,7 @@ struct Exact {
     values: Vec<(f64, f64, f64)>,
 }
 
-/// Measures the rounding errors of every backend (generated code or bytecode interpreter) and the bits that every
-/// statement of the model loses.
+/// Measures the rounding errors of every backend and the bits that every statement of the model loses.
 pub fn measure(
     subject: &Subject<'_>,
     compiled: &Compiled,

@@ -5,9 +5,9 @@
 //! correctly rounded inputs, and in 256-bit arithmetic from exact inputs. The difference is lost in this statement, by
 //! its own rounding or because it amplifies the rounding of its inputs.
 
-use super::program::{Inputs, outputs};
 use super::sort_largest_first;
 use crate::engine;
+use crate::evaluation::{Inputs, outputs};
 use codegen::compile_every_value;
 use codegen::tape::Tape;
 use model_spec::diagnostic::Span;

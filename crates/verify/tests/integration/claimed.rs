@@ -61,7 +61,7 @@ fn report(text: &str) -> Report {
     verify::run(&loaded(text), &QUICK)
 }
 
-/// Text of a built-in model in which a `claim` block (declared meaning of its equations) replaces the reference law.
+/// Text of a built-in model in which a `claim` block replaces the reference law.
 fn by_claim(name: &str) -> String {
     let text = built_in(name).sources[0].text.clone();
     let without = text.replace("reference hubbard_hummel_disc;\n", "");

@@ -5,16 +5,10 @@ use model_spec::load::{MODELS, from_text};
 use model_spec::model::Model;
 use model_spec::syntax::ast::{BinaryOp, Expr, ExprKind, File, Item, ItemKind, Name};
 use oracle::{Point, derivatives};
-use verify::difference::{Change, Difference, DifferenceOptions, Sameness, compare};
+use verify::difference::{Change, Difference, End, Flown, Sameness, compare, landing, operations};
 use verify::mutants::mutants;
 use verify::random::Random;
 use verify::sample;
-
-const QUICK: DifferenceOptions = DifferenceOptions {
-    seconds: 2.0,
-    time: false,
-    consequences: false,
-};
 
 fn model(text: &str) -> Option<Model> {
     from_text("rewritten", text, &[]).ok()
@@ -43,20 +37,20 @@ fn with_word(file: &File, from: &str, to: &str) -> String {
     out + rest
 }
 
-/// Variants (description, text) of a model file, each with one name replaced by another.
+/// Variants (description, text) of a model file, each with one name of an auxiliary variable, a frame or a load replaced
+/// by another.
 fn renamed(file: &File) -> Vec<(String, String)> {
-    let mut names = Vec::new();
+    let (mut names, mut others) = (Vec::new(), Vec::new());
     for item in &file.items {
         match &item.kind {
-            ItemKind::Parameter(c) => names.push(c.name.text.clone()),
-            ItemKind::State(s) => names.push(s.name.text.clone()),
             ItemKind::Let(l) => names.push(l.name.text.clone()),
             ItemKind::Frame(f) => names.push(f.name.text.clone()),
             ItemKind::Load(l) => names.push(l.name.text.clone()),
+            ItemKind::Parameter(c) => others.push(c.name.text.clone()),
             _ => {}
         }
     }
-    names.extend(["x", "vy", "w", "q2", "r"].map(String::from));
+    names.retain(|name| !others.contains(name));
     names
         .iter()
         .map(|name| {
@@ -263,7 +257,7 @@ fn rewritings_are_the_same_function() {
                 continue;
             }
             made += 1;
-            let difference = compare(original, &rewritten, &QUICK);
+            let difference = compare(original, &rewritten);
             let rows = &difference.rows;
             exact += usize::from(rows.iter().all(|r| r.sameness == Some(Sameness::Same)));
             if difference.is_changed() || !difference.statements.iter().all(|s| quiet(s.change)) {
@@ -288,7 +282,7 @@ fn quiet(change: Change) -> bool {
 }
 
 /// For each state of `a`, whether its derivative differs between two models. The derivatives are computed by the
-/// reference simulator (crate `oracle`), which shares no code with the compiler. `None` if they cannot be computed.
+/// reference simulator, which shares no code with the compiler. `None` if they cannot be computed.
 fn changed_rows(a: &Model, b: &Model) -> Option<Vec<bool>> {
     let mut random = Random::new(5, "mutants");
     let mut changed = vec![false; a.states.len()];
@@ -328,7 +322,7 @@ fn the_derivatives_that_a_mutant_changes_are_named_with_the_statement() {
                 continue;
             };
             made += 1;
-            let difference = compare(original, &other, &QUICK);
+            let difference = compare(original, &other);
             let wrong = truth
                 .iter()
                 .zip(&difference.rows)
@@ -363,43 +357,6 @@ fn the_derivatives_that_a_mutant_changes_are_named_with_the_statement() {
 }
 
 #[test]
-fn another_model_with_all_names_new_is_the_same_function() {
-    let text =
-        "model swing; param l = 1 m; param g = 9.81 m/s^2; coefficient c = 0.1 1/s in 0 .. 1;
-        frame N; state phi = 10 deg; state phidot = 0 rad/s;
-        der(phi) = phidot; der(phidot) = -g/l*sin(phi) - c*phidot;";
-    let other = "model other; param gravity = 9.81 m/s^2; param length = 1 m;
-        coefficient damping = 0.1 1/s in 0 .. 1; frame N; state rate = 0 rad/s; state angle = 10 deg;
-        let pull = gravity*sin(angle); der(rate) = -(pull/length + damping*rate); der(angle) = rate;";
-    let difference = compare(&model(text).unwrap(), &model(other).unwrap(), &QUICK);
-    assert!(!difference.is_changed(), "{}", difference.text());
-    let names: Vec<String> = difference
-        .renamed
-        .iter()
-        .map(|r| format!("{}={}", r.from, r.to))
-        .collect();
-    assert_eq!(
-        names,
-        [
-            "phidot=rate",
-            "phi=angle",
-            "g=gravity",
-            "l=length",
-            "c=damping"
-        ]
-    );
-    // One that pulls the other way is another function.
-    let wrong = other.replace("-(pull/length", "-(-pull/length");
-    let difference = compare(&model(text).unwrap(), &model(&wrong).unwrap(), &QUICK);
-    assert_eq!(
-        difference.changed_rows(),
-        ["der(rate)"],
-        "{}",
-        difference.text()
-    );
-}
-
-#[test]
 fn functions_that_are_equal_and_not_as_symbols_agree_in_numbers() {
     let text = |law: &str| {
         format!(
@@ -408,18 +365,25 @@ fn functions_that_are_equal_and_not_as_symbols_agree_in_numbers() {
         )
     };
     let (a, b) = (text("exp(z/h + 1)"), text("exp(z/h)*exp(1)"));
-    let difference = compare(&model(&a).unwrap(), &model(&b).unwrap(), &QUICK);
+    let difference = compare(&model(&a).unwrap(), &model(&b).unwrap());
     assert!(!difference.is_changed(), "{}", difference.text());
     assert_eq!(difference.rows[1].sameness, Some(Sameness::Agrees));
     assert!(difference.sentence().contains("not decided exactly"));
 }
 
+fn end(flown: &Flown) -> &End {
+    match flown {
+        Flown::End(end) => end,
+        Flown::Failed(why) => panic!("{why}"),
+    }
+}
+
 #[test]
-fn what_is_added_is_the_same_function_at_its_stated_value() {
+fn what_is_added_is_named_as_the_cause() {
     let disc = built_in("disc").sources[0].text.clone();
     let own = disc.clone() + "coefficient C_Y = 0 s; force side = q*A*C_Y*r*d2;";
-    let options = DifferenceOptions::default();
-    let difference = compare(&model(&disc).unwrap(), &model(&own).unwrap(), &options);
+    let (old, new) = (model(&disc).unwrap(), model(&own).unwrap());
+    let difference = compare(&old, &new);
     let changed = difference.changed_rows();
     assert_eq!(
         changed,
@@ -431,31 +395,28 @@ fn what_is_added_is_the_same_function_at_its_stated_value() {
     );
     assert!(changed.contains(&"der(v)"), "{}", difference.text());
     for row in difference.rows.iter().filter(|row| row.is_changed()) {
-        assert!(row.same_at_stated_values, "{}", difference.text());
         assert!(
             row.causes.iter().any(|c| c == "force side added"),
             "{row:?}"
         );
     }
-    let cost = difference.cost.as_ref().unwrap();
+    let operations = operations(&old, &new);
+    assert!(operations["f"].new > operations["f"].old);
+    assert!(operations["f_jac_par"].new > operations["f_jac_par"].old);
+    // Its default value is 0: a named release flies as before.
+    let same = landing("backhand", &old, &new).unwrap();
+    let (a, b) = (end(&same.old), end(&same.new));
+    assert_eq!(a.reason, b.reason);
     assert!(
-        cost.entries_added.contains(&String::from("∂der(v)/∂C_Y")),
-        "{cost:?}"
-    );
-    assert!(cost.operations[0].1.new > cost.operations[0].1.old);
-    // The named releases fly as before.
-    assert!(difference.flights.len() >= 3);
-    for flight in &difference.flights {
-        assert!(flight.distance_m.unwrap() < 1e-8, "{flight:?}");
-    }
-    let moved = disc.replace("C_D0 + C_Da*alpha^2", "C_D0 + 2*C_Da*alpha^2");
-    let difference = compare(&model(&disc).unwrap(), &model(&moved).unwrap(), &options);
-    assert!(
-        difference
-            .flights
+        ["x", "y", "z"]
+            .map(|axis| a.state[axis] - b.state[axis])
             .iter()
-            .all(|f| f.distance_m.unwrap() > 1e-4)
+            .all(|d| d.abs() < 1e-8)
     );
+
+    let moved = disc.replace("C_D0 + C_Da*alpha^2", "C_D0 + 2*C_Da*alpha^2");
+    let moved = model(&moved).unwrap();
+    let mut difference = compare(&old, &moved);
     let by = &difference
         .rows
         .iter()
@@ -466,24 +427,54 @@ fn what_is_added_is_the_same_function_at_its_stated_value() {
         by[0].contains("`2*C_Da*alpha^2` instead of `C_Da*alpha^2`"),
         "{by:?}"
     );
-    let markdown = difference.markdown();
-    assert!(
-        markdown.contains("| `der(u)` |") && markdown.contains("```diff"),
-        "{markdown}"
-    );
+    let other = landing("backhand", &old, &moved).unwrap();
+    let (a, b) = (end(&other.old).clone(), end(&other.new).clone());
+    assert!((a.state["x"] - b.state["x"]).abs() > 1e-4, "{other:?}");
+    difference.landings.push(other);
+    let text = difference.text();
+    let end = format!("+ {:.6} s, {}: x = {:.6}", b.time_s, b.reason, b.state["x"]);
+    assert!(text.contains(&end), "{text}");
+}
+
+#[test]
+fn a_release_that_one_model_cannot_fly_is_an_error_that_names_the_model() {
+    let disc = model(&built_in("disc").sources[0].text).unwrap();
+    let ball = model(&built_in("ball").sources[0].text).unwrap();
+    let error = landing("backhand", &disc, &ball).unwrap_err().to_string();
+    assert!(error.starts_with("the new model"), "{error}");
+    let error = landing("backhand", &ball, &disc).unwrap_err().to_string();
+    assert!(error.starts_with("the old model"), "{error}");
+    let error = landing("absent.toml", &disc, &disc)
+        .unwrap_err()
+        .to_string();
+    assert!(error.contains("absent.toml"), "{error}");
+}
+
+#[test]
+fn another_name_of_a_parameter_is_another_function() {
+    let disc = built_in("disc").sources[0].text.clone();
+    let renamed = model(&disc.replace("C_L0", "C_L_0")).unwrap();
+    let difference = compare(&model(&disc).unwrap(), &renamed);
+    let row = difference.rows.iter().find(|row| row.row == "der(u)");
+    let row = row.unwrap();
+    assert!(row.is_changed(), "{row:?}");
+    assert!(row.causes.contains(&"C_L0 removed".into()), "{row:?}");
+    assert!(row.causes.contains(&"C_L_0 added".into()), "{row:?}");
 }
 
 #[test]
 fn a_stated_value_or_unit_is_said_and_is_no_other_function() {
     let ball = built_in("ball").sources[0].text.clone();
     let heavy = ball.replace("param m = 0.0027 kg", "param m = 2.8 g");
-    let difference = compare(&model(&ball).unwrap(), &model(&heavy).unwrap(), &QUICK);
+    let difference = compare(&model(&ball).unwrap(), &model(&heavy).unwrap());
     assert!(!difference.is_changed());
-    let said: Vec<String> = difference
-        .restated
-        .iter()
-        .map(|r| format!("{} {} {}", r.name, r.what, r.new))
-        .collect();
-    assert_eq!(said, ["m value 0.0028"]);
-    assert_eq!(difference.statements[0].change, Change::Restated);
+    let [statement] = &difference.statements[..] else {
+        panic!("{}", difference.text());
+    };
+    assert_eq!(statement.change, Change::Restated);
+    assert_eq!(statement.what, "m");
+    assert!(
+        statement.new.as_ref().unwrap().contains("2.8 g"),
+        "{statement:?}"
+    );
 }

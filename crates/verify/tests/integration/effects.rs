@@ -6,8 +6,7 @@ use verify::checks::{cases, derivatives, effects, exact, identities, metamorphic
 use verify::flights::{INVARIANTS, MOMENTA};
 use verify::report::{Report, Verdict};
 
-/// Loads a built-in model with the effect declarations `text` appended (an effect is a named change to a model), and
-/// applies the effects named in `effects`.
+/// Loads a built-in model with the effect declarations `text` appended, and applies the effects named in `effects`.
 fn with(name: &str, text: &str, effects: &[&str]) -> Loaded {
     let own = built_in(name).sources[0].text.clone();
     let loaded = inspect_text(name, &(own + text), effects).unwrap();
@@ -23,15 +22,15 @@ fn report(name: &str, text: &str, effects: &[&str]) -> Report {
     verify::run(&with(name, text, effects), &QUICK)
 }
 
-/// Report on a built-in model whose file text was printed after the effect (named change to a model) `effect` had been
-/// merged into its statements.
+/// Report on a built-in model whose file text was printed after the effect `effect` had been merged into its
+/// statements.
 fn written_in(name: &str, effect: &str) -> Report {
     let text = with(name, "", &[effect]).file.to_string();
     verify::run(&inspect_text("own.hyz", &text, &[]).unwrap(), &QUICK)
 }
 
-/// Text of an effect (named change to a model) that adds a wind with two states: W_x is constant, and W_y decays with a
-/// time constant of 2 s. `velocity` is the new expression for the air velocity.
+/// Text of an effect that adds a wind with two states: W_x is constant, and W_y decays with a time constant of 2 s.
+/// `velocity` is the new expression for the air velocity.
 fn wind(velocity: &str) -> String {
     format!(
         "effect gust {{ site wind; state W_x = 0 m/s; state W_y = 0 m/s;\n\
@@ -152,8 +151,7 @@ fn laws_of_motion_are_checked_in_the_seconds_of_the_flight() {
     }
 }
 
-/// Text of an effect (named change to a model) that adds products of inertia, constant in the body-fixed frame, to a
-/// disc.
+/// Text of an effect that adds products of inertia, constant in the body-fixed frame, to a disc.
 const WOBBLE: &str = "effect wobble { site inertia; coefficient I_13 = 0 kg*m^2 in -1e-4 .. 1e-4;\n\
     coefficient I_23 = 0 kg*m^2 in -1e-4 .. 1e-4; coefficient more = 0 in -0.5 .. 0.5;\n\
     replace inertia ((I_d*(1 + more), 0, I_13), (0, I_d, I_23), (I_13, I_23, I_a)) in C; }\n";

@@ -80,10 +80,9 @@ impl Base {
 
 /// A defect of a model or of its compiled code that makes one check of the report fail.
 enum Breakage {
-    /// Defect (original text, replacement) in the model file, so that the model itself is wrong.
+    /// Defect in the model file, so that the model itself is wrong.
     Text(&'static str, &'static str),
-    /// Defect (original text, replacement) in the text from which the code is compiled: the code is wrong, but the
-    /// model is correct.
+    /// Defect in the text from which the code is compiled: the code is wrong, but the model is correct.
     Code(&'static str, &'static str),
     /// Function that introduces a defect into the model, its code or the results of its code, and returns the result of
     /// the check that should fail.

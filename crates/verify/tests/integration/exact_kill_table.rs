@@ -12,11 +12,11 @@ use verify::random::Random;
 use verify::report::Verdict;
 use verify::sample;
 
-/// Minimum number of tested mutants (programs with one deliberate change) per model that change a computed value.
+/// Minimum number of tested mutants per model that change a computed value.
 const MUTANTS: usize = 400;
 
-/// Mutation operators (functions that make one deliberate change) for compiled programs; each returns a description of
-/// the mutation, or `None` if it is not applicable.
+/// Mutation operators for compiled programs; each returns a description of the mutation, or `None` if it is not
+/// applicable.
 const OPERATORS: [fn(&mut Program, &mut Random) -> Option<String>; 5] =
     [operand, sign, constant, dropped_term, output];
 

@@ -59,8 +59,8 @@ fn every_check_of_effects_holds_of_models_that_are_not_built_in() {
     }
 }
 
-/// Acceleration of the mass centre, m/s², that the effect (optional model extension) `effect` adds to the shuttlecock
-/// model in still air if its coefficient has the value 1.
+/// Acceleration of the mass centre, m/s², that the effect `effect` adds to the shuttlecock model in still air if its
+/// coefficient has the value 1.
 fn added(effect: &str, coefficient: &str) -> V {
     let at = |value: f64| {
         let model = with("shuttlecock", &[effect]).model.unwrap();
@@ -154,8 +154,8 @@ fn a_wind_is_a_velocity_that_the_stream_lacks() {
     }
 }
 
-/// Angular acceleration, rad/s², in the body frame, that the effect (optional model extension) `effect` adds to the
-/// dart model if its coefficient has the value `value`. Position and attitude have their default values.
+/// Angular acceleration, rad/s², in the body frame, that the effect `effect` adds to the dart model if its coefficient
+/// has the value `value`. Position and attitude have their default values.
 fn added_turn(effect: &str, coefficient: &str, value: f64) -> V {
     let at = |value: f64| {
         let model = with("quaternion_dart", &[effect]).model.unwrap();

@@ -78,7 +78,7 @@ fn evaluate<E: Equations, T: Real>(t: T, x: &[T], p: &[T], marker: &[T]) -> Vec<
 }
 
 /// Computes a model's results at the points with every SIMD instruction set that this machine supports. Returns them
-/// with the name of the backend (generated code for one instruction set).
+/// with the name of the backend.
 struct EveryIsa<'a>(&'a [Point<f64>]);
 
 impl Visitor for EveryIsa<'_> {

@@ -69,7 +69,7 @@ fn parameters(model: &Model, point: &Point<f64>) -> Vec<f64> {
 }
 
 /// Value of the auxiliary variable `name`, which predicts an instrument's measurement, computed by the reference
-/// simulator (crate `oracle`). A vector is given in the frame of its definition.
+/// simulator. A vector is given in the frame of its definition.
 fn by_oracle(model: &Model, name: &str, point: &Point<f64>) -> Vec<f64> {
     let own = model
         .aux_variables

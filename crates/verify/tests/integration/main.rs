@@ -1,7 +1,6 @@
 //! Models that are right hold under every check, and what is wrong, in a model, an effect or the compiled code, is refused by
-//! the check that is meant to; certificates, reports and mutants.
+//! the check that is meant to; records, reports and mutants.
 
-mod certificate;
 mod claimed;
 mod compiler_on_mutants;
 mod difference;
@@ -17,6 +16,7 @@ mod generated_on_lanes;
 mod instruments;
 mod mutants;
 mod own_models;
+mod record;
 mod refuted;
 mod report;
 mod rounding;

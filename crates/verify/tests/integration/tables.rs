@@ -7,7 +7,7 @@ use model_spec::model::{Continuation, Interpolation, Model};
 use oracle::Interpolant;
 use proptest::prelude::*;
 use verify::checks::{derivatives, exact_functions, reference};
-use verify::difference::{DifferenceOptions, compare};
+use verify::difference::compare;
 use verify::engine::Engine;
 use verify::report::Verdict;
 use verify::subject::Subject;
@@ -154,18 +154,13 @@ fn the_exact_check_and_the_difference_of_models_tell_tables_apart() {
     let mut knots = KNOTS;
     knots[3].1 += 1e-9;
     let others = [with_table(&knots, ""), with_table(&KNOTS, "constant")];
-    let options = DifferenceOptions {
-        seconds: 0.5,
-        time: false,
-        consequences: false,
-    };
     let exact = |other: &Model| exact_functions::check(&model, &codegen::compile(other), &QUICK);
     assert_eq!(exact(&model).verdict, Verdict::Holds);
-    assert!(!compare(&model, &model, &options).is_changed());
+    assert!(!compare(&model, &model).is_changed());
     for other in others {
         let row = exact(&other);
         assert_eq!(row.verdict, Verdict::Refuted, "{}", row.detail);
-        assert!(compare(&model, &other, &options).is_changed());
+        assert!(compare(&model, &other).is_changed());
     }
 }
 

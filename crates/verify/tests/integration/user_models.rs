@@ -37,7 +37,7 @@ fn worked(name: &str) -> String {
     studied(name) + &file(&format!("tests/integration/models/{name}_case.hyz"))
 }
 
-/// Removes the `claim` block (declared physical meaning of the equations) from a model text.
+/// Removes the `claim` block from a model text.
 fn unclaimed(text: &str) -> String {
     let start = text.find("claim ").unwrap();
     let end = start + text[start..].find("}\n").unwrap() + 2;
@@ -45,7 +45,7 @@ fn unclaimed(text: &str) -> String {
 }
 
 /// The tested models: description, text, and whether the equations can be verified because the model declares a body or
-/// has a `claim` block (declared physical meaning of its equations).
+/// has a `claim` block.
 fn models() -> Vec<(&'static str, String, bool)> {
     let glider = studied("glider");
     vec![

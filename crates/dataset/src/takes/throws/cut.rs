@@ -31,8 +31,8 @@ pub(super) const CUBIC: usize = 4;
 /// A change of the motion at the beginning or the end of a flight, such as the release or an impact.
 #[derive(Clone, Debug)]
 pub(super) struct Change {
-    /// Sample of the flight next to the change, as index in the track (samples in which the body is seen): the flight's
-    /// first sample at its beginning, its last sample at its end.
+    /// Sample of the flight next to the change, as index in the track: the flight's first sample at its beginning, its
+    /// last sample at its end.
     pub inside: usize,
     /// Time of the change of motion, s, on the time axis of the recording.
     pub time: f64,
@@ -87,15 +87,13 @@ pub(super) struct FlightEnd<'t> {
     pub track: &'t Track,
     /// Trajectory of the body point whose motion is examined, m: one position for each sample of the track.
     pub path: &'t [[f64; 3]],
-    /// Index in the track (samples in which the body is seen) of the first sample of the flight if `early` is true,
-    /// otherwise of its last sample.
+    /// Index in the track of the first sample of the flight if `early` is true, otherwise of its last sample.
     pub last: usize,
     /// Whether this end is the beginning of the flight.
     pub early: bool,
-    /// Indices, in the track (samples in which the body is seen), of the samples to which a change of motion is fitted.
+    /// Indices, in the track, of the samples to which a change of motion is fitted.
     pub samples: Range<usize>,
-    /// Indices, in the track (samples in which the body is seen), of the samples between which the time of the change
-    /// is searched.
+    /// Indices, in the track, of the samples between which the time of the change is searched.
     near: Range<usize>,
 }
 

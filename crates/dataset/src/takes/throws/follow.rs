@@ -17,27 +17,26 @@ const CONSECUTIVE: usize = 2;
 /// its prediction from a quadratic in time.
 const JERK: f64 = 60.0;
 
-/// Reason why a flight was not followed further in time. All indices refer to the track (samples in which the body is
-/// seen).
+/// Reason why a flight was not followed further in time. All indices refer to the track.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Stop {
     /// The recording has no further samples in which the body is seen.
     Data,
-    /// The body is not seen between the samples with the indices `from` and `to`, neighbours in the track (samples in
-    /// which the body is seen). The gap is longer than [`ThrowOptions::longest_gap`], or the samples after it do not
-    /// continue the flight. If the flight is followed backwards in time, `to` is earlier than `from`.
+    /// The body is not seen between the samples with the indices `from` and `to`, neighbours in the track. The gap is
+    /// longer than [`ThrowOptions::longest_gap`], or the samples after it do not continue the flight. If the flight is
+    /// followed backwards in time, `to` is earlier than `from`.
     Gap { from: usize, to: usize },
-    /// The samples after the one with the index `last` in the track (samples in which the body is seen) deviate from
-    /// their prediction. If the flight is followed backwards in time, "after" means earlier.
+    /// The samples after the one with the index `last` in the track deviate from their prediction. If the flight is
+    /// followed backwards in time, "after" means earlier.
     Deviation { last: usize },
-    /// The ground supports the body near the sample `last`, an index in the track (samples in which the body is seen).
+    /// The ground supports the body near the sample `last`, an index in the track.
     Touch { last: usize },
 }
 
 impl Stop {
-    /// Index, in the track (samples in which the body is seen), of the last sample of the flight, or of its first
-    /// sample if the flight was followed backwards in time. `data` is the index returned for [`Stop::Data`]: the last
-    /// index of the track, or 0 if the flight was followed backwards.
+    /// Index, in the track, of the last sample of the flight, or of its first sample if the flight was followed
+    /// backwards in time. `data` is the index returned for [`Stop::Data`]: the last index of the track, or 0 if the
+    /// flight was followed backwards.
     pub fn last(&self, data: usize) -> usize {
         match self {
             Self::Data => data,
@@ -47,14 +46,14 @@ impl Stop {
     }
 }
 
-/// Predicates that decide whether a flight ends. Each is called with the index, in the track (samples in which the body
-/// is seen), of the last sample that agreed with its prediction.
+/// Predicates that decide whether a flight ends. Each is called with the index, in the track, of the last sample that
+/// agreed with its prediction.
 pub(super) struct Checks<'c> {
     /// Predicate that is called when samples deviate from their prediction: whether the flight ends at the track index
     /// given by the first argument. The second argument is true if the samples are examined backwards in time.
     pub is_break: &'c dyn Fn(usize, bool) -> bool,
-    /// Whether the ground supports the body at a track index (sample in which the body is seen). Called at every sample
-    /// that is followed forwards in time, since a slight touch may cause no deviation from the prediction.
+    /// Whether the ground supports the body at a track index. Called at every sample that is followed forwards in time,
+    /// since a slight touch may cause no deviation from the prediction.
     pub touches: &'c dyn Fn(usize) -> bool,
 }
 

@@ -145,7 +145,7 @@ pub fn find_throws(take: &Take, labels: &[&str], options: &ThrowOptions) -> Thro
 }
 
 /// Ranges of at least 3 consecutive samples in free flight according to the local quadratic fits `windows`, as indices
-/// in the track (samples in which the body is seen).
+/// in the track.
 fn runs(track: &Track, windows: &[Option<Window>], options: &ThrowOptions) -> Vec<Range<usize>> {
     let noise = windows::noise(windows);
     let mut runs: Vec<Range<usize>> = Vec::new();
@@ -168,7 +168,7 @@ fn runs(track: &Track, windows: &[Option<Window>], options: &ThrowOptions) -> Ve
 
 /// Locates the ends of the free flight around `run`, a range of samples in free flight. Returns the flight as a range
 /// of samples and as a throw; `None` if too few samples remain between its beginning and its end. Ranges are indices in
-/// the track (samples in which the body is seen).
+/// the track.
 fn throw(
     track: &Track,
     windows: &[Option<Window>],

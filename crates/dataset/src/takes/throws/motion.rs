@@ -61,8 +61,7 @@ pub fn motion(take: &Take, labels: &[&str]) -> Option<Motion> {
     Some(motion)
 }
 
-/// Angle of the rotation between the attitudes of the body at two indices of the track (samples in which the body is
-/// seen), rad.
+/// Angle of the rotation between the attitudes of the body at two indices of the track, rad.
 fn turn(track: &Track, i: usize, j: usize) -> f64 {
     let relative = track.rotation(j) * track.rotation(i).transpose();
     // The sine determines the angle accurately near 0, where the cosine alone does not.

@@ -5,9 +5,8 @@ use nalgebra::{Cholesky, Const, Matrix3, Vector3};
 use super::track::Track;
 
 /// Fits a quadratic in (t − `t0`) / `scale` to the trajectory `path` (m) on each axis, over the samples with the given
-/// indices in the track (samples in which the body is seen); `t0` and `scale` are in s. Returns the coefficients (m),
-/// one row per power 0, 1 and 2 and one column per axis, and the Cholesky factor of the normal matrix; `None` if there
-/// are too few samples.
+/// indices in the track; `t0` and `scale` are in s. Returns the coefficients (m), one row per power 0, 1 and 2 and one
+/// column per axis, and the Cholesky factor of the normal matrix; `None` if there are too few samples.
 pub(super) fn quadratic(
     track: &Track,
     path: &[[f64; 3]],

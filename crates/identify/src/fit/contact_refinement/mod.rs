@@ -23,21 +23,19 @@ use crate::predict::Loss;
 use crate::problem::FitProblem;
 use dataset::Dataset;
 
-/// Ratio of a flight's residual scale (robust standard deviation of its residuals) to the median over the flights,
-/// above which the flight is left out of the reference fit, because it may contain a ground contact. The whole length
-/// of a truncated flight is restored if the ratio for the whole length is at most this value.
+/// Ratio of a flight's residual scale to the median over the flights, above which the flight is left out of the
+/// reference fit, because it may contain a ground contact. The whole length of a truncated flight is restored if the
+/// ratio for the whole length is at most this value.
 const LEFT_OUT_RATIO: f64 = 1.2;
-/// Minimum number of standard errors by which the residual scale of a flight (robust standard deviation of its
-/// residuals) must exceed the median over the flights, for the flight to be left out of the reference fit. The limit
-/// `LEFT_OUT_RATIO` must be exceeded too.
+/// Minimum number of standard errors by which the residual scale of a flight must exceed the median over the flights,
+/// for the flight to be left out of the reference fit. The limit `LEFT_OUT_RATIO` must be exceeded too.
 const LEFT_OUT_SIGNIFICANCE: f64 = 4.0;
-/// Limits for a flight's residual scale (robust standard deviation of its residuals) in the reference fit, which leaves
-/// out flights that may contain ground contacts. The first value is the ratio to the median scale, the second the
-/// excess over the median scale in standard errors. A flight that exceeds both limits is searched for a ground contact.
+/// Limits for a flight's residual scale in the reference fit, which leaves out flights that may contain ground
+/// contacts. The first value is the ratio to the median scale, the second the excess over the median scale in standard
+/// errors. A flight that exceeds both limits is searched for a ground contact.
 const SUSPECT_LIMITS: (f64, f64) = (1.05, 3.0);
-/// Maximum median over the flights of their residual scales (robust standard deviations of the residuals), in units of
-/// the initial noise estimate `sigma0`, at which the model is considered accurate. Only an accurate model reveals
-/// ground contacts that were not found from the poses.
+/// Maximum median over the flights of their residual scales, in units of the initial noise estimate `sigma0`, at which
+/// the model is considered accurate. Only an accurate model reveals ground contacts that were not found from the poses.
 const ACCURATE_RATIO: f64 = 1.3;
 
 /// Uses the fitted model to search the flights for ground contacts, and truncates each flight at its contact or
@@ -164,9 +162,9 @@ fn converge_further(
     unevaluated_step(state, Loss::Whitened(&noise), cache)
 }
 
-/// Reference fit: fits only the flights whose residual scale (robust standard deviation of the residuals) is not far
-/// above `usual`, m, a typical scale of the flights. Returns these flights with their residuals; `None` if no flight or
-/// more than half of the flights would be left out.
+/// Reference fit: fits only the flights whose residual scale is not far above `usual`, m, a typical scale of the
+/// flights. Returns these flights with their residuals; `None` if no flight or more than half of the flights would be
+/// left out.
 fn fitted_without<'a>(
     state: &State<'a>,
     cache: &ResidualCache,

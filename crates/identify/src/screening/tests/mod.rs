@@ -48,8 +48,7 @@ pub fn found(model: &Model, dataset: &Dataset) -> Vec<DataFault> {
     screen(&problem, dataset, 2).faults
 }
 
-/// Releases (launch conditions) of a disc: an ordinary throw, and throws at steep angles of attack, fast, slow and
-/// upside down.
+/// Releases of a disc: an ordinary throw, and throws at steep angles of attack, fast, slow and upside down.
 pub fn disc_releases(model: &Model) -> Vec<Release> {
     let usual = release(model, "backhand");
     let with = |changes: &[(&str, f64)]| {

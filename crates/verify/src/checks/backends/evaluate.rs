@@ -25,9 +25,8 @@ impl Numbers<f64> {
     }
 }
 
-/// Tapes (programs of the bytecode interpreter) of all functions of a model, in the order of
-/// [`codegen::Compiled::functions`]. The first tape computes values that depend on parameters only; the other tapes
-/// read them.
+/// Tapes of all functions of a model, in the order of [`codegen::Compiled::functions`]. The first tape computes values
+/// that depend on parameters only; the other tapes read them.
 pub(super) struct Tapes(Vec<Tape>);
 
 impl Tapes {

@@ -13,7 +13,7 @@ use lanes::Isa;
 use model_spec::model::Model;
 use oracle::Point;
 
-/// Name in reports of the check of bitwise agreement between backends (generated code and bytecode interpreter).
+/// Name in reports of the check of bitwise agreement between backends.
 pub const BACKENDS: &str = "backends";
 
 /// Name in reports of the comparison between backends with and without fused multiply-add; a backend is the generated
@@ -27,12 +27,12 @@ pub const GENERATED: &str = "generated code";
 /// function. The value allows for an amplification of rounding errors by 1e4 through cancellation.
 const FMA_TOLERANCE: f64 = 1e-12;
 
-/// Results of one backend (generated code or bytecode interpreter) at a list of points.
+/// Results of one backend at a list of points.
 #[derive(Clone, Debug)]
 pub struct Run {
-    /// Name of the backend (generated code or bytecode interpreter) that computed the results.
+    /// Name of the backend that computed the results.
     pub backend: String,
-    /// Whether the backend (generated code or bytecode interpreter) computes with fused multiply-add operations.
+    /// Whether the backend computes with fused multiply-add operations.
     pub fuses: bool,
     /// For each point, the concatenated results of all compiled functions of the model, in the order of
     /// `codegen::Compiled::functions`.
@@ -47,9 +47,8 @@ pub fn functions(compiled: &Compiled) -> Vec<(&'static str, usize)> {
         .into()
 }
 
-/// Evaluates all compiled functions on all backends (generated code or bytecode interpreter) at the points. The
-/// generated code in the running executable is included only if the hash stored with it equals that of the current text
-/// of the model.
+/// Evaluates all compiled functions on all backends at the points. The generated code in the running executable is
+/// included only if the hash stored with it equals that of the current text of the model.
 pub fn runs(model: &Model, compiled: &Compiled, points: &[Point<f64>]) -> Vec<Run> {
     let tapes = Tapes::new(compiled.functions().map(|f| &f.program));
     let mut runs = vec![Run {
@@ -79,8 +78,8 @@ pub fn runs(model: &Model, compiled: &Compiled, points: &[Point<f64>]) -> Vec<Ru
 }
 
 /// Checks whether the running executable contains code generated from the model's current text. The check is skipped if
-/// the executable contains no code of this model or the model has effects (optional extensions). It is skipped with a
-/// remark if the code was generated from another text of the model.
+/// the executable contains no code of this model or the model has effects. It is skipped with a remark if the code was
+/// generated from another text of the model.
 pub fn generated_code(model: &Model) -> Row {
     match generated::model(&model.name) {
         _ if !model.effects.is_empty() => {
@@ -109,14 +108,14 @@ fn on_lanes(name: &str, tapes: &Tapes, points: &[Point<f64>]) -> Vec<Run> {
     Isa::ALL.into_iter().filter_map(run).collect()
 }
 
-/// Results of the first backend (generated code or bytecode interpreter) that fuses multiply and add (`fuses` true) or
-/// does not (`fuses` false); `None` if `runs` contains no such backend.
+/// Results of the first backend that fuses multiply and add (`fuses` true) or does not (`fuses` false); `None` if
+/// `runs` contains no such backend.
 fn first(runs: &[Run], fuses: bool) -> Option<&Run> {
     runs.iter().find(|run| run.fuses == fuses)
 }
 
-/// Checks for bitwise agreement of the backends (generated code, bytecode interpreter): the results of all backends
-/// that fuse multiply and add must be equal, and those of all backends that do not fuse must be equal.
+/// Checks for bitwise agreement of the backends: the results of all backends that fuse multiply and add must be equal,
+/// and those of all backends that do not fuse must be equal.
 pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
     let mut worst = Worst::default();
     for run in runs {

@@ -90,33 +90,17 @@ fn fused(op: Fused, a: Recorded, b: Recorded, c: Recorded) -> Recorded {
     push([a, b, c], |[a, b, c]| Op::Fused(op, a, b, c))
 }
 
-impl Add for Recorded {
-    type Output = Self;
-    fn add(self, b: Self) -> Self {
-        binary(Binary::Add, self, b)
-    }
+macro_rules! binary {
+    ($($trait:ident $method:ident)*) => {$(
+        impl $trait for Recorded {
+            type Output = Self;
+            fn $method(self, b: Self) -> Self {
+                binary(Binary::$trait, self, b)
+            }
+        }
+    )*};
 }
-
-impl Sub for Recorded {
-    type Output = Self;
-    fn sub(self, b: Self) -> Self {
-        binary(Binary::Sub, self, b)
-    }
-}
-
-impl Mul for Recorded {
-    type Output = Self;
-    fn mul(self, b: Self) -> Self {
-        binary(Binary::Mul, self, b)
-    }
-}
-
-impl Div for Recorded {
-    type Output = Self;
-    fn div(self, b: Self) -> Self {
-        binary(Binary::Div, self, b)
-    }
-}
+binary!(Add add Sub sub Mul mul Div div);
 
 impl Neg for Recorded {
     type Output = Self;

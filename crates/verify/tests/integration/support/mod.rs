@@ -19,8 +19,7 @@ pub const QUICK: Options = Options {
     effects: true,
 };
 
-/// Options for fast verifications without checks of effects (optional model extensions): few random points and no
-/// mutation testing.
+/// Options for fast verifications without checks of effects: few random points and no mutation testing.
 #[allow(dead_code)]
 pub const WITHOUT_EFFECTS: Options = Options {
     effects: false,
@@ -43,7 +42,7 @@ pub fn refuted(report: &Report) -> Vec<&'static str> {
         .collect()
 }
 
-/// Loads a built-in model without effects (optional model extensions).
+/// Loads a built-in model without effects.
 #[allow(dead_code)]
 pub fn built_in(name: &str) -> Loaded {
     inspect(name, &[]).unwrap()

@@ -1,39 +1,6 @@
-//! Maps names of the new model to those of the old model, and replaces names in the texts of statements.
+//! Names in the texts of statements, and terms in which two sums differ.
 
 use model_spec::syntax::ast::{BinaryOp, Expr, ExprKind};
-use std::collections::BTreeMap;
-
-/// Names of renamed items (states, constants, auxiliary variables and others), by class of statement, such as
-/// `constant`: for each name in the new model, the name in the old model.
-#[derive(Clone, Debug, Default)]
-pub struct Names {
-    renamed: BTreeMap<(&'static str, String), String>,
-}
-
-impl Names {
-    /// Records that an item declared by a statement of the class `class`, such as `constant`, has the name `new` in the
-    /// new model and `old` in the old model.
-    pub fn add(&mut self, class: &'static str, new: &str, old: &str) {
-        if new != old {
-            self.renamed.insert((class, new.to_owned()), old.to_owned());
-        }
-    }
-
-    /// Name in the old model of the item that is named `new` in the new model and declared by a statement of the class
-    /// `class`, such as `constant`. Returns `new` if the item was not renamed.
-    pub fn old(&self, class: &'static str, new: &str) -> String {
-        let old = self.renamed.get(&(class, new.to_owned()));
-        old.map_or(new, String::as_str).to_owned()
-    }
-
-    /// Name in the old model for a word in the text of the new model; `None` if the word is not the name of a renamed
-    /// item.
-    fn word(&self, word: &str) -> Option<&str> {
-        let mut entries = self.renamed.iter();
-        let entry = entries.find(|((_, new), _)| new == word);
-        entry.map(|(_, old)| old.as_str())
-    }
-}
 
 /// Words of a text that may be names declared in a model. A word `in_F` also gives `F` (name of a frame), and a word
 /// `w_x`, `w_y` or `w_z` also gives `w` (name of an input with these components).
@@ -49,43 +16,23 @@ pub fn words(text: &str) -> Vec<&str> {
     out
 }
 
-/// Replaces the new name of every renamed item in the text by its name in the old model.
-pub fn renamed_text(text: &str, names: &Names) -> String {
-    let mut out = String::with_capacity(text.len());
-    for part in text.split_inclusive(is_separator) {
-        let word = part.trim_end_matches(is_separator);
-        let frame = word.strip_prefix("in_").and_then(|frame| names.word(frame));
-        match (names.word(word), frame) {
-            (Some(old), _) => out.push_str(old),
-            (None, Some(old)) => {
-                out.push_str("in_");
-                out.push_str(old);
-            }
-            (None, None) => out.push_str(word),
-        }
-        out.push_str(&part[word.len()..]);
-    }
-    out
-}
-
 /// Whether a character cannot be part of a name declared in a model.
 fn is_separator(c: char) -> bool {
     !c.is_alphanumeric() && c != '_'
 }
 
-/// Terms, with signs, in which two sums differ: first those only in `old`, then those only in `new`. Names are those of
-/// the old model. If the sums differ only inside one inner sum, the terms of this inner sum are compared.
-pub fn differing_terms(old: &Expr, new: &Expr, names: &Names) -> (Vec<String>, Vec<String>) {
+/// Terms, with signs, in which two sums differ: first those only in `old`, then those only in `new`. If the sums
+/// differ only inside one inner sum, the terms of this inner sum are compared.
+pub fn differing_terms(old: &Expr, new: &Expr) -> (Vec<String>, Vec<String>) {
     let (before, after) = (terms(old), terms(new));
     let olds: Vec<String> = before.iter().map(Term::to_string).collect();
-    let renamed = |term: &Term| renamed_text(&term.to_string(), names);
-    let news: Vec<String> = after.iter().map(renamed).collect();
+    let news: Vec<String> = after.iter().map(Term::to_string).collect();
     let (gone, come) = (without(&olds, &news), without(&news, &olds));
     if let ([i], [j]) = (&gone[..], &come[..])
         && before[*i].negative == after[*j].negative
-        && let Some((a, b)) = inner_sums(before[*i].value, after[*j].value, names)
+        && let Some((a, b)) = inner_sums(before[*i].value, after[*j].value)
     {
-        return differing_terms(a, b, names);
+        return differing_terms(a, b);
     }
     let pick =
         |from: &[String], places: &[usize]| places.iter().map(|&k| from[k].clone()).collect();
@@ -94,10 +41,10 @@ pub fn differing_terms(old: &Expr, new: &Expr, names: &Names) -> (Vec<String>, V
 
 /// If two expressions differ only inside one sum, possibly nested in factors or arguments, the outermost such sum of
 /// each expression; otherwise `None`.
-fn inner_sums<'a>(old: &'a Expr, new: &'a Expr, names: &Names) -> Option<(&'a Expr, &'a Expr)> {
+fn inner_sums<'a>(old: &'a Expr, new: &'a Expr) -> Option<(&'a Expr, &'a Expr)> {
     let (mut a, mut b) = (old, new);
     loop {
-        (a, b) = one_part(a, b, names)?;
+        (a, b) = one_part(a, b)?;
         if terms(a).len() > 1 || terms(b).len() > 1 {
             return Some((a, b));
         }
@@ -106,7 +53,7 @@ fn inner_sums<'a>(old: &'a Expr, new: &'a Expr, names: &Names) -> Option<(&'a Ex
 
 /// Returns the pair of operands or arguments (old, new) in which two expressions differ, if both expressions are the
 /// same operation or function and exactly one such pair differs; otherwise `None`.
-fn one_part<'a>(old: &'a Expr, new: &'a Expr, names: &Names) -> Option<(&'a Expr, &'a Expr)> {
+fn one_part<'a>(old: &'a Expr, new: &'a Expr) -> Option<(&'a Expr, &'a Expr)> {
     match (&old.kind, &new.kind) {
         (ExprKind::Binary(a, ..), ExprKind::Binary(b, ..)) if a == b && *a != BinaryOp::Pow => {}
         (ExprKind::Call(a, _), ExprKind::Call(b, _)) if a.text == b.text => {}
@@ -115,7 +62,7 @@ fn one_part<'a>(old: &'a Expr, new: &'a Expr, names: &Names) -> Option<(&'a Expr
     let (mut olds, mut news) = (Vec::new(), Vec::new());
     old.children(&mut |child| olds.push(child));
     new.children(&mut |child| news.push(child));
-    let differ = |(a, b): &(&Expr, &Expr)| a.to_string() != renamed_text(&b.to_string(), names);
+    let differ = |(a, b): &(&Expr, &Expr)| a.to_string() != b.to_string();
     let is_equal_count = olds.len() == news.len();
     let mut parts = olds.into_iter().zip(news).filter(differ);
     let first = parts.next()?;

@@ -1,0 +1,94 @@
+//! Which statements determine each compared row of a model: derivative, component of the observation, validity limit.
+
+use super::statements::{Key, keyed, value};
+use super::terms::words;
+use model_spec::model::Model;
+use model_spec::syntax::ast::{Expr, ExprKind};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Whether the row with the index `row` depends directly on a statement. The rows are: state derivatives, components of
+/// the observation, validity limits. The rates of the attitude count as depending on the moments, although moments
+/// affect only angular accelerations.
+fn is_root(model: &Model, row: usize, (class, name): &Key) -> bool {
+    let Some(state) = model.states.get(row) else {
+        let observed = if model.observation.is_some() { 3 } else { 0 };
+        return match (row - model.states.len()).checked_sub(observed) {
+            None => ["observe", "marker", "frame"].contains(class),
+            Some(limit) => *class == "limit" && *name == (limit + 1).to_string(),
+        };
+    };
+    if *class == "clock" {
+        return true;
+    }
+    if model.equations.iter().any(|e| e.state == row) {
+        return *class == "der" && *name == state.name;
+    }
+    let load = match &model.body {
+        Some(body) if body.position.contains(&row) => "body",
+        Some(body) if body.velocity.contains(&row) => "force",
+        _ => "moment",
+    };
+    ["body", "frame", load].contains(class)
+}
+
+/// For each row of a model, the statements on which it depends.
+pub struct Reach {
+    uses: BTreeMap<Key, BTreeSet<Key>>,
+    roots: BTreeMap<String, BTreeSet<Key>>,
+}
+
+impl Reach {
+    /// Determines which statements of a model's file depend on which others. `rows` are the names of the rows: state
+    /// derivatives, components of the observation, validity limits.
+    pub fn of(model: &Model, rows: &[String]) -> Self {
+        let items = keyed(&model.tree);
+        let by_name = |name: &str| -> Vec<Key> {
+            let classes = ["let", "table", "constant", "input", "frame", "state", "der"];
+            let is = |key: &Key| key.1 == name && classes.contains(&key.0);
+            let found = items.iter().map(|(key, _)| key).filter(|key| is(key));
+            found.cloned().collect()
+        };
+        let mut uses = BTreeMap::new();
+        for (key, item) in &items {
+            let text = item.kind.to_string();
+            let words = words(&text);
+            let mut found: BTreeSet<Key> = words.iter().flat_map(|w| by_name(w)).collect();
+            found.remove(key);
+            // Only `der(…)` refers to the equation of a state; the name of the state does not.
+            let mut used = BTreeSet::new();
+            if let Some(value) = value(item) {
+                derivatives(value, &mut used);
+            }
+            found.retain(|k| k.0 != "der" || used.contains(&k.1));
+            uses.insert(key.clone(), found);
+        }
+        let roots = rows.iter().enumerate().map(|(k, row)| {
+            let keys = items.iter().map(|(key, _)| key);
+            let own = keys.filter(|key| is_root(model, k, key));
+            (row.clone(), own.cloned().collect())
+        });
+        Self {
+            roots: roots.collect(),
+            uses,
+        }
+    }
+
+    /// All statements on which a row depends, directly or indirectly; empty for an unknown row.
+    pub fn of_row(&self, row: &str) -> BTreeSet<Key> {
+        let mut out = BTreeSet::new();
+        let mut open: Vec<Key> = self.roots.get(row).into_iter().flatten().cloned().collect();
+        while let Some(key) = open.pop() {
+            if out.insert(key.clone()) {
+                open.extend(self.uses.get(&key).into_iter().flatten().cloned());
+            }
+        }
+        out
+    }
+}
+
+fn derivatives(e: &Expr, out: &mut BTreeSet<String>) {
+    if let ExprKind::Derivative(state) = &e.kind {
+        out.insert(state.text.clone());
+    }
+    e.children(&mut |child| derivatives(child, out));
+}

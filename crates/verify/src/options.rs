@@ -1,0 +1,31 @@
+//! Options of a verification, and the tolerance of its comparisons.
+
+/// Options of a verification.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// Seed of all random numbers of the verification.
+    pub seed: u64,
+    /// Number of random points at which each check evaluates the model.
+    pub cases: usize,
+    /// Whether to run mutation testing: the checks are repeated on models with one deliberate change each.
+    pub mutants: bool,
+    /// Whether to check effects: that they change nothing at their null values, and that they agree with their
+    /// reference implementations.
+    pub effects: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            seed: 1,
+            cases: 200,
+            mutants: true,
+            effects: true,
+        }
+    }
+}
+
+/// Maximum error, relative to the sum of the magnitudes of the terms of a value, that counts as rounding in a
+/// comparison of f64 values. Checks with larger numerical errors, such as those of flights, have tolerances of their
+/// own.
+pub const TOLERANCE: f64 = 1e-12;
