@@ -6,31 +6,13 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use super::ResultFile;
 use super::atomic::write_atomic;
 use super::exchange::{self, exchange};
 use super::manifest::{MANIFEST, Manifest};
 
 /// Maximum number of files named in the error about a folder with files that hyzer did not write.
 const MAX_NAMED: usize = 3;
-
-/// A result file to be written to a folder.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ResultFile {
-    /// Path relative to the folder of results, with `/` between names.
-    pub path: String,
-    /// Contents of the file.
-    pub contents: Vec<u8>,
-}
-
-impl ResultFile {
-    /// Creates a result file from its path relative to the folder and its contents.
-    pub fn new(path: impl Into<String>, contents: impl Into<Vec<u8>>) -> ResultFile {
-        ResultFile {
-            path: path.into(),
-            contents: contents.into(),
-        }
-    }
-}
 
 /// Reason why results cannot be written to a folder.
 #[derive(Debug, thiserror::Error)]

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use model_spec::fingerprint;
 
-use super::folder::ResultFile;
+use super::ResultFile;
 
 /// Name of the manifest file in a folder of results, which lists the files that hyzer wrote.
 pub const MANIFEST: &str = ".hyzer-results";

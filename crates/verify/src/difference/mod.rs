@@ -141,7 +141,7 @@ pub fn compare(old: &Model, new: &Model) -> Difference {
     let statements = statements::compare(&old.tree, &new.tree, &is_same);
     let reach = [Reach::of(old, &a.rows()), Reach::of(new, &b.rows())];
     for row in rows.iter_mut().filter(|row| row.is_changed()) {
-        row.causes = statements::causes(&statements, &reach, &row.row);
+        row.causes = reach::causes(&statements, &reach, &row.row);
     }
     Difference {
         schema: "hyzer.diff/2",

@@ -1,6 +1,6 @@
 //! Which statements determine each compared row of a model: derivative, component of the observation, validity limit.
 
-use super::statements::{Key, keyed, value};
+use super::statements::{Change, Key, Statement, keyed, value};
 use super::terms::words;
 use model_spec::model::Model;
 use model_spec::syntax::ast::{Expr, ExprKind};
@@ -91,4 +91,22 @@ fn derivatives(e: &Expr, out: &mut BTreeSet<String>) {
         out.insert(state.text.clone());
     }
     e.children(&mut |child| derivatives(child, out));
+}
+
+/// Descriptions of the statements that cause the difference of a row. These are the added, removed and changed
+/// statements on which the row depends in the old or the new model, whose dependencies are `reach`. Each description
+/// contains the terms that differ.
+pub fn causes(statements: &[Statement], reach: &[Reach; 2], row: &str) -> Vec<String> {
+    let reached = reach.each_ref().map(|reach| reach.of_row(row));
+    let is_cause = |s: &&Statement| {
+        matches!(s.change, Change::Added | Change::Removed | Change::Changed)
+            && reached.iter().any(|keys| keys.contains(&s.key))
+    };
+    let mut all: Vec<String> = statements
+        .iter()
+        .filter(is_cause)
+        .map(Statement::cause)
+        .collect();
+    all.dedup();
+    all
 }

@@ -1,6 +1,5 @@
 //! Compares the statements of two model files: added, removed, changed, rewritten, restated.
 
-use super::reach::Reach;
 use super::terms::differing_terms;
 use model_spec::syntax::ast::{Expr, File, Item, ItemKind, LoadClass};
 use serde::Serialize;
@@ -37,7 +36,7 @@ pub struct Statement {
     /// Terms of the sum on the statement's right-hand side that only the new model has.
     pub terms_added: Vec<String>,
     #[serde(skip)]
-    key: Key,
+    pub(super) key: Key,
 }
 
 /// Class (such as `let`) and name of a statement. Parameters and coefficients have the same class, so that a parameter
@@ -97,24 +96,6 @@ fn changed(key: &Key, old: &Item, new: &Item, is_same: &IsSame<'_>) -> Option<St
     })
 }
 
-/// Descriptions of the statements that cause the difference of a row. These are the added, removed and changed
-/// statements on which the row depends in the old or the new model, whose dependencies are `reach`. Each description
-/// contains the terms that differ.
-pub fn causes(statements: &[Statement], reach: &[Reach; 2], row: &str) -> Vec<String> {
-    let reached = reach.each_ref().map(|reach| reach.of_row(row));
-    let is_cause = |s: &&Statement| {
-        matches!(s.change, Change::Added | Change::Removed | Change::Changed)
-            && reached.iter().any(|keys| keys.contains(&s.key))
-    };
-    let mut all: Vec<String> = statements
-        .iter()
-        .filter(is_cause)
-        .map(Statement::cause)
-        .collect();
-    all.dedup();
-    all
-}
-
 impl Statement {
     /// Creates the description of a change of the statement with class and name `key`; texts and differing terms
     /// are empty.
@@ -131,7 +112,7 @@ impl Statement {
     }
 
     /// Describes the statement as the cause of a difference between the models: class, name and differing terms.
-    fn cause(&self) -> String {
+    pub(super) fn cause(&self) -> String {
         match self.change {
             Change::Added => format!("{} added", self.what),
             Change::Removed => format!("{} removed", self.what),
