@@ -1,7 +1,7 @@
 //! Diagnosis of model errors.
 
 use dataset::Dataset;
-use diagnose::{DiagnosisOptions, Report, Verdict};
+use diagnose::{DiagnosisOptions, Explanation, PredictiveGain, Report, Verdict};
 use identify::{CancellationToken, Progress};
 
 use crate::{Error, Fit, FitBuilder, Model};
@@ -145,8 +145,22 @@ impl Diagnosis {
         self.extended.as_ref()
     }
 
-    /// Complete report of the diagnosis: explanations, tests of all candidates, predictive gain, flights.
-    pub fn report(&self) -> &Report {
-        &self.report
+    /// Every explanation that the data do not reject, the best first; empty for an adequate model.
+    pub fn explanations(&self) -> &[Explanation] {
+        &self.report.explanations
+    }
+
+    /// Prediction errors on flights that were not fitted, without and with the effects found; `None` if the model is
+    /// not extended or no flight can be predicted.
+    pub fn predictive_gain(&self) -> Option<&PredictiveGain> {
+        self.report.predictive_gain.as_ref()
+    }
+
+    /// The whole report as JSON, `hyzer.diagnosis/2`, as in the file `report.json` of the program.
+    ///
+    /// # Errors
+    /// [`Error::Json`] if a value has no form in JSON.
+    pub fn to_json(&self) -> Result<String, Error> {
+        Ok(serde_json::to_string_pretty(&self.report)?)
     }
 }

@@ -30,6 +30,9 @@ pub enum Error {
     /// The estimates of a fit cannot be written into the text of its model.
     #[error(transparent)]
     FittedText(#[from] model_spec::compose::ValueError),
+    /// A report cannot be written as JSON.
+    #[error(transparent)]
+    Json(#[from] serde_json::Error),
     /// A dataset cannot be diagnosed.
     #[error(transparent)]
     Diagnosis(#[from] DiagnosisError),

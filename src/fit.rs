@@ -218,6 +218,14 @@ impl Fit {
         self.model.fly(release)
     }
 
+    /// The whole report as JSON, `hyzer.fit/2`, as in the file `report.json` of the program.
+    ///
+    /// # Errors
+    /// [`Error::Json`] if a value has no form in JSON.
+    pub fn to_json(&self) -> Result<String, Error> {
+        Ok(serde_json::to_string_pretty(&self.report)?)
+    }
+
     /// Complete report of the fit: noise, correlations, flights, and coefficients that the flights do not determine.
     pub fn report(&self) -> &FitReport {
         &self.report

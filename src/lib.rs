@@ -37,13 +37,14 @@ pub use error::Error;
 // Models and their flights.
 pub use ::flight::release::{Release, Stop};
 pub use ::flight::throw::Throw;
+pub use ::flight::wind::WindField;
 pub use flight::Flight;
 pub use model::{Effect, Model};
 
 // Datasets.
 pub use ::dataset::synthesize::{Corruption, Plan, Spread};
 pub use ::dataset::{
-    Dataset, Flight as MeasuredFlight, KnownValue, Marker, Role, Sensor, SensorKind,
+    Dataset, Flight as MeasuredFlight, KnownValue, Marker, Reading, Role, Sensor, SensorKind,
 };
 pub use dataset::{DatasetBuilder, read_dataset, synthesize};
 pub use model_spec::compose::Instrument;
@@ -54,7 +55,8 @@ pub use identify::{CancellationToken, DataFault, FaultKind, FitReport, FlightOut
 
 // Diagnoses.
 pub use ::diagnose::{
-    Explanation, ExplanationEffect, PredictiveGain, Report as DiagnosisReport, Verdict,
+    Estimate as EffectEstimate, Explanation, ExplanationEffect, PredictiveGain, RemainingEffect,
+    Verdict,
 };
 pub use diagnosis::{Diagnosis, DiagnosisBuilder};
 
@@ -65,3 +67,24 @@ pub use stability::{Mode, Stability};
 pub use sweep::{Sweep, sweep};
 #[cfg(feature = "verification")]
 pub use verification::{Outcome, Verification};
+
+/// Parts of a [`FitReport`].
+pub mod fit_report {
+    pub use identify::{
+        AxisNoise, AxisResiduals, Coefficient, Estimate, FitStatus, FlightReport, Iterations,
+        MarkerDistance, NoiseReport, NonIdentifiable, Profile, Rms, SensorReport, Truncation,
+    };
+}
+
+/// Causes of an [`Error`].
+pub mod errors {
+    #[cfg(feature = "sweep")]
+    pub use analysis::sweep::SweepError;
+    pub use {
+        ::dataset::InputError, ::dataset::synthesize::SynthesisError, ::flight::release::Fault,
+        ::flight::release::ReleaseError, analysis::design::DesignError,
+        analysis::design::ThrowFlightError, analysis::stability::StabilityError,
+        diagnose::DiagnosisError, identify::FitError, model_spec::LoadError,
+        model_spec::compose::ValueError, ode::IntegrationError,
+    };
+}

@@ -219,24 +219,20 @@ impl Model {
         Ok((model, release))
     }
 
-    /// Simulates the flight from the launch conditions `release`, with relative and absolute tolerances of 1e-9.
+    /// Simulates the flight from a release, with relative and absolute tolerances of 1e-9.
     ///
     /// # Errors
-    /// As [`fly_with`](Model::fly_with).
+    /// As [`fly_within`](Model::fly_within).
     pub fn fly(&self, release: &Release) -> Result<Flight, Error> {
-        self.fly_with(release, &IntegrationOptions::with_tolerance(1e-9))
+        self.fly_within(release, 1e-9)
     }
 
-    /// Simulates the flight from the launch conditions `release` with the given tolerances.
+    /// Simulates the flight from a release with the given relative and absolute tolerance of a step.
     ///
     /// # Errors
     /// [`Error::UnknownName`] if the release sets a parameter or coefficient that the model does not have;
     /// [`Error::Integration`] if the trajectory cannot be computed.
-    pub fn fly_with(
-        &self,
-        release: &Release,
-        options: &IntegrationOptions,
-    ) -> Result<Flight, Error> {
+    pub fn fly_within(&self, release: &Release, tolerance: f64) -> Result<Flight, Error> {
         let compiled = self.compiled();
         for (name, _) in release.parameters.iter().chain(&release.coefficients) {
             if compiled.layout().parameter(name).is_none() {
@@ -246,7 +242,11 @@ impl Model {
                 });
             }
         }
-        let trajectory = flight::simulate(compiled, release, options)?;
+        let trajectory = flight::simulate(
+            compiled,
+            release,
+            &IntegrationOptions::with_tolerance(tolerance),
+        )?;
         Ok(Flight::new(self.clone(), release, trajectory))
     }
 }

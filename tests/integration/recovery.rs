@@ -151,7 +151,7 @@ fn a_hidden_effect_of_any_site_is_among_the_explanations() {
     for (seed, (effect, values)) in HIDDEN.into_iter().enumerate() {
         let found = diagnosed(Some((effect, values)), 1 + seed as u64);
         let name = effect.replace('_', "-");
-        let explanations = &found.report().explanations;
+        let explanations = found.explanations();
         let is_found = explanations
             .iter()
             .any(|explanation| matches!(&explanation.effects[..], [only] if only.name == name));

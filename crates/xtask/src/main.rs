@@ -1,6 +1,7 @@
 //! Task runner of the repository. `cargo xtask check` runs every task that must pass before a change is committed; the
 //! tests run separately.
 
+mod api;
 mod circles;
 mod dependencies;
 mod docs;
@@ -33,8 +34,14 @@ enum Task {
     Check,
     /// Run rustfmt, clippy and rustdoc, with warnings as errors
     Lint,
-    /// Find import cycles between the files of a crate
+    /// Find import cycles between the modules of a crate
     Circles,
+    /// Write the snapshot of the library's public API, docs/reference/api.txt
+    Api {
+        /// Compare the API with the snapshot, and write nothing
+        #[arg(long)]
+        check: bool,
+    },
     /// Find unused dependencies, licences that are not allowed, and packages that need a newer compiler
     Dependencies,
     /// Build every publishable package from its own archive, as a registry would receive it
@@ -70,6 +77,7 @@ fn run(task: &Task) -> Result<()> {
         Task::Check => check(&root),
         Task::Lint => lint(&root),
         Task::Circles => circles::check(&root),
+        Task::Api { check } => api::run(&root, check),
         Task::Dependencies => dependencies::check(&root),
         Task::Package => packages::check(&root, true),
         Task::Glossary => glossary::check(&root),
@@ -87,6 +95,8 @@ fn check(root: &Path) -> Result<()> {
     section("import circles and long files");
     circles::check(root)?;
     source::check_lengths(root)?;
+    section("public API");
+    api::run(root, true)?;
     section("test files");
     test_files::check(root)?;
     untested::check(root)?;
@@ -110,6 +120,11 @@ fn lint(root: &Path) -> Result<()> {
         &[&clippy[..], &["--", "-D", "warnings"]].concat(),
         &[],
     )?;
+    section("studies");
+    let studies = ["--manifest-path", "studies/Cargo.toml"];
+    cargo(root, &[&["fmt", "--check"], &studies[..]].concat(), &[])?;
+    let clippy = ["clippy", "--all-targets", "--locked", "--quiet", "--target-dir", "target"];
+    cargo(root, &[&clippy, &studies[..], &["--", "-D", "warnings"]].concat(), &[])?;
     section("rustdoc");
     let doc = ["doc", "--workspace", "--no-deps", "--locked", "--quiet"];
     cargo(root, &doc, &[("RUSTDOCFLAGS", "-D warnings")])

@@ -45,13 +45,13 @@ impl Spread {
     ///
     /// # Errors
     /// [`OutOfRange`] if `fraction` is not between 0 and its maximum.
-    pub fn check(&self) -> Result<(), OutOfRange> {
+    pub(crate) fn check(&self) -> Result<(), OutOfRange> {
         OutOfRange::check("spread", self.fraction, 0.0, MAX_FRACTION)
     }
 
     /// Standard deviation of the random variation of each state of a model about its value in `state`, SI; 0 for
     /// positions.
-    pub fn deviations(&self, model: &Model, state: &[f64]) -> Vec<f64> {
+    pub(crate) fn deviations(&self, model: &Model, state: &[f64]) -> Vec<f64> {
         let each = model.states.iter().zip(state);
         each.map(|(declared, value)| {
             let scale = match declared.unit {
@@ -69,7 +69,7 @@ impl Spread {
     }
 
     /// Draws a random state about the values in `state`; its quaternions are normalised.
-    pub fn draw(&self, model: &Model, state: &[f64], random: &mut ChaCha12Rng) -> Vec<f64> {
+    pub(crate) fn draw(&self, model: &Model, state: &[f64], random: &mut ChaCha12Rng) -> Vec<f64> {
         let deviations = self.deviations(model, state);
         let mut drawn: Vec<f64> = state
             .iter()
