@@ -1,6 +1,7 @@
 //! Search for explanations if no single candidate effect is adequate.
 
-use super::{Analysis, Discordant, FREE_UNKNOWNS};
+use super::Discordant;
+use super::analysis::{Analysis, FREE_UNKNOWNS};
 use crate::consensus::consensus;
 use crate::context::CandidateId;
 use crate::error::DiagnosisError;

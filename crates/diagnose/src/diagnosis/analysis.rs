@@ -1,0 +1,384 @@
+//! State of a diagnosis: explanations that are found, validated and reported.
+
+use identify::{Fit, Iterate};
+
+use crate::base_fit::{BaseFit, Clock};
+use crate::context::{Context, ScoreTestModel};
+use crate::error::{DiagnosisError, if_possible};
+use crate::extension::ExtendedModel;
+use crate::lack_of_fit::LackOfFit;
+use crate::noise::random_walk_loads;
+use crate::offer::{ChosenExtension, measure};
+use crate::optimal_design::proposed_throw;
+use crate::report::{self, Consensus, Report};
+use crate::selection::{
+    FittedTerms, Search, StepwiseModel, Weights, are_alternative, select_by_bic,
+};
+use crate::validation::{Validated, predictive_terms};
+use flight::parallel::join;
+
+use super::{Diagnosis, Discordant};
+
+/// A hypothesis of one effect that adds at most this number of unknowns is accepted without comparison by BIC.
+pub(super) const FREE_UNKNOWNS: usize = 6;
+
+/// State of a diagnosis in which explanations (hypotheses about the effects that the model lacks) are found but not yet
+/// validated.
+pub(super) struct Analysis<'a> {
+    pub(super) clock: Clock,
+    pub(super) before: Fit,
+    /// Lack-of-fit test of the residuals of the model under test; `None` if the residuals are too few to separate noise
+    /// from smooth motion.
+    pub(super) residuals: Option<LackOfFit>,
+    pub(super) model: ScoreTestModel<'a>,
+    /// Parameter values and initial states of the fit of the model under test, as unknowns of the score-test model.
+    pub(super) base: Iterate,
+    pub(super) search: Search,
+    pub(super) stepwise: Option<StepwiseModel>,
+    pub(super) consensus: Option<Consensus>,
+    pub(super) discordant: Option<Discordant>,
+    /// Messages on limitations of the result, for the report.
+    pub(super) notes: Vec<String>,
+}
+
+/// Searches for missing effects. A flight is removed from the score-test model if its samples do not determine its
+/// initial state, or its trajectory cannot be integrated. Its file name is then added to `set_aside`, and the search
+/// starts again with the other flights.
+pub(super) fn search_testable(
+    model: &mut ScoreTestModel<'_>,
+    base: &mut Iterate,
+    before: &Fit,
+    set_aside: &mut Vec<String>,
+) -> Result<Search, DiagnosisError> {
+    loop {
+        let found = Search::new(model, base, Weights::EstimatedFrom(before.noise()));
+        let file = match &found {
+            Err(error) if model.flights.len() > 1 => error.flight().map(str::to_owned),
+            _ => None,
+        };
+        match file {
+            Some(file) if model.set_aside(&file, base) => set_aside.push(file),
+            _ => return found,
+        }
+    }
+}
+
+impl<'a> Analysis<'a> {
+    /// Creates the state of a diagnosis: tests all candidate effects at the fit of the model under test, and searches
+    /// for explanations, hypotheses about the effects that the model lacks.
+    pub(super) fn new(context: Context<'a>, base: BaseFit) -> Result<Self, DiagnosisError> {
+        let options = context.options;
+        let BaseFit {
+            clock,
+            fit: before,
+            encompassing,
+            is_despite_faults,
+        } = base;
+        let (mut model, mut base) = ScoreTestModel::new(encompassing, context, &before)?;
+        let threads = options.fit.threads();
+        let mut set_aside = Vec::new();
+        let (search, residuals) = join(
+            threads,
+            || search_testable(&mut model, &mut base, &before, &mut set_aside),
+            || LackOfFit::of_fit(&before, threads),
+        );
+        let (mut search, residuals) = (search?, if_possible(residuals)?.flatten());
+        let unexplained = residuals
+            .as_ref()
+            .filter(|residuals| residuals.p_value < options.alpha_detect);
+        if let Some(residuals) = unexplained
+            && !search.is_significant()
+        {
+            // The residual noise of the misfitting model is too large for the tests; they are repeated with the noise
+            // floor.
+            search = Search::new(&mut model, &base, Weights::Known(&residuals.noise))?;
+        }
+        let mut analysis = Self {
+            clock,
+            before,
+            residuals,
+            model,
+            base,
+            search,
+            stepwise: None,
+            consensus: None,
+            discordant: None,
+            notes: Vec::new(),
+        };
+        if is_despite_faults {
+            analysis.notes.push(
+                "every flight has a fault of the data; they are used all the same, as an effect may explain it"
+                    .to_owned(),
+            );
+        }
+        if !set_aside.is_empty() {
+            let files = set_aside.join(", ");
+            analysis.notes.push(format!(
+                "left out of the tests of effects, as the effects cannot be told from the initial state: {files}"
+            ));
+        }
+        if analysis.search.is_significant() && analysis.search.accepted.is_empty() {
+            analysis.search_beyond_single_effects()?;
+        } else {
+            analysis.select_by_bic(FREE_UNKNOWNS);
+        }
+        if analysis.consensus.is_none() {
+            analysis.search.add_undecided(&analysis.model)?;
+        }
+        Ok(analysis)
+    }
+
+    pub(super) fn select_by_bic(&mut self, free: usize) {
+        let accepted = std::mem::take(&mut self.search.accepted);
+        let stepwise = self.stepwise.as_ref();
+        self.search.accepted = select_by_bic(&self.model, accepted, stepwise, free);
+    }
+
+    /// The fitted model with library terms; `None` unless there are accepted hypotheses to which the terms are an
+    /// alternative by BIC (see [`are_alternative`]).
+    pub(super) fn alternative_terms(&self) -> Option<&FittedTerms> {
+        let hypotheses = &self.search.accepted;
+        let terms = self.stepwise.as_ref().filter(|_| !hypotheses.is_empty());
+        let terms = terms.filter(|terms| are_alternative(&self.model, hypotheses, terms))?;
+        terms.fitted.last()
+    }
+
+    pub(super) fn has_adequate_terms(&self) -> bool {
+        let stepwise = self.stepwise.as_ref();
+        stepwise.is_some_and(|stepwise| stepwise.is_adequate)
+    }
+
+    /// Validates the explanations (hypotheses about the effects that the model lacks), extends the model by the effects
+    /// of the best one, and completes the report.
+    pub(super) fn finish<R: Send>(
+        mut self,
+        on_extension: &(impl Fn(&ExtendedModel) -> R + Sync),
+    ) -> Result<(Diagnosis, Option<R>), DiagnosisError> {
+        let (mut validated, refused) = self.validate_overflexible()?;
+        self.notes.extend(refused);
+        self.clock.record("search");
+        let context = self.model.context;
+        let (mut report, measured) = loop {
+            let fitted = (&self.before, self.residuals.as_ref());
+            let mut report = report::build_report(fitted, &self.model, &self.search);
+            report.consensus.clone_from(&self.consensus);
+            if let Some(terms) = self.alternative_terms() {
+                report::add_alternative(&mut report, terms, &self.search);
+            }
+            let Some(chosen) = self.choose(validated.take(), &mut report)? else {
+                break (report, None);
+            };
+            let names = report::display_names(&chosen.extension.effects);
+            let is_candidate = !self.search.accepted.is_empty();
+            let applies = report.consensus.is_some();
+            let noise = report.leading_noise().sigma;
+            let measured = measure(
+                context,
+                &self.before,
+                chosen,
+                (applies, noise),
+                on_extension,
+            );
+            match if_possible(measured)? {
+                Some(measured) if !(is_candidate && measured.changes_nothing()) => {
+                    break (report, Some(measured));
+                }
+                None if !is_candidate => break (report, None),
+                found => {
+                    let why = match found {
+                        Some(_) => "its fit predicts the same as the model without it",
+                        None => "the model with it cannot be fitted",
+                    };
+                    self.notes.push(format!("{names} is no explanation: {why}"));
+                    self.search.accepted.remove(0);
+                }
+            }
+        };
+        report.notes.append(&mut self.notes);
+        let (mut after, mut made) = (None, None);
+        if let Some(measured) = measured {
+            let offered = measured.add_to(&mut report, &self.before, context)?;
+            (after, made) = offered.unzip();
+        }
+        report::describe_departures(&mut report);
+        let is_out_of_time = context.is_out_of_time();
+        if is_out_of_time || (self.model.is_exhausted() && self.search.accepted.is_empty()) {
+            report::note_incomplete(&mut report, is_out_of_time);
+        }
+        if !is_out_of_time {
+            let found = proposed_throw(&self.model, &self.search);
+            report.proposed_throw = if_possible(found)?.flatten();
+        }
+        report.summary = report::summary(&report);
+        self.clock.record("total");
+        report.seconds = self.clock.seconds;
+        let mut diagnosis = Diagnosis {
+            report,
+            before: self.before,
+            after,
+        };
+        diagnosis.set_verified(None);
+        Ok((diagnosis, made))
+    }
+
+    /// Validates the best explanation (hypothesis about missing effects) by its out-of-sample gain if it is
+    /// overflexible: if it has more than two effects, or an effect with a separate value for each flight. Returns the
+    /// validated explanation if it improves predictions. Otherwise drops all overflexible explanations and returns the
+    /// reason as the second value. Both values are `None` if the best explanation is not overflexible, or the deadline
+    /// has passed.
+    fn validate_overflexible(
+        &mut self,
+    ) -> Result<(Option<Validated>, Option<String>), DiagnosisError> {
+        let model = &self.model;
+        let best = self.search.accepted.first();
+        let Some(best) = best.filter(|best| best.is_overflexible(model)) else {
+            return Ok((None, None));
+        };
+        let noise = self.search.noise.overall();
+        if model.context.is_out_of_time() {
+            return Ok((None, None));
+        }
+        let validated = Validated::new(model, best, &self.before, noise);
+        let validated = if_possible(validated)?;
+        let refused = match validated {
+            Some(validated) if validated.is_accepted() => return Ok((Some(validated), None)),
+            Some(validated) => Some(report::refused(&validated)),
+            None => None,
+        };
+        self.search.accepted.retain(|h| !h.is_overflexible(model));
+        if self.search.accepted.is_empty() && self.stepwise.is_none() {
+            self.stepwise = StepwiseModel::select(model, &self.search, &self.before, None)?;
+        }
+        Ok((None, refused))
+    }
+
+    /// Chooses the effects by which the model is extended: those of the best explanation (accepted hypothesis) or,
+    /// without an explanation, the selected library terms. The terms are also added to the report. `None` if there is
+    /// neither, or if the extended model is not yet fitted and the deadline has passed.
+    fn choose(
+        &mut self,
+        validated: Option<Validated>,
+        report: &mut Report,
+    ) -> Result<Option<ChosenExtension>, DiagnosisError> {
+        let context = self.model.context;
+        if let Some(validated) = validated {
+            return Ok(Some(ChosenExtension {
+                extension: validated.extension,
+                fit: Some(validated.fit),
+                gain: validated.gain,
+                chi2_decrease: 0.0,
+            }));
+        }
+        if let Some(best) = self.search.accepted.first() {
+            if context.is_out_of_time() {
+                return Ok(None);
+            }
+            return Ok(Some(ChosenExtension {
+                extension: best.extension(&self.model)?,
+                fit: None,
+                gain: None,
+                chi2_decrease: 0.0,
+            }));
+        }
+        let (model, search) = (&self.model, &self.search);
+        let (Some(mut stepwise), Some(terms)) = (self.stepwise.take(), &model.terms) else {
+            return Ok(None);
+        };
+        let count = predictive_terms(context, &stepwise, search.noise.overall())?;
+        stepwise.keep_first(count, terms);
+        let histories = match context.is_out_of_time() {
+            true => Vec::new(),
+            false => random_walk_loads(model, &self.base, &search.noise),
+        };
+        let found = report::unattributed_report(model, search, &stepwise, histories);
+        report.unattributed = Some(found);
+        let chi2_decrease = (search.at_base.squares - stepwise.squares).max(0.0);
+        Ok(stepwise.fitted.pop().map(|last| ChosenExtension {
+            extension: last.extension,
+            fit: Some(last.fit),
+            gain: None,
+            chi2_decrease,
+        }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Instant;
+
+    use super::*;
+    use crate::context::DiagnosisOptions;
+    use crate::report::Verdict;
+    use crate::test_support::mystery;
+    use identify::FitOptions;
+
+    /// State of a diagnosis of four flights of `examples/mystery`, with the hypothesis that the model lacks two
+    /// effects: the one with which the flights were simulated, and another one.
+    fn analysis_of_two_effects(context: Context<'_>) -> Analysis<'_> {
+        let mut analysis = Analysis::new(context, BaseFit::new(context).unwrap()).unwrap();
+        // An accepted explanation by fewer unknowns would end the selection of terms.
+        analysis.search.accepted.clear();
+        let (model, search) = (&analysis.model, &analysis.search);
+        let named = |name: &str| model.candidates().find(|(_, c)| c.name == name).unwrap().0;
+        let mut effects = ["stall", "gravity"].map(named);
+        effects.sort_unstable();
+        let pair = model.fit_hypothesis(&effects, &analysis.base, &search.noise);
+        let terms = StepwiseModel::select(model, search, &analysis.before, None);
+        let mut terms = terms.unwrap().unwrap();
+        terms.keep_first(2, model.terms.as_ref().unwrap());
+        analysis.search.accepted = Vec::from_iter(pair);
+        analysis.stepwise = Some(terms);
+        analysis
+    }
+
+    #[test]
+    fn terms_that_explain_as_much_as_several_effects_are_in_the_answer() {
+        let model = model_spec::load::load("disc", &[]).unwrap();
+        let (dataset, options) = (mystery(4), DiagnosisOptions::default());
+        let context = Context {
+            model: &model,
+            dataset: &dataset,
+            options: &options,
+        };
+        let mut analysis = analysis_of_two_effects(context);
+        let pair = analysis.search.accepted[0].squares;
+        let terms = analysis.stepwise.as_mut().unwrap();
+        (terms.is_adequate, terms.squares) = (true, pair + 100.0);
+        assert!(analysis.alternative_terms().is_none());
+        analysis.stepwise.as_mut().unwrap().squares = pair;
+        assert!(analysis.alternative_terms().is_some());
+
+        let (diagnosis, _) = analysis.finish(&|_| ()).unwrap();
+        let report = diagnosis.report;
+        assert_eq!(report.verdict, Verdict::Ambiguous);
+        let [first, second] = &report.explanations[..] else {
+            panic!("two explanations: {}", report.summary);
+        };
+        let names = |explanation: &report::Explanation| {
+            explanation.effects.iter().map(|e| e.name.clone()).collect()
+        };
+        let names: [Vec<String>; 2] = [names(first), names(second)];
+        assert!(names[0].contains(&"stall".to_owned()), "{names:?}");
+        assert!(
+            names[1].iter().all(|name| name.contains("-by-")),
+            "{names:?}"
+        );
+        assert!(second.chi2_decrease > 0.0);
+    }
+
+    #[test]
+    fn past_the_deadline_there_is_an_answer_that_says_so() {
+        let model = model_spec::load::load("disc", &[]).unwrap();
+        let options = DiagnosisOptions {
+            fit: FitOptions {
+                deadline: Some(Instant::now()),
+                ..FitOptions::default()
+            },
+            ..DiagnosisOptions::default()
+        };
+        let found = diagnose(&model, &mystery(4), &options).unwrap();
+        assert!(!found.report.complete && found.after.is_none());
+        let notes = found.report.notes.join(" ");
+        assert!(notes.contains("the time given was over"), "{notes}");
+    }
+}
