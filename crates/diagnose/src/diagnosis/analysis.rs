@@ -308,6 +308,7 @@ mod tests {
 
     use super::*;
     use crate::context::DiagnosisOptions;
+    use crate::diagnosis::diagnose;
     use crate::report::Verdict;
     use crate::test_support::mystery;
     use identify::FitOptions;
