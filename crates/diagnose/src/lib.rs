@@ -36,7 +36,6 @@ mod context;
 mod diagnosis;
 mod error;
 mod extension;
-mod lack_of_fit;
 mod noise;
 mod offer;
 mod optimal_design;
@@ -58,7 +57,7 @@ pub use extension::ExtendedModel;
 pub use validation::held_out_gain;
 
 // What a diagnosis reports.
-pub use lack_of_fit::{LackOfFit, SmoothMisfit};
+pub use identify::{LackOfFit, SmoothMisfit};
 pub use noise::LoadHistory;
 pub use optimal_design::ProposedThrow;
 pub use power::{MinDetectableEffect, NotIdentifiable};

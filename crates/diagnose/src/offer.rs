@@ -8,10 +8,10 @@ use identify::{Fit, FlightEvidence, FlightId, fit};
 use crate::context::Context;
 use crate::error::{DiagnosisError, if_possible};
 use crate::extension::ExtendedModel;
-use crate::lack_of_fit::LackOfFit;
 use crate::report::{self, Report};
 use crate::validation::{ApplyTo, PredictiveGain, cross_validate, gain_of_fits};
 use flight::parallel::join;
+use identify::LackOfFit;
 
 /// Model extended by the effects that the diagnosis chose, before its fit and out-of-sample gain are completed.
 pub(crate) struct ChosenExtension {

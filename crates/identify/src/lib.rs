@@ -14,6 +14,7 @@ mod fit;
 mod ground_contact;
 mod ids;
 mod initial_state;
+mod lack_of_fit;
 mod least_squares;
 mod marker_observers;
 mod noise;
@@ -43,8 +44,8 @@ pub use options::{CancellationToken, FitOptions, Prior, Progress};
 // The report of a fit.
 pub use report::{
     AxisNoise, AxisResiduals, Coefficient, Estimate, FitReport, FitStatus, FlightEvidence,
-    FlightOutcome, FlightReport, Iterations, MARKER, MarkerDistance, NoiseReport, NonIdentifiable,
-    Profile, Rms, SensorEvidence, SensorReport, leading_noise,
+    FlightOutcome, FlightReport, Iterations, LackOfFit, MARKER, MarkerDistance, NoiseReport,
+    NonIdentifiable, Profile, Rms, SensorEvidence, SensorReport, SmoothMisfit, leading_noise,
 };
 pub use uncertainty::interval;
 

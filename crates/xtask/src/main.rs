@@ -123,8 +123,19 @@ fn lint(root: &Path) -> Result<()> {
     section("studies");
     let studies = ["--manifest-path", "studies/Cargo.toml"];
     cargo(root, &[&["fmt", "--check"], &studies[..]].concat(), &[])?;
-    let clippy = ["clippy", "--all-targets", "--locked", "--quiet", "--target-dir", "target"];
-    cargo(root, &[&clippy, &studies[..], &["--", "-D", "warnings"]].concat(), &[])?;
+    let clippy = [
+        "clippy",
+        "--all-targets",
+        "--locked",
+        "--quiet",
+        "--target-dir",
+        "target",
+    ];
+    cargo(
+        root,
+        &[&clippy, &studies[..], &["--", "-D", "warnings"]].concat(),
+        &[],
+    )?;
     section("rustdoc");
     let doc = ["doc", "--workspace", "--no-deps", "--locked", "--quiet"];
     cargo(root, &doc, &[("RUSTDOCFLAGS", "-D warnings")])

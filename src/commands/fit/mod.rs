@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 use anyhow::{Context, bail};
 use dataset::{Dataset, Role};
 use flight::files::ResultFile;
-use identify::{FitOptions, FlightEvidence, FlightId, Prior};
+use identify::{FitOptions, FlightEvidence, FlightId, LackOfFit, Prior};
 use model_spec::ModelTree;
 use model_spec::model::Model;
 use model_spec::sort_by_number;
@@ -58,7 +58,9 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     };
     let fitted = identify::fit(&model, &dataset, &asked);
     drop(progress);
-    let fitted = fitted.with_context(|| format!("cannot fit {}", inputs.dataset.display()))?;
+    let mut fitted = fitted.with_context(|| format!("cannot fit {}", inputs.dataset.display()))?;
+    fitted.report.dataset = dataset_name(&inputs.dataset);
+    fitted.report.lack_of_fit = LackOfFit::of_fit(&fitted, asked.threads())?;
     if let Some(folder) = &out {
         let mut files = results(&inputs.dataset, &model, &dataset, &fitted)?;
         output::add_figures(&mut files, &options.figures)?;

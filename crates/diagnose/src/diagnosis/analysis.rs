@@ -6,7 +6,6 @@ use crate::base_fit::{BaseFit, Clock};
 use crate::context::{Context, ScoreTestModel};
 use crate::error::{DiagnosisError, if_possible};
 use crate::extension::ExtendedModel;
-use crate::lack_of_fit::LackOfFit;
 use crate::noise::random_walk_loads;
 use crate::offer::{ChosenExtension, measure};
 use crate::optimal_design::proposed_throw;
@@ -16,6 +15,7 @@ use crate::selection::{
 };
 use crate::validation::{Validated, predictive_terms};
 use flight::parallel::join;
+use identify::LackOfFit;
 
 use super::{Diagnosis, Discordant};
 

@@ -11,11 +11,11 @@ use super::types::{
     RemainingEffect, Report, ScoreCorrelations, Threshold, Unattributed, Verdict,
 };
 use crate::context::{Candidate, CandidateParameter, ColumnId, ScoreTestModel, display_name};
-use crate::lack_of_fit::LackOfFit;
 use crate::noise::LoadHistory;
 use crate::power::detectable;
 use crate::score_test::{MIN_TOLERANCE, ScoreTest, ln_p_to_z};
 use crate::selection::{Hypothesis, Search, StepwiseModel};
+use identify::LackOfFit;
 
 /// Builds the report of a diagnosis from the result of the search for missing effects. The fields on the extended model
 /// and its fit remain empty; they are set later.

@@ -3,8 +3,8 @@
 use super::types::{Report, Unattributed, Verdict};
 use crate::context::display_name;
 use crate::extension::ExtendedModel;
-use crate::lack_of_fit::{LackOfFit, SmoothMisfit};
 use crate::text::{millimetres, three_figures};
+use identify::{LackOfFit, SmoothMisfit};
 
 /// Maximum number of flights whose largest smooth deviation is described in the report's text on the lack of fit.
 const MAX_DEPARTURES: usize = 3;

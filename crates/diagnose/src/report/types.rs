@@ -7,12 +7,12 @@ use identify::{DataFault, FlightOutcome, NoiseReport, leading_noise};
 use serde::{Deserialize, Serialize};
 
 use super::curves::CoefficientCurve;
-use crate::lack_of_fit::LackOfFit;
 use crate::noise::LoadHistory;
 use crate::optimal_design::ProposedThrow;
 use crate::power::{MinDetectableEffect, NotIdentifiable};
 use crate::selection::StepwiseTerm;
 use crate::validation::PredictiveGain;
+use identify::LackOfFit;
 
 /// Contents of the file `report.json` of a diagnosis, schema `hyzer.diagnosis/2`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -74,6 +74,7 @@ pub fn reports(
     let report = FitReport {
         schema: "hyzer.fit/2".into(),
         model: problem.model.name.clone(),
+        dataset: String::new(),
         effects: effects.map(|effect| effect.name.clone()).collect(),
         reliable: true,
         cautions: Vec::new(),
@@ -85,6 +86,7 @@ pub fn reports(
         data_faults: Vec::new(),
         marker_distances: Vec::new(),
         sensors,
+        lack_of_fit: None,
         not_identifiable: non_identifiable(
             &problem.model,
             &problem.globals,

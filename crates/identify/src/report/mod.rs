@@ -1,6 +1,7 @@
 //! The report of a fit. [`FitReport`] is the content of `report.json`; figures are drawn from [`FlightEvidence`].
 
 mod evidence;
+mod lack_of_fit;
 mod outcome;
 mod reliability;
 mod residual_rms;
@@ -11,6 +12,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 pub use evidence::{AxisResiduals, FlightEvidence, SensorEvidence};
+pub use lack_of_fit::{LackOfFit, SmoothMisfit};
 pub use outcome::{FitStatus, FlightOutcome, Iterations};
 pub(crate) use reliability::cautions;
 pub(crate) use residual_rms::SquareSums;
@@ -28,6 +30,8 @@ pub struct FitReport {
     pub schema: String,
     /// Name of the model.
     pub model: String,
+    /// Name of the dataset; empty if the caller does not state it.
+    pub dataset: String,
     /// Names of the effects that the model includes.
     pub effects: Vec<String>,
     /// Whether the estimates and their standard errors are reliable: the fit converged, few flights are excluded, the
@@ -52,6 +56,8 @@ pub struct FitReport {
     pub marker_distances: Vec<MarkerDistance>,
     /// Residuals and noise of sensor channels other than markers.
     pub sensors: Vec<SensorReport>,
+    /// Lack-of-fit test of the residuals; `None` if it was not made, or the residuals are too few for it.
+    pub lack_of_fit: Option<LackOfFit>,
     /// Coefficients and combinations of coefficients that are not identifiable, in the order of decreasing standard
     /// error.
     pub not_identifiable: Vec<NonIdentifiable>,

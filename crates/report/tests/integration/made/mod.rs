@@ -248,6 +248,7 @@ pub fn report(flights: usize) -> FitReport {
     FitReport {
         schema: "hyzer.fit/2".into(),
         model: "disc".into(),
+        dataset: "throws".into(),
         effects: Vec::new(),
         reliable: true,
         cautions: Vec::new(),
@@ -282,6 +283,7 @@ pub fn report(flights: usize) -> FitReport {
         flights,
         data_faults: Vec::new(),
         marker_distances: Vec::new(),
+        lack_of_fit: None,
         not_identifiable: vec![NonIdentifiable {
             combination: vec!["C_Rr".into()],
             weights: BTreeMap::from([("C_Rr".into(), 0.99), ("C_Mq".into(), -0.12)]),

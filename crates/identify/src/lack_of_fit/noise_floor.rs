@@ -5,8 +5,9 @@
 //! maximum likelihood gives variance and autocorrelation of the remainder, without bias from estimating the splines'
 //! coefficients.
 
+use crate::channel::Channel;
+use crate::noise::{AxesNoise, NoiseModel, group_count};
 use flight::parallel;
-use identify::{AxesNoise, Channel, NoiseModel, group_count};
 
 use super::series::Series;
 use super::spline_basis::SplineBasis;
@@ -232,7 +233,7 @@ mod tests {
     fn marker() -> Channel {
         Channel {
             name: "m1".to_owned(),
-            kind: identify::ChannelKind::Marker(0),
+            kind: crate::channel::ChannelKind::Marker(0),
             position: [0.0; 3],
             components: 3,
             group: 0,

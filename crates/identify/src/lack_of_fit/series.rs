@@ -1,7 +1,7 @@
 //! Residuals of one measurement channel (a marker position or one quantity of a sensor) along one axis, and their
 //! whitened products.
 
-use identify::AxesNoise;
+use crate::noise::AxesNoise;
 
 use super::banded::{BANDWIDTH, BandedGram, Projected};
 use super::spline_basis::{SUPPORT, SplineBasis};

@@ -1,7 +1,8 @@
 //! Marker coordinate and time interval in which residuals deviate most from noise.
 
-use identify::{Channel, NoiseModel};
-use serde::{Deserialize, Serialize};
+use crate::channel::Channel;
+use crate::noise::NoiseModel;
+use crate::report::SmoothMisfit;
 
 use super::noise_floor::FlightSeries;
 use super::spline_basis::{SUPPORT, SplineBasis};
@@ -9,25 +10,6 @@ use super::spline_basis::{SUPPORT, SplineBasis};
 /// Fraction of a flight's largest smooth deviation that bounds the reported time interval: the interval contains the
 /// samples around the maximum at which the deviation is at least this fraction of it.
 const STRETCH: f64 = 0.5;
-
-/// The largest smooth deviation of a flight's measurements from the fitted model.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct SmoothMisfit {
-    /// File name of the flight.
-    pub file: String,
-    /// Measured coordinate, as the column name of the flight's table: marker or sensor and axis, such as `m1_z`.
-    pub coordinate: String,
-    /// Start of the interval in which the deviation exceeds half its maximum, s after the first sample.
-    pub from_s: f64,
-    /// End of the interval in which the deviation exceeds half its maximum, s after the first sample.
-    pub to_s: f64,
-    /// Maximum of the smooth deviation, measured − predicted, with sign, in `unit`.
-    pub size_m: f64,
-    /// Unit of the deviation; `m` for positions.
-    pub unit: String,
-    /// p-value of the lack-of-fit test of this flight alone.
-    pub p_value: f64,
-}
 
 /// Largest smooth deviation of a flight. Splines are fitted to the residuals of each measured coordinate; the result is
 /// the maximum of the splines of the coordinate for which they explain most beyond noise. `None` if there is no

@@ -1,7 +1,7 @@
 //! Smooth part of the residuals of one flight: the reduction of the sum of squares by splines, beyond the reduction
 //! by the flight's own unknowns.
 
-use identify::{AxesNoise, NoiseModel};
+use crate::noise::{AxesNoise, NoiseModel};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 use super::f_test::ScaledStatistic;

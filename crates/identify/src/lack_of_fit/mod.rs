@@ -12,14 +12,17 @@ mod series;
 mod smooth_misfit;
 mod spline_basis;
 
-use std::collections::BTreeMap;
-
+use crate::channel::Channel;
+use crate::error::FitError;
+use crate::fit::Fit;
+use crate::ids::FlightId;
+use crate::observations::Observations;
+use crate::predict::each_residual;
+use crate::report::{LackOfFit, SmoothMisfit};
 use dataset::Role;
 use dataset::statistics::median_of;
 use flight::parallel;
-use identify::{Channel, Fit, FitError, FlightId, NoiseModel, Observations, each_residual};
 use model_spec::sort_by_number;
-use serde::{Deserialize, Serialize};
 
 use self::f_test::ScaledStatistic;
 use self::localize::greatest_misfit;
@@ -27,8 +30,6 @@ use self::noise_floor::{FlightSeries, NoiseFloor};
 use self::series::Series;
 use self::smooth_misfit::{FlightMisfit, least_p};
 use self::spline_basis::SplineBasis;
-
-pub use self::localize::SmoothMisfit;
 
 /// Number of knot intervals over the duration of a flight, for the splines that follow slow deviations of the residuals
 /// from zero.
@@ -53,43 +54,13 @@ const INTEGRATION_ERROR: f64 = 0.02;
 /// Maximum number of flights whose largest smooth deviation is listed in the result of the lack-of-fit test.
 const MAX_DESCRIBED: usize = 6;
 
-/// Result of the lack-of-fit test, which compares the residuals of a fit with the measurement noise. The noise is
-/// estimated from changes of the residuals that are too fast for any smooth motion.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct LackOfFit {
-    /// Familywise p-value of the joint test of all flights and the tests of the single flights.
-    pub p_value: f64,
-    /// p-value of the lack-of-fit test of each fitted flight, by file name.
-    pub flights: BTreeMap<String, f64>,
-    /// Largest smooth deviation of each of the most significant flights, smallest p-value first; empty in a report if
-    /// the test passes.
-    pub largest_misfits: Vec<SmoothMisfit>,
-    /// Standard deviation of the noise of one coordinate, m, estimated from changes that no smooth motion can follow.
-    pub noise_m: f64,
-    /// Root mean square of the residuals in excess of the noise, m: √(mean square of the residuals − noise variance),
-    /// or 0 if the difference is negative.
-    pub beyond_noise_m: f64,
-    /// Excess χ² of all tested flights together: sum of squares that splines remove from the residuals, divided by the
-    /// noise variance, minus the expectation of this ratio for pure noise. The larger of the values for slow and for
-    /// fast deviations of the residuals from zero, at least 0.
-    #[serde(skip)]
-    pub(crate) excess_chi2: f64,
-    /// Estimated noise model: the noise floor of the residuals.
-    #[serde(skip, default = "no_noise")]
-    pub(crate) noise: NoiseModel,
-}
-
-fn no_noise() -> NoiseModel {
-    NoiseModel::white(0.0, 1.0)
-}
-
 impl LackOfFit {
     /// Tests the residuals of the fitted flights of `fit`; `None` if they are too few to separate noise from smooth
     /// motion.
     ///
     /// # Errors
     /// [`FitError::Flight`] if a trajectory cannot be integrated.
-    pub(crate) fn of_fit(fit: &Fit, threads: usize) -> Result<Option<Self>, FitError> {
+    pub fn of_fit(fit: &Fit, threads: usize) -> Result<Option<Self>, FitError> {
         let flights = fitted_flights(fit);
         let intervals = flights.iter().filter_map(|f| f.observed.interval());
         let Some(interval) = median_of(intervals) else {
@@ -330,8 +301,17 @@ fn frequency(predicted: &[Vec<[f64; 3]>], interval: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::test_support::mystery;
-    use identify::{FitOptions, fit};
+    use crate::options::FitOptions;
+    use crate::unknowns::fit;
+    use dataset::Dataset;
+
+    /// Loads the first `flights` flights of the dataset `examples/mystery`.
+    fn mystery(flights: usize) -> Dataset {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/mystery");
+        let mut dataset = dataset::load(folder.as_ref()).unwrap();
+        dataset.flights.truncate(flights);
+        dataset
+    }
 
     fn tested(effects: &[&str]) -> LackOfFit {
         let model = model_spec::load::load("disc", effects).unwrap();

@@ -1,0 +1,56 @@
+//! Result of the lack-of-fit test.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use crate::noise::NoiseModel;
+
+/// Result of the lack-of-fit test, which compares the residuals of a fit with the measurement noise. The noise is
+/// estimated from changes of the residuals that are too fast for any smooth motion.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LackOfFit {
+    /// Familywise p-value of the joint test of all flights and the tests of the single flights.
+    pub p_value: f64,
+    /// p-value of the lack-of-fit test of each fitted flight, by file name.
+    pub flights: BTreeMap<String, f64>,
+    /// Largest smooth deviation of each of the most significant flights, smallest p-value first; empty in a report if
+    /// the test passes.
+    pub largest_misfits: Vec<SmoothMisfit>,
+    /// Standard deviation of the noise of one coordinate, m, estimated from changes that no smooth motion can follow.
+    pub noise_m: f64,
+    /// Root mean square of the residuals in excess of the noise, m: √(mean square of the residuals − noise variance),
+    /// or 0 if the difference is negative.
+    pub beyond_noise_m: f64,
+    /// Excess χ² of all tested flights together: sum of squares that splines remove from the residuals, divided by the
+    /// noise variance, minus the expectation of this ratio for pure noise. The larger of the values for slow and for
+    /// fast deviations of the residuals from zero, at least 0.
+    #[serde(skip)]
+    pub excess_chi2: f64,
+    /// Estimated noise model: the noise floor of the residuals.
+    #[serde(skip, default = "no_noise")]
+    pub noise: NoiseModel,
+}
+
+fn no_noise() -> NoiseModel {
+    NoiseModel::white(0.0, 1.0)
+}
+
+/// The largest smooth deviation of a flight's measurements from the fitted model.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SmoothMisfit {
+    /// File name of the flight.
+    pub file: String,
+    /// Measured coordinate, as the column name of the flight's table: marker or sensor and axis, such as `m1_z`.
+    pub coordinate: String,
+    /// Start of the interval in which the deviation exceeds half its maximum, s after the first sample.
+    pub from_s: f64,
+    /// End of the interval in which the deviation exceeds half its maximum, s after the first sample.
+    pub to_s: f64,
+    /// Maximum of the smooth deviation, measured − predicted, with sign, in `unit`.
+    pub size_m: f64,
+    /// Unit of the deviation; `m` for positions.
+    pub unit: String,
+    /// p-value of the lack-of-fit test of this flight alone.
+    pub p_value: f64,
+}
