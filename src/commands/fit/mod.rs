@@ -56,11 +56,12 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
         deadline: deadline(options.max_seconds)?,
         ..FitOptions::default()
     };
+    let threads = asked.threads();
     let fitted = identify::fit(&model, &dataset, &asked);
     drop(progress);
     let mut fitted = fitted.with_context(|| format!("cannot fit {}", inputs.dataset.display()))?;
     fitted.report.dataset = dataset_name(&inputs.dataset);
-    fitted.report.lack_of_fit = LackOfFit::of_fit(&fitted, asked.threads())?;
+    fitted.report.lack_of_fit = LackOfFit::of_fit(&fitted, threads)?;
     if let Some(folder) = &out {
         let mut files = results(&inputs.dataset, &model, &dataset, &fitted)?;
         output::add_figures(&mut files, &options.figures)?;

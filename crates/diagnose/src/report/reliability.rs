@@ -1,6 +1,6 @@
 //! Assessment whether a diagnosis is reliable, with the reasons if it is not.
 
-use identify::Fit;
+use identify::{Fit, convergence_caution, exclusion_caution};
 
 use super::types::{Report, Verified};
 
@@ -15,9 +15,9 @@ impl Report {
         let is_refuted = verified.as_ref().is_some_and(|verified| !verified.holds);
         let caution = |applies: bool, text: &str| applies.then(|| text.to_owned());
         let cautions = [
-            fit.report.convergence_caution(name),
+            convergence_caution(&fit.report, name),
             caution(!self.complete, "the search was not completed"),
-            before.report.exclusion_caution(),
+            exclusion_caution(&before.report),
             caution(is_refuted, "the extended model fails an independent check"),
         ];
         self.cautions = cautions.into_iter().flatten().collect();

@@ -18,8 +18,8 @@ const MAX_EXCLUDED: f64 = 1.0 / 3.0;
 /// Reasons, as text for the report, why a fit is not reliable; empty if it is reliable.
 pub(crate) fn cautions(report: &FitReport) -> Vec<String> {
     let cautions = [
-        report.convergence_caution("the fit"),
-        report.exclusion_caution(),
+        convergence_caution(report, "the fit"),
+        exclusion_caution(report),
         above_noise_floor(report),
         data_faults(report),
         marker_distances(report),
@@ -27,33 +27,31 @@ pub(crate) fn cautions(report: &FitReport) -> Vec<String> {
     cautions.into_iter().flatten().collect()
 }
 
-impl FitReport {
-    /// Caution that the fit, called `fit` in the sentence, did not converge; `None` if it converged.
-    pub fn convergence_caution(&self, fit: &str) -> Option<String> {
-        let steps = count(self.iterations.steps, "step");
-        match self.iterations.status {
-            FitStatus::Converged => None,
-            FitStatus::Deadline => Some(format!(
-                "the time limit was reached after {steps}, before {fit} converged"
-            )),
-            FitStatus::MaxSteps | FitStatus::NoDescent | FitStatus::NoiseNotConverged => {
-                Some(format!("{fit} did not converge in {steps}"))
-            }
+/// Caution that the fit, called `fit` in the sentence, did not converge; `None` if it converged.
+pub fn convergence_caution(report: &FitReport, fit: &str) -> Option<String> {
+    let steps = count(report.iterations.steps, "step");
+    match report.iterations.status {
+        FitStatus::Converged => None,
+        FitStatus::Deadline => Some(format!(
+            "the time limit was reached after {steps}, before {fit} converged"
+        )),
+        FitStatus::MaxSteps | FitStatus::NoDescent | FitStatus::NoiseNotConverged => {
+            Some(format!("{fit} did not converge in {steps}"))
         }
     }
+}
 
-    /// Caution that more than a third of the flights to be fitted are excluded; `None` if fewer are.
-    pub fn exclusion_caution(&self) -> Option<String> {
-        let to_fit = self.flights.iter().filter(|f| f.role == Role::Fit);
-        let (all, used) = (to_fit.count(), self.used(Role::Fit).count());
-        let excluded = all - used;
-        (excluded as f64 > MAX_EXCLUDED * all as f64).then(|| {
-            format!(
-                "{excluded} of {} to be fitted were excluded",
-                count(all, "flight")
-            )
-        })
-    }
+/// Caution that more than a third of the flights to be fitted are excluded; `None` if fewer are.
+pub fn exclusion_caution(report: &FitReport) -> Option<String> {
+    let to_fit = report.flights.iter().filter(|f| f.role == Role::Fit);
+    let (all, used) = (to_fit.count(), report.used(Role::Fit).count());
+    let excluded = all - used;
+    (excluded as f64 > MAX_EXCLUDED * all as f64).then(|| {
+        format!(
+            "{excluded} of {} to be fitted were excluded",
+            count(all, "flight")
+        )
+    })
 }
 
 fn above_noise_floor(report: &FitReport) -> Option<String> {
