@@ -175,7 +175,9 @@ fn item_lines(items: &[Item], name: &str, shown: &str) -> Vec<String> {
             }
             Item::Impl(item) if item.trait_.is_none() && is_of(&item.self_ty, name) => {
                 lines.extend(item.items.iter().filter_map(|item| match item {
-                    ImplItem::Fn(item) if matches!(item.vis, Visibility::Public(_)) => {
+                    ImplItem::Fn(item)
+                        if matches!(item.vis, Visibility::Public(_)) && !is_hidden(&item.attrs) =>
+                    {
                         Some(format!("{shown}::{}", text(item.sig.to_token_stream())))
                     }
                     _ => None,
@@ -185,6 +187,14 @@ fn item_lines(items: &[Item], name: &str, shown: &str) -> Vec<String> {
         }
     }
     lines
+}
+
+/// Whether an item is marked `#[doc(hidden)]`: public for the crates of the workspace, and no part of the API.
+fn is_hidden(attributes: &[syn::Attribute]) -> bool {
+    attributes.iter().any(|attribute| {
+        let hidden = |meta: syn::MetaList| meta.tokens.to_string() == "hidden";
+        attribute.path().is_ident("doc") && attribute.meta.require_list().cloned().is_ok_and(hidden)
+    })
 }
 
 fn fields(fields: &Fields) -> impl Iterator<Item = String> {

@@ -7,7 +7,7 @@ use flight::throw::FIELDS;
 use nalgebra::{Matrix2, Vector2};
 use serde_json::{Map, Value, json};
 
-use crate::design::design::{Design, numbers};
+use crate::design::search::{Design, numbers};
 use crate::design::sensitivity::Sensitivity;
 use crate::design::spread::{Landings, Spread};
 

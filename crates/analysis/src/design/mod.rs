@@ -22,7 +22,6 @@
 
 mod bounds;
 mod box_quadratic;
-mod design;
 mod fly;
 mod goal;
 mod json;
@@ -30,16 +29,17 @@ mod optimise;
 mod path;
 mod point;
 mod read_bounds;
+mod search;
 mod sensitivity;
 mod spread;
 mod throw_flight;
 
 pub use bounds::{Bounds, Scatter};
-pub use design::{Design, DesignError, SearchOptions, design, numbers};
 pub use flight::release::ReleaseError as BoundsError;
 pub use goal::{GOALS, Goal, Obstacle, Side};
 pub use path::{Landing, Path};
 pub use point::Point;
+pub use search::{Design, DesignError, SearchOptions, design, numbers};
 pub use sensitivity::{OneUnit, Sensitivity, sensitivities};
 pub use spread::{
     Agreement, Band, CoefficientErrors, Landings, QUANTILES, SampleOptions, Sampled, Scattered,

@@ -53,7 +53,8 @@ impl Corruption {
     ///
     /// # Errors
     /// [`OutOfRange`] for the first value that is outside its range.
-    pub(crate) fn check(&self) -> Result<(), OutOfRange> {
+    #[doc(hidden)]
+    pub fn check(&self) -> Result<(), OutOfRange> {
         let within = OutOfRange::check;
         within("noise-sigma", self.sigma, 0.0, MAX_SIGMA)?;
         within("noise-ar1", self.ar1, -0.999, 0.999)?;

@@ -45,13 +45,15 @@ impl Spread {
     ///
     /// # Errors
     /// [`OutOfRange`] if `fraction` is not between 0 and its maximum.
-    pub(crate) fn check(&self) -> Result<(), OutOfRange> {
+    #[doc(hidden)]
+    pub fn check(&self) -> Result<(), OutOfRange> {
         OutOfRange::check("spread", self.fraction, 0.0, MAX_FRACTION)
     }
 
     /// Standard deviation of the random variation of each state of a model about its value in `state`, SI; 0 for
     /// positions.
-    pub(crate) fn deviations(&self, model: &Model, state: &[f64]) -> Vec<f64> {
+    #[doc(hidden)]
+    pub fn deviations(&self, model: &Model, state: &[f64]) -> Vec<f64> {
         let each = model.states.iter().zip(state);
         each.map(|(declared, value)| {
             let scale = match declared.unit {

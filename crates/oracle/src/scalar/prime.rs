@@ -41,6 +41,11 @@ impl Prime {
         joined(of_59, self, 2)
     }
 
+    /// Product with the inverse of `divisor`.
+    fn quotient(self, divisor: Self) -> Self {
+        self * divisor.inverse()
+    }
+
     /// Returns `self` raised to the power 2^`times`.
     fn squared(self, times: u32) -> Self {
         (0..times).fold(self, |power, _| power * power)
@@ -60,7 +65,7 @@ crate::operators!([] Prime {
         let product = u128::from(a.0) * u128::from(b.0);
         Self::reduced((product as u64 & PRIME) + (product >> 61) as u64)
     },
-    Div div(a, b) => a * b.inverse(),
+    Div div(a, b) => a.quotient(b),
     -a => Self::reduced(PRIME - a.0),
 });
 
