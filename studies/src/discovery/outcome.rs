@@ -114,7 +114,8 @@ impl Outcome {
 
     /// Whether the diagnosis succeeded and detected a deviation from the model (verdict other than `Verdict::Adequate`).
     pub fn is_detected(&self) -> bool {
-        self.verdict.is_some_and(|verdict| verdict != Verdict::Adequate)
+        self.verdict
+            .is_some_and(|verdict| verdict != Verdict::Adequate)
     }
 
     /// Ratio of the RMS prediction errors of two models on held-out flights: the model extended by the effects that the

@@ -30,7 +30,7 @@ pub(super) fn score(outcome: &mut Outcome, report: &Report) {
     outcome.hypotheses = hypotheses(report);
     let remaining = report.explanations.iter().map(|hypothesis| {
         let remaining = hypothesis.strongest_remaining.as_ref()?;
-        Some((underscored(&remaining.name), remaining.p))
+        Some((underscored(&remaining.name), remaining.p_value))
     });
     outcome.strongest_remaining = remaining.collect();
     let terms = report

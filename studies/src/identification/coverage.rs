@@ -73,7 +73,8 @@ pub fn coverage(plan: &Plan<'_>, condition: &NoiseCondition, seeds: u64) -> Cove
     let coefficients = truth.iter().map(|(name, truth)| {
         let estimates = || reports.iter().map(|report| &report.coefficients[name]);
         let contains = |[low, high]: [f64; 2]| (low..=high).contains(truth);
-        let clustered = estimates().filter_map(|c| Some(interval(c.value, c.std_error_cluster_robust?)));
+        let clustered =
+            estimates().filter_map(|c| Some(interval(c.value, c.std_error_cluster_robust?)));
         let z: Vec<f64> = estimates()
             .map(|c| (c.value - truth) / c.std_error)
             .collect();

@@ -175,6 +175,6 @@ pub(crate) fn scenario(
             .collect(),
         any_non_identifiable: count(&|report| names().any(|name| is_named(name, report))),
         failed,
-        messages: first.map_or(Vec::new(), |u| u.iter().map(|u| u.why.clone()).collect()),
+        messages: first.map_or(Vec::new(), |u| u.iter().map(|u| u.reason.clone()).collect()),
     }
 }

@@ -214,7 +214,7 @@ fn detectability(model: &Model, mut exact: Dataset, sigma: f64) -> Option<f64> {
     let flights = fitted.report.flights.iter().zip(&exact.flights);
     let squares = flights.filter(|(report, _)| report.role == dataset::Role::Fit);
     let chi2: f64 = squares
-        .map(|(report, flight)| match report.rms() {
+        .map(|(report, flight)| match report.position_rms() {
             Some(rms) => (rms / sigma).powi(2) * Flight::measurements(flight) as f64,
             None => 0.0,
         })

@@ -208,7 +208,11 @@ fn causes(observed: &Observed, seed: u64) -> Option<Vec<(String, bool)>> {
         ..DiagnosisOptions::default()
     };
     let found = diagnose(&model, &dataset, &options).ok()?;
-    let effects = found.report.explanations.iter().flat_map(|cause| &cause.effects);
+    let effects = found
+        .report
+        .explanations
+        .iter()
+        .flat_map(|cause| &cause.effects);
     let each = effects.map(|effect| {
         let first = effect.estimates.get("accelerometer_by_1");
         let off = first.map(|own| (own.value - DISPLACEMENT[0]).abs() / own.std_error);

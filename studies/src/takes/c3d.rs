@@ -6,7 +6,7 @@ use std::process::Command;
 use crate::error::StudyError;
 
 /// Python script that converts tables of marker positions in Vicon's text format to C3D.
-const SCRIPT: &str = include_str!("../../../../benches/takes/write_c3d.py");
+const SCRIPT: &str = include_str!("../../../benches/takes/write_c3d.py");
 
 /// Converts tables of marker positions in Vicon's text format to C3D files, and returns the contents of the files.
 ///

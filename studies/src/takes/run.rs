@@ -4,12 +4,12 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use dataset::{Dataset, Flight, Marker};
-use flight::parallel;
 use dataset::takes::{
     Axis, CentreHeight, EstimatedTemplate, FreeFlight, Point, ReadOptions, Take, ThrowOptions,
     Throws, estimate_template, find_throws,
 };
+use dataset::{Dataset, Flight, Marker};
+use flight::parallel;
 
 use super::c3d;
 use super::session::{Filmed, FilmedTake, filmed, turned};

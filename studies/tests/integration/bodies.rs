@@ -47,7 +47,7 @@ fn a_driver_has_the_least_drag_and_a_putter_the_most_of_golf_discs() {
 fn filmed_throws_of_a_driver() {
     let folder = PathBuf::from(concat!(
         env!("CARGO_MANIFEST_DIR"),
-        "/../../../shared/data/discgolf"
+        "/../../shared/data/discgolf"
     ));
     if !folder.is_dir() {
         eprintln!("skipped: no measured data at {}", folder.display());

@@ -8,7 +8,7 @@ use studies::real_data::{Form, RealData, is_agreeing, real_data_page};
 
 /// Folder of the measured data. `None`, with a message on standard error, if one of its subfolders is missing.
 fn measured() -> Option<PathBuf> {
-    let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/data"));
+    let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/data"));
     let all = ["disc-pose", "discgolf", "spindoe", "spindown", "windtunnel"];
     let there = all.iter().all(|name| folder.join(name).is_dir());
     if !there {
@@ -25,7 +25,7 @@ fn measured_balls_and_a_wind_tunnel() {
     assert!((0.4..0.6).contains(&drag.value), "{drag:?}");
     let by_scatter = drag.std_error_cluster_robust.expect("42 flights");
     assert!(by_scatter < 0.03 && drag.std_error < by_scatter, "{drag:?}");
-    assert!(data.ball().rms_m < 0.02);
+    assert!(data.ball().rms() < 0.02);
     assert!(
         data.ball()
             .flights
@@ -70,7 +70,7 @@ fn spins_of_half_of_the_balls(data: &RealData) {
         "{outside:?}"
     );
     let [plain, lift, square] = data.lift_by_spin();
-    assert!(lift.rms_m < 0.6 * plain.rms_m && square.rms_m < 0.9 * lift.rms_m);
+    assert!(lift.rms() < 0.6 * plain.rms() && square.rms() < 0.9 * lift.rms());
     let lift = &square.coefficients["C_Lw"];
     assert!((0.6..0.8).contains(&lift.value), "{lift:?}");
     let square = &square.coefficients["C_Lww"];

@@ -47,8 +47,16 @@ fn twelve_flights_give_every_coefficient() {
         "{:?}",
         report.noise
     );
-    assert!(report.noise["marker"].lag1_autocorrelation.abs() < 0.03, "{:?}", report.noise);
-    assert!(report.not_identifiable.is_empty(), "{:?}", report.not_identifiable);
+    assert!(
+        report.noise["marker"].lag1_autocorrelation.abs() < 0.03,
+        "{:?}",
+        report.noise
+    );
+    assert!(
+        report.not_identifiable.is_empty(),
+        "{:?}",
+        report.not_identifiable
+    );
     assert!(report.flights.iter().all(|flight| flight.notes.is_empty()));
     // A tenth of a standard error would already say that the answer is told more exactly than it is known.
     let drag = &report.coefficients["C_D0"];
@@ -255,14 +263,14 @@ fn one_flight_of_the_paper_does_not_determine_them_all() {
     );
     let report = fitted(&dataset).report;
     let named: Vec<&String> = report
-        .undetermined
+        .not_identifiable
         .iter()
         .flat_map(|u| &u.combination)
         .collect();
     for name in ["C_L0", "C_D0", "C_Nr"] {
         assert!(named.iter().any(|n| *n == name), "{named:?}");
     }
-    let why = &report.not_identifiable[0].why;
+    let why = &report.not_identifiable[0].reason;
     assert!(why.contains("alpha lies between"), "{why}");
 }
 
@@ -290,8 +298,8 @@ fn coefficients_are_held_freed_bounded_and_known_beforehand() {
         ..FitOptions::default()
     };
     let report = fit(&disc(), &dataset, &options).expect("a fit").report;
-    assert!(report.coefficients["C_Nr"].held && report.coefficients["C_Nr"].value == -5e-5);
-    assert!(report.coefficients["C_Ma"].held && report.coefficients["C_Ma"].value == -0.38);
+    assert!(report.coefficients["C_Nr"].fixed && report.coefficients["C_Nr"].value == -5e-5);
+    assert!(report.coefficients["C_Ma"].fixed && report.coefficients["C_Ma"].value == -0.38);
     assert!((report.coefficients["C_D0"].value - 0.2).abs() < 1e-5);
     assert_eq!(report.coefficients["wind_x"].unit, "m/s");
     let refused = |options: FitOptions<'_>| {

@@ -195,7 +195,7 @@ fn the_fit_finds_the_wind_of_each_flight() {
         fitted.expect("a fit").report
     };
     let (plain, report) = (fitted(&disc()), fitted(&with));
-    let over = [plain.rms_m, report.rms()].map(|rms| rms / 0.0015);
+    let over = [plain.rms(), report.rms()].map(|rms| rms / 0.0015);
     assert!((over[1] - 1.0).abs() < 0.03, "{over:?}");
     assert!(over[0] > 1.02 * over[1], "{over:?}");
     let gusts = report.flights.iter().map(|f| f.initial["gust_y"].value);

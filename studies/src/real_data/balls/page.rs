@@ -198,7 +198,7 @@ fn lift_rows(balls: &Balls) -> Vec<LiftRow> {
         "with `magnus`",
         "with `magnus` and its square",
     ];
-    let noise = balls.free_lift.noise.sigma_m;
+    let noise = balls.free_lift.leading_noise().sigma;
     let reports = &balls.lift_by_spin;
     let rows = models.into_iter().enumerate().map(|(k, model)| {
         let report = &reports[k];

@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use dataset::{Dataset, Flight, Reading, Sensor, SensorKind};
-use diagnose::{ExplanationEffect, DiagnosisOptions, diagnose};
+use diagnose::{DiagnosisOptions, ExplanationEffect, diagnose};
 use identify::{FitOptions, Prior};
 use model_spec::compose::Instrument;
 use serde::Serialize;
