@@ -6,21 +6,25 @@
 mod angle;
 mod bands;
 mod certificate;
-mod data_faults;
 pub mod diagnosis;
 pub mod effects;
 mod equation;
+mod figure;
 mod figure_file;
 pub mod figures;
 pub mod fit;
 pub mod import;
 pub mod literature;
 mod numbers;
-mod sheet;
+mod page;
+mod table;
 mod thin;
 pub mod viewer;
+mod wording;
 
 pub use bands::{PredictionBand, prediction_band};
 pub use certificate::{CertificateNote, WithCertificate};
+pub use figure::Figure;
 pub use figure_file::{FigureError, FigureKind};
-pub use sheet::{Section, Sheet, SheetFigure, Table};
+pub use page::{Html, Page};
+pub use table::{Cell, Column, Table};

@@ -14,6 +14,7 @@ use flight::files::ResultFile;
 use flight::release::Release;
 use flight::throw::FIELDS;
 use nalgebra::Vector3;
+use report::Figure;
 use report::viewer::View;
 
 use super::simulate::{apply, throws};
@@ -90,16 +91,16 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
         let settings = ode::IntegrationOptions::with_tolerance(1e-9);
         let path = flights.fly(&found.throw, None, &settings)?;
         let title = format!("{} · {}", body.model.name, goal.name());
-        let sheet = page::sheet(&title, &found, &bounds, &spread, &path);
+        let (page, figures) = page::page(&title, &found, &bounds, &spread, &path);
         let mut files = vec![
             ResultFile::new("release.toml", found.release_toml(&options.model, &release)),
             ResultFile::new(
                 "design.json",
                 format!("{:#}\n", found.json(&body.model.name, Some(&spread))),
             ),
-            ResultFile::new("report.html", sheet.html()),
+            ResultFile::new("report.html", page.html()),
         ];
-        files.extend(sheet.figure_files());
+        files.extend(figures.into_iter().flat_map(Figure::files));
         let view = View::of_trajectory(
             &title,
             &body.model,

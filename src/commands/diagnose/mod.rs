@@ -11,12 +11,10 @@ use flight::files::ResultFile;
 use identify::FitOptions;
 use report::diagnosis::{DiagnosisPage, Fits};
 use report::viewer::View;
-use report::{CertificateNote, WithCertificate};
+use report::{CertificateNote, Figure, WithCertificate};
 
 use super::certificate;
-use super::fit::{
-    FLIGHTS, dataset_name, deadline, drawn, evidence, figure_files, held, model_of, priors,
-};
+use super::fit::{FLIGHTS, dataset_name, deadline, drawn, evidence, held, model_of, priors};
 use crate::cli::Diagnose;
 use crate::progress::Progress;
 use crate::{Answer, output};
@@ -176,7 +174,7 @@ fn results(
     };
     let (html, figures) = report::diagnosis::html_and_figures(&page);
     files.push(ResultFile::new("report.html", html));
-    files.extend(figures.into_iter().flat_map(figure_files));
+    files.extend(figures.into_iter().flat_map(Figure::files));
     let view = match after {
         Some((_, fitted)) => {
             View::of_fit(fitted, "extended").join(View::of_fit(&found.before, "original"))

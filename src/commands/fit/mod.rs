@@ -32,9 +32,6 @@ const FITTED: &str = "fitted.hyz";
 /// File name of the three-dimensional view of the measured and predicted flights.
 pub(super) const FLIGHTS: &str = "flights.html";
 
-/// Folder of the CSV tables of the plotted values of the figures.
-const FIGURE_DATA: &str = "figure-data";
-
 /// Runs `hyzer fit`: fits a model to a dataset, prints a summary, and writes the result files if an output folder is
 /// given. Returns `Answer::No` if the estimates are not reliable.
 pub fn run(options: &Fit) -> anyhow::Result<Answer> {
@@ -156,19 +153,10 @@ fn results(
         let table = tables::sensor_residuals(dataset, fitted)?;
         files.push(ResultFile::new("sensors.csv", table));
     }
-    files.extend(figures.into_iter().flat_map(figure_files));
+    files.extend(figures.into_iter().flat_map(Figure::files));
     let view = View::of_fit(fitted, "").html(&format!("{} · {name}", model.name));
     files.extend(view.map(|html| ResultFile::new(FLIGHTS, html)));
     Ok(files)
-}
-
-/// Result files of a figure: its SVG, and the CSV table of the values plotted in it.
-pub(super) fn figure_files(figure: Figure) -> [ResultFile; 2] {
-    let table = format!("{FIGURE_DATA}/{}.csv", figure.name);
-    [
-        ResultFile::new(figure.name + ".svg", figure.svg),
-        ResultFile::new(table, figure.csv),
-    ]
 }
 
 /// Path or name of the model: `asked`, the value of the option `--model`, or else the model specified in the dataset,

@@ -10,6 +10,7 @@ use flight::files::ResultFile;
 use flight::simulate;
 use flight::throw::Throw;
 use ode::IntegrationOptions;
+use report::Figure;
 
 use super::simulate::{apply, released, throws};
 use super::vector;
@@ -104,14 +105,14 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
         words::table(&body.model.name, &found)
     })?;
     if let (Some(folder), Some(place)) = (&out, &options.out) {
-        let sheet = page::sheet(&body.model.name, &found);
+        let (page, figures) = page::page(&body.model.name, &found);
         let mut files = vec![
             ResultFile::new("stability.json", json),
-            ResultFile::new("report.html", sheet.html()),
+            ResultFile::new("report.html", page.html()),
             ResultFile::new("modes.csv", words::csv(&found.flight)),
             ResultFile::new("map.csv", words::csv(&found.map)),
         ];
-        files.extend(sheet.figure_files());
+        files.extend(figures.into_iter().flat_map(Figure::files));
         output::add_figures(&mut files, &options.figures)?;
         output::replace(folder, &files)?;
         eprintln!(

@@ -2,6 +2,7 @@
 
 mod coefficients;
 mod draw;
+mod evidence;
 mod explanations;
 mod finding;
 mod limits;
@@ -9,7 +10,7 @@ mod page;
 mod words;
 
 use crate::certificate::CertificateNote;
-use crate::fit::Figure;
+use crate::figure::Figure;
 use diagnose::Report;
 
 use identify::{Fit, FlightEvidence};
@@ -17,6 +18,12 @@ use identify::{Fit, FlightEvidence};
 pub use words::{
     lack_of_fit as lack_of_fit_sentence, paired as paired_gain_sentence, verdict_name,
 };
+
+/// Maximum number of rows of a table in the HTML report of a diagnosis.
+const MAX_ROWS: usize = 60;
+/// Maximum number of figures of the loads that the model lacks (one for each force or moment component) that are
+/// expanded when the page is opened. The same maximum applies to figures of coefficient curves.
+const OPEN: usize = 6;
 
 /// Input of the HTML report of a diagnosis.
 #[derive(Clone, Copy, Debug)]

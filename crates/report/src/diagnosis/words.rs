@@ -1,10 +1,12 @@
 //! Sentences and formatted values of a diagnosis.
 
-use diagnose::{Explanation, LackOfFit, PredictiveGain, Report, Verdict};
+use diagnose::{
+    Estimate, Explanation, ExplanationEffect, LackOfFit, PredictiveGain, Report, Verdict,
+};
 use identify::wording::count;
 
-use crate::fit::words::names;
-use crate::numbers::{millimetres, plain, raised, significant};
+use crate::numbers::{Digits, millimetres, plain, raised, significant, unit};
+use crate::wording::{names, sentence};
 
 /// Name of a hypothesis on the explanation of a misfit: the joined names of its effects.
 pub(super) fn explanation(explanation: &Explanation) -> String {
@@ -19,6 +21,22 @@ pub(super) fn explanation(explanation: &Explanation) -> String {
         1 => effects,
         _ => format!("{effects} together"),
     }
+}
+
+/// Sentence on an effect, from its documentation.
+pub(super) fn description(effect: &ExplanationEffect) -> String {
+    match effect.description.trim() {
+        "" => "It has no description.".to_owned(),
+        doc => sentence(&doc.replace('\n', " ")),
+    }
+}
+
+/// Estimate of a coefficient, such as `C_L0 = 0.188 ± 0.003 1/rad`.
+pub(super) fn estimate(name: &str, e: &Estimate) -> String {
+    let digits = Digits::of(e.value, e.std_error);
+    let (value, error) = (digits.one(e.value), digits.one(e.std_error));
+    let text = format!("{name} = {value} ± {error} {}", unit(&e.unit));
+    text.trim_end().to_owned()
 }
 
 /// Name of an effect as words separated by spaces.
@@ -150,7 +168,7 @@ pub fn lack_of_fit(test: &LackOfFit) -> String {
 pub(super) fn gained(gain: &PredictiveGain) -> String {
     let value = 1e3 * (gain.rms_before_m - gain.rms_after_m);
     let error = 1e3 * gain.std_error_m;
-    let digits = crate::numbers::Digits::of(value, error);
+    let digits = Digits::of(value, error);
     if error.is_finite() && error > 0.0 {
         format!("{} ± {}\u{a0}mm", digits.one(value), digits.one(error))
     } else {

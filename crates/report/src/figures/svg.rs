@@ -24,6 +24,11 @@ path.d0, path.d1, path.d2, path.d3, path.dg { stroke-width: 3; stroke-linecap: r
 path.diagonal { stroke: #777; stroke-width: 1 } path.ribbon { fill: #cfe2f1; stroke: none }
 g.value circle { fill: #0072b2; fill-opacity: 0 } g.value text { display: none; font-weight: 600; fill: #111; paint-order: stroke; stroke: #fff; stroke-width: 5px; stroke-linejoin: round }
 g.value { outline: none; cursor: default } g.value:hover text, g.value:focus text { display: inline } g.value:hover circle, g.value:focus circle { fill-opacity: .45 }
+rect.bar.explanation { fill: #0072b2 } rect.bar.alarm { fill: #d9813f } rect.bar.calm { fill: #b4b9c0 }
+circle.before { fill: #fff; stroke: #d55e00; stroke-width: 2 } circle.after { fill: #0072b2 } line.join { stroke: #9aa0a8; stroke-width: 2 }
+line.reach { stroke: #0072b2; stroke-width: 2 } text.strong { font-weight: 600; fill: #0060a0 } text.weak { fill: #777 }
+rect.alike { fill: #00437c } rect.unknown { fill: #c9b9b9 }
+path.history { stroke: #0072b2; stroke-width: 1.4 } path.dots-after { stroke: #0072b2; stroke-width: 3; stroke-linecap: round }
 "#;
 
 /// SVG document that is built element by element. Coordinates are in SVG units, with the y axis downwards.

@@ -3,12 +3,11 @@
 use diagnose::{LoadChannel, LoadHistory, Report};
 
 use super::super::words;
-use super::drawn;
+use crate::figure::Figure;
 use crate::figures::Layout;
 use crate::figures::axis::{number, range, ticks};
 use crate::figures::csv::Table;
 use crate::figures::svg::{Svg, cut};
-use crate::fit::Drawn;
 use crate::fit::draw::not_drawn;
 use crate::numbers::{percent, raised};
 use crate::thin::stride;
@@ -27,7 +26,7 @@ const ABOVE: f64 = 24.0;
 const BELOW: f64 = 24.0;
 
 /// Draws the time histories of the loads that the model lacks, one figure for each load channel.
-pub(super) fn channels(report: &Report) -> Vec<Drawn> {
+pub(super) fn channels(report: &Report) -> Vec<Figure> {
     let all = report.unattributed.iter().flat_map(|o| &o.channels);
     let all = all.filter(|c| !c.histories.is_empty()).take(MAX_CHANNELS);
     all.enumerate()
@@ -35,7 +34,7 @@ pub(super) fn channels(report: &Report) -> Vec<Drawn> {
         .collect()
 }
 
-fn figure(index: usize, channel: &LoadChannel) -> Drawn {
+fn figure(index: usize, channel: &LoadChannel) -> Figure {
     let title = format!(
         "{}: {} explained",
         words::site(&channel.site),
@@ -56,7 +55,7 @@ fn figure(index: usize, channel: &LoadChannel) -> Drawn {
         }
     }
     let texts = [caption, table.finish()];
-    drawn(&name, &title, texts, Layout::WIDE, |layout| {
+    Figure::in_layouts(name, &title, texts, Layout::WIDE, &|layout| {
         draw(channel, &title, layout)
     })
 }

@@ -3,11 +3,10 @@
 use diagnose::Report;
 use model_spec::sort_by_number;
 
-use super::drawn;
+use crate::figure::Figure;
 use crate::figures::Layout;
 use crate::figures::csv::Table;
 use crate::figures::svg::{Svg, cut};
-use crate::fit::Drawn;
 
 /// Maximum number of coefficients in the drawn matrix of score correlations.
 const MAX_COEFFICIENTS: usize = 25;
@@ -16,7 +15,7 @@ const STEPS: usize = 40;
 
 /// Draws the correlations between the effective scores of the coefficients of the most significant candidate effects;
 /// `None` for fewer than two coefficients.
-pub(super) fn score_correlations(report: &Report) -> Option<Drawn> {
+pub(super) fn score_correlations(report: &Report) -> Option<Figure> {
     let all = &report.score_correlations.names;
     let order = strongest(report);
     let left_out = all.len().saturating_sub(order.len());
@@ -50,9 +49,13 @@ pub(super) fn score_correlations(report: &Report) -> Option<Drawn> {
         }
     }
     let texts = [caption, table.finish()];
-    Some(drawn("alike", title, texts, Layout::COLUMN, |layout| {
-        draw(report, &order, title, layout)
-    }))
+    Some(Figure::in_layouts(
+        "alike",
+        title,
+        texts,
+        Layout::COLUMN,
+        &|layout| draw(report, &order, title, layout),
+    ))
 }
 
 /// Indices, in the score correlation matrix of the report, of the coefficients of the most significant effects, in

@@ -4,10 +4,9 @@ use diagnose::{CandidateTest, Report};
 use model_spec::sort_by_number;
 
 use super::super::words;
-use super::drawn_chart;
+use crate::figure::Figure;
 use crate::figures::Layout;
 use crate::figures::chart::{Axis, Chart, Row, Shape};
-use crate::fit::Drawn;
 use crate::fit::draw::not_drawn;
 
 /// Maximum number of candidate effects whose score tests are drawn.
@@ -15,7 +14,7 @@ const MAX_CANDIDATES: usize = 60;
 
 /// Draws the score test of each candidate effect as a bar of the equivalent standard normal quantile z, the most
 /// significant first; `None` if there are no candidates.
-pub(super) fn score_tests(report: &Report) -> Option<Drawn> {
+pub(super) fn score_tests(report: &Report) -> Option<Figure> {
     let mut all: Vec<&CandidateTest> = report.tests.iter().collect();
     // Candidates without a finite z-equivalent come last.
     let size = |c: &CandidateTest| {
@@ -90,5 +89,10 @@ pub(super) fn score_tests(report: &Report) -> Option<Drawn> {
          of all tests is {}.{along}{more}",
         crate::numbers::percent(report.threshold.alpha)
     );
-    Some(drawn_chart("candidates", &chart, &caption, Layout::COLUMN))
+    Some(Figure::of_chart(
+        "candidates",
+        &chart,
+        &caption,
+        Layout::COLUMN,
+    ))
 }

@@ -1,14 +1,13 @@
 //! Sentences of the opening section: the finding, its certainty, and the recommended next step.
 
-use diagnose::{Estimate, Explanation, ExplanationEffect, Report, Verdict};
+use diagnose::{Explanation, ExplanationEffect, Report, Verdict};
 use identify::wording::count;
 
 use super::super::{DiagnosisPage, words};
 use super::curve::{Curve, Point};
 use crate::figures::symbol;
-use crate::fit::page::sentence;
-use crate::fit::words::names;
 use crate::numbers::{Digits, percent, plain, significant, unit};
+use crate::wording::{names, sentence};
 
 /// Minimum absolute ratio of an effect's estimate to its standard error at which the report calls the effect far beyond
 /// chance. The threshold is so high that chance does not reach it even in a large number of diagnoses.
@@ -95,7 +94,7 @@ fn size(curve: Option<&Curve>, explanation: Option<&Explanation>) -> String {
             .into_iter()
             .flat_map(|explanation| &explanation.effects);
         let all = effects.flat_map(|e| &e.estimates).take(3);
-        let all: Vec<String> = all.map(|(name, e)| estimate(name, e)).collect();
+        let all: Vec<String> = all.map(|(name, e)| words::estimate(name, e)).collect();
         match all.is_empty() {
             true => String::new(),
             false => format!("Its size: {}.", all.join(", ")),
@@ -159,17 +158,6 @@ fn farthest(curve: &Curve) -> Option<Point> {
     });
     let known = supported.filter(|p| p.after.is_finite() && p.error.is_finite());
     known.copied().max_by(|a, b| size(a).total_cmp(&size(b)))
-}
-
-fn estimate(name: &str, e: &Estimate) -> String {
-    let digits = Digits::of(e.value, e.std_error);
-    let text = format!(
-        "{name} = {} ± {} {}",
-        digits.one(e.value),
-        digits.one(e.std_error),
-        unit(&e.unit)
-    );
-    text.trim_end().to_owned()
 }
 
 /// Coefficient of the hypothesis `explanation` with the largest absolute ratio of estimate to standard error: the effect, the

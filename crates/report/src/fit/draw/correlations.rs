@@ -1,6 +1,8 @@
 //! Figure of the correlation matrix of the estimated coefficients.
 
-use super::super::{Drawn, FitPage};
+use super::super::FitPage;
+use crate::figure::Figure;
+use crate::figures::Layout;
 use crate::figures::csv::Table;
 use crate::figures::svg::{Svg, cut};
 use crate::numbers::plain;
@@ -16,7 +18,7 @@ const MAX_WRITTEN: usize = 12;
 const MAX_NAMED: usize = 8;
 
 /// Draws the lower triangle of the correlation matrix of the estimated coefficients; `None` for fewer than two.
-pub(in super::super) fn correlations(page: &FitPage<'_>) -> Option<Drawn> {
+pub(in super::super) fn correlations(page: &FitPage<'_>) -> Option<Figure> {
     let report = page.report;
     let estimated = |name: &&String| report.coefficients.get(*name).is_none_or(|c| !c.fixed);
     let mut names: Vec<&String> = report.correlations.keys().filter(estimated).collect();
@@ -83,8 +85,14 @@ pub(in super::super) fn correlations(page: &FitPage<'_>) -> Option<Drawn> {
             table.text(row).text(column).optional(found.copied()).end();
         }
     }
-    let texts = [caption.into(), text, table.finish()];
-    Some(Drawn::new("correlations".into(), title.into(), texts))
+    let texts = [caption.into(), table.finish()];
+    Some(Figure::in_layouts(
+        "correlations",
+        title,
+        texts,
+        Layout::SMALL,
+        &|_| text.clone(),
+    ))
 }
 
 /// Draws the colour scale for correlations from −1 to 1, with its upper left corner at (`left`, `top`), SVG units.

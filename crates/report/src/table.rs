@@ -1,0 +1,157 @@
+//! Tables of a page.
+
+use crate::figures::svg::escape;
+use crate::page::Html;
+
+/// Kind of the cells of a column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Column {
+    /// What the row is about; the header of the row.
+    Name,
+    /// Formula or other code that the row is about; the header of the row.
+    Code,
+    /// Number, aligned to the right.
+    Number,
+    /// Word or unit that is not broken into lines.
+    Plain,
+    /// Text that is broken into lines.
+    Text,
+    /// Name of a file, which is broken where it is long.
+    File,
+}
+
+/// Cell of a table.
+#[derive(Clone, Debug)]
+pub struct Cell {
+    content: Html,
+    is_doubtful: bool,
+}
+
+impl From<Html> for Cell {
+    fn from(content: Html) -> Cell {
+        Cell {
+            content,
+            is_doubtful: false,
+        }
+    }
+}
+
+impl From<&str> for Cell {
+    fn from(text: &str) -> Cell {
+        Html::from(text).into()
+    }
+}
+
+impl From<&String> for Cell {
+    fn from(text: &String) -> Cell {
+        Html::from(text).into()
+    }
+}
+
+impl From<String> for Cell {
+    fn from(text: String) -> Cell {
+        Html::from(text).into()
+    }
+}
+
+impl Cell {
+    /// Marks a number that is doubtful.
+    #[must_use]
+    pub fn doubtful_if(self, is_doubtful: bool) -> Cell {
+        Cell {
+            is_doubtful,
+            ..self
+        }
+    }
+}
+
+/// Table with a header.
+#[derive(Clone, Debug)]
+pub struct Table {
+    columns: Vec<(String, Column)>,
+    rows: Vec<Vec<Cell>>,
+    is_stacked: bool,
+}
+
+impl Table {
+    /// Table without rows; a column has a heading and a kind.
+    pub fn new<T: Into<String>>(columns: impl IntoIterator<Item = (T, Column)>) -> Table {
+        let columns = columns.into_iter().map(|(head, kind)| (head.into(), kind));
+        Table {
+            columns: columns.collect(),
+            rows: Vec::new(),
+            is_stacked: false,
+        }
+    }
+
+    /// Shows each row as a list of its cells on a narrow screen.
+    #[must_use]
+    pub fn stacked(self) -> Table {
+        Table {
+            is_stacked: true,
+            ..self
+        }
+    }
+
+    /// Appends a row with a cell for each column.
+    pub fn row(&mut self, cells: impl IntoIterator<Item = Cell>) {
+        self.rows.push(cells.into_iter().collect());
+    }
+
+    /// Whether the table has no rows.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// The table as HTML. A header without text is left out.
+    pub(crate) fn html(&self) -> Html {
+        let mut html = match self.is_stacked {
+            true => "<table class=\"stacked\">\n".to_owned(),
+            false => "<table>\n".to_owned(),
+        };
+        if self.columns.iter().any(|(head, _)| !head.is_empty()) {
+            html += "<thead><tr>";
+            for (head, kind) in &self.columns {
+                let class = if *kind == Column::Number {
+                    " class=\"n\""
+                } else {
+                    ""
+                };
+                html += &format!("<th{class} scope=\"col\">{}</th>", escape(head));
+            }
+            html += "</tr></thead>\n";
+        }
+        html += "<tbody>\n";
+        for row in &self.rows {
+            html += "<tr>";
+            for ((head, kind), cell) in self.columns.iter().zip(row) {
+                html += &self.cell(head, *kind, cell);
+            }
+            html += "</tr>\n";
+        }
+        Html::trusted(html + "</tbody>\n</table>\n")
+    }
+
+    fn cell(&self, head: &str, kind: Column, cell: &Cell) -> String {
+        let content = cell.content.as_str();
+        let class = match (kind, cell.is_doubtful) {
+            (Column::Name, _) => return format!("<th scope=\"row\">{content}</th>"),
+            (Column::Code, _) => return format!("<th class=\"code\" scope=\"row\">{content}</th>"),
+            (Column::Number, false) => " class=\"n\"",
+            (Column::Number, true) => " class=\"n doubt\"",
+            (Column::Plain, _) => "",
+            (Column::Text, _) => " class=\"doc\"",
+            (Column::File, _) => " class=\"file\"",
+        };
+        let of = match self.is_stacked {
+            true => format!(" data-of=\"{}\"", escape(head)),
+            false => String::new(),
+        };
+        format!("<td{class}{of}>{content}</td>")
+    }
+}
