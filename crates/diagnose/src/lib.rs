@@ -45,7 +45,6 @@ mod power;
 mod report;
 mod score_test;
 mod selection;
-mod text;
 mod validation;
 
 #[cfg(test)]

@@ -15,12 +15,11 @@ pub mod figures;
 pub mod fit;
 pub mod import;
 pub mod literature;
-mod numbers;
 mod page;
 mod table;
+mod text;
 mod thin;
 pub mod viewer;
-mod wording;
 
 pub use bands::{PredictionBand, prediction_band};
 pub use certificate::{CertificateNote, WithCertificate};

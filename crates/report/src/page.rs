@@ -6,7 +6,7 @@ use crate::certificate::CertificateNote;
 use crate::figure::Figure;
 use crate::figures::svg::{STYLE, escape, without_style};
 use crate::table::{Column, Table};
-use crate::wording::{capitalized, counted};
+use identify::wording::{capitalized, counted};
 
 /// Maximum number of faults in the measured data that the table of a page lists.
 const MAX_FAULTS: usize = 60;
@@ -83,6 +83,20 @@ impl Html {
     /// The HTML text.
     pub fn as_str(&self) -> &str {
         &self.0
+    }
+
+    /// The text without its markup.
+    pub(crate) fn text(&self) -> String {
+        let outside = self.0.split('<').enumerate().map(|(i, part)| match i {
+            0 => part,
+            _ => part.split_once('>').map_or("", |(_, text)| text),
+        });
+        let text: String = outside.collect();
+        let text = text.replace("&lt;", "<").replace("&gt;", ">");
+        text.replace("&quot;", "\"")
+            .replace("&amp;", "&")
+            .trim()
+            .to_owned()
     }
 
     /// This text followed by `more`.
@@ -252,7 +266,6 @@ impl Html {
 
     /// Appends a section on the faults of the measured data; nothing if there are none.
     pub(crate) fn data_faults(&mut self, faults: &[DataFault]) {
-        use Column::{File, Plain, Text};
         if faults.is_empty() {
             return;
         }
@@ -261,22 +274,7 @@ impl Html {
             "{} found in the measured data. The flights concerned are excluded, unless --trust-data is given.",
             counted(faults.len(), "fault")
         ));
-        let mut table = Table::new([
-            ("flight", File),
-            ("fault", Plain),
-            ("found", Text),
-            ("correction", Text),
-        ]);
-        for fault in faults.iter().take(MAX_FAULTS) {
-            let name = fault.fault.name().replace(['-', '_'], " ");
-            table.row([
-                (&fault.file).into(),
-                name.into(),
-                (&fault.detail).into(),
-                (&fault.correction).into(),
-            ]);
-        }
-        content.table(&table);
+        content.table(&data_faults(faults));
         if faults.len() > MAX_FAULTS {
             let all = faults.len();
             content.note(format!(
@@ -322,6 +320,26 @@ impl Page {
             self.body.0,
         )
     }
+}
+
+/// Table of the first [`MAX_FAULTS`] faults of the measured data.
+pub(crate) fn data_faults(faults: &[DataFault]) -> Table {
+    use Column::{File, Plain, Text};
+    let mut table = Table::new([
+        ("flight", File),
+        ("fault", Plain),
+        ("found", Text),
+        ("correction", Text),
+    ]);
+    for fault in faults.iter().take(MAX_FAULTS) {
+        table.row([
+            (&fault.file).into(),
+            fault.fault.name().replace('_', " ").into(),
+            (&fault.detail).into(),
+            (&fault.correction).into(),
+        ]);
+    }
+    table
 }
 
 /// Link to the CSV table of a figure: a data URI, or the path of the file if the table is large.

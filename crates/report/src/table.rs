@@ -16,6 +16,8 @@ pub enum Column {
     Plain,
     /// Text that is broken into lines.
     Text,
+    /// Text that is broken into lines, and left out on a terminal.
+    Detail,
     /// Name of a file, which is broken where it is long.
     File,
 }
@@ -108,6 +110,48 @@ impl Table {
         self.rows.len()
     }
 
+    /// The first `most` rows as text for a terminal, with aligned columns; columns without content are left out.
+    pub fn text(&self, most: usize) -> String {
+        let rows = self.rows.iter().take(most);
+        let rows: Vec<Vec<String>> = rows
+            .map(|row| row.iter().map(|cell| cell.content.text()).collect())
+            .collect();
+        let length = |text: &String| text.chars().count();
+        let widths: Vec<usize> = self
+            .columns
+            .iter()
+            .enumerate()
+            .map(|(i, (head, kind))| {
+                let widest = rows.iter().map(|row| length(&row[i])).max().unwrap_or(0);
+                match widest {
+                    0 => 0,
+                    _ if *kind == Column::Detail => 0,
+                    widest => widest.max(length(head)),
+                }
+            })
+            .collect();
+        let line = |cells: &mut dyn Iterator<Item = &String>| {
+            let mut line = String::new();
+            for ((cell, width), (_, kind)) in cells.zip(&widths).zip(&self.columns) {
+                let width = *width;
+                match kind {
+                    _ if width == 0 => {}
+                    Column::Number => line += &format!("  {cell:>width$}"),
+                    _ => line += &format!("  {cell:width$}"),
+                }
+            }
+            line.trim_end().to_owned() + "\n"
+        };
+        let mut text = line(&mut self.columns.iter().map(|(head, _)| head));
+        for row in &rows {
+            text += &line(&mut row.iter());
+        }
+        if self.rows.len() > most {
+            text += &format!("  … and {} more\n", self.rows.len() - most);
+        }
+        text
+    }
+
     /// The table as HTML. A header without text is left out.
     pub(crate) fn html(&self) -> Html {
         let mut html = match self.is_stacked {
@@ -145,7 +189,7 @@ impl Table {
             (Column::Number, false) => " class=\"n\"",
             (Column::Number, true) => " class=\"n doubt\"",
             (Column::Plain, _) => "",
-            (Column::Text, _) => " class=\"doc\"",
+            (Column::Text | Column::Detail, _) => " class=\"doc\"",
             (Column::File, _) => " class=\"file\"",
         };
         let of = match self.is_stacked {

@@ -3,22 +3,19 @@
 mod errors;
 mod page;
 
-use std::fmt::Write;
-
 use analysis::design::{
     Bounds, Design, Goal, SampleOptions, Scattered, SearchOptions, Spread, ThrownBody, design,
-    numbers, spread,
+    spread,
 };
 use anyhow::{Context, bail};
 use flight::files::ResultFile;
 use flight::release::Release;
-use flight::throw::FIELDS;
 use nalgebra::Vector3;
 use report::Figure;
 use report::viewer::View;
 
 use super::simulate::{apply, throws};
-use super::{hundredths, vector};
+use super::vector;
 use crate::cli::Design as Options;
 use crate::{Answer, output};
 
@@ -157,67 +154,10 @@ fn goal(options: &Options) -> anyhow::Result<Goal> {
 
 /// Text of a throw design for the terminal: the throw, its landing and the spread of the landings.
 fn table(found: &Design, bounds: &Bounds, spread: &Spread) -> String {
-    let mut text = String::new();
-    let (figure, unit) = found.goal.figure();
-    let _ = match found.feasible {
-        true => writeln!(
-            text,
-            "{}: {figure} {:.4} {unit}",
-            found.goal.name(),
-            found.figure
-        ),
-        false => writeln!(
-            text,
-            "{}: not possible within these bounds, as far as {} throws and the descents from the best of them can tell; what comes \
-             nearest misses by {:.3} m",
-            found.goal.name(),
-            found.flown,
-            found.miss
-        ),
-    };
-    if let Some(clearance) = found.clearance {
-        let side = found.side.map_or("", |side| side.name());
-        let _ = writeln!(
-            text,
-            "  passes {side} of the obstacle, {clearance:.3} m clear of it"
-        );
-    }
-    if let Some(speed) = found.vertical_speed {
-        let _ = writeln!(text, "  rises at {speed:.3} m/s at the target");
-    }
-    let landing = found.landing;
-    let _ = writeln!(
-        text,
-        "  lands at x {:.2}, y {:.2} m after {:.2} s",
-        hundredths(landing.x),
-        hundredths(landing.y),
-        found.time
-    );
-    let _ = writeln!(
-        text,
-        "  {:16} {:>10} {:>16}  landing moves by, m per unit",
-        "", "throw", "bounds"
-    );
-    for (name, value) in numbers(&found.throw) {
-        let Some(field) = FIELDS.iter().position(|(field, ..)| *field == name) else {
-            continue;
-        };
-        let range = bounds.ranges.iter().find(|range| range.0 == field);
-        let range = range.map_or_else(String::new, |(_, least, greatest)| match least < greatest {
-            true => format!("{least} .. {greatest}"),
-            false => "held".into(),
-        });
-        let moved = found.sensitivity.iter().find(|s| s.field == field);
-        let moved = moved.map_or_else(String::new, |s| {
-            format!("x {:+.3}, y {:+.3}", s.landing.x, s.landing.y)
-        });
-        let label = format!("{name}, {}", FIELDS[field].1);
-        let _ = writeln!(text, "  {label:16} {value:>10.3} {range:>16}  {moved}");
-    }
-    text.push_str(
-        &page::spread_words(spread, bounds)
-            .iter()
-            .fold(String::new(), |all, line| all + "  " + line + "\n"),
-    );
-    text
+    let sentences = page::nearest(found).into_iter().chain(page::lead(found));
+    let lines = sentences
+        .map(|sentence| sentence + "\n")
+        .collect::<String>();
+    let table = page::throw(found, bounds).text(usize::MAX);
+    lines + &table + &page::spread_words(spread, bounds).join("\n") + "\n"
 }

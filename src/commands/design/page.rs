@@ -30,20 +30,13 @@ pub fn page(
     for text in lead(found) {
         body.paragraph(text);
     }
-    let nearest = (!found.feasible).then(|| {
-        format!(
-            "This throw does not serve its purpose: of {} throws that were flown and the descents from the best of them it is \
-             the one that comes nearest, by {:.3} m.",
-            found.flown, found.miss
-        )
-    });
-    body.alarms("Mind", nearest);
+    body.alarms("Mind", nearest(found));
     let mut section = Html::new();
     section.paragraph(
         "What a unit of each number does to the place and the time of the landing and to the goal's figure: exact derivatives, by \
          the sensitivities of the flight. Where one unit less and one unit more land was flown.",
     );
-    section.table(&throw(found));
+    section.table(&throw(found, bounds));
     body.section("throw", "Throw", section);
     let mut section = Html::new();
     section.figure(&figures[0], true);
@@ -64,7 +57,21 @@ pub fn page(
     (page, figures)
 }
 
-fn lead(found: &Design) -> Vec<String> {
+/// Sentence on a throw that does not serve its purpose; `None` if it does.
+pub fn nearest(found: &Design) -> Option<String> {
+    (!found.feasible).then(|| {
+        format!(
+            "{}: not possible within these bounds, as far as {} throws and the descents from the best of them can tell; what comes \
+             nearest misses by {:.3} m.",
+            found.goal.name(),
+            found.flown,
+            found.miss
+        )
+    })
+}
+
+/// Sentences on the goal, the landing and the way there.
+pub fn lead(found: &Design) -> Vec<String> {
     let (figure, unit) = found.goal.figure();
     let mut words = vec![format!(
         "{}: {figure} {:.4} {unit}. The throw lands at x {:.2} m, y {:.2} m after {:.2} s.",
@@ -80,14 +87,19 @@ fn lead(found: &Design) -> Vec<String> {
             side.name()
         ));
     }
+    if let Some(speed) = found.vertical_speed {
+        words.push(format!("It rises at {speed:.3} m/s at the target."));
+    }
     words
 }
 
-fn throw(found: &Design) -> Table {
+/// Table of the numbers of the throw, their bounds, and what a unit of each does.
+pub fn throw(found: &Design, bounds: &Bounds) -> Table {
     use Column::{Name, Number};
     let mut table = Table::new([
         ("number", Name),
         ("value", Number),
+        ("bounds", Number),
         ("x, m/unit", Number),
         ("y, m/unit", Number),
         ("time, s/unit", Number),
@@ -104,10 +116,16 @@ fn throw(found: &Design) -> Table {
             Some(one) => format!("{:+.2}, {:+.2}", one.landing.x, one.landing.y),
             None => "no flight".into(),
         });
+        let range = bounds.ranges.iter().find(|range| range.0 == s.field);
+        let range = range.map(|(_, least, greatest)| match least < greatest {
+            true => format!("{least} .. {greatest}"),
+            false => "held".into(),
+        });
         let figure = s.figure.map(|figure| format!("{figure:+.4}"));
         table.row([
             format!("{name}, {unit}").into(),
             format!("{value:.3}").into(),
+            range.unwrap_or_default().into(),
             format!("{:+.4}", s.landing.x).into(),
             format!("{:+.4}", s.landing.y).into(),
             format!("{:+.4}", s.time).into(),

@@ -1,6 +1,5 @@
 //! Command `hyzer diagnose`: tests a model for missing effects and extends the model.
 
-mod summary;
 mod tables;
 
 use ::diagnose::{Diagnosis, DiagnosisOptions, ExtendedModel, Verified, diagnose_with};
@@ -76,7 +75,7 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
         output::add_figures(&mut files, &options.figures)?;
         output::replace(folder, &files)?;
     }
-    output::print(summary::summary(&found.report))?;
+    output::print(report::diagnosis::text(&found.report))?;
     if let Some(folder) = &options.out {
         let extended = match has_extension {
             true => "the extended model, ",

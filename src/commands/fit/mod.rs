@@ -1,9 +1,7 @@
 //! Command `hyzer fit`: estimates the coefficients of a model from measured flights.
 
-mod summary;
 mod tables;
 
-pub(super) use summary::{cautions, digits, written};
 pub(super) use tables::role;
 
 use std::path::Path;
@@ -14,7 +12,6 @@ use dataset::{Dataset, Role};
 use flight::files::ResultFile;
 use identify::{FitOptions, FlightEvidence, FlightId, Prior};
 use model_spec::ModelTree;
-use model_spec::model::Model;
 use model_spec::sort_by_number;
 use report::fit::Figure;
 use report::fit::FitPage;
@@ -58,13 +55,28 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     let fitted = identify::fit(&model, &dataset, &asked);
     drop(progress);
     let fitted = fitted.with_context(|| format!("cannot fit {}", inputs.dataset.display()))?;
+    let name = dataset_name(&inputs.dataset);
+    let page = FitPage {
+        report: &fitted.report,
+        fit: Some(&fitted),
+        evidence: &[],
+        model: &model,
+        dataset: &name,
+        certificate: &CertificateNote::none(),
+    };
     if let Some(folder) = &out {
         let note = certificate.note(&model);
-        let mut files = results(&inputs.dataset, &model, &dataset, &fitted, &note)?;
+        let evidence = evidence(&fitted, &drawn(&fitted));
+        let page = FitPage {
+            evidence: &evidence,
+            certificate: &note,
+            ..page
+        };
+        let mut files = results(&page, &dataset, &fitted)?;
         output::add_figures(&mut files, &options.figures)?;
         output::replace(folder, &files)?;
     }
-    output::print(summary::summary(&model, &fitted.report))?;
+    output::print(report::fit::text(&page))?;
     if let Some(folder) = &options.out {
         eprintln!(
             "report.html, report.json, {FITTED}, figures and tables are in {}",
@@ -117,27 +129,16 @@ pub(super) fn dataset_name(folder: &Path) -> String {
 
 /// Result files of `hyzer fit`, which are written to the folder `--out`.
 fn results(
-    from: &Path,
-    model: &Model,
+    page: &FitPage<'_>,
     dataset: &Dataset,
     fitted: &identify::Fit,
-    certificate: &CertificateNote,
 ) -> anyhow::Result<Vec<ResultFile>> {
-    let name = dataset_name(from);
-    let evidence = evidence(fitted, &drawn(fitted));
-    let page = FitPage {
-        report: &fitted.report,
-        fit: Some(fitted),
-        evidence: &evidence,
-        model,
-        dataset: &name,
-        certificate,
-    };
+    let (model, name) = (page.model, page.dataset);
     let json = serde_json::to_string_pretty(&WithCertificate {
         report: &fitted.report,
-        certificate,
+        certificate: page.certificate,
     })?;
-    let (html, figures) = report::fit::html_and_figures(&page);
+    let (html, figures) = report::fit::html_and_figures(page);
     let note = format!("Default values fitted to {name} by `hyzer fit`.");
     let fitted_model = fitted.fitted_text(&ModelTree::of(model), dataset, &note)?;
     let mut files = vec![

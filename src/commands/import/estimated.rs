@@ -9,8 +9,8 @@ use dataset::Marker;
 use dataset::takes::words::{listed, shown};
 use dataset::takes::{FreeFlight, ReadOptions, Take, ThrowOptions, Throws, estimate_template};
 
+use super::no_throw;
 use super::template::Template;
-use super::{no_throw, up_of};
 use crate::cli::Import;
 
 /// Maximum magnitude of the value of `--centre-height` (height of the centre of mass), m; larger values suggest
@@ -43,12 +43,13 @@ pub fn estimated(
             "--centre-height: found {height}, expected metres, at most {MAX_HEIGHT} (millimetres?)"
         );
     }
+    let up = super::up(options)?;
     let mut thrown: Vec<(Take, Throws)> = Vec::new();
     for file in &options.takes {
         let mut take = dataset::takes::read(file, reading)?;
         // The positions are estimated from the single points, not from poses of bodies.
         take.bodies.clear();
-        let (up, _) = up_of(&take, file, options)?;
+        let up = dataset::takes::up_of(&take, file, up)?;
         let turned = take.with_z_up(up, options.left_handed);
         let found = dataset::takes::find_throws(&turned, &[], &ThrowOptions::default());
         if !found.throws.is_empty() {

@@ -1,7 +1,7 @@
 //! The report page of a stability analysis: modes at release, along the flight, in steady flight, and over speed and
 //! spin.
 
-use analysis::stability::{Instant, Mode, ModeKind, Modes};
+use analysis::stability::{Instant, Mode, ModeKind, Modes, Trim};
 use report::figures::{Dots, Layout, Line, Look, Panel};
 use report::{Cell, Column, Figure, Html, Page, Table};
 
@@ -11,16 +11,17 @@ use super::words::{nutation, of_criteria, slowest};
 /// Maximum number of lines in one panel of a figure, equal to the number of distinct line colours.
 const LINES: usize = 4;
 
+/// Warning on the modes of a body that is no body of revolution.
+pub const INSTANT: &str = "The motion depends on the turn about the body's axis. For a spinning body the modes are those of an instant alone, and \
+     the criteria do not apply.";
+
 /// The report page of a stability analysis, and its figures.
 pub fn page(model: &str, found: &Found) -> (Page, Vec<Figure>) {
     let mut body = Html::new();
     for text in lead(found) {
         body.paragraph(text);
     }
-    let instant = (!found.release.modes.is_symmetric).then_some(
-        "The motion depends on the turn about the body's axis. For a spinning body the modes are those of an instant alone, and \
-         the criteria do not apply.",
-    );
+    let instant = (!found.release.modes.is_symmetric).then_some(INSTANT);
     body.alarms("Mind", instant);
     let mut figures = Vec::new();
     let mut section = Html::new();
@@ -31,15 +32,7 @@ pub fn page(model: &str, found: &Found) -> (Page, Vec<Figure>) {
     body.section("release", "At release", section);
     if let Some((trim, modes)) = &found.trim {
         let mut section = Html::new();
-        section.paragraph(format!(
-            "At the spin of release, held, the body can fly at {:.2} m/s, {:.2}° below the horizontal, nose {:.2}°, hyzer {:.2}°, \
-             its heading turning by {:+.2}°/s. Its modes there:",
-            trim.throw.speed,
-            -trim.throw.launch,
-            trim.throw.nose.unwrap_or(0.0),
-            trim.throw.hyzer.unwrap_or(0.0),
-            trim.turn.to_degrees()
-        ));
+        section.paragraph(steady(trim));
         section.table(&table(modes));
         body.section("trim", "Steady flight", section);
     }
@@ -70,7 +63,21 @@ pub fn page(model: &str, found: &Found) -> (Page, Vec<Figure>) {
     (page, figures)
 }
 
-fn lead(found: &Found) -> Vec<String> {
+/// Sentence on the steady flight at the spin of release.
+pub fn steady(trim: &Trim) -> String {
+    format!(
+        "At the spin of release, held, the body can fly at {:.2} m/s, {:.2}° below the horizontal, nose {:.2}°, hyzer {:.2}°, \
+         its heading turning by {:+.2}°/s. Its modes there:",
+        trim.throw.speed,
+        -trim.throw.launch,
+        trim.throw.nose.unwrap_or(0.0),
+        trim.throw.hyzer.unwrap_or(0.0),
+        trim.turn.to_degrees()
+    )
+}
+
+/// Sentences on the nutation at release and on the modes that grow.
+pub fn lead(found: &Found) -> Vec<String> {
     let mut lead = Vec::new();
     if let Some(mode) = nutation(&found.release.modes) {
         lead.push(format!(
@@ -101,11 +108,13 @@ fn lead(found: &Found) -> Vec<String> {
     lead
 }
 
-fn table(modes: &Modes) -> Table {
+/// Table of the modes of the linearised motion.
+pub fn table(modes: &Modes) -> Table {
     let head = [
         "frequency, rad/s",
         "decay, 1/s",
         "damping ratio",
+        "period, s",
         "axis",
         "path",
         "speed",
@@ -114,11 +123,14 @@ fn table(modes: &Modes) -> Table {
     let numbers = head.map(|head| (head, Column::Number));
     let mut table = Table::new([("mode", Column::Name)].into_iter().chain(numbers));
     for mode in &modes.modes {
+        let frequency = Some(mode.frequency()).filter(|f| *f > 1e-9);
+        let period = frequency.map(|f| format!("{:.4}", std::f64::consts::TAU / f));
         let mut row: Vec<Cell> = vec![
             mode.kind.name().into(),
             format!("{:.4}", mode.frequency()).into(),
             format!("{:.5}", mode.decay()).into(),
             format!("{:.4}", mode.damping_ratio()).into(),
+            period.unwrap_or_default().into(),
         ];
         let shares = mode.shares.map(|share| format!("{:.0} %", 100.0 * share));
         row.extend(shares.map(Cell::from));

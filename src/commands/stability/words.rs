@@ -3,99 +3,55 @@
 use std::fmt::Write;
 
 use analysis::stability::{Criteria, Instant, Mode, ModeKind, Modes};
+use report::{Column, Table};
 use serde_json::{Value, json};
 
 use super::Found;
+use super::page::{self, INSTANT, lead, steady};
+
+/// Number of instants of the flight in the text for the terminal.
+const INSTANTS: usize = 8;
 
 /// Text of the modes and stability criteria in `found`, for the terminal.
 pub fn table(model: &str, found: &Found) -> String {
-    let mut text = format!("{model}: modes at release\n");
-    text += &modes(&found.release.modes);
-    for line in of_criteria(&found.release) {
-        let _ = writeln!(text, "  {line}");
+    let mut text = format!("{model}: {}\n", lead(found).join(" "));
+    text += &page::table(&found.release.modes).text(usize::MAX);
+    if !found.release.modes.is_symmetric {
+        text += &format!("{INSTANT}\n");
     }
-    match &found.trim {
-        Some((trim, of_trim)) => {
-            let throw = &trim.throw;
-            let _ = writeln!(
-                text,
-                "steady flight at this spin: {:.2} m/s, {:.2} deg below the horizontal, nose {:.2} deg, hyzer {:.2} deg, turning \
-                 {:+.2} deg/s",
-                throw.speed,
-                -throw.launch,
-                throw.nose.unwrap_or(0.0),
-                throw.hyzer.unwrap_or(0.0),
-                trim.turn.to_degrees()
-            );
-            text += &modes(of_trim);
-        }
-        None => text.push_str("no steady flight was found at this spin\n"),
-    }
-    if let (Some(first), Some(last)) = (found.flight.first(), found.flight.last()) {
-        let _ = writeln!(
-            text,
-            "along the flight, {:.2} s, the modes of each instant:",
+    text += &(of_criteria(&found.release).join("\n") + "\n\n");
+    text += &match &found.trim {
+        Some((trim, modes)) => format!("{}\n{}", steady(trim), page::table(modes).text(usize::MAX)),
+        None => "No steady flight was found at this spin.\n".to_owned(),
+    };
+    if let Some(last) = found.flight.last() {
+        let table = along(&found.flight).text(usize::MAX);
+        text += &format!(
+            "\nAlong the flight, {:.2} s, the modes of each instant:\n{table}",
             last.time
         );
-        let _ = writeln!(
-            text,
-            "  {:>7} {:>8} {:>22} {:>12}",
-            "time, s", "m/s", "nutation, rad/s", "decay, 1/s"
-        );
-        let step = (found.flight.len() / 8).max(1);
-        for instant in found
-            .flight
-            .iter()
-            .step_by(step)
-            .chain([last])
-            .take_while(|i| i.time >= first.time)
-        {
-            let nutation = nutation(&instant.modes);
-            let (frequency, decay) =
-                nutation.map_or((f64::NAN, f64::NAN), |m| (m.frequency(), m.decay()));
-            let _ = writeln!(
-                text,
-                "  {:>7.3} {:>8.2} {frequency:>22.3} {decay:>12.3}",
-                instant.time, instant.throw.speed
-            );
-        }
     }
     let stable = found.map.iter().filter(|i| i.criteria.is_stable()).count();
-    let _ = writeln!(
-        text,
-        "over speed and spin: all three criteria hold at {stable} of {} points",
-        found.map.len()
-    );
-    text
+    let points = found.map.len();
+    text + &format!("over speed and spin: all three criteria hold at {stable} of {points} points\n")
 }
 
-/// Text table of the modes of the linearised motion: one line per mode with frequency, decay rate, damping ratio and
-/// period.
-fn modes(of: &Modes) -> String {
-    let mut text = format!(
-        "  {:14} {:>12} {:>12} {:>9} {:>10}\n",
-        "mode", "rad/s", "decay, 1/s", "damping", "period, s"
-    );
-    for mode in &of.modes {
-        let period = match mode.frequency() {
-            f if f > 1e-9 => format!("{:.4}", std::f64::consts::TAU / f),
-            _ => String::new(),
-        };
-        let _ = writeln!(
-            text,
-            "  {:14} {:>12.4} {:>12.5} {:>9.4} {period:>10}",
-            mode.kind.name(),
-            mode.frequency(),
-            mode.decay(),
-            mode.damping_ratio()
-        );
+/// Table of the nutation at some instants of the flight, the last among them.
+fn along(flight: &[Instant]) -> Table {
+    let head = ["time, s", "speed, m/s", "nutation, rad/s", "decay, 1/s"];
+    let mut table = Table::new(head.map(|head| (head, Column::Number)));
+    let step = (flight.len() / INSTANTS).max(1);
+    for instant in flight.iter().step_by(step).chain(flight.last()) {
+        let nutation = nutation(&instant.modes);
+        let number = |of: fn(&Mode) -> f64| format!("{:.3}", nutation.map_or(f64::NAN, of));
+        table.row([
+            format!("{:.3}", instant.time).into(),
+            format!("{:.2}", instant.throw.speed).into(),
+            number(Mode::frequency).into(),
+            number(Mode::decay).into(),
+        ]);
     }
-    if !of.is_symmetric {
-        text.push_str(
-            "  The motion depends on the turn about the body's axis: for a spinning body these modes are those of an instant alone.\n",
-        );
-    }
-    text
+    table
 }
 
 /// Sentences on the aerodynamic derivatives and the stability criteria at one instant of a flight.

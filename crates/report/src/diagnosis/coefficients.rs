@@ -3,9 +3,9 @@
 use diagnose::Report;
 use model_spec::sort_by_number;
 
-use crate::numbers::{Digits, plain, unit};
 use crate::page::Html;
 use crate::table::{Cell, Column, Table};
+use identify::numbers::{Digits, plain, unit};
 
 /// Minimum difference between the estimates of a coefficient without and with the effects added by the diagnosis, in
 /// standard errors, for the estimate without them to count as biased.

@@ -8,10 +8,12 @@ use model_spec::sort_by_number;
 use super::draw::{Figures, unmoved};
 use super::{DiagnosisPage, MAX_ROWS, OPEN, words};
 use crate::fit::words::{PREDICTIONS, RESIDUALS};
-use crate::numbers::{millimetres, percent, plain, significant};
 use crate::page::{Html, flight_link};
 use crate::table::{Cell, Column, Table};
-use crate::wording::{names, short};
+use identify::numbers::{
+    equivalent_z, millimetres, percent, plain, probability, probability_of_ln, significant,
+};
+use identify::wording::{names, short};
 
 /// Maximum number of one-step estimates that a row of the table of score tests shows.
 const MAX_ESTIMATES: usize = 6;
@@ -109,8 +111,8 @@ fn score_tests(content: &mut Html, report: &Report, figures: &Figures) {
 }
 
 /// Table of the score tests of candidate effects, in the order of the report: the most significant candidate first.
-fn scores(report: &Report) -> Table {
-    use Column::{Name, Number, Plain, Text};
+pub(super) fn scores(report: &Report) -> Table {
+    use Column::{Detail, Name, Number, Plain};
     let mut table = Table::new([
         ("effect", Name),
         ("z", Number),
@@ -119,18 +121,18 @@ fn scores(report: &Report) -> Table {
         ("p", Number),
         ("tolerance", Number),
         ("acts on", Plain),
-        ("one-step estimate", Text),
-        ("meaning", Text),
+        ("one-step estimate", Detail),
+        ("meaning", Detail),
     ]);
     for test in report.tests.iter().take(MAX_ROWS) {
         let estimates = test.one_step_estimates.iter().take(MAX_ESTIMATES);
-        let estimates = estimates.map(|(name, estimate)| words::estimate(name, estimate));
+        let estimates = estimates.map(|(name, estimate)| estimate.text(name));
         table.row([
             (&test.name).into(),
-            words::equivalent_z(test.z).into(),
+            equivalent_z(test.z).into(),
             significant(test.score_chi2, 4).into(),
             test.degrees_of_freedom.to_string().into(),
-            words::probability_of_ln(test.ln_p_value).into(),
+            probability_of_ln(test.ln_p_value).into(),
             percent(test.tolerance).into(),
             words::site(&test.site).into(),
             estimates.collect::<Vec<_>>().join("; ").into(),
@@ -162,7 +164,7 @@ fn misfits(test: &LackOfFit) -> Table {
             plain(misfit.from_s, 2).into(),
             plain(misfit.to_s, 2).into(),
             size.into(),
-            words::probability(misfit.p_value).into(),
+            probability(misfit.p_value).into(),
         ]);
     }
     table
@@ -202,7 +204,7 @@ fn flights(page: &DiagnosisPage<'_>, figures: &Figures) -> Table {
             length(flight.rms_before_m),
             length(flight.rms_after_m),
             length(gain).doubtful_if(gain.is_some_and(|gain| gain < 0.0)),
-            p.map_or("–".to_owned(), |p| words::probability(*p)).into(),
+            p.map_or("–".to_owned(), |p| probability(*p)).into(),
             remarks(report, flight).into(),
         ]);
     }

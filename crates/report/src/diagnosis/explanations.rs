@@ -5,10 +5,12 @@ use model_spec::compose::ModelTree;
 
 use super::{DiagnosisPage, words};
 use crate::equation::of_effect;
-use crate::numbers::{Digits, millimetres, percent, plain, significant, stated, unit};
 use crate::page::Html;
 use crate::table::{Cell, Column, Table};
-use crate::wording::{sentence, short};
+use identify::numbers::{
+    Digits, equivalent_z, millimetres, percent, plain, probability, significant, stated, unit,
+};
+use identify::wording::{sentence, short};
 
 /// Maximum number of explanations shown in the HTML report.
 const MAX_EXPLANATIONS: usize = 12;
@@ -46,7 +48,7 @@ pub(super) fn section(page: &DiagnosisPage<'_>) -> Html {
         .take(MAX_EXPLANATIONS)
         .enumerate()
     {
-        let mut name = words::readable(&words::explanation(found));
+        let mut name = words::readable(&found.name());
         if number > 1 {
             name = format!("{}. {name}", i + 1);
         }
@@ -71,12 +73,23 @@ fn card(page: &DiagnosisPage<'_>, explanation: &Explanation, name: &str) -> Html
         if is_joint {
             text = Html::strong(words::readable(&effect.name)).then(": ");
         }
-        card.paragraph(text.then(words::description(effect)));
+        card.paragraph(text.then(effect.sentence()));
         for equation in equations(page, &effect.name) {
             card.element("div", "equation", Html::trusted(equation));
         }
     }
     card.table(&estimates(explanation));
+    card.note(share(explanation));
+    card
+}
+
+/// Sentences on the misfit that the explanation takes away, and on what remains.
+pub(super) fn share(explanation: &Explanation) -> String {
+    let with = if explanation.effects.len() > 1 {
+        "them"
+    } else {
+        "it"
+    };
     let explained = match explanation.explained_fraction > 0.0 {
         true => format!(
             " It explains {} of the misfit; {} rms remain beyond the noise.",
@@ -89,16 +102,14 @@ fn card(page: &DiagnosisPage<'_>, explanation: &Explanation, name: &str) -> Html
         Some(effect) => format!(
             "The strongest remaining effect is {} (p = {}).",
             effect.name,
-            words::probability(effect.p_value)
+            probability(effect.p_value)
         ),
         None => "No other effect remains.".to_owned(),
     };
-    card.note(format!(
-        "With {} the weighted sum of squares falls by {}.{explained} {remaining}",
-        if is_joint { "them" } else { "it" },
+    format!(
+        "With {with} the weighted sum of squares falls by {}.{explained} {remaining}",
         significant(explanation.chi2_decrease, 4)
-    ));
-    card
+    )
 }
 
 /// Equations that the effect called `name` adds to the model or replaces, as MathML. They are taken from the extended
@@ -119,7 +130,7 @@ fn equations(page: &DiagnosisPage<'_>, name: &str) -> Vec<String> {
 }
 
 /// Table of the coefficients of the effects of an explanation; an effect without coefficients has one row.
-fn estimates(explanation: &Explanation) -> Table {
+pub(super) fn estimates(explanation: &Explanation) -> Table {
     use Column::{Name, Number, Plain, Text};
     let is_joint = explanation.effects.len() > 1;
     let mut columns = vec![
@@ -209,8 +220,8 @@ fn throw(next: &ProposedThrow) -> Html {
     card.paragraph(format!(
         "{} With it the smallest difference between two explanations would be {} standard deviations; it is {} now.",
         sentence(&next.description),
-        words::equivalent_z(next.separation),
-        words::equivalent_z(next.separation_now)
+        equivalent_z(next.separation),
+        equivalent_z(next.separation_now)
     ));
     card.table(&table);
     card

@@ -3,17 +3,17 @@
 use diagnose::{Report, StepwiseTerm};
 
 use super::{MAX_ROWS, words};
-use crate::numbers::{Digits, significant, unit};
 use crate::page::Html;
 use crate::table::{Column, Table};
-use crate::wording::names;
+use identify::numbers::{Digits, significant, unit};
+use identify::wording::names;
 
 /// Number of effects that are not identifiable above which their table is folded.
 const MAX_OPEN: usize = 12;
 
 /// What the flights can and cannot show.
 pub(super) fn section(report: &Report) -> Html {
-    use Column::{Name, Number, Plain, Text};
+    use Column::{Name, Number, Plain};
     let mut content = Html::new();
     let hidden = &report.not_identifiable;
     if hidden.is_empty() {
@@ -23,14 +23,7 @@ pub(super) fn section(report: &Report) -> Html {
             "These flights cannot show whether the following effects act: they are not identifiable, being confounded \
              with others.",
         );
-        let mut table = Table::new([("effect", Name), ("confounded with", Text)]);
-        for effect in hidden.iter().take(MAX_ROWS) {
-            let by = match names(&effect.confounded_with).as_str() {
-                "" => "nothing: it has no influence in these flights".to_owned(),
-                names => names.to_owned(),
-            };
-            table.row([(&effect.name).into(), by.into()]);
-        }
+        let table = not_identifiable(report);
         let mut shown = Html::new();
         shown.table(&table);
         match table.len() > MAX_OPEN {
@@ -61,6 +54,19 @@ pub(super) fn section(report: &Report) -> Html {
     }
     content.folded("Minimum detectable effects", detectable);
     content
+}
+
+/// Table of the effects that the flights cannot identify.
+pub(super) fn not_identifiable(report: &Report) -> Table {
+    let mut table = Table::new([("effect", Column::Name), ("confounded with", Column::Text)]);
+    for effect in report.not_identifiable.iter().take(MAX_ROWS) {
+        let by = match names(&effect.confounded_with).as_str() {
+            "" => "nothing: it has no influence in these flights".to_owned(),
+            names => names.to_owned(),
+        };
+        table.row([(&effect.name).into(), by.into()]);
+    }
+    table
 }
 
 /// Table of the library terms tested by stepwise regression, in the order of the tests.

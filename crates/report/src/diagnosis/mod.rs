@@ -7,6 +7,7 @@ mod explanations;
 mod finding;
 mod limits;
 mod page;
+mod text;
 mod words;
 
 use crate::certificate::CertificateNote;
@@ -15,9 +16,7 @@ use diagnose::Report;
 
 use identify::{Fit, FlightEvidence};
 
-pub use words::{
-    lack_of_fit as lack_of_fit_sentence, paired as paired_gain_sentence, verdict_name,
-};
+pub use text::text;
 
 /// Maximum number of rows of a table in the HTML report of a diagnosis.
 const MAX_ROWS: usize = 60;

@@ -7,10 +7,9 @@ use super::draw::Figures;
 use super::finding::Finding;
 use super::{DiagnosisPage, coefficients, evidence, explanations, limits, words};
 use crate::figure::Figure;
-use crate::numbers::{millimetres, percent, plain};
 use crate::page::{Html, Page};
 use crate::table::{Column, Table};
-use crate::wording::{counted, durations, names, sentence, short, truncated};
+use identify::wording::{counted, durations, names, sentence, short, truncated};
 
 /// Maximum number of characters of the extended model's text shown in the HTML report.
 const MAX_TEXT: usize = 60_000;
@@ -62,18 +61,15 @@ pub(super) fn html(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figure
 
 fn summary(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figures) -> Html {
     let report = page.report;
-    let verdict = format!("verdict {}", words::verdict_name(report.verdict));
+    let verdict = format!("verdict {}", report.verdict.name());
     let mut lead = Html::trusted("\n");
-    lead.element("p", "finding", &finding.what);
-    let gain = [
-        Some(words::gain(report)),
-        report.predictive_gain.as_ref().and_then(words::paired),
-    ];
-    let gain: Vec<String> = gain.into_iter().flatten().collect();
+    if !finding.what.is_empty() {
+        lead.element("p", "finding", &finding.what);
+    }
     let watch = Html::from(format!("{} The flights can be watched in ", finding.next));
     for (what, text) in [
         ("How sure.", Html::from(&finding.sure)),
-        ("What it gains.", gain.join(" ").into()),
+        ("What it gains.", report.gain_sentences().into()),
         (
             "What next.",
             watch
@@ -95,7 +91,7 @@ fn summary(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figures) -> Ht
     let mut more = Html::trusted("\n");
     more.certificate(page.certificate);
     if let Some(test) = &report.lack_of_fit {
-        more.element("p", "", words::lack_of_fit(test));
+        more.element("p", "", test.sentence());
     }
     more.alarms(
         "Notes",
@@ -111,7 +107,7 @@ fn summary(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figures) -> Ht
         more.folded("Summary, as in report.json", text);
     }
     let mut content = Html::trusted("\n");
-    content.element("p", &verdict, words::verdict(report));
+    content.element("p", &verdict, report.verdict_sentence());
     content.element("div", "opening", opening);
     content.element("div", "words", more);
     content
@@ -173,7 +169,6 @@ fn extension(page: &DiagnosisPage<'_>) -> Html {
 }
 
 fn how(report: &Report) -> Html {
-    let noise = report.leading_noise();
     let number = |role| report.flights.iter().filter(|f| f.role == role).count();
     let held_out = match number(Role::HeldOut) {
         0 => String::new(),
@@ -181,11 +176,8 @@ fn how(report: &Report) -> Html {
     };
     let mut content = Html::new();
     content.paragraph(format!(
-        "The noise per coordinate is {} (standard deviation), with a lag-1 autocorrelation of {}; {} of the points were \
-         classified as outliers. {} fitted{held_out}; {} tested.",
-        millimetres(noise.sigma),
-        plain(noise.lag1_autocorrelation, 2),
-        percent(noise.outlier_fraction),
+        "{} {} fitted{held_out}; {} tested.",
+        words::noise(report),
         counted(number(Role::Fit), "flight"),
         counted(report.tests.len(), "effect"),
     ));

@@ -4,9 +4,9 @@ use identify::Coefficient;
 
 use super::FitPage;
 use crate::literature::sources;
-use crate::numbers::{Digits, stated, unit};
 use crate::page::Html;
 use crate::table::{Cell, Column, Table};
+use identify::numbers::{Digits, stated, unit};
 
 /// Ratio of the cluster-robust standard error (from the scatter between flights) to the Cramér–Rao standard error above
 /// which the former is marked.
@@ -20,14 +20,11 @@ pub(super) fn section(page: &FitPage<'_>) -> Html {
     if all.is_empty() {
         return content;
     }
-    let is_clustered = all
-        .iter()
-        .any(|(_, c)| c.std_error_cluster_robust.is_some());
-    content.table(&estimates(&all, is_clustered));
+    content.table(&estimates(&all));
     let mut note = "Figure: the value and its 95 % interval; the grey line is 0, the orange tick the default of the model’s file, \
                     where it is in range."
         .to_owned();
-    if is_clustered {
+    if is_clustered(&all) {
         note += " The cluster-robust standard error (by flight) is computed from the differences between the flights; it is \
                  marked where it exceeds the other by half or more.";
     }
@@ -42,7 +39,14 @@ pub(super) fn section(page: &FitPage<'_>) -> Html {
     content
 }
 
-fn estimates(all: &[(&str, &Coefficient)], is_clustered: bool) -> Table {
+fn is_clustered(all: &[(&str, &Coefficient)]) -> bool {
+    all.iter()
+        .any(|(_, c)| c.std_error_cluster_robust.is_some())
+}
+
+/// Table of the estimates with their standard errors and intervals.
+pub(super) fn estimates(all: &[(&str, &Coefficient)]) -> Table {
+    let is_clustered = is_clustered(all);
     let mut columns = vec![
         ("", Column::Name),
         ("value", Column::Number),

@@ -7,10 +7,10 @@ use model_spec::sort_by_number;
 use super::FitPage;
 use super::draw::MAX_FLIGHTS;
 use crate::figure::Figure;
-use crate::numbers::{millimetres, plain};
 use crate::page::{Html, flight_link};
 use crate::table::{Column, Table};
-use crate::wording::short;
+use identify::numbers::{millimetres, plain};
+use identify::wording::short;
 
 /// Maximum number of flights that a table of the report lists.
 const MAX_ROWS: usize = 50;
@@ -50,16 +50,10 @@ pub(super) fn section(page: &FitPage<'_>, histogram: Option<&Figure>) -> Html {
     content
 }
 
-/// Appends the table of `flights`, in dataset order. If there are more than [`MAX_ROWS`], only the flights with the
-/// largest RMS residuals, in descending order.
-fn worst(content: &mut Html, page: &FitPage<'_>, mut flights: Vec<&FlightReport>) {
+/// Appends the table of `flights`.
+fn worst(content: &mut Html, page: &FitPage<'_>, flights: Vec<&FlightReport>) {
     let all = flights.len();
-    if all > MAX_ROWS {
-        // A flight without a finite RMS residual ranks as the worst.
-        let size = |rms: f64| if rms.is_nan() { f64::INFINITY } else { rms };
-        sort_by_number(&mut flights, |flight| -size(flight.rms()));
-    }
-    content.table(&table(page, &flights));
+    content.table(&table(page, &worst_first(flights, MAX_ROWS)));
     if all > MAX_ROWS {
         content.note(format!(
             "The {MAX_ROWS} with the largest rms, of {all}; all are in flights.csv."
@@ -67,7 +61,18 @@ fn worst(content: &mut Html, page: &FitPage<'_>, mut flights: Vec<&FlightReport>
     }
 }
 
-fn table(page: &FitPage<'_>, flights: &[&FlightReport]) -> Table {
+/// The flights in dataset order or, if there are more than `most`, in descending order of their RMS residuals.
+pub(super) fn worst_first(mut flights: Vec<&FlightReport>, most: usize) -> Vec<&FlightReport> {
+    if flights.len() > most {
+        // A flight without a finite RMS residual ranks as the worst.
+        let size = |rms: f64| if rms.is_nan() { f64::INFINITY } else { rms };
+        sort_by_number(&mut flights, |flight| -size(flight.rms()));
+    }
+    flights
+}
+
+/// Table of the first [`MAX_ROWS`] flights.
+pub(super) fn table(page: &FitPage<'_>, flights: &[&FlightReport]) -> Table {
     use Column::{File, Number, Text};
     let mut table = Table::new([
         ("flight", File),

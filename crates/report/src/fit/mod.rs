@@ -4,12 +4,14 @@ mod coefficients;
 pub(crate) mod draw;
 mod flights;
 mod page;
+mod text;
 pub(crate) mod words;
 
 use crate::certificate::CertificateNote;
 pub use crate::figure::Figure;
 use identify::{Coefficient, Fit, FitReport, FlightEvidence};
 use model_spec::model::Model;
+pub use text::text;
 
 /// Input of the HTML report of a fit.
 #[derive(Clone, Copy)]

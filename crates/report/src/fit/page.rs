@@ -8,10 +8,10 @@ use model_spec::sort_by_number;
 use super::draw::MAX_FLIGHTS;
 use super::{Figures, FitPage, coefficients, flights, words};
 use crate::figure::Figure;
-use crate::numbers::{millimetres, percent, plain, significant};
 use crate::page::{Html, Page};
 use crate::table::{Column, Table};
-use crate::wording::{durations, names, sentence};
+use identify::numbers::{millimetres, percent, plain};
+use identify::wording::{durations, names, sentence};
 
 /// Number of flights whose figures of the states over time are expanded when the page is opened.
 const OPEN: usize = 3;
@@ -198,8 +198,18 @@ fn evidence(page: &FitPage<'_>, figures: &Figures) -> Html {
     body
 }
 
-/// Table of the measurement noise: one row for each axis, then one for all axes together.
 fn noise(report: &FitReport) -> Html {
+    let mut content = Html::new();
+    content.table(&noise_table(report));
+    content.note(words::noise(report));
+    for sensor in words::sensors(report) {
+        content.note(sensor);
+    }
+    content
+}
+
+/// Table of the measurement noise: one row for each axis, then one for all axes together.
+pub(super) fn noise_table(report: &FitReport) -> Table {
     let noise = report.leading_noise();
     let mut table = Table::new([
         ("axis", Column::Name),
@@ -219,24 +229,7 @@ fn noise(report: &FitReport) -> Html {
         row(axis, n.sigma, n.lag1_autocorrelation);
     }
     row("all", noise.sigma, noise.lag1_autocorrelation);
-    let how = if noise.estimated {
-        "estimated"
-    } else {
-        "given by the dataset"
-    };
-    let mut content = Html::new();
-    content.table(&table);
-    content.note(format!(
-        "Of one coordinate; {how}. The noise model is a stationary first-order autoregressive process along each axis; \
-         the autocorrelation is that of samples {} ms apart and falls to 1/e in the correlation time. The fitted \
-         flights have {} measured points, {} of them ({}) classified as outliers; {} are missing.",
-        significant(1e3 * noise.interval_s, 3),
-        noise.points,
-        noise.outliers,
-        percent(noise.outlier_fraction),
-        noise.missing
-    ));
-    content
+    table
 }
 
 /// Lag at which the autocorrelation of the noise has fallen to 1/e; `–` if the noise is nearly uncorrelated.

@@ -5,8 +5,8 @@ use identify::wording::count;
 use identify::{Coefficient, FitReport, FlightReport};
 
 use super::FitPage;
-use crate::numbers::{millimetres, percent, plain};
-use crate::wording::{counted, names, short};
+use identify::numbers::{millimetres, percent, plain, significant};
+use identify::wording::{counted, names, short};
 
 /// Maximum relative standard error at which the report calls a coefficient well determined.
 const GOOD: f64 = 0.1;
@@ -237,4 +237,42 @@ pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
         );
     }
     alarms
+}
+
+/// Sentences on the noise of the measured positions and its model.
+pub(super) fn noise(report: &FitReport) -> String {
+    let noise = report.leading_noise();
+    let how = if noise.estimated {
+        "estimated"
+    } else {
+        "given by the dataset"
+    };
+    format!(
+        "Of one coordinate; {how}. The noise model is a stationary first-order autoregressive process along each axis; \
+         the autocorrelation is that of samples {} ms apart and falls to 1/e in the correlation time. The fitted \
+         flights have {} measured points, {} of them ({}) classified as outliers; {} are missing.",
+        significant(1e3 * noise.interval_s, 3),
+        noise.points,
+        noise.outliers,
+        percent(noise.outlier_fraction),
+        noise.missing
+    )
+}
+
+/// A sentence on the residuals and the noise of each sensor.
+pub(super) fn sensors(report: &FitReport) -> Vec<String> {
+    let sensors = report.sensors.iter().map(|sensor| {
+        format!(
+            "{} ({}): RMS residual {:.3} {unit}, noise {:.3} {unit}, lag-1 autocorrelation {}, {} of {} outliers.",
+            sensor.name,
+            sensor.measures,
+            sensor.rms,
+            sensor.sigma,
+            plain(sensor.lag1_autocorrelation, 2),
+            sensor.outliers,
+            sensor.points,
+            unit = sensor.unit,
+        )
+    });
+    sensors.collect()
 }

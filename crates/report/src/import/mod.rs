@@ -1,5 +1,6 @@
 //! HTML page of an import: decisions made on each recording, and each flight that was cut from it.
 
+mod data;
 mod draw;
 mod page;
 

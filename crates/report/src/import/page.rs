@@ -4,10 +4,10 @@ use identify::wording::count;
 use model_spec::sort_by_number;
 
 use super::{Distance, ImportPage, ImportedFlight, ImportedTake, draw};
-use crate::numbers::plain;
 use crate::page::{Html, Page};
 use crate::table::{Cell, Column, Table};
-use crate::wording::{capitalized, names, short};
+use identify::numbers::plain;
+use identify::wording::{capitalized, names, short};
 
 /// Maximum number of imported flights that are drawn, over all recordings.
 const MAX_FLIGHTS: usize = 60;

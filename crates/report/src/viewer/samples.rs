@@ -8,8 +8,8 @@ use serde::Serialize;
 
 use crate::angle::is_angle;
 use crate::figures::symbol;
-use crate::numbers::unit;
 use crate::thin::stride;
+use identify::numbers::unit;
 
 /// Maximum number of scalar quantities that the 3D viewer shows over time for a flight.
 const MAX_NUMBERS: usize = 10;

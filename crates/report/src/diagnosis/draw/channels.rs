@@ -9,8 +9,8 @@ use crate::figures::axis::{number, range, ticks};
 use crate::figures::csv::Table;
 use crate::figures::svg::{Svg, cut};
 use crate::fit::draw::not_drawn;
-use crate::numbers::{percent, raised};
 use crate::thin::stride;
+use identify::numbers::{percent, raised};
 
 /// Maximum number of load channels drawn, one figure each.
 const MAX_CHANNELS: usize = 12;
@@ -149,7 +149,7 @@ fn draw(channel: &LoadChannel, title: &str, layout: Layout) -> String {
         svg.line("axis", (x0, bottom), (x0 + wide, bottom));
         let ends = [(time.0, "start"), (time.0 + length, "end")];
         for (t, anchor) in ends {
-            let mut text = crate::numbers::plain(t, 1);
+            let mut text = identify::numbers::plain(t, 1);
             if anchor == "end" {
                 text += " s";
             }

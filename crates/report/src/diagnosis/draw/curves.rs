@@ -5,8 +5,8 @@ use diagnose::{CoefficientCurve, Report};
 use super::super::DiagnosisPage;
 use crate::figure::Figure;
 use crate::figures::{Bar, Layout, Line, Panel, symbol};
-use crate::numbers::with_unit;
 use crate::thin::MAX_CURVE_POINTS;
+use identify::numbers::with_unit;
 
 /// Maximum number of coefficient curves drawn in the report.
 const MAX_CURVES: usize = 24;

@@ -1,9 +1,9 @@
 //! Figure of the score tests of all candidate effects, as equivalent z.
 
 use diagnose::{CandidateTest, Report};
+use identify::numbers::equivalent_z;
 use model_spec::sort_by_number;
 
-use super::super::words;
 use crate::figure::Figure;
 use crate::figures::Layout;
 use crate::figures::chart::{Axis, Chart, Row, Shape};
@@ -43,7 +43,7 @@ pub(super) fn score_tests(report: &Report) -> Option<Figure> {
             name: c.name.clone(),
             class,
             shapes: vec![Shape::Bar(c.z.max(0.0), bar)],
-            words: words::equivalent_z(c.z),
+            words: equivalent_z(c.z),
         }
     };
     let rows: Vec<Row> = all.iter().map(row).collect();
@@ -76,7 +76,7 @@ pub(super) fn score_tests(report: &Report) -> Option<Figure> {
         across: "equivalent z".into(),
         level: Some((
             threshold,
-            format!("significant from {}", words::equivalent_z(threshold)),
+            format!("significant from {}", equivalent_z(threshold)),
         )),
     };
     let more = not_drawn(left_out, "more with smaller z");
@@ -87,7 +87,7 @@ pub(super) fn score_tests(report: &Report) -> Option<Figure> {
     let caption = format!(
         "Score test of each effect alone, as the standard normal quantile z of equal p-value. The familywise error rate \
          of all tests is {}.{along}{more}",
-        crate::numbers::percent(report.threshold.alpha)
+        identify::numbers::percent(report.threshold.alpha)
     );
     Some(Figure::of_chart(
         "candidates",

@@ -8,7 +8,7 @@ use super::curve::Curve;
 use crate::figure::Figure;
 use crate::figures::chart::{Axis, Chart, Row, Shape};
 use crate::figures::{Bar, Layout, Line, Panel, symbol};
-use crate::numbers::{Digits, unit, with_unit};
+use identify::numbers::{Digits, equivalent_z, unit, with_unit};
 
 /// File name, without suffix, of the figure in the opening section of the diagnosis report.
 const NAME: &str = "finding";
@@ -136,7 +136,7 @@ pub(super) fn strongest(report: &Report) -> Option<Figure> {
             name: words::readable(&c.name),
             class: "tick",
             shapes: vec![Shape::Bar(c.z.max(0.0), bar)],
-            words: words::equivalent_z(c.z),
+            words: equivalent_z(c.z),
         }
     });
     let chart = Chart {

@@ -5,7 +5,7 @@ use crate::figure::Figure;
 use crate::figures::Layout;
 use crate::figures::csv::Table;
 use crate::figures::svg::{Svg, cut};
-use crate::numbers::plain;
+use identify::numbers::plain;
 
 const WIDTH: f64 = 360.0;
 const LETTERS: f64 = 13.0;

@@ -8,7 +8,7 @@ use crate::bands::std_error;
 use crate::figure::Figure;
 use crate::figures::Layout;
 use crate::figures::chart::{Axis, Chart, Row, Shape};
-use crate::numbers::percent;
+use identify::numbers::percent;
 
 /// Minimum and maximum of the chart axis on which relative standard errors are drawn, %.
 const AXIS: (f64, f64) = (0.1, 1e3);

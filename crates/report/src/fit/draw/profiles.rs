@@ -6,7 +6,7 @@ use model_spec::sort_by_number;
 
 use crate::figure::Figure;
 use crate::figures::{Dots, Layout, Line, Look, Mark, Panel};
-use crate::numbers::{Digits, raised, unit};
+use identify::numbers::{Digits, raised, unit};
 
 /// Deviance of the profile likelihood above which a value of the coefficient is rejected at the 5 % level: 95 %
 /// quantile of χ²(1).
