@@ -325,12 +325,10 @@ impl Page {
 /// Table of the first [`MAX_FAULTS`] faults of the measured data.
 pub(crate) fn data_faults(faults: &[DataFault]) -> Table {
     use Column::{File, Plain, Text};
-    let mut table = Table::new([
-        ("flight", File),
-        ("fault", Plain),
-        ("found", Text),
-        ("correction", Text),
-    ]);
+    let mut table = Table::new()
+        .with(File, &["flight"])
+        .with(Plain, &["fault"])
+        .with(Text, &["found", "correction"]);
     for fault in faults.iter().take(MAX_FAULTS) {
         table.row([
             (&fault.file).into(),
@@ -383,7 +381,9 @@ mod tests {
 
     #[test]
     fn texts_are_escaped_and_figures_are_drawn_twice() {
-        let mut table = Table::new([("name", Column::Name), ("value, m", Column::Number)]);
+        let mut table = Table::new()
+            .with(Column::Name, &["name"])
+            .with(Column::Number, &["value, m"]);
         table.row(["<x>".into(), "1.5".into()]);
         let panel = Panel {
             lines: vec![Line {

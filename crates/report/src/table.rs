@@ -68,7 +68,7 @@ impl Cell {
 }
 
 /// Table with a header.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Table {
     columns: Vec<(String, Column)>,
     rows: Vec<Vec<Cell>>,
@@ -76,14 +76,17 @@ pub struct Table {
 }
 
 impl Table {
-    /// Table without rows; a column has a heading and a kind.
-    pub fn new<T: Into<String>>(columns: impl IntoIterator<Item = (T, Column)>) -> Table {
-        let columns = columns.into_iter().map(|(head, kind)| (head.into(), kind));
-        Table {
-            columns: columns.collect(),
-            rows: Vec::new(),
-            is_stacked: false,
-        }
+    /// Table without columns and rows.
+    pub fn new() -> Table {
+        Table::default()
+    }
+
+    /// Appends columns of one kind with these headings.
+    #[must_use]
+    pub fn with(mut self, kind: Column, heads: &[&str]) -> Table {
+        let columns = heads.iter().map(|head| ((*head).to_owned(), kind));
+        self.columns.extend(columns);
+        self
     }
 
     /// Shows each row as a list of its cells on a narrow screen.

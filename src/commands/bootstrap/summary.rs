@@ -111,14 +111,13 @@ fn correlation(refits: &[&[f64]], columns: &[Estimates], i: usize, j: usize) -> 
 /// The summary of a bootstrap (its `summary.json`) as text for the terminal.
 pub(super) fn text(summary: &Value) -> String {
     use Column::{Name, Number, Plain};
-    let mut table = Table::new([
-        ("", Name),
-        ("estimate", Number),
-        ("std error", Number),
-        ("of the fit", Number),
-        ("95 % interval", Number),
-        ("unit", Plain),
-    ]);
+    let mut table = Table::new()
+        .with(Name, &[""])
+        .with(
+            Number,
+            &["estimate", "std error", "of the fit", "95 % interval"],
+        )
+        .with(Plain, &["unit"]);
     for (name, column) in summary["coefficients"].as_object().into_iter().flatten() {
         let value = |value: &Value| value.as_f64().unwrap_or(f64::NAN);
         let digits = Digits::of(value(&column["value"]), value(&column["std_error"]));

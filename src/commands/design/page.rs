@@ -96,17 +96,19 @@ pub fn lead(found: &Design) -> Vec<String> {
 /// Table of the numbers of the throw, their bounds, and what a unit of each does.
 pub fn throw(found: &Design, bounds: &Bounds) -> Table {
     use Column::{Name, Number};
-    let mut table = Table::new([
-        ("number", Name),
-        ("value", Number),
-        ("bounds", Number),
-        ("x, m/unit", Number),
-        ("y, m/unit", Number),
-        ("time, s/unit", Number),
-        ("goal/unit", Number),
-        ("one less, m", Number),
-        ("one more, m", Number),
-    ]);
+    let mut table = Table::new().with(Name, &["number"]).with(
+        Number,
+        &[
+            "value",
+            "bounds",
+            "x, m/unit",
+            "y, m/unit",
+            "time, s/unit",
+            "goal/unit",
+            "one less, m",
+            "one more, m",
+        ],
+    );
     for s in &found.sensitivity {
         let (name, unit, ..) = FIELDS[s.field];
         let value = numbers(&found.throw)

@@ -120,8 +120,9 @@ pub fn table(modes: &Modes) -> Table {
         "speed",
         "spin",
     ];
-    let numbers = head.map(|head| (head, Column::Number));
-    let mut table = Table::new([("mode", Column::Name)].into_iter().chain(numbers));
+    let mut table = Table::new()
+        .with(Column::Name, &["mode"])
+        .with(Column::Number, &head);
     for mode in &modes.modes {
         let frequency = Some(mode.frequency()).filter(|f| *f > 1e-9);
         let period = frequency.map(|f| format!("{:.4}", std::f64::consts::TAU / f));

@@ -39,7 +39,7 @@ pub fn table(model: &str, found: &Found) -> String {
 /// Table of the nutation at some instants of the flight, the last among them.
 fn along(flight: &[Instant]) -> Table {
     let head = ["time, s", "speed, m/s", "nutation, rad/s", "decay, 1/s"];
-    let mut table = Table::new(head.map(|head| (head, Column::Number)));
+    let mut table = Table::new().with(Column::Number, &head);
     let step = (flight.len() / INSTANTS).max(1);
     for instant in flight.iter().step_by(step).chain(flight.last()) {
         let nutation = nutation(&instant.modes);

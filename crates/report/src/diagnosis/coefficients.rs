@@ -16,23 +16,17 @@ pub(super) fn section(report: &Report) -> Html {
     let is_extended = report.coefficients.values().any(|c| c.before.is_some());
     let mut all: Vec<_> = report.coefficients.iter().collect();
     sort_by_number(&mut all, |(_, found)| f64::from(found.before.is_none()));
-    let mut table = Table::new(match is_extended {
-        true => vec![
-            ("", Column::Name),
-            ("before", Column::Number),
-            ("extended", Column::Number),
-            ("change, σ", Column::Number),
-            ("standard error", Column::Number),
-            ("unit", Column::Plain),
-            ("", Column::Plain),
-        ],
-        false => vec![
-            ("", Column::Name),
-            ("value", Column::Number),
-            ("standard error", Column::Number),
-            ("unit", Column::Plain),
-        ],
-    });
+    let numbers: &[&str] = match is_extended {
+        true => &["before", "extended", "change, σ", "standard error"],
+        false => &["value", "standard error"],
+    };
+    let mut table = Table::new()
+        .with(Column::Name, &[""])
+        .with(Column::Number, numbers)
+        .with(Column::Plain, &["unit"]);
+    if is_extended {
+        table = table.with(Column::Plain, &[""]);
+    }
     for (name, found) in all {
         let digits = Digits::of(found.value, found.std_error);
         let number = |value: f64| Cell::from(digits.one(value));

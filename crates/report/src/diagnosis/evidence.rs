@@ -113,17 +113,11 @@ fn score_tests(content: &mut Html, report: &Report, figures: &Figures) {
 /// Table of the score tests of candidate effects, in the order of the report: the most significant candidate first.
 pub(super) fn scores(report: &Report) -> Table {
     use Column::{Detail, Name, Number, Plain};
-    let mut table = Table::new([
-        ("effect", Name),
-        ("z", Number),
-        ("χ²", Number),
-        ("d.o.f.", Number),
-        ("p", Number),
-        ("tolerance", Number),
-        ("acts on", Plain),
-        ("one-step estimate", Detail),
-        ("meaning", Detail),
-    ]);
+    let mut table = Table::new()
+        .with(Name, &["effect"])
+        .with(Number, &["z", "χ²", "d.o.f.", "p", "tolerance"])
+        .with(Plain, &["acts on"])
+        .with(Detail, &["one-step estimate", "meaning"]);
     for test in report.tests.iter().take(MAX_ROWS) {
         let estimates = test.one_step_estimates.iter().take(MAX_ESTIMATES);
         let estimates = estimates.map(|(name, estimate)| estimate.text(name));
@@ -145,14 +139,10 @@ pub(super) fn scores(report: &Report) -> Table {
 /// Table of the largest smooth deviations of the residuals from zero, smallest p-value first.
 fn misfits(test: &LackOfFit) -> Table {
     use Column::{File, Number, Plain};
-    let mut table = Table::new([
-        ("flight", File),
-        ("coordinate", Plain),
-        ("from, s", Number),
-        ("to, s", Number),
-        ("largest departure", Number),
-        ("p", Number),
-    ]);
+    let mut table = Table::new()
+        .with(File, &["flight"])
+        .with(Plain, &["coordinate"])
+        .with(Number, &["from, s", "to, s", "largest departure", "p"]);
     for misfit in test.largest_misfits.iter().take(MAX_ROWS) {
         let size = match misfit.unit.as_str() {
             "" | "m" => millimetres(misfit.size_m),
@@ -187,14 +177,13 @@ fn flights(page: &DiagnosisPage<'_>, figures: &Figures) -> Table {
     }
     let tested = report.lack_of_fit.as_ref().map(|test| &test.flights);
     let length = |rms: Option<f64>| Cell::from(rms.map_or("–".to_owned(), millimetres));
-    let mut table = Table::new([
-        ("flight", File),
-        ("rms before", Number),
-        ("rms extended", Number),
-        ("gain", Number),
-        ("lack of fit, p", Number),
-        ("", Text),
-    ]);
+    let mut table = Table::new()
+        .with(File, &["flight"])
+        .with(
+            Number,
+            &["rms before", "rms extended", "gain", "lack of fit, p"],
+        )
+        .with(Text, &[""]);
     for flight in all {
         let gain = flight.rms_before_m.zip(flight.rms_after_m);
         let gain = gain.map(|(before, after)| before - after);

@@ -133,20 +133,18 @@ fn equations(page: &DiagnosisPage<'_>, name: &str) -> Vec<String> {
 pub(super) fn estimates(explanation: &Explanation) -> Table {
     use Column::{Name, Number, Plain, Text};
     let is_joint = explanation.effects.len() > 1;
-    let mut columns = vec![
-        ("coefficient", Plain),
-        ("value", Number),
-        ("standard error", Number),
-        ("unit", Plain),
-        ("smallest effect of interest", Number),
-        ("acts on", Plain),
-        ("depends on", Text),
-        ("score χ²", Number),
-    ];
+    let mut table = Table::new().stacked();
     if is_joint {
-        columns.insert(0, ("effect", Name));
+        table = table.with(Name, &["effect"]);
     }
-    let mut table = Table::new(columns).stacked();
+    table = table
+        .with(Plain, &["coefficient"])
+        .with(Number, &["value", "standard error"])
+        .with(Plain, &["unit"])
+        .with(Number, &["smallest effect of interest"])
+        .with(Plain, &["acts on"])
+        .with(Text, &["depends on"])
+        .with(Number, &["score χ²"]);
     for effect in &explanation.effects {
         let mut site = Html::from(words::site(&effect.site));
         if effect.negligible {
@@ -192,7 +190,9 @@ pub(super) fn estimates(explanation: &Explanation) -> Table {
 /// The throw that would best distinguish the explanations, in the quantities common for disc throws.
 fn throw(next: &ProposedThrow) -> Html {
     let degrees = |radians: f64| format!("{}°", plain(radians.to_degrees(), 1));
-    let mut table = Table::new([("", Column::Name), ("", Column::Plain)]);
+    let mut table = Table::new()
+        .with(Column::Name, &[""])
+        .with(Column::Plain, &[""]);
     for (name, value) in [
         ("speed", format!("{}\u{a0}m/s", plain(next.speed, 1))),
         (

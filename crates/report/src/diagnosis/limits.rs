@@ -31,12 +31,11 @@ pub(super) fn section(report: &Report) -> Html {
             false => content.push(shown),
         }
     }
-    let mut table = Table::new([
-        ("effect", Name),
-        ("coefficient", Plain),
-        ("minimum", Number),
-        ("unit", Plain),
-    ]);
+    let mut table = Table::new()
+        .with(Name, &["effect"])
+        .with(Plain, &["coefficient"])
+        .with(Number, &["minimum"])
+        .with(Plain, &["unit"]);
     for effect in report.minimum_detectable_effects.iter().take(MAX_ROWS) {
         table.row([
             (&effect.name).into(),
@@ -58,7 +57,9 @@ pub(super) fn section(report: &Report) -> Html {
 
 /// Table of the effects that the flights cannot identify.
 pub(super) fn not_identifiable(report: &Report) -> Table {
-    let mut table = Table::new([("effect", Column::Name), ("confounded with", Column::Text)]);
+    let mut table = Table::new()
+        .with(Column::Name, &["effect"])
+        .with(Column::Text, &["confounded with"]);
     for effect in report.not_identifiable.iter().take(MAX_ROWS) {
         let by = match names(&effect.confounded_with).as_str() {
             "" => "nothing: it has no influence in these flights".to_owned(),
@@ -72,14 +73,11 @@ pub(super) fn not_identifiable(report: &Report) -> Table {
 /// Table of the library terms tested by stepwise regression, in the order of the tests.
 pub(super) fn terms(terms: &[StepwiseTerm]) -> Table {
     use Column::{Code, Number, Plain};
-    let mut table = Table::new([
-        ("term", Code),
-        ("acts on", Plain),
-        ("χ²", Number),
-        ("coefficient", Number),
-        ("standard error", Number),
-        ("", Plain),
-    ]);
+    let mut table = Table::new()
+        .with(Code, &["term"])
+        .with(Plain, &["acts on"])
+        .with(Number, &["χ²", "coefficient", "standard error"])
+        .with(Plain, &[""]);
     for term in terms.iter().take(MAX_ROWS) {
         let digits = Digits::of(term.value, term.std_error);
         let mut tag = Html::new();

@@ -159,7 +159,9 @@ fn extension(page: &DiagnosisPage<'_>) -> Html {
             false => "It fails an independent check: do not rely on it.",
         };
         content.element_with_id("p", "verified", "words", outcome);
-        let mut table = Table::new([("check", Column::Name), ("result", Column::Text)]);
+        let mut table = Table::new()
+            .with(Column::Name, &["check"])
+            .with(Column::Text, &["result"]);
         for (name, result) in verified.checks.iter().take(MAX_NOTES) {
             table.row([short(name).into(), short(result).into()]);
         }

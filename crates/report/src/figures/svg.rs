@@ -27,7 +27,7 @@ g.value { outline: none; cursor: default } g.value:hover text, g.value:focus tex
 rect.bar.explanation { fill: #0072b2 } rect.bar.alarm { fill: #d9813f } rect.bar.calm { fill: #b4b9c0 }
 circle.before { fill: #fff; stroke: #d55e00; stroke-width: 2 } circle.after { fill: #0072b2 } line.join { stroke: #9aa0a8; stroke-width: 2 }
 line.reach { stroke: #0072b2; stroke-width: 2 } text.strong { font-weight: 600; fill: #0060a0 } text.weak { fill: #777 }
-rect.alike { fill: #00437c } rect.unknown { fill: #c9b9b9 }
+rect.alike { fill: #00437c } rect.positive { fill: #b24800 } rect.unknown { fill: #c9b9b9 }
 path.history { stroke: #0072b2; stroke-width: 1.4 } path.dots-after { stroke: #0072b2; stroke-width: 3; stroke-linecap: round }
 "#;
 
@@ -100,14 +100,6 @@ impl Svg {
         let _ = writeln!(
             self.body,
             r#"<rect class="{class}" fill-opacity="{cover:.2}" x="{x:.1}" y="{y:.1}" width="{wide:.1}" height="{tall:.1}"/>"#
-        );
-    }
-
-    /// Draws a rectangle with its upper left corner at (x, y), filled with `colour`.
-    pub(crate) fn cell(&mut self, colour: &str, (x, y): (f64, f64), (wide, tall): (f64, f64)) {
-        let _ = writeln!(
-            self.body,
-            r#"<rect fill="{colour}" x="{x:.1}" y="{y:.1}" width="{wide:.1}" height="{tall:.1}"/>"#
         );
     }
 

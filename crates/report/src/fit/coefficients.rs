@@ -47,19 +47,16 @@ fn is_clustered(all: &[(&str, &Coefficient)]) -> bool {
 /// Table of the estimates with their standard errors and intervals.
 pub(super) fn estimates(all: &[(&str, &Coefficient)]) -> Table {
     let is_clustered = is_clustered(all);
-    let mut columns = vec![
-        ("", Column::Name),
-        ("value", Column::Number),
-        ("standard error", Column::Number),
-        ("unit", Column::Plain),
-        ("95 % interval", Column::Number),
-        ("", Column::Plain),
-    ];
+    let mut table = Table::new()
+        .with(Column::Name, &[""])
+        .with(Column::Number, &["value", "standard error"])
+        .with(Column::Plain, &["unit"])
+        .with(Column::Number, &["95 % interval"])
+        .with(Column::Plain, &[""]);
     if is_clustered {
-        columns.push(("cluster-robust error", Column::Number));
+        table = table.with(Column::Number, &["cluster-robust error"]);
     }
-    columns.push(("", Column::Plain));
-    let mut table = Table::new(columns);
+    table = table.with(Column::Plain, &[""]);
     for (name, found) in all {
         let digits = Digits::of(found.value, found.std_error);
         let if_estimated = |text: String| if found.fixed { "–".to_owned() } else { text };
@@ -102,14 +99,13 @@ fn remarks(found: &Coefficient) -> Html {
 
 fn literature(page: &FitPage<'_>, all: &[(&str, &Coefficient)]) -> Table {
     let sources = sources(page.model.reference.as_deref());
-    let mut columns = vec![
-        ("", Column::Name),
-        ("this fit", Column::Number),
-        ("model’s file", Column::Number),
-    ];
-    columns.extend(sources.iter().map(|source| (source.short, Column::Number)));
-    columns.extend([("unit", Column::Plain), ("meaning", Column::Text)]);
-    let mut table = Table::new(columns);
+    let names: Vec<&str> = sources.iter().map(|source| source.short).collect();
+    let mut table = Table::new()
+        .with(Column::Name, &[""])
+        .with(Column::Number, &["this fit", "model’s file"])
+        .with(Column::Number, &names)
+        .with(Column::Plain, &["unit"])
+        .with(Column::Text, &["meaning"]);
     for (name, found) in all {
         let digits = Digits::of(found.value, found.std_error);
         let mut row: Vec<Cell> = vec![

@@ -74,14 +74,10 @@ pub(super) fn worst_first(mut flights: Vec<&FlightReport>, most: usize) -> Vec<&
 /// Table of the first [`MAX_ROWS`] flights.
 pub(super) fn table(page: &FitPage<'_>, flights: &[&FlightReport]) -> Table {
     use Column::{File, Number, Text};
-    let mut table = Table::new([
-        ("flight", File),
-        ("samples", Number),
-        ("rms", Number),
-        ("outliers", Number),
-        ("cut", Text),
-        ("notes", Text),
-    ]);
+    let mut table = Table::new()
+        .with(File, &["flight"])
+        .with(Number, &["samples", "rms", "outliers"])
+        .with(Text, &["cut", "notes"]);
     for flight in flights.iter().take(MAX_ROWS) {
         let cut = flight.cut.as_ref().map(|cut| {
             let (t, samples) = (plain(cut.t, 3), cut.samples);

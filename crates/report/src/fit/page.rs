@@ -211,12 +211,14 @@ fn noise(report: &FitReport) -> Html {
 /// Table of the measurement noise: one row for each axis, then one for all axes together.
 pub(super) fn noise_table(report: &FitReport) -> Table {
     let noise = report.leading_noise();
-    let mut table = Table::new([
-        ("axis", Column::Name),
-        ("standard deviation", Column::Number),
-        ("lag-1 autocorrelation", Column::Number),
-        ("correlation time", Column::Number),
-    ]);
+    let mut table = Table::new().with(Column::Name, &["axis"]).with(
+        Column::Number,
+        &[
+            "standard deviation",
+            "lag-1 autocorrelation",
+            "correlation time",
+        ],
+    );
     let mut row = |axis: &str, sigma: f64, ar1: f64| {
         table.row([
             axis.into(),

@@ -56,7 +56,9 @@ pub(super) fn html(page: &ImportPage) -> String {
 fn section(take: &ImportedTake, number: usize, drawn: usize) -> Html {
     let mut content = Html::new();
     content.heading("What was decided");
-    let mut decisions = Table::new([("", Column::Name), ("", Column::Text)]);
+    let mut decisions = Table::new()
+        .with(Column::Name, &[""])
+        .with(Column::Text, &[""]);
     for (what, decision) in &take.decisions {
         decisions.row([what.into(), decision.into()]);
     }
@@ -86,15 +88,14 @@ fn section(take: &ImportedTake, number: usize, drawn: usize) -> Html {
 
 fn flights(take: &ImportedTake) -> Table {
     use Column::{Name, Number, Text};
-    let mut table = Table::new([
-        ("table", Name),
-        ("from, s", Number),
-        ("because", Text),
-        ("to, s", Number),
-        ("because", Text),
-        ("samples", Number),
-        ("not seen", Text),
-    ]);
+    let mut table = Table::new()
+        .with(Name, &["table"])
+        .with(Number, &["from, s"])
+        .with(Text, &["because"])
+        .with(Number, &["to, s"])
+        .with(Text, &["because"])
+        .with(Number, &["samples"])
+        .with(Text, &["not seen"]);
     for flight in &take.flights {
         table.row([
             (&flight.file).into(),
@@ -155,13 +156,13 @@ fn pairs(take: &ImportedTake) -> Table {
         }
     }
     sort_by_number(&mut worst, |found| -found.farthest);
-    let mut table = Table::new([
-        ("pair", Column::Name),
-        ("template, mm", Column::Number),
-        ("median, mm", Column::Number),
-        ("farthest from it, mm", Column::Number),
-        ("in", Column::Plain),
-    ]);
+    let mut table = Table::new()
+        .with(Column::Name, &["pair"])
+        .with(
+            Column::Number,
+            &["template, mm", "median, mm", "farthest from it, mm"],
+        )
+        .with(Column::Plain, &["in"]);
     let millimetres = |metres: f64| Cell::from(plain(1e3 * metres, 1));
     for found in worst.iter().take(MAX_PAIRS) {
         table.row([
