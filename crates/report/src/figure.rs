@@ -5,6 +5,7 @@ use flight::files::ResultFile;
 use crate::figures::chart::Chart;
 use crate::figures::csv::of_panels;
 use crate::figures::svg::escape;
+use crate::figures::triangle::Triangle;
 use crate::figures::{Layout, Panel, figure_of};
 
 /// Figure of a report, written as an SVG file and as a CSV table of its data.
@@ -65,6 +66,19 @@ impl Figure {
         let texts = [caption.to_owned(), chart.csv()];
         Figure::in_layouts(name, &chart.title, texts, wide, &|layout| {
             chart.draw(layout)
+        })
+    }
+
+    /// Creates a figure of correlations for the layout `wide` and for narrow screens.
+    pub(crate) fn of_triangle(
+        name: &str,
+        triangle: &Triangle<'_>,
+        caption: &str,
+        wide: Layout,
+    ) -> Figure {
+        let texts = [caption.to_owned(), triangle.csv()];
+        Figure::in_layouts(name, triangle.title, texts, wide, &|layout| {
+            triangle.draw(layout)
         })
     }
 

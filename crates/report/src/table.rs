@@ -1,7 +1,7 @@
 //! Tables of a page.
 
 use crate::figures::svg::escape;
-use crate::page::Html;
+use crate::html::Html;
 
 /// Kind of the cells of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,6 +2,7 @@
 //! flight, stability criteria, and maps over speed and spin.
 
 mod page;
+mod text;
 mod words;
 
 use analysis::stability::{Body, Instant, along, at, map, trim};
@@ -102,7 +103,7 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
     output::print(if options.json {
         json.clone()
     } else {
-        words::table(&body.model.name, &found)
+        text::text(&body.model.name, &found)
     })?;
     if let (Some(folder), Some(place)) = (&out, &options.out) {
         let (page, figures) = page::page(&body.model.name, &found);

@@ -1,19 +1,15 @@
 //! The report page of a stability analysis: modes at release, along the flight, in steady flight, and over speed and
 //! spin.
 
-use analysis::stability::{Instant, Mode, ModeKind, Modes, Trim};
+use analysis::stability::{Instant, Mode, ModeKind, Modes};
 use report::figures::{Dots, Layout, Line, Look, Panel};
 use report::{Cell, Column, Figure, Html, Page, Table};
 
 use super::Found;
-use super::words::{nutation, of_criteria, slowest};
+use super::words::{INSTANT, lead, nutation, of_criteria, slowest, steady};
 
 /// Maximum number of lines in one panel of a figure, equal to the number of distinct line colours.
 const LINES: usize = 4;
-
-/// Warning on the modes of a body that is no body of revolution.
-pub const INSTANT: &str = "The motion depends on the turn about the body's axis. For a spinning body the modes are those of an instant alone, and \
-     the criteria do not apply.";
 
 /// The report page of a stability analysis, and its figures.
 pub fn page(model: &str, found: &Found) -> (Page, Vec<Figure>) {
@@ -61,51 +57,6 @@ pub fn page(model: &str, found: &Found) -> (Page, Vec<Figure>) {
         ..Page::default()
     };
     (page, figures)
-}
-
-/// Sentence on the steady flight at the spin of release.
-pub fn steady(trim: &Trim) -> String {
-    format!(
-        "At the spin of release, held, the body can fly at {:.2} m/s, {:.2}° below the horizontal, nose {:.2}°, hyzer {:.2}°, \
-         its heading turning by {:+.2}°/s. Its modes there:",
-        trim.throw.speed,
-        -trim.throw.launch,
-        trim.throw.nose.unwrap_or(0.0),
-        trim.throw.hyzer.unwrap_or(0.0),
-        trim.turn.to_degrees()
-    )
-}
-
-/// Sentences on the nutation at release and on the modes that grow.
-pub fn lead(found: &Found) -> Vec<String> {
-    let mut lead = Vec::new();
-    if let Some(mode) = nutation(&found.release.modes) {
-        lead.push(format!(
-            "At release the axis circles at {:.2} rad/s ({:.2} Hz) and its wobble {} at {:.3} 1/s.",
-            mode.frequency(),
-            mode.frequency() / std::f64::consts::TAU,
-            if mode.decay() >= 0.0 {
-                "decays"
-            } else {
-                "grows"
-            },
-            mode.decay().abs()
-        ));
-    }
-    let growing = found
-        .release
-        .modes
-        .modes
-        .iter()
-        .filter(|mode| mode.decay() < -1e-6);
-    let names: Vec<String> = growing
-        .map(|m| format!("{} ({:.3} 1/s)", m.kind.name(), -m.decay()))
-        .collect();
-    lead.push(match names.is_empty() {
-        true => "None of its modes grows.".into(),
-        false => format!("Growing: {}.", names.join(", ")),
-    });
-    lead
 }
 
 /// Table of the modes of the linearised motion.

@@ -1,57 +1,59 @@
-//! Output of a stability analysis as text, JSON and CSV.
+//! Sentences of a stability analysis, and its JSON and CSV.
 
 use std::fmt::Write;
 
-use analysis::stability::{Criteria, Instant, Mode, ModeKind, Modes};
-use report::{Column, Table};
+use analysis::stability::{Criteria, Instant, Mode, ModeKind, Modes, Trim};
 use serde_json::{Value, json};
 
 use super::Found;
-use super::page::{self, INSTANT, lead, steady};
 
-/// Number of instants of the flight in the text for the terminal.
-const INSTANTS: usize = 8;
+/// Warning on the modes of a body that is no body of revolution.
+pub const INSTANT: &str = "The motion depends on the turn about the body's axis. For a spinning body the modes are those of an instant alone, and \
+     the criteria do not apply.";
 
-/// Text of the modes and stability criteria in `found`, for the terminal.
-pub fn table(model: &str, found: &Found) -> String {
-    let mut text = format!("{model}: {}\n", lead(found).join(" "));
-    text += &page::table(&found.release.modes).text(usize::MAX);
-    if !found.release.modes.is_symmetric {
-        text += &format!("{INSTANT}\n");
-    }
-    text += &(of_criteria(&found.release).join("\n") + "\n\n");
-    text += &match &found.trim {
-        Some((trim, modes)) => format!("{}\n{}", steady(trim), page::table(modes).text(usize::MAX)),
-        None => "No steady flight was found at this spin.\n".to_owned(),
-    };
-    if let Some(last) = found.flight.last() {
-        let table = along(&found.flight).text(usize::MAX);
-        text += &format!(
-            "\nAlong the flight, {:.2} s, the modes of each instant:\n{table}",
-            last.time
-        );
-    }
-    let stable = found.map.iter().filter(|i| i.criteria.is_stable()).count();
-    let points = found.map.len();
-    text + &format!("over speed and spin: all three criteria hold at {stable} of {points} points\n")
+/// Sentence on the steady flight at the spin of release.
+pub fn steady(trim: &Trim) -> String {
+    format!(
+        "At the spin of release, held, the body can fly at {:.2} m/s, {:.2}° below the horizontal, nose {:.2}°, hyzer {:.2}°, \
+         its heading turning by {:+.2}°/s. Its modes there:",
+        trim.throw.speed,
+        -trim.throw.launch,
+        trim.throw.nose.unwrap_or(0.0),
+        trim.throw.hyzer.unwrap_or(0.0),
+        trim.turn.to_degrees()
+    )
 }
 
-/// Table of the nutation at some instants of the flight, the last among them.
-fn along(flight: &[Instant]) -> Table {
-    let head = ["time, s", "speed, m/s", "nutation, rad/s", "decay, 1/s"];
-    let mut table = Table::new().with(Column::Number, &head);
-    let step = (flight.len() / INSTANTS).max(1);
-    for instant in flight.iter().step_by(step).chain(flight.last()) {
-        let nutation = nutation(&instant.modes);
-        let number = |of: fn(&Mode) -> f64| format!("{:.3}", nutation.map_or(f64::NAN, of));
-        table.row([
-            format!("{:.3}", instant.time).into(),
-            format!("{:.2}", instant.throw.speed).into(),
-            number(Mode::frequency).into(),
-            number(Mode::decay).into(),
-        ]);
+/// Sentences on the nutation at release and on the modes that grow.
+pub fn lead(found: &Found) -> Vec<String> {
+    let mut lead = Vec::new();
+    if let Some(mode) = nutation(&found.release.modes) {
+        lead.push(format!(
+            "At release the axis circles at {:.2} rad/s ({:.2} Hz) and its wobble {} at {:.3} 1/s.",
+            mode.frequency(),
+            mode.frequency() / std::f64::consts::TAU,
+            if mode.decay() >= 0.0 {
+                "decays"
+            } else {
+                "grows"
+            },
+            mode.decay().abs()
+        ));
     }
-    table
+    let growing = found
+        .release
+        .modes
+        .modes
+        .iter()
+        .filter(|mode| mode.decay() < -1e-6);
+    let names: Vec<String> = growing
+        .map(|m| format!("{} ({:.3} 1/s)", m.kind.name(), -m.decay()))
+        .collect();
+    lead.push(match names.is_empty() {
+        true => "None of its modes grows.".into(),
+        false => format!("Growing: {}.", names.join(", ")),
+    });
+    lead
 }
 
 /// Sentences on the aerodynamic derivatives and the stability criteria at one instant of a flight.

@@ -3,7 +3,7 @@
 use diagnose::Report;
 use model_spec::sort_by_number;
 
-use crate::page::Html;
+use crate::html::Html;
 use crate::table::{Cell, Column, Table};
 use identify::numbers::{Digits, plain, unit};
 

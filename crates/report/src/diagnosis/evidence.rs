@@ -8,7 +8,8 @@ use model_spec::sort_by_number;
 use super::draw::{Figures, unmoved};
 use super::{DiagnosisPage, MAX_ROWS, OPEN, words};
 use crate::fit::words::{PREDICTIONS, RESIDUALS};
-use crate::page::{Html, flight_link};
+use crate::html::Html;
+use crate::page::flight_link;
 use crate::table::{Cell, Column, Table};
 use identify::numbers::{
     equivalent_z, millimetres, percent, plain, probability, probability_of_ln, significant,

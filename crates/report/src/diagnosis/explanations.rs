@@ -5,7 +5,7 @@ use model_spec::compose::ModelTree;
 
 use super::{DiagnosisPage, words};
 use crate::equation::of_effect;
-use crate::page::Html;
+use crate::html::Html;
 use crate::table::{Cell, Column, Table};
 use identify::numbers::{
     Digits, equivalent_z, millimetres, percent, plain, probability, significant, stated, unit,

@@ -3,7 +3,7 @@
 use diagnose::{Report, StepwiseTerm};
 
 use super::{MAX_ROWS, words};
-use crate::page::Html;
+use crate::html::Html;
 use crate::table::{Column, Table};
 use identify::numbers::{Digits, significant, unit};
 use identify::wording::names;

@@ -7,7 +7,8 @@ use super::draw::Figures;
 use super::finding::Finding;
 use super::{DiagnosisPage, coefficients, evidence, explanations, limits, words};
 use crate::figure::Figure;
-use crate::page::{Html, Page};
+use crate::html::Html;
+use crate::page::Page;
 use crate::table::{Column, Table};
 use identify::wording::{counted, durations, names, sentence, short, truncated};
 

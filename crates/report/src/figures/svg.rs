@@ -192,10 +192,11 @@ pub(crate) fn cut(text: &str, room: f64, letter: f64) -> String {
 }
 
 pub(crate) fn escape(text: &str) -> String {
-    // Control characters are not permitted in XML, even as references.
+    // Control characters except for line breaks and tabs are not permitted in XML, even as references.
     let printable = text
         .chars()
-        .filter(|c| !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}'));
+        .filter(|c| matches!(c, '\n' | '\t') || !c.is_control())
+        .filter(|c| !matches!(c, '\u{fffe}' | '\u{ffff}'));
     printable.fold(String::new(), |mut text, c| {
         match c {
             '&' => text.push_str("&amp;"),
@@ -223,5 +224,6 @@ mod tests {
     #[test]
     fn what_xml_cannot_hold_is_left_out() {
         assert_eq!(escape("a\u{1}<b>\u{ffff}&\"'"), "a&lt;b&gt;&amp;&quot;'");
+        assert_eq!(escape("a\n\tb\r"), "a\n\tb");
     }
 }

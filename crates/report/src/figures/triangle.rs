@@ -5,7 +5,6 @@ use identify::numbers::plain;
 use super::Layout;
 use super::csv::Table;
 use super::svg::{Svg, cut};
-use crate::figure::Figure;
 
 /// Number of steps of the colour scale.
 const STEPS: usize = 40;
@@ -29,13 +28,8 @@ pub(crate) struct Triangle<'a> {
 }
 
 impl Triangle<'_> {
-    /// Figure of the correlations, with their CSV table.
-    pub(crate) fn figure(&self, name: &str, caption: &str, wide: Layout) -> Figure {
-        let texts = [caption.to_owned(), self.csv()];
-        Figure::in_layouts(name, self.title, texts, wide, &|layout| self.draw(layout))
-    }
-
-    fn csv(&self) -> String {
+    /// The correlations as a CSV table.
+    pub(crate) fn csv(&self) -> String {
         let mut table = Table::new(&["row", "column", "correlation"]);
         for (i, row) in self.names.iter().enumerate() {
             for (j, column) in self.names.iter().take(i).enumerate() {
@@ -49,7 +43,7 @@ impl Triangle<'_> {
         table.finish()
     }
 
-    fn draw(&self, layout: Layout) -> String {
+    pub(crate) fn draw(&self, layout: Layout) -> String {
         let (letters, letter) = (layout.letters, 1.02 * layout.letter());
         let longest = self.names.iter().map(|n| n.chars().count()).max();
         let room = (letter * longest.unwrap_or(0) as f64 + 8.0).min(0.44 * layout.width);

@@ -3,8 +3,8 @@
 use identify::Coefficient;
 
 use super::FitPage;
+use crate::html::Html;
 use crate::literature::sources;
-use crate::page::Html;
 use crate::table::{Cell, Column, Table};
 use identify::numbers::{Digits, stated, unit};
 

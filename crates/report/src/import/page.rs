@@ -4,7 +4,8 @@ use identify::wording::count;
 use model_spec::sort_by_number;
 
 use super::{Distance, ImportPage, ImportedFlight, ImportedTake, draw};
-use crate::page::{Html, Page};
+use crate::html::Html;
+use crate::page::Page;
 use crate::table::{Cell, Column, Table};
 use identify::numbers::plain;
 use identify::wording::{capitalized, names, short};

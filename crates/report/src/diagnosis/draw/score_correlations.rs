@@ -47,7 +47,12 @@ pub(super) fn score_correlations(report: &Report) -> Option<Figure> {
         is_signed: false,
         ends: ["0: distinct", "1: identical"],
     };
-    Some(triangle.figure("alike", &caption, Layout::COLUMN))
+    Some(Figure::of_triangle(
+        "alike",
+        &triangle,
+        &caption,
+        Layout::COLUMN,
+    ))
 }
 
 /// Indices, in the score correlation matrix of the report, of the coefficients of the most significant effects, in

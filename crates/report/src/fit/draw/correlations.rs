@@ -35,5 +35,10 @@ pub(in super::super) fn correlations(page: &FitPage<'_>) -> Option<Figure> {
     };
     let caption = "Of the estimation errors of two coefficients: near ±1 only a combination of the two is identifiable. The row of \
                    a coefficient is left of its name, its column below it.";
-    Some(triangle.figure("correlations", caption, Layout::SMALL))
+    Some(Figure::of_triangle(
+        "correlations",
+        &triangle,
+        caption,
+        Layout::SMALL,
+    ))
 }
