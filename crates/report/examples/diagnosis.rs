@@ -40,6 +40,7 @@ fn main() -> std::io::Result<()> {
         extended: extended.then_some(found::EXTENDED),
         certificate: &CertificateNote::none(),
     };
+    println!("{}", report::diagnosis::text(&report));
     let (html, figures) = html_and_figures(&page);
     std::fs::create_dir_all(&folder)?;
     std::fs::write(folder.join("report.html"), html)?;

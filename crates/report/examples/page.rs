@@ -22,6 +22,7 @@ fn main() -> std::io::Result<()> {
         dataset: "made up",
         certificate: &CertificateNote::none(),
     };
+    println!("{}", report::fit::text(&page));
     std::fs::create_dir_all(&folder)?;
     let (html, figures) = html_and_figures(&page);
     std::fs::write(folder.join("report.html"), html)?;

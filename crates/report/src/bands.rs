@@ -20,7 +20,7 @@ pub struct PredictionBand {
     pub first: usize,
 }
 
-/// Standard error of a coefficient: the larger of the Cramér–Rao and the cluster-robust (by flight) value; 0 if the
+/// Standard error of a coefficient: the larger of the Cramér–Rao and the cluster-robust value; 0 if the
 /// coefficient is fixed.
 pub(crate) fn std_error(coefficient: &Coefficient) -> f64 {
     let clustered = coefficient.std_error_cluster_robust.unwrap_or(0.0);

@@ -2,8 +2,7 @@
 
 use serde::Serialize;
 
-/// Verification status of the model of a report, according to its certificate (file that records the verification
-/// checks of the model).
+/// Verification status of the model of a report, according to its certificate.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct CertificateNote {
     /// File name of the certificate; `None` if the model has no certificate.
@@ -24,7 +23,7 @@ pub struct CertificateNote {
 const LISTED: usize = 3;
 
 impl CertificateNote {
-    /// Note for a model that has no certificate (record of its verification checks).
+    /// Note for a model that has no certificate.
     pub fn none() -> Self {
         Self::default()
     }

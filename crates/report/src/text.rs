@@ -30,7 +30,7 @@ pub(crate) fn cautions(what: &str, reasons: &[String], faults: &[DataFault]) -> 
 /// Breaks a paragraph into lines; it ends with a line break.
 pub(crate) fn wrapped(text: &str) -> String {
     let (mut lines, mut width) = (String::new(), 0);
-    for word in text.split_whitespace() {
+    for word in text.split_ascii_whitespace() {
         let length = word.chars().count();
         if width + length >= WIDTH {
             lines.push('\n');

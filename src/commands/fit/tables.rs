@@ -48,9 +48,8 @@ pub fn correlations(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// CSV table of the flights of a fit: one line per flight, with its role, its number of samples, the RMS residual of each kind of sensor
-/// in its unit,
-/// the number of outliers and the time (s) at which the flight was truncated.
+/// CSV table of the flights of a fit: one line per flight, with its role, its number of samples, the RMS residual of
+/// each kind of sensor in its unit, the number of outliers and the time (s) at which the flight was truncated.
 pub fn flights(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     let kinds: Vec<&String> = report.residual_rms.keys().collect();
@@ -163,7 +162,7 @@ pub fn sensor_residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u
     Ok(table.into_inner()?)
 }
 
-/// Role of a flight (fitted or held out) as spelled in dataset files.
+/// Role of a flight as spelled in dataset files.
 pub fn role(role: Role) -> &'static str {
     match role {
         Role::Fit => "fit",

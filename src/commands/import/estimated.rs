@@ -1,5 +1,4 @@
-//! Estimates a template (the positions of the markers on the body) from the free flights, for takes without a given
-//! template.
+//! Estimates a template from the free flights, for takes without a given template.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -13,11 +12,10 @@ use super::no_throw;
 use super::template::Template;
 use crate::cli::Import;
 
-/// Maximum magnitude of the value of `--centre-height` (height of the centre of mass), m; larger values suggest
-/// millimetres.
+/// Maximum magnitude of the value of `--centre-height`, m; larger values suggest millimetres.
 const MAX_HEIGHT: f64 = 2.0;
 
-/// A template (the marker positions on the body) estimated from recordings, a text on how it was estimated, and for
+/// A template estimated from recordings, a text on how it was estimated, and for
 /// each marker the comment that is written above its position in `dataset.toml`.
 pub struct Estimated {
     pub template: Template,

@@ -22,10 +22,10 @@ use crate::{Answer, output, progress};
 /// File in the dataset's folder that lists the choices made in the import, such as units, axes and the samples of each
 /// flight.
 const DECISIONS: &str = "import.txt";
-/// File name of the report page of the import, with the choices made (units, axes, samples) and plots of each flight.
+/// File name of the report page of the import, with the choices made and plots of each flight.
 const PAGE: &str = "import.html";
 
-/// Result of the import of all recordings: flights, choices made (such as axes and tracked points) and data for the
+/// Result of the import of all recordings: flights, choices made and data for the
 /// plots on the report page.
 #[derive(Default)]
 struct Found {
@@ -138,7 +138,7 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
     Ok(Answer::Yes)
 }
 
-/// Options for reading the recordings (format, units, frame rate), parsed from the command-line options.
+/// Options for reading the recordings, parsed from the command-line options.
 fn reading(options: &Import) -> anyhow::Result<ReadOptions> {
     let chosen = |name: &str, text: &Option<String>, expected: &str| match text {
         Some(text) => format!("--{name}: found {text:?}, expected {expected}"),
@@ -180,8 +180,7 @@ fn labels(texts: &[String]) -> anyhow::Result<BTreeMap<String, String>> {
     Ok(labels)
 }
 
-/// Adds to `all` the flights in the recording `take`, the choices made in their import (such as units and axes), and
-/// their figures.
+/// Adds to `all` the flights in the recording `take`, the choices made in their import, and their figures.
 fn add(take: &Take, file: &Path, options: &ImportOptions, all: &mut Found) -> anyhow::Result<()> {
     let mut found = takes::ImportedTake::new(take, file, options)?;
     let labels = found.followed.labels(&found.take);

@@ -7,7 +7,7 @@ use std::path::Path;
 use anyhow::{Context, bail};
 use dataset::Marker;
 
-/// Maximum size of a template file (model, parameters and declared markers of a body), bytes.
+/// Maximum size of a template file, bytes.
 const MAX_FILE_BYTES: u64 = 4 << 20;
 
 /// The contents of a `dataset.toml` that are valid for any recording of the same body: model, parameters and markers.
@@ -16,7 +16,7 @@ pub struct Template {
     pub model: Option<String>,
     /// Known parameters of the body or its environment, by name, SI.
     pub parameters: BTreeMap<String, f64>,
-    /// Names of the markers and their positions in the model's marker frame (usually the body frame), m.
+    /// Names of the markers and their positions in the model's marker frame, m.
     pub markers: Vec<Marker>,
 }
 

@@ -33,10 +33,9 @@ pub struct Flown {
     pub top_speed: f64,
     /// Position of the mass centre at the end of the flight: x and y in the inertial frame, and height, m.
     pub landing: [f64; 3],
-    /// Motion of the body at release, expressed in the quantities of a throw (speed, angles, spin, height).
+    /// Motion of the body at release, expressed in the quantities of a throw.
     pub release: Throw,
-    /// Motion of the body at the end of the flight, expressed in the quantities of a throw (speed, angles, spin,
-    /// height).
+    /// Motion of the body at the end of the flight, expressed in the quantities of a throw.
     pub end: Throw,
     /// Minimum and maximum angle of attack, deg; `None` for a point mass.
     pub alpha: Option<(f64, f64)>,

@@ -100,7 +100,7 @@ fn score_tests(content: &mut Html, report: &Report, figures: &Figures) {
     table.table(&scores(report));
     if !table.is_empty() {
         table.note(
-            "z is the standard normal quantile of equal p. The tolerance is the identifiable fraction of the effect: the \
+            "* significant. z is the standard normal quantile of equal p. The tolerance is the identifiable fraction of the effect: the \
              part of its squared signature in the measurements that no estimated coefficient is confounded with; d.o.f. \
              counts its identifiable directions.",
         );
@@ -122,8 +122,9 @@ pub(super) fn scores(report: &Report) -> Table {
     for test in report.tests.iter().take(MAX_ROWS) {
         let estimates = test.one_step_estimates.iter().take(MAX_ESTIMATES);
         let estimates = estimates.map(|(name, estimate)| estimate.text(name));
+        let mark = if test.significant { " *" } else { "" };
         table.row([
-            (&test.name).into(),
+            format!("{}{mark}", test.name).into(),
             equivalent_z(test.z).into(),
             significant(test.score_chi2, 4).into(),
             test.degrees_of_freedom.to_string().into(),

@@ -20,8 +20,7 @@ pub use text::text;
 
 /// Maximum number of rows of a table in the HTML report of a diagnosis.
 const MAX_ROWS: usize = 60;
-/// Maximum number of figures of the loads that the model lacks (one for each force or moment component) that are
-/// expanded when the page is opened. The same maximum applies to figures of coefficient curves.
+/// Maximum number of figures of missing loads, and of coefficient curves, that are expanded when the page is opened.
 const OPEN: usize = 6;
 
 /// Input of the HTML report of a diagnosis.

@@ -20,8 +20,7 @@ pub(super) fn noise(report: &Report) -> String {
     )
 }
 
-/// Readable name of a site (component of the model that an effect changes, such as a force, a moment or a clock); the
-/// name in the model language if it has no other.
+/// Readable name of a site; the name in the model language if it has no other.
 pub(super) fn site(site: &str) -> &str {
     match site {
         "side" => "side force",

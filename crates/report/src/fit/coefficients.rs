@@ -8,8 +8,7 @@ use crate::literature::sources;
 use crate::table::{Cell, Column, Table};
 use identify::numbers::{Digits, stated, unit};
 
-/// Ratio of the cluster-robust standard error (from the scatter between flights) to the Cramér–Rao standard error above
-/// which the former is marked.
+/// Ratio of the cluster-robust to the Cramér–Rao standard error above which the former is marked.
 const DOUBTFUL: f64 = 1.5;
 
 /// Tables of the coefficients, in the order of declaration in the model; those that the model does not declare are

@@ -5,7 +5,7 @@ use identify::FlightReport;
 
 use super::{FitPage, coefficients, flights, page, words};
 use crate::text::{MAX_ROWS, cautions, wrapped};
-use identify::numbers::plain;
+use identify::numbers::significant;
 
 /// Text of a fit for a terminal: sentences and tables of the page.
 pub fn text(of: &FitPage<'_>) -> String {
@@ -27,7 +27,7 @@ pub fn text(of: &FitPage<'_>) -> String {
         let beyond = || "beyond the profiled range".to_owned();
         let [low, high] = profile
             .interval
-            .map(|end| end.map_or_else(beyond, |v| plain(v, 5)));
+            .map(|end| end.map_or_else(beyond, |end| significant(end, 4)));
         let name = &profile.name;
         text += &format!("{name}: 95 % profile-likelihood interval {low} … {high}\n");
     }

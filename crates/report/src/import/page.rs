@@ -12,7 +12,7 @@ use identify::wording::{capitalized, names, short};
 
 /// Maximum number of imported flights that are drawn, over all recordings.
 const MAX_FLIGHTS: usize = 60;
-/// Maximum number of gaps (intervals without a measured marker) that are listed for each flight.
+/// Maximum number of gaps that are listed for each flight.
 const MAX_GAPS: usize = 5;
 /// Maximum number of marker pairs whose distances are listed for each recording.
 const MAX_PAIRS: usize = 30;

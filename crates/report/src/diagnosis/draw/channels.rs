@@ -14,7 +14,7 @@ use identify::numbers::{percent, raised};
 
 /// Maximum number of load channels drawn, one figure each.
 const MAX_CHANNELS: usize = 12;
-/// Maximum number of time histories (one for each flight) drawn for each load.
+/// Maximum number of time histories drawn for each load.
 const MAX_HISTORIES: usize = 12;
 /// Maximum number of points with which a load history is drawn.
 const MAX_POINTS: usize = 120;

@@ -27,7 +27,7 @@ const QUANTILES: (f64, f64) = (0.005, 0.995);
 /// drawn.
 const FLAT: f64 = 1e-6;
 
-/// Curve of a quantity of the extended model (with the found effects) over a variable, and the same quantity of the
+/// Curve of a quantity of the extended model over a variable, and the same quantity of the
 /// model under test at the same states.
 #[derive(Clone, Debug, PartialEq)]
 pub(in super::super) struct Curve {
@@ -100,7 +100,7 @@ pub(super) fn of<'n>(fits: &Fits<'_>, effects: impl IntoIterator<Item = &'n str>
     })
 }
 
-/// Scalar variable (state, time or auxiliary variable) on which an auxiliary variable of the extended model depends;
+/// Scalar variable on which an auxiliary variable of the extended model depends;
 /// `None` if there is none. `at` is the index of the dependent variable in `Model::aux_variables`; `effect` is the
 /// index in `Model::effects` of the effect that adds or replaces it. Of several variables, the first is returned, but
 /// one that the effect lists in its declaration is preferred.

@@ -15,7 +15,7 @@ const MAX_DOTS: usize = 1500;
 /// Maximum number of residuals drawn as dots for each marker on a narrow screen.
 const NARROW_DOTS: usize = 150;
 
-/// Flights of one role (fitted or held out), whose residuals are drawn in one figure.
+/// Flights of one role, whose residuals are drawn in one figure.
 pub(crate) struct FlightsOfRole<'e> {
     /// File name, without suffix, of the figure of residuals.
     pub(crate) name: &'static str,

@@ -1,4 +1,4 @@
-//! Figures of the residual diagnostics: autocorrelation (whiteness) and normal Q–Q plot.
+//! Figures of the residual diagnostics: autocorrelation and normal Q–Q plot.
 
 use identify::{AxisResiduals, FitReport};
 
