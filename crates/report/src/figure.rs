@@ -85,9 +85,12 @@ impl Figure {
     /// Copy of the figure in which the points with tooltips can receive the keyboard focus, so that their values can
     /// be read without a pointer.
     pub(crate) fn reachable(mut self) -> Figure {
-        let reached = |svg: &str| svg.replace("tabindex=\"-1\"", "tabindex=\"0\"");
-        self.svg = reached(&self.svg);
-        self.narrow = self.narrow.as_deref().map(reached);
+        for svg in [Some(&mut self.svg), self.narrow.as_mut()]
+            .into_iter()
+            .flatten()
+        {
+            *svg = svg.replace("tabindex=\"-1\"", "tabindex=\"0\"");
+        }
         self
     }
 

@@ -119,6 +119,12 @@ impl Html {
         self.0 += &format!("<{tag} id=\"{}\"{rest}\n", escape(id));
     }
 
+    /// Appends an element that may be wider than the page, and is then scrolled, by the keyboard too.
+    pub fn scrolled(&mut self, tag: &'static str, class: &str, content: impl Into<Html>) {
+        let content = content.into().0;
+        self.0 += &format!("<{tag} class=\"{class}\" tabindex=\"0\">{content}</{tag}>\n");
+    }
+
     /// Appends a paragraph.
     pub fn paragraph(&mut self, text: impl Into<Html>) {
         self.element("p", "words", text);
@@ -141,7 +147,7 @@ impl Html {
             list.element("li", "", item);
         }
         if !list.is_empty() {
-            self.element("ul", class, Html::trusted("\n").then(list));
+            self.element("ul", class, Html::from("\n").then(list));
         }
     }
 

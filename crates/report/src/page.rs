@@ -18,9 +18,7 @@ impl Html {
     /// Appends a table; nothing if it has no rows.
     pub fn table(&mut self, table: &Table) {
         if !table.is_empty() {
-            let scroll = "<div class=\"scroll\" tabindex=\"0\">\n";
-            let table = Html::trusted(scroll).then(table.html());
-            self.push(table.then(Html::trusted("</div>\n")));
+            self.scrolled("div", "scroll", Html::from("\n").then(table.html()));
         }
     }
 
@@ -62,7 +60,7 @@ impl Html {
             let (mut content, mut grid) = (Html::new(), Html::new());
             content.figures(figures, captioned);
             if !content.is_empty() {
-                grid.element("div", "grid", Html::trusted("\n").then(content));
+                grid.element("div", "grid", Html::from("\n").then(content));
             }
             grid
         };

@@ -83,7 +83,7 @@ fn score_tests(content: &mut Html, report: &Report, figures: &Figures) {
     drawn.figures(shown, true);
     if !drawn.is_empty() {
         let mut two = Html::new();
-        two.element("div", "two", Html::trusted("\n").then(drawn));
+        two.element("div", "two", Html::from("\n").then(drawn));
         let accounts = match report.explanations.len() {
             1 => "the explanation accounts",
             _ => "each explanation accounts",

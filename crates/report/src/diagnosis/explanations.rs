@@ -66,7 +66,7 @@ pub(super) fn section(page: &DiagnosisPage<'_>) -> Html {
 
 fn card(page: &DiagnosisPage<'_>, explanation: &Explanation, name: &str) -> Html {
     let is_joint = explanation.effects.len() > 1;
-    let mut card = Html::trusted("\n");
+    let mut card = Html::from("\n");
     card.heading(name);
     for effect in &explanation.effects {
         let mut text = Html::new();
@@ -75,7 +75,7 @@ fn card(page: &DiagnosisPage<'_>, explanation: &Explanation, name: &str) -> Html
         }
         card.paragraph(text.then(effect.sentence()));
         for equation in equations(page, &effect.name) {
-            card.element("div", "equation", Html::trusted(equation));
+            card.scrolled("div", "equation", Html::trusted(equation));
         }
     }
     card.table(&estimates(explanation));
@@ -215,7 +215,7 @@ fn throw(next: &ProposedThrow) -> Html {
     ] {
         table.row([name.into(), value.into()]);
     }
-    let mut card = Html::trusted("\n");
+    let mut card = Html::from("\n");
     card.heading("The next throw");
     card.paragraph(format!(
         "{} With it the smallest difference between two explanations would be {} standard deviations; it is {} now.",

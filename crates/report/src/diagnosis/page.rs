@@ -63,7 +63,7 @@ pub(super) fn html(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figure
 fn summary(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figures) -> Html {
     let report = page.report;
     let verdict = format!("verdict {}", report.verdict.name());
-    let mut lead = Html::trusted("\n");
+    let mut lead = Html::from("\n");
     if !finding.what.is_empty() {
         lead.element("p", "finding", &finding.what);
     }
@@ -85,11 +85,11 @@ fn summary(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figures) -> Ht
     picture.figures(shown.iter().chain(figures.opening_channel()), true);
     let mut gain = Html::new();
     gain.figures(figures.gain.clone().map(Figure::reachable).iter(), true);
-    let mut opening = Html::trusted("\n");
+    let mut opening = Html::from("\n");
     opening.element("div", "words lead", lead);
     opening.element("div", "picture", picture);
     opening.element("div", "gain", gain);
-    let mut more = Html::trusted("\n");
+    let mut more = Html::from("\n");
     more.certificate(page.certificate);
     if let Some(test) = &report.lack_of_fit {
         more.element("p", "", test.sentence());
@@ -107,7 +107,7 @@ fn summary(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figures) -> Ht
         let text = Html::of("p", "", summary);
         more.folded("Summary, as in report.json", text);
     }
-    let mut content = Html::trusted("\n");
+    let mut content = Html::from("\n");
     content.element("p", &verdict, report.verdict_sentence());
     content.element("div", "opening", opening);
     content.element("div", "words", more);
@@ -151,8 +151,9 @@ fn extension(page: &DiagnosisPage<'_>) -> Html {
         ));
     }
     if let Some(text) = page.extended {
-        let text = Html::of("pre", "", truncated(text, MAX_TEXT));
-        content.folded("Its text", text);
+        let mut model = Html::new();
+        model.scrolled("pre", "model", truncated(text, MAX_TEXT));
+        content.folded("Its text", model);
     }
     if let Some(verified) = &page.report.verified {
         let outcome = match verified.holds {

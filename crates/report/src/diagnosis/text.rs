@@ -1,6 +1,6 @@
 //! Text of a diagnosis for a terminal.
 
-use diagnose::Report;
+use diagnose::{LackOfFit, Report};
 
 use super::{evidence, explanations, limits, words};
 use crate::text::{cautions, wrapped};
@@ -19,7 +19,7 @@ pub fn text(report: &Report) -> String {
     }
     text.push('\n');
     let mut sentences: Vec<String> = Vec::new();
-    sentences.extend(report.lack_of_fit.as_ref().map(|test| test.sentence()));
+    sentences.extend(report.lack_of_fit.as_ref().map(LackOfFit::sentence));
     sentences.push(words::noise(report));
     sentences.extend(report.notes.iter().map(|note| format!("Note: {note}")));
     let throw = report.proposed_throw.as_ref();

@@ -100,8 +100,8 @@ fn summary(page: &FitPage<'_>, figures: &Figures) -> Html {
         figures.precision.clone().map(Figure::reachable).iter(),
         true,
     );
-    let mut opening = Html::trusted("\n");
-    opening.element("div", "words lead", Html::trusted("\n").then(lead));
+    let mut opening = Html::from("\n");
+    opening.element("div", "words lead", Html::from("\n").then(lead));
     opening.element("div", "picture", picture);
     let mut section = Html::new();
     section.element_with_id("section", "summary", "opening", opening);
@@ -186,7 +186,7 @@ fn evidence(page: &FitPage<'_>, figures: &Figures) -> Html {
     let states = section(&figures.states, OPEN, words::STATES, false);
     body.section("states", "States over time", states);
     if has_checks {
-        let mut grid = Html::trusted("\n");
+        let mut grid = Html::from("\n");
         grid.figures(&figures.whiteness, false);
         grid.figures(figures.correlations.iter(), true);
         let mut content = Html::new();
