@@ -165,9 +165,10 @@ pub(crate) fn data_faults(faults: &[DataFault]) -> Table {
 
 /// Link to the CSV table of a figure: a data URI, or the path of the file if the table is large.
 fn table_link(figure: &Figure) -> Html {
-    let to = match figure.csv.len() <= MAX_EMBEDDED {
-        true => format!("data:text/csv;charset=utf-8,{}", encoded(&figure.csv)),
-        false => figure.table_path(),
+    let to = if figure.csv.len() <= MAX_EMBEDDED {
+        format!("data:text/csv;charset=utf-8,{}", encoded(&figure.csv))
+    } else {
+        figure.table_path()
     };
     let (name, path) = (escape(&figure.name), escape(&figure.table_path()));
     Html::trusted(format!(

@@ -157,9 +157,10 @@ impl Table {
 
     /// The table as HTML. A header without text is left out.
     pub(crate) fn html(&self) -> Html {
-        let mut html = match self.is_stacked {
-            true => "<table class=\"stacked\">\n".to_owned(),
-            false => "<table>\n".to_owned(),
+        let mut html = if self.is_stacked {
+            "<table class=\"stacked\">\n".to_owned()
+        } else {
+            "<table>\n".to_owned()
         };
         if self.columns.iter().any(|(head, _)| !head.is_empty()) {
             html += "<thead><tr>";
@@ -195,10 +196,31 @@ impl Table {
             (Column::Text | Column::Detail, _) => " class=\"doc\"",
             (Column::File, _) => " class=\"file\"",
         };
-        let of = match self.is_stacked {
-            true => format!(" data-of=\"{}\"", escape(head)),
-            false => String::new(),
+        let of = if self.is_stacked {
+            format!(" data-of=\"{}\"", escape(head))
+        } else {
+            String::new()
         };
         format!("<td{class}{of}>{content}</td>")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_table_is_aligned_text_too() {
+        let mut table = Table::new()
+            .with(Column::Name, &["mode"])
+            .with(Column::Number, &["decay, 1/s"])
+            .with(Column::Plain, &["empty"])
+            .with(Column::Detail, &["meaning"]);
+        for (name, decay) in [("a < b", "−0.5"), ("nutation", "10.25"), ("third", "0")] {
+            let link = Html::link("#a", name);
+            table.row([link.into(), decay.into(), "".into(), "long".into()]);
+        }
+        let expected = "  mode      decay, 1/s\n  a < b           −0.5\n  nutation       10.25\n  … and 1 more\n";
+        assert_eq!(table.text(2), expected);
     }
 }

@@ -81,11 +81,10 @@ pub(super) fn table(fit: &Fit, refits: &[Refit]) -> String {
             let estimate = estimates
                 .as_ref()
                 .map_or(f64::NAN, |estimates| estimates[i]);
-            match estimate.is_nan() {
-                true => text.push(','),
-                false => {
-                    let _ = write!(text, ",{estimate:?}");
-                }
+            if estimate.is_nan() {
+                text.push(',');
+            } else {
+                let _ = write!(text, ",{estimate:?}");
             }
         }
     }

@@ -140,13 +140,16 @@ fn goal(options: &Options) -> anyhow::Result<Goal> {
         ("hit", Some(target)) => Ok(Goal::Hit(target)),
         ("curve", Some(target)) => Ok(Goal::Curve(target)),
         ("flare", Some(target)) => Ok(Goal::Flare(target)),
-        ("spread", Some(target)) => match target.z == 0.0 {
-            true => Ok(Goal::Spread(target)),
-            false => bail!(
-                "--target: found a height of {} m, expected a point on the ground, X,Y,0",
-                target.z
-            ),
-        },
+        ("spread", Some(target)) => {
+            if target.z == 0.0 {
+                Ok(Goal::Spread(target))
+            } else {
+                bail!(
+                    "--target: found a height of {} m, expected a point on the ground, X,Y,0",
+                    target.z
+                )
+            }
+        }
         _ => bail!("no --target: the goal {name} needs one, as in --target 30,0,0"),
     };
     goal.context("--goal")

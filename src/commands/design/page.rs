@@ -119,9 +119,12 @@ pub fn throw(found: &Design, bounds: &Bounds) -> Table {
             None => "no flight".into(),
         });
         let range = bounds.ranges.iter().find(|range| range.0 == s.field);
-        let range = range.map(|(_, least, greatest)| match least < greatest {
-            true => format!("{least} .. {greatest}"),
-            false => "held".into(),
+        let range = range.map(|(_, least, greatest)| {
+            if least < greatest {
+                format!("{least} .. {greatest}")
+            } else {
+                "held".into()
+            }
         });
         let figure = s.figure.map(|figure| format!("{figure:+.4}"));
         table.row([
@@ -288,17 +291,18 @@ pub fn spread_words(spread: &Spread, bounds: &Bounds) -> Vec<String> {
     words.extend(spread.agreement.map(|agreement| {
         let (least, greatest) = agreement.ratios;
         let shift = agreement.shift;
-        match agreement.agrees {
-            true => format!(
+        if agreement.agrees {
+format!(
                 "Linear and sampled spread agree: the means differ by {shift:.2} standard deviations, the standard deviations by \
                  factors of {least:.2} to {greatest:.2}."
-            ),
-            false => format!(
+            )
+} else {
+format!(
                 "Linear and sampled spread do not agree: the means differ by {shift:.2} standard deviations, the sampled standard \
                  deviations are {least:.2} to {greatest:.2} times the linear ones. The landing is bent within this scatter: use the \
                  sampled spread."
-            ),
-        }
+            )
+}
     }));
     words
 }

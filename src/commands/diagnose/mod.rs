@@ -77,9 +77,10 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     }
     output::print(report::diagnosis::text(&found.report))?;
     if let Some(folder) = &options.out {
-        let extended = match has_extension {
-            true => "the extended model, ",
-            false => "",
+        let extended = if has_extension {
+            "the extended model, "
+        } else {
+            ""
         };
         eprintln!(
             "report.html, report.json, {extended}figures and tables are in {}",

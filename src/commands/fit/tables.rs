@@ -138,9 +138,12 @@ pub fn sensor_residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u
                 let Some(residual) = sensor.residuals[sample] else {
                     continue;
                 };
-                let part = |axis: usize| match axis < sensor.components {
-                    true => format!("{:.6}", residual[axis]),
-                    false => String::new(),
+                let part = |axis: usize| {
+                    if axis < sensor.components {
+                        format!("{:.6}", residual[axis])
+                    } else {
+                        String::new()
+                    }
                 };
                 table.write_record([
                     &flight.file,

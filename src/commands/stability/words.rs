@@ -49,9 +49,10 @@ pub fn lead(found: &Found) -> Vec<String> {
     let names: Vec<String> = growing
         .map(|m| format!("{} ({:.3} 1/s)", m.kind.name(), -m.decay()))
         .collect();
-    lead.push(match names.is_empty() {
-        true => "None of its modes grows.".into(),
-        false => format!("Growing: {}.", names.join(", ")),
+    lead.push(if names.is_empty() {
+        "None of its modes grows.".into()
+    } else {
+        format!("Growing: {}.", names.join(", "))
     });
     lead
 }

@@ -355,9 +355,10 @@ pub(crate) fn unattributed(model: &StepwiseModel, channels: &[LoadChannel]) -> S
         .iter()
         .map(|term| format!("{} by {}", term.site, term.formula))
         .collect();
-    let rest = match model.is_adequate {
-        true => "",
-        false => " A significant lack of fit remains.",
+    let rest = if model.is_adequate {
+        ""
+    } else {
+        " A significant lack of fit remains."
     };
     let beside = match model.effects.as_slice() {
         [] => String::new(),

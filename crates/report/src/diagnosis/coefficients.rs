@@ -16,9 +16,10 @@ pub(super) fn section(report: &Report) -> Html {
     let is_extended = report.coefficients.values().any(|c| c.before.is_some());
     let mut all: Vec<_> = report.coefficients.iter().collect();
     sort_by_number(&mut all, |(_, found)| f64::from(found.before.is_none()));
-    let numbers: &[&str] = match is_extended {
-        true => &["before", "extended", "change, σ", "standard error"],
-        false => &["value", "standard error"],
+    let numbers: &[&str] = if is_extended {
+        &["before", "extended", "change, σ", "standard error"]
+    } else {
+        &["value", "standard error"]
     };
     let mut table = Table::new()
         .with(Column::Name, &[""])

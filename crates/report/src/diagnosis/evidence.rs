@@ -60,9 +60,10 @@ pub(super) fn section(page: &DiagnosisPage<'_>, figures: &Figures) -> Html {
         content.heading("Flight by flight");
         content.grid(figures.flights.clone().as_slice(), 1, true);
         let all = report.flights.len();
-        let worst = match all > MAX_ROWS {
-            true => format!("The worst {MAX_ROWS} of "),
-            false => String::new(),
+        let worst = if all > MAX_ROWS {
+            format!("The worst {MAX_ROWS} of ")
+        } else {
+            String::new()
         };
         let mut table = Html::new();
         table.table(&flights(page, figures));
@@ -88,12 +89,13 @@ fn score_tests(content: &mut Html, report: &Report, figures: &Figures) {
             1 => "the explanation accounts",
             _ => "each explanation accounts",
         };
-        match report.explanations.is_empty() || alarms == 0 {
-            true => content.push(two),
-            false => content.folded(
+        if report.explanations.is_empty() || alarms == 0 {
+            content.push(two);
+        } else {
+            content.folded(
                 format!("{alarms} of {tested} are significant when tested alone; {accounts} for the others"),
                 two,
-            ),
+            );
         }
     }
     let mut table = Html::new();

@@ -90,13 +90,14 @@ pub(super) fn share(explanation: &Explanation) -> String {
     } else {
         "it"
     };
-    let explained = match explanation.explained_fraction > 0.0 {
-        true => format!(
+    let explained = if explanation.explained_fraction > 0.0 {
+        format!(
             " It explains {} of the misfit; {} rms remain beyond the noise.",
             percent(explanation.explained_fraction),
             millimetres(explanation.remaining_rms_m)
-        ),
-        false => String::new(),
+        )
+    } else {
+        String::new()
     };
     let remaining = match &explanation.strongest_remaining {
         Some(effect) => format!(
@@ -152,9 +153,10 @@ pub(super) fn estimates(explanation: &Explanation) -> Table {
                 .then(" ")
                 .then(Html::tag("below the smallest effect of interest"));
         }
-        let variables = match effect.variables.is_empty() {
-            true => "–".to_owned(),
-            false => short(&effect.variables.join(", ")),
+        let variables = if effect.variables.is_empty() {
+            "–".to_owned()
+        } else {
+            short(&effect.variables.join(", "))
         };
         let mut row = |estimate: [Cell; 5]| {
             let mut cells: Vec<Cell> = Vec::new();

@@ -26,9 +26,10 @@ pub(super) fn section(report: &Report) -> Html {
         let table = not_identifiable(report);
         let mut shown = Html::new();
         shown.table(&table);
-        match table.len() > MAX_OPEN {
-            true => content.folded(format!("{} effects", table.len()), shown),
-            false => content.push(shown),
+        if table.len() > MAX_OPEN {
+            content.folded(format!("{} effects", table.len()), shown);
+        } else {
+            content.push(shown);
         }
     }
     let mut table = Table::new()

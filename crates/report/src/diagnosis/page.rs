@@ -156,9 +156,10 @@ fn extension(page: &DiagnosisPage<'_>) -> Html {
         content.folded("Its text", model);
     }
     if let Some(verified) = &page.report.verified {
-        let outcome = match verified.holds {
-            true => "It passes all independent checks.",
-            false => "It fails an independent check: do not rely on it.",
+        let outcome = if verified.holds {
+            "It passes all independent checks."
+        } else {
+            "It fails an independent check: do not rely on it."
         };
         content.element_with_id("p", "verified", "words", outcome);
         let mut table = Table::new()

@@ -87,9 +87,10 @@ pub(super) fn table(page: &FitPage<'_>, flights: &[&FlightReport]) -> Table {
                 short(&cut.reason)
             )
         });
-        let rms = match flight.is_used() {
-            true => millimetres(flight.rms()),
-            false => "–".to_owned(),
+        let rms = if flight.is_used() {
+            millimetres(flight.rms())
+        } else {
+            "–".to_owned()
         };
         table.row([
             links(page, &flight.file).into(),

@@ -247,12 +247,13 @@ fn correlation_time(ar1: f64, interval: f64) -> String {
 
 fn how(report: &FitReport) -> Html {
     let iterations = &report.iterations;
-    let weights = match report.leading_noise().estimated {
-        true => format!(
+    let weights = if report.leading_noise().estimated {
+        format!(
             "which was estimated with them ({})",
             count(iterations.rounds, "time")
-        ),
-        false => "which the dataset gives".to_owned(),
+        )
+    } else {
+        "which the dataset gives".to_owned()
     };
     let outcome = if iterations.converged {
         "converged"

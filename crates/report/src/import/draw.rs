@@ -77,9 +77,12 @@ fn marks<'a>(of: impl IntoIterator<Item = (f64, &'a str)>) -> Vec<Mark> {
 /// Panel of the pairs (time in s, value) in `points`. Points for whose time `inside` returns true form a line; all
 /// other points are grey dots.
 fn split(points: &[(f64, f64)], inside: impl Fn(f64) -> bool) -> Panel {
-    let line = points.iter().map(|&(time, value)| match inside(time) {
-        true => (time, value),
-        false => (time, f64::NAN),
+    let line = points.iter().map(|&(time, value)| {
+        if inside(time) {
+            (time, value)
+        } else {
+            (time, f64::NAN)
+        }
     });
     let line: Vec<(f64, f64)> = line.collect();
     let outside = points
@@ -115,9 +118,12 @@ fn distances(flight: &ImportedFlight) -> Option<Panel> {
     let left_out = pairs.len().saturating_sub(MAX_PAIRS);
     pairs.truncate(MAX_PAIRS);
     let line = |pair: &&Distance| {
-        let off = pair.points.iter().map(|&(t, d)| match flight.holds(t) {
-            true => (t, 1e3 * (d - pair.template)),
-            false => (t, f64::NAN),
+        let off = pair.points.iter().map(|&(t, d)| {
+            if flight.holds(t) {
+                (t, 1e3 * (d - pair.template))
+            } else {
+                (t, f64::NAN)
+            }
         });
         let off: Vec<(f64, f64)> = off.collect();
         Line {

@@ -80,9 +80,10 @@ pub(super) fn score_tests(report: &Report) -> Option<Figure> {
         )),
     };
     let more = not_drawn(left_out, "more with smaller z");
-    let along = match report.explanations.is_empty() {
-        true => "",
-        false => " Effects with a signature like that of a explanation are significant with it.",
+    let along = if report.explanations.is_empty() {
+        ""
+    } else {
+        " Effects with a signature like that of a explanation are significant with it."
     };
     let caption = format!(
         "Score test of each effect alone, as the standard normal quantile z of equal p-value. The familywise error rate \

@@ -220,9 +220,10 @@ fn curve(before: &Fit, after: &Fit, at: usize, over: &Abscissa<'_>) -> Option<Cu
         unit: variable.value.unit.to_string(),
         over: over.name.to_owned(),
         over_doc: over.doc.split(',').next().unwrap_or_default().to_owned(),
-        over_unit: match over.is_angle {
-            true => "°".into(),
-            false => over.unit.clone(),
+        over_unit: if over.is_angle {
+            "°".into()
+        } else {
+            over.unit.clone()
         },
         points,
     })
@@ -256,9 +257,10 @@ fn points(samples: &[Sample<'_>], models: &Models<'_>) -> Vec<Point> {
             samples: inside.len(),
         })
     };
-    match step > 0.0 {
-        true => (0..INTERVALS).filter_map(interval).collect(),
-        false => Vec::new(),
+    if step > 0.0 {
+        (0..INTERVALS).filter_map(interval).collect()
+    } else {
+        Vec::new()
     }
 }
 

@@ -74,9 +74,10 @@ pub(super) fn estimates(report: &Report) -> Option<Figure> {
     let interest = |e: &diagnose::Estimate| e.smallest_effect_of_interest.filter(|s| *s > 0.0);
     let by_interest = !all.is_empty() && all.iter().all(|(_, e)| interest(e).is_some());
     let rows = all.iter().map(|(name, e)| {
-        let scale = match by_interest {
-            true => interest(e).unwrap_or(e.std_error),
-            false => e.std_error,
+        let scale = if by_interest {
+            interest(e).unwrap_or(e.std_error)
+        } else {
+            e.std_error
         };
         let (value, half) = (e.value.abs() / scale, WIDTH_95 * e.std_error / scale);
         let digits = Digits::of(e.value, e.std_error);
@@ -94,15 +95,16 @@ pub(super) fn estimates(report: &Report) -> Option<Figure> {
     if rows.is_empty() {
         return None;
     }
-    let (across, level) = match by_interest {
-        true => (
+    let (across, level) = if by_interest {
+        (
             "size, in units of the smallest size of interest",
             (1.0, "of interest".to_owned()),
-        ),
-        false => (
+        )
+    } else {
+        (
             "size, in standard errors",
             (report.threshold.z, "significant".to_owned()),
-        ),
+        )
     };
     let chart = Chart {
         title: "Size of the effect".into(),

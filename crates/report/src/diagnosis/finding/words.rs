@@ -77,9 +77,10 @@ fn size(curve: Option<&Curve>, explanation: Option<&Explanation>) -> String {
             .flat_map(|explanation| &explanation.effects);
         let all = effects.flat_map(|e| &e.estimates).take(3);
         let all: Vec<String> = all.map(|(name, e)| e.text(name)).collect();
-        match all.is_empty() {
-            true => String::new(),
-            false => format!("Its size: {}.", all.join(", ")),
+        if all.is_empty() {
+            String::new()
+        } else {
+            format!("Its size: {}.", all.join(", "))
         }
     };
     let Some((curve, point)) = curve.and_then(|c| Some((c, farthest(c)?))) else {
@@ -106,13 +107,14 @@ fn size(curve: Option<&Curve>, explanation: Option<&Explanation>) -> String {
         digits.one(point.error)
     );
     let value = value.trim_end();
-    match point.before.is_finite() {
-        true => format!(
+    if point.before.is_finite() {
+        format!(
             "At {} {place} {quantity} is {value}; the model without it has {}.",
             article(&over),
             digits.one(point.before)
-        ),
-        false => format!("At {} {place} {quantity} is {value}.", article(&over)),
+        )
+    } else {
+        format!("At {} {place} {quantity} is {value}.", article(&over))
     }
 }
 
@@ -127,9 +129,12 @@ fn article(noun: &str) -> &'static str {
 /// considered. Points near an end of the curve are not considered: on each side of a point must lie at least the
 /// fraction [`MIN_SHARE`] of the samples.
 fn farthest(curve: &Curve) -> Option<Point> {
-    let size = |p: &Point| match p.before.is_finite() {
-        true => (p.after - p.before).abs(),
-        false => p.after.abs(),
+    let size = |p: &Point| {
+        if p.before.is_finite() {
+            (p.after - p.before).abs()
+        } else {
+            p.after.abs()
+        }
     };
     let all: usize = curve.points.iter().map(|p| p.samples).sum();
     let mut below = 0;
@@ -178,9 +183,10 @@ pub(super) fn sure(report: &Report) -> String {
             words::readable(&r.name),
             probability(r.p_value),
             // Bonferroni correction for the number of candidates.
-            match r.p_value * report.tests.len() as f64 > USUAL {
-                true => ", as chance gives among so many",
-                false => "",
+            if r.p_value * report.tests.len() as f64 > USUAL {
+                ", as chance gives among so many"
+            } else {
+                ""
             }
         ),
         None => format!("Of the {tested} tested only this one explains the flights."),

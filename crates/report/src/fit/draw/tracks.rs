@@ -79,9 +79,10 @@ fn panel(flight: &FlightEvidence, at: impl Fn(f64, [f64; 3]) -> (f64, f64)) -> P
         let mut dots = Vec::new();
         for measured in measured.iter().filter(|point| point.marker == marker) {
             let point = at(measured.time, measured.measured);
-            match measured.is_outlier {
-                true => outliers.push(point),
-                false => dots.push(point),
+            if measured.is_outlier {
+                outliers.push(point);
+            } else {
+                dots.push(point);
             }
         }
         let line = samples(flight).map(|s| at(flight.times[s], predicted(flight, s, marker)));
