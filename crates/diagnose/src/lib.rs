@@ -43,7 +43,6 @@ mod power;
 mod report;
 mod score_test;
 mod selection;
-mod text;
 mod validation;
 
 #[cfg(test)]

@@ -19,6 +19,7 @@ mod least_squares;
 mod marker_observers;
 mod noise;
 mod noise_floor;
+pub mod numbers;
 mod observations;
 mod options;
 pub mod outliers;

@@ -38,6 +38,7 @@ fn main() -> std::io::Result<()> {
         after: if extended { &after } else { &[] },
         extended: extended.then_some(found::EXTENDED),
     };
+    println!("{}", report::diagnosis::text(&report));
     let (html, figures) = html_and_figures(&page);
     std::fs::create_dir_all(&folder)?;
     std::fs::write(folder.join("report.html"), html)?;

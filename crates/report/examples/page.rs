@@ -20,6 +20,7 @@ fn main() -> std::io::Result<()> {
         model: &model,
         dataset: "made up",
     };
+    println!("{}", report::fit::text(&page));
     std::fs::create_dir_all(&folder)?;
     let (html, figures) = html_and_figures(&page);
     std::fs::write(folder.join("report.html"), html)?;

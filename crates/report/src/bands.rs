@@ -20,13 +20,14 @@ pub struct PredictionBand {
     pub first: usize,
 }
 
-/// Standard error of a coefficient: the larger of the Cramér–Rao and the cluster-robust (by flight) value; 0 if the
+/// Standard error of a coefficient: the larger of the Cramér–Rao and the cluster-robust value; 0 if the
 /// coefficient is fixed.
 pub(crate) fn std_error(coefficient: &Coefficient) -> f64 {
     let clustered = coefficient.std_error_cluster_robust.unwrap_or(0.0);
-    match coefficient.fixed {
-        true => 0.0,
-        false => coefficient.std_error.max(clustered),
+    if coefficient.fixed {
+        0.0
+    } else {
+        coefficient.std_error.max(clustered)
     }
 }
 
@@ -36,12 +37,11 @@ pub(crate) fn covariance(report: &FitReport, names: &[&str]) -> DMatrix<f64> {
     let known: &BTreeMap<String, Coefficient> = &report.coefficients;
     let error = |name: &str| known.get(name).map(std_error).filter(|e| e.is_finite());
     DMatrix::from_fn(names.len(), names.len(), |i, j| {
-        let correlation = match i == j {
-            true => Some(1.0),
-            false => {
-                let row = report.correlations.get(names[i]);
-                row.and_then(|row| row.get(names[j])).copied()
-            }
+        let correlation = if i == j {
+            Some(1.0)
+        } else {
+            let row = report.correlations.get(names[i]);
+            row.and_then(|row| row.get(names[j])).copied()
         };
         let correlation = correlation.filter(|c| c.is_finite()).unwrap_or(0.0);
         error(names[i]).unwrap_or(0.0) * error(names[j]).unwrap_or(0.0) * correlation

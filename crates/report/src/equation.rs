@@ -5,7 +5,7 @@ use model_spec::model::Model;
 use pulldown_latex::config::DisplayMode;
 use pulldown_latex::{Parser, RenderConfig, Storage, push_mathml};
 
-use crate::numbers::significant;
+use identify::numbers::significant;
 
 /// Converts LaTeX to MathML; `None` if the LaTeX contains unsupported syntax.
 pub(crate) fn mathml(latex: &str) -> Option<String> {

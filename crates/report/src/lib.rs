@@ -5,20 +5,25 @@
 
 mod angle;
 mod bands;
-mod data_faults;
 pub mod diagnosis;
 pub mod effects;
 mod equation;
+mod figure;
 mod figure_file;
 pub mod figures;
 pub mod fit;
+mod html;
 pub mod import;
 pub mod literature;
-mod numbers;
-mod sheet;
+mod page;
+mod table;
+mod text;
 mod thin;
 pub mod viewer;
 
 pub use bands::{PredictionBand, prediction_band};
+pub use figure::Figure;
 pub use figure_file::{FigureError, FigureKind};
-pub use sheet::{Section, Sheet, SheetFigure, Table};
+pub use html::Html;
+pub use page::Page;
+pub use table::{Cell, Column, Table};

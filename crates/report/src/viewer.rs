@@ -10,13 +10,11 @@ use dataset::Role;
 use flight::CompiledModel;
 use flight::release::Release;
 use identify::{Fit, FlightId};
-use minijinja::context;
-use minijinja::value::Value;
 use model_spec::model::{Expr, Model};
 use ode::Trajectory;
 use serde::Serialize;
 
-use crate::fit::page::rendered;
+use crate::figures::svg::escape;
 use samples::{FlightModel, flown, recorded};
 
 /// Maximum number of flights that the 3D view of a fit shows.
@@ -110,16 +108,14 @@ impl View {
         if self.flights.is_empty() {
             return None;
         }
-        let safe = |text: &str| Value::from_safe_string(text.to_owned());
         // In a script, `<` could end the element.
         let data = serde_json::to_string(self).ok()?.replace('<', "\\u003c");
-        let context = context! {
-            title,
-            css => safe(include_str!("../viewer/viewer.css")),
-            script => safe(include_str!("../viewer/viewer.js")),
-            data => safe(&data),
-        };
-        Some(rendered(include_str!("../viewer/viewer.html"), context))
+        let page = include_str!("../viewer/viewer.html")
+            .replace("STYLE_SHEET", include_str!("../viewer/viewer.css"))
+            .replace("SCRIPT_TEXT", include_str!("../viewer/viewer.js"))
+            .replace("PAGE_TITLE", &escape(title));
+        let (before, after) = page.split_once("FLIGHT_DATA")?;
+        Some([before, &data, after].concat())
     }
 }
 

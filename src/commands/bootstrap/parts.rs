@@ -8,13 +8,13 @@ use analysis::sweep::folder::PartsFolder;
 use anyhow::Result;
 use identify::{Fit, FitError, FitOptions};
 
-/// Number of refits in one part of a bootstrap (a block of consecutive refits whose results are stored in one file).
+/// Number of consecutive refits whose results are stored in one file.
 pub(super) const LEN: u64 = 16;
 
 /// Name of the column of the table of refits that states whether the refit converged.
 const CONVERGED: &str = "converged";
 
-/// One refit (a fit to flights drawn with replacement): its number and the estimates of the parameters that all flights
+/// One refit: its number and the estimates of the parameters that all flights
 /// share, SI; the estimates are `None` if the refit did not converge.
 pub(super) type Refit = (u64, Option<Vec<f64>>);
 
@@ -84,11 +84,10 @@ pub(super) fn table(fit: &Fit, refits: &[Refit]) -> String {
             let estimate = estimates
                 .as_ref()
                 .map_or(f64::NAN, |estimates| estimates[i]);
-            match estimate.is_nan() {
-                true => text.push(','),
-                false => {
-                    let _ = write!(text, ",{estimate:?}");
-                }
+            if estimate.is_nan() {
+                text.push(',');
+            } else {
+                let _ = write!(text, ",{estimate:?}");
             }
         }
     }

@@ -1,13 +1,12 @@
 //! Summary of a bootstrap: the distribution of the estimates over the refits.
 
-use std::fmt::Write;
-
 use identify::Fit;
+use identify::numbers::Digits;
+use report::{Cell, Column, Table};
 use serde_json::{Map, Value, json};
 
 use super::parts::Refit;
 use crate::cli::Bootstrap;
-use crate::commands::fit::{digits, written};
 
 /// Contents of the `summary.json` of a bootstrap: standard errors, 95 % percentile intervals and correlations of the
 /// estimates; SI.
@@ -22,8 +21,8 @@ pub(super) fn json(fit: &Fit, refits: &[Refit], options: &Bootstrap) -> Value {
         .iter()
         .map(|global| &*global.name)
         .collect();
-    let columns: Vec<Column> = (0..names.len())
-        .map(|i| Column::of(&converged, i))
+    let columns: Vec<Estimates> = (0..names.len())
+        .map(|i| Estimates::of(&converged, i))
         .collect();
     let mut coefficients = Map::new();
     for (name, column) in names.iter().zip(&columns) {
@@ -66,20 +65,20 @@ pub(super) fn json(fit: &Fit, refits: &[Refit], options: &Bootstrap) -> Value {
 }
 
 /// Estimates of one parameter in the converged refits of a bootstrap, with their mean and standard deviation.
-struct Column {
+struct Estimates {
     sorted: Vec<f64>,
     mean: f64,
     sd: f64,
 }
 
-impl Column {
-    fn of(refits: &[&[f64]], i: usize) -> Column {
+impl Estimates {
+    fn of(refits: &[&[f64]], i: usize) -> Estimates {
         let mut sorted: Vec<f64> = refits.iter().map(|estimates| estimates[i]).collect();
         sorted.sort_by(f64::total_cmp);
         let count = sorted.len() as f64;
         let mean = sorted.iter().sum::<f64>() / count;
         let squares: f64 = sorted.iter().map(|value| (value - mean).powi(2)).sum();
-        Column {
+        Estimates {
             mean,
             sd: (squares / (count - 1.0)).sqrt(),
             sorted,
@@ -101,7 +100,7 @@ impl Column {
     }
 }
 
-fn correlation(refits: &[&[f64]], columns: &[Column], i: usize, j: usize) -> f64 {
+fn correlation(refits: &[&[f64]], columns: &[Estimates], i: usize, j: usize) -> f64 {
     let (a, b) = (&columns[i], &columns[j]);
     let products = refits
         .iter()
@@ -109,43 +108,40 @@ fn correlation(refits: &[&[f64]], columns: &[Column], i: usize, j: usize) -> f64
     products.sum::<f64>() / (refits.len() as f64 - 1.0) / (a.sd * b.sd)
 }
 
-/// The summary of a bootstrap (its `summary.json`) as a text table for the terminal.
+/// The summary of a bootstrap (its `summary.json`) as text for the terminal.
 pub(super) fn text(summary: &Value) -> String {
-    let mut text = format!(
-        "{}: {} refits to {} flights drawn with replacement, {} converged\n  {:18} {:>12} {:>12} {:>12} {:>26}  unit\n",
+    use Column::{Name, Number, Plain};
+    let mut table = Table::new()
+        .with(Name, &[""])
+        .with(
+            Number,
+            &["estimate", "std error", "of the fit", "95 % interval"],
+        )
+        .with(Plain, &["unit"]);
+    for (name, column) in summary["coefficients"].as_object().into_iter().flatten() {
+        let value = |value: &Value| value.as_f64().unwrap_or(f64::NAN);
+        let digits = Digits::of(value(&column["value"]), value(&column["std_error"]));
+        let number = |of: &Value| Cell::from(digits.one(value(of)));
+        let of_fit = match &column["std_error_cluster_robust"] {
+            Value::Null => &column["std_error_fit"],
+            clustered => clustered,
+        };
+        let interval = [0, 1].map(|end| value(&column["interval"][end]));
+        table.row([
+            name.into(),
+            number(&column["value"]),
+            number(&column["std_error"]),
+            number(of_fit),
+            digits.range(interval).into(),
+            column["unit"].as_str().unwrap_or_default().into(),
+        ]);
+    }
+    format!(
+        "{}: {} refits to {} flights drawn with replacement, {} converged\n{}",
         summary["model"].as_str().unwrap_or_default(),
         summary["refits"],
         summary["flights"],
         summary["converged"],
-        "",
-        "estimate",
-        "std error",
-        "of the fit",
-        "95 % interval",
-    );
-    for (name, column) in summary["coefficients"].as_object().into_iter().flatten() {
-        let digits = column["std_error"].as_f64().map_or(6, digits);
-        let number = |value: &Value| {
-            value
-                .as_f64()
-                .map_or("–".to_owned(), |value| written(value, digits))
-        };
-        let clustered = &column["std_error_cluster_robust"];
-        let of_fit = if clustered.is_null() {
-            &column["std_error_fit"]
-        } else {
-            clustered
-        };
-        let interval = &column["interval"];
-        let _ = writeln!(
-            text,
-            "  {name:18} {:>12} {:>12} {:>12} {:>26}  {}",
-            number(&column["value"]),
-            number(&column["std_error"]),
-            number(of_fit),
-            format!("{} .. {}", number(&interval[0]), number(&interval[1])),
-            column["unit"].as_str().unwrap_or_default(),
-        );
-    }
-    text
+        table.text(usize::MAX),
+    )
 }

@@ -3,21 +3,19 @@
 mod errors;
 mod page;
 
-use std::fmt::Write;
-
 use analysis::design::{
     Bounds, Design, Goal, SampleOptions, Scattered, SearchOptions, Spread, ThrownBody, design,
-    numbers, spread,
+    spread,
 };
 use anyhow::{Context, bail};
 use flight::files::ResultFile;
 use flight::release::Release;
-use flight::throw::FIELDS;
 use nalgebra::Vector3;
+use report::Figure;
 use report::viewer::View;
 
 use super::simulate::{apply, throws};
-use super::{hundredths, vector};
+use super::vector;
 use crate::cli::Design as Options;
 use crate::{Answer, output};
 
@@ -90,16 +88,16 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
         let settings = ode::IntegrationOptions::with_tolerance(1e-9);
         let path = flights.fly(&found.throw, None, &settings)?;
         let title = format!("{} · {}", body.model.name, goal.name());
-        let sheet = page::sheet(&title, &found, &bounds, &spread, &path);
+        let (page, figures) = page::page(&title, &found, &bounds, &spread, &path);
         let mut files = vec![
             ResultFile::new("release.toml", found.release_toml(&options.model, &release)),
             ResultFile::new(
                 "design.json",
                 format!("{:#}\n", found.json(&body.model.name, Some(&spread))),
             ),
-            ResultFile::new("report.html", sheet.html()),
+            ResultFile::new("report.html", page.html()),
         ];
-        files.extend(sheet.figure_files());
+        files.extend(figures.into_iter().flat_map(Figure::files));
         let view = View::of_trajectory(
             &title,
             &body.model,
@@ -142,13 +140,16 @@ fn goal(options: &Options) -> anyhow::Result<Goal> {
         ("hit", Some(target)) => Ok(Goal::Hit(target)),
         ("curve", Some(target)) => Ok(Goal::Curve(target)),
         ("flare", Some(target)) => Ok(Goal::Flare(target)),
-        ("spread", Some(target)) => match target.z == 0.0 {
-            true => Ok(Goal::Spread(target)),
-            false => bail!(
-                "--target: found a height of {} m, expected a point on the ground, X,Y,0",
-                target.z
-            ),
-        },
+        ("spread", Some(target)) => {
+            if target.z == 0.0 {
+                Ok(Goal::Spread(target))
+            } else {
+                bail!(
+                    "--target: found a height of {} m, expected a point on the ground, X,Y,0",
+                    target.z
+                )
+            }
+        }
         _ => bail!("no --target: the goal {name} needs one, as in --target 30,0,0"),
     };
     goal.context("--goal")
@@ -156,67 +157,10 @@ fn goal(options: &Options) -> anyhow::Result<Goal> {
 
 /// Text of a throw design for the terminal: the throw, its landing and the spread of the landings.
 fn table(found: &Design, bounds: &Bounds, spread: &Spread) -> String {
-    let mut text = String::new();
-    let (figure, unit) = found.goal.figure();
-    let _ = match found.feasible {
-        true => writeln!(
-            text,
-            "{}: {figure} {:.4} {unit}",
-            found.goal.name(),
-            found.figure
-        ),
-        false => writeln!(
-            text,
-            "{}: not possible within these bounds, as far as {} throws and the descents from the best of them can tell; what comes \
-             nearest misses by {:.3} m",
-            found.goal.name(),
-            found.flown,
-            found.miss
-        ),
-    };
-    if let Some(clearance) = found.clearance {
-        let side = found.side.map_or("", |side| side.name());
-        let _ = writeln!(
-            text,
-            "  passes {side} of the obstacle, {clearance:.3} m clear of it"
-        );
-    }
-    if let Some(speed) = found.vertical_speed {
-        let _ = writeln!(text, "  rises at {speed:.3} m/s at the target");
-    }
-    let landing = found.landing;
-    let _ = writeln!(
-        text,
-        "  lands at x {:.2}, y {:.2} m after {:.2} s",
-        hundredths(landing.x),
-        hundredths(landing.y),
-        found.time
-    );
-    let _ = writeln!(
-        text,
-        "  {:16} {:>10} {:>16}  landing moves by, m per unit",
-        "", "throw", "bounds"
-    );
-    for (name, value) in numbers(&found.throw) {
-        let Some(field) = FIELDS.iter().position(|(field, ..)| *field == name) else {
-            continue;
-        };
-        let range = bounds.ranges.iter().find(|range| range.0 == field);
-        let range = range.map_or_else(String::new, |(_, least, greatest)| match least < greatest {
-            true => format!("{least} .. {greatest}"),
-            false => "held".into(),
-        });
-        let moved = found.sensitivity.iter().find(|s| s.field == field);
-        let moved = moved.map_or_else(String::new, |s| {
-            format!("x {:+.3}, y {:+.3}", s.landing.x, s.landing.y)
-        });
-        let label = format!("{name}, {}", FIELDS[field].1);
-        let _ = writeln!(text, "  {label:16} {value:>10.3} {range:>16}  {moved}");
-    }
-    text.push_str(
-        &page::spread_words(spread, bounds)
-            .iter()
-            .fold(String::new(), |all, line| all + "  " + line + "\n"),
-    );
-    text
+    let sentences = page::nearest(found).into_iter().chain(page::lead(found));
+    let lines = sentences
+        .map(|sentence| sentence + "\n")
+        .collect::<String>();
+    let table = page::throw(found, bounds).text(usize::MAX);
+    lines + &table + &page::spread_words(spread, bounds).join("\n") + "\n"
 }

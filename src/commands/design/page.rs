@@ -4,8 +4,8 @@
 use analysis::design::{Band, Bounds, Design, Landings, Path, QUANTILES, Spread, numbers};
 use flight::throw::FIELDS;
 use nalgebra::{Vector2, Vector3};
-use report::figures::{Dots, Line, Look, Mark, Panel};
-use report::{Section, Sheet, SheetFigure, Table};
+use report::figures::{Dots, Layout, Line, Look, Mark, Panel};
+use report::{Column, Figure, Html, Page, Table};
 
 use crate::commands::hundredths;
 
@@ -14,51 +14,64 @@ const POINTS: usize = 200;
 /// Maximum number of sampled landings that the figure shows as dots.
 const MAX_DOTS: usize = 1500;
 
-/// Report page of a throw design, the result of `hyzer design`.
-pub fn sheet(
+/// Report page of a throw design, the result of `hyzer design`, and its figures.
+pub fn page(
     title: &str,
     found: &Design,
     bounds: &Bounds,
     spread: &Spread,
     path: &Path<'_>,
-) -> Sheet {
-    Sheet {
-        kind: "hyzer design".into(),
-        title: title.into(),
-        lead: lead(found),
-        warnings: match found.feasible {
-            true => Vec::new(),
-            false => vec![format!(
-                "This throw does not serve its purpose: of {} throws that were flown and the descents from the best of them it is \
-                 the one that comes nearest, by {:.3} m.",
-                found.flown, found.miss
-            )],
-        },
-        sections: vec![
-            Section {
-                title: "Throw".into(),
-                words: vec![
-                    "What a unit of each number does to the place and the time of the landing and to the goal's figure: exact derivatives, by the sensitivities of the flight. Where one unit less and one unit more land was flown.".into(),
-                ],
-                table: throw(found),
-                ..Section::default()
-            },
-            Section {
-                title: "Path".into(),
-                figures: vec![figure_of_path(found, bounds, path, spread)],
-                ..Section::default()
-            },
-            Section {
-                title: "Spread of the landings".into(),
-                words: spread_words(spread, bounds),
-                figures: vec![figure_of_landings(found, bounds, spread)],
-                ..Section::default()
-            },
-        ],
+) -> (Page, [Figure; 2]) {
+    let figures = [
+        figure_of_path(found, bounds, path, spread),
+        figure_of_landings(found, bounds, spread),
+    ];
+    let mut body = Html::new();
+    for text in lead(found) {
+        body.paragraph(text);
     }
+    body.alarms("Mind", nearest(found));
+    let mut section = Html::new();
+    section.paragraph(
+        "What a unit of each number does to the place and the time of the landing and to the goal's figure: exact derivatives, by \
+         the sensitivities of the flight. Where one unit less and one unit more land was flown.",
+    );
+    section.table(&throw(found, bounds));
+    body.section("throw", "Throw", section);
+    let mut section = Html::new();
+    section.figure(&figures[0], true);
+    body.section("", "Path", section);
+    let mut section = Html::new();
+    for text in spread_words(spread, bounds) {
+        section.paragraph(text);
+    }
+    section.figure(&figures[1], true);
+    body.section("spread", "Spread of the landings", section);
+    body.note(concat!("hyzer ", env!("CARGO_PKG_VERSION")));
+    let page = Page {
+        kind: "hyzer design",
+        title: title.into(),
+        body,
+        ..Page::default()
+    };
+    (page, figures)
 }
 
-fn lead(found: &Design) -> Vec<String> {
+/// Sentence on a throw that does not serve its purpose; `None` if it does.
+pub fn nearest(found: &Design) -> Option<String> {
+    (!found.feasible).then(|| {
+        format!(
+            "{}: not possible within these bounds, as far as {} throws and the descents from the best of them can tell; what comes \
+             nearest misses by {:.3} m.",
+            found.goal.name(),
+            found.flown,
+            found.miss
+        )
+    })
+}
+
+/// Sentences on the goal, the landing and the way there.
+pub fn lead(found: &Design) -> Vec<String> {
     let (figure, unit) = found.goal.figure();
     let mut words = vec![format!(
         "{}: {figure} {:.4} {unit}. The throw lands at x {:.2} m, y {:.2} m after {:.2} s.",
@@ -74,21 +87,29 @@ fn lead(found: &Design) -> Vec<String> {
             side.name()
         ));
     }
+    if let Some(speed) = found.vertical_speed {
+        words.push(format!("It rises at {speed:.3} m/s at the target."));
+    }
     words
 }
 
-fn throw(found: &Design) -> Table {
-    let head = [
-        "number",
-        "value",
-        "x, m/unit",
-        "y, m/unit",
-        "time, s/unit",
-        "goal/unit",
-        "one less, m",
-        "one more, m",
-    ];
-    let rows = found.sensitivity.iter().map(|s| {
+/// Table of the numbers of the throw, their bounds, and what a unit of each does.
+pub fn throw(found: &Design, bounds: &Bounds) -> Table {
+    use Column::{Name, Number};
+    let mut table = Table::new().with(Name, &["number"]).with(
+        Number,
+        &[
+            "value",
+            "bounds",
+            "x, m/unit",
+            "y, m/unit",
+            "time, s/unit",
+            "goal/unit",
+            "one less, m",
+            "one more, m",
+        ],
+    );
+    for s in &found.sensitivity {
         let (name, unit, ..) = FIELDS[s.field];
         let value = numbers(&found.throw)
             .find(|(own, _)| *own == name)
@@ -97,30 +118,31 @@ fn throw(found: &Design) -> Table {
             Some(one) => format!("{:+.2}, {:+.2}", one.landing.x, one.landing.y),
             None => "no flight".into(),
         });
-        vec![
-            format!("{name}, {unit}"),
-            format!("{value:.3}"),
-            format!("{:+.4}", s.landing.x),
-            format!("{:+.4}", s.landing.y),
-            format!("{:+.4}", s.time),
-            s.figure
-                .map_or_else(|| "–".into(), |figure| format!("{figure:+.4}")),
-            less,
-            more,
-        ]
-    });
-    Table {
-        head: head.map(String::from).to_vec(),
-        rows: rows.collect(),
+        let range = bounds.ranges.iter().find(|range| range.0 == s.field);
+        let range = range.map(|(_, least, greatest)| {
+            if least < greatest {
+                format!("{least} .. {greatest}")
+            } else {
+                "held".into()
+            }
+        });
+        let figure = s.figure.map(|figure| format!("{figure:+.4}"));
+        table.row([
+            format!("{name}, {unit}").into(),
+            format!("{value:.3}").into(),
+            range.unwrap_or_default().into(),
+            format!("{:+.4}", s.landing.x).into(),
+            format!("{:+.4}", s.landing.y).into(),
+            format!("{:+.4}", s.time).into(),
+            figure.unwrap_or_else(|| "–".into()).into(),
+            less.into(),
+            more.into(),
+        ]);
     }
+    table
 }
 
-fn figure_of_path(
-    found: &Design,
-    bounds: &Bounds,
-    path: &Path<'_>,
-    spread: &Spread,
-) -> SheetFigure {
+fn figure_of_path(found: &Design, bounds: &Bounds, path: &Path<'_>, spread: &Spread) -> Figure {
     let places: Vec<Vector3<f64>> = (0..=POINTS)
         .map(|k| path.position(path.duration() * k as f64 / POINTS as f64))
         .collect();
@@ -174,42 +196,39 @@ fn figure_of_path(
             .map(|band| (band.distance, of(band)[0], of(band)[2]))
             .collect::<Vec<_>>()
     };
-    let across = "along the line from release to landing, m";
-    SheetFigure {
-        name: "path".into(),
-        title: "Path".into(),
-        caption: format!(
-            "Blue: the throw. Shaded: between the {:.0} % and the {:.0} % quantile of the scattered throws that reach the distance.",
-            100.0 * QUANTILES[0],
-            100.0 * QUANTILES[2]
+    let panel = |title: &str, lines, marks, ribbon| Panel {
+        title: title.into(),
+        across: "along the line from release to landing, m".into(),
+        lines,
+        marks,
+        ribbon,
+        map: true,
+        ..Panel::default()
+    };
+    let side = places.iter().map(|p| (turned(p.xy()).0, p.z)).collect();
+    let panels = [
+        panel(
+            "From above: to the left of the line, m",
+            above,
+            marks,
+            ribbon(&|band| band.left),
         ),
-        panels: vec![
-            Panel {
-                title: "From above: to the left of the line, m".into(),
-                across: across.into(),
-                lines: above,
-                marks,
-                ribbon: ribbon(&|band| band.left),
-                map: true,
-                ..Panel::default()
-            },
-            Panel {
-                title: "From the side: height, m".into(),
-                across: across.into(),
-                lines: vec![line(
-                    "",
-                    places.iter().map(|p| (turned(p.xy()).0, p.z)).collect(),
-                )],
-                marks: side_marks,
-                ribbon: ribbon(&|band| band.height),
-                map: true,
-                ..Panel::default()
-            },
-        ],
-    }
+        panel(
+            "From the side: height, m",
+            vec![line("", side)],
+            side_marks,
+            ribbon(&|band| band.height),
+        ),
+    ];
+    let caption = format!(
+        "Blue: the throw. Shaded: between the {:.0} % and the {:.0} % quantile of the scattered throws that reach the distance.",
+        100.0 * QUANTILES[0],
+        100.0 * QUANTILES[2]
+    );
+    Figure::of_panels("path", "Path", caption, Layout::COLUMN, &panels)
 }
 
-fn figure_of_landings(found: &Design, bounds: &Bounds, spread: &Spread) -> SheetFigure {
+fn figure_of_landings(found: &Design, bounds: &Bounds, spread: &Spread) -> Figure {
     let line = |name: &str, points: Vec<Vector2<f64>>| Line {
         name: name.into(),
         points: points.into_iter().map(|p| (p.x, p.y)).collect(),
@@ -231,22 +250,21 @@ fn figure_of_landings(found: &Design, bounds: &Bounds, spread: &Spread) -> Sheet
         .filter(|target| target.z == 0.0)
         .unwrap_or(found.landing);
     lines.push(line("circle", circle(aim.xy(), bounds.circle)));
-    SheetFigure {
-        name: "landings".into(),
-        title: "Landings".into(),
-        caption: "Ellipses that half of the landings are inside of, were they normal: blue by the exact derivatives, red dashed of \
-                  the sampled flights; grey: sampled landings; green: the landing circle."
-            .into(),
-        panels: vec![Panel {
-            title: "y, m".into(),
-            across: "x, m".into(),
-            lines,
-            dots,
-            marks: vec![Mark { name: "landing".into(), at: (found.landing.x, found.landing.y) }],
-            map: true,
-            ..Panel::default()
+    let panel = Panel {
+        title: "y, m".into(),
+        across: "x, m".into(),
+        lines,
+        dots,
+        marks: vec![Mark {
+            name: "landing".into(),
+            at: (found.landing.x, found.landing.y),
         }],
-    }
+        map: true,
+        ..Panel::default()
+    };
+    let caption = "Ellipses that half of the landings are inside of, were they normal: blue by the exact derivatives, red dashed of \
+                   the sampled flights; grey: sampled landings; green: the landing circle.";
+    Figure::of_panels("landings", "Landings", caption, Layout::COLUMN, &[panel])
 }
 
 /// Sentences on the spread of the landings of a throw whose release, wind and parameters vary at random.
@@ -273,17 +291,18 @@ pub fn spread_words(spread: &Spread, bounds: &Bounds) -> Vec<String> {
     words.extend(spread.agreement.map(|agreement| {
         let (least, greatest) = agreement.ratios;
         let shift = agreement.shift;
-        match agreement.agrees {
-            true => format!(
+        if agreement.agrees {
+format!(
                 "Linear and sampled spread agree: the means differ by {shift:.2} standard deviations, the standard deviations by \
                  factors of {least:.2} to {greatest:.2}."
-            ),
-            false => format!(
+            )
+} else {
+format!(
                 "Linear and sampled spread do not agree: the means differ by {shift:.2} standard deviations, the sampled standard \
                  deviations are {least:.2} to {greatest:.2} times the linear ones. The landing is bent within this scatter: use the \
                  sampled spread."
-            ),
-        }
+            )
+}
     }));
     words
 }

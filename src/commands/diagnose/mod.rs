@@ -1,6 +1,5 @@
 //! Command `hyzer diagnose`: tests a model for missing effects and extends the model.
 
-mod summary;
 mod tables;
 
 use ::diagnose::{Diagnosis, DiagnosisOptions, ExtendedModel, Verified, diagnose_with};
@@ -9,12 +8,11 @@ use codegen::generate::generate_with;
 use dataset::Dataset;
 use flight::files::ResultFile;
 use identify::FitOptions;
+use report::Figure;
 use report::diagnosis::{DiagnosisPage, Fits};
 use report::viewer::View;
 
-use super::fit::{
-    FLIGHTS, dataset_name, deadline, drawn, evidence, figure_files, held, model_of, priors,
-};
+use super::fit::{FLIGHTS, dataset_name, deadline, drawn, evidence, held, model_of, priors};
 use crate::cli::Diagnose;
 use crate::progress::Progress;
 use crate::{Answer, output};
@@ -74,11 +72,12 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
         output::add_figures(&mut files, &options.figures)?;
         output::replace(folder, &files)?;
     }
-    output::print(summary::summary(&found.report))?;
+    output::print(report::diagnosis::text(&found.report))?;
     if let Some(folder) = &options.out {
-        let extended = match has_extension {
-            true => "the extended model, ",
-            false => "",
+        let extended = if has_extension {
+            "the extended model, "
+        } else {
+            ""
         };
         eprintln!(
             "report.html, report.json, {extended}figures and tables are in {}",
@@ -163,7 +162,7 @@ fn results(dataset: &Dataset, name: &str, found: &Diagnosis) -> anyhow::Result<V
     };
     let (html, figures) = report::diagnosis::html_and_figures(&page);
     files.push(ResultFile::new("report.html", html));
-    files.extend(figures.into_iter().flat_map(figure_files));
+    files.extend(figures.into_iter().flat_map(Figure::files));
     let view = match after {
         Some((_, fitted)) => {
             View::of_fit(fitted, "extended").join(View::of_fit(&found.before, "original"))

@@ -1,9 +1,7 @@
 //! Command `hyzer fit`: estimates the coefficients of a model from measured flights.
 
-mod summary;
 mod tables;
 
-pub(super) use summary::{cautions, digits, written};
 pub(super) use tables::role;
 
 use std::path::Path;
@@ -14,7 +12,6 @@ use dataset::{Dataset, Role};
 use flight::files::ResultFile;
 use identify::{FitOptions, FlightEvidence, FlightId, LackOfFit, Prior};
 use model_spec::ModelTree;
-use model_spec::model::Model;
 use model_spec::sort_by_number;
 use report::fit::Figure;
 use report::fit::FitPage;
@@ -30,9 +27,6 @@ const FITTED: &str = "fitted.hyz";
 
 /// File name of the three-dimensional view of the measured and predicted flights.
 pub(super) const FLIGHTS: &str = "flights.html";
-
-/// Folder of the CSV tables of the plotted values of the figures.
-const FIGURE_DATA: &str = "figure-data";
 
 /// Runs `hyzer fit`: fits a model to a dataset, prints a summary, and writes the result files if an output folder is
 /// given. Returns `Answer::No` if the estimates are not reliable.
@@ -62,12 +56,25 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     let mut fitted = fitted.with_context(|| format!("cannot fit {}", inputs.dataset.display()))?;
     fitted.report.dataset = dataset_name(&inputs.dataset);
     fitted.report.lack_of_fit = LackOfFit::of_fit(&fitted, threads)?;
+    let name = dataset_name(&inputs.dataset);
+    let page = FitPage {
+        report: &fitted.report,
+        fit: Some(&fitted),
+        evidence: &[],
+        model: &model,
+        dataset: &name,
+    };
     if let Some(folder) = &out {
-        let mut files = results(&inputs.dataset, &model, &dataset, &fitted)?;
+        let evidence = evidence(&fitted, &drawn(&fitted));
+        let page = FitPage {
+            evidence: &evidence,
+            ..page
+        };
+        let mut files = results(&page, &dataset, &fitted)?;
         output::add_figures(&mut files, &options.figures)?;
         output::replace(folder, &files)?;
     }
-    output::print(summary::summary(&model, &fitted.report))?;
+    output::print(report::fit::text(&page))?;
     if let Some(folder) = &options.out {
         eprintln!(
             "report.html, report.json, {FITTED}, figures and tables are in {}",
@@ -120,22 +127,13 @@ pub(super) fn dataset_name(folder: &Path) -> String {
 
 /// Result files of `hyzer fit`, which are written to the folder `--out`.
 fn results(
-    from: &Path,
-    model: &Model,
+    page: &FitPage<'_>,
     dataset: &Dataset,
     fitted: &identify::Fit,
 ) -> anyhow::Result<Vec<ResultFile>> {
-    let name = dataset_name(from);
-    let evidence = evidence(fitted, &drawn(fitted));
-    let page = FitPage {
-        report: &fitted.report,
-        fit: Some(fitted),
-        evidence: &evidence,
-        model,
-        dataset: &name,
-    };
+    let (model, name) = (page.model, page.dataset);
     let json = serde_json::to_string_pretty(&fitted.report)?;
-    let (html, figures) = report::fit::html_and_figures(&page);
+    let (html, figures) = report::fit::html_and_figures(page);
     let note = format!("Default values fitted to {name} by `hyzer fit`.");
     let fitted_model = fitted.fitted_text(&ModelTree::of(model), dataset, &note)?;
     let mut files = vec![
@@ -151,19 +149,10 @@ fn results(
         let table = tables::sensor_residuals(dataset, fitted)?;
         files.push(ResultFile::new("sensors.csv", table));
     }
-    files.extend(figures.into_iter().flat_map(figure_files));
+    files.extend(figures.into_iter().flat_map(Figure::files));
     let view = View::of_fit(fitted, "").html(&format!("{} · {name}", model.name));
     files.extend(view.map(|html| ResultFile::new(FLIGHTS, html)));
     Ok(files)
-}
-
-/// Result files of a figure: its SVG, and the CSV table of the values plotted in it.
-pub(super) fn figure_files(figure: Figure) -> [ResultFile; 2] {
-    let table = format!("{FIGURE_DATA}/{}.csv", figure.name);
-    [
-        ResultFile::new(figure.name + ".svg", figure.svg),
-        ResultFile::new(table, figure.csv),
-    ]
 }
 
 /// Path or name of the model: `asked`, the value of the option `--model`, or else the model specified in the dataset,

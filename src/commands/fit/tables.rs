@@ -48,9 +48,8 @@ pub fn correlations(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// CSV table of the flights of a fit: one line per flight, with its role, its number of samples, the RMS residual of each kind of sensor
-/// in its unit,
-/// the number of outliers and the time (s) at which the flight was truncated.
+/// CSV table of the flights of a fit: one line per flight, with its role, its number of samples, the RMS residual of
+/// each kind of sensor in its unit, the number of outliers and the time (s) at which the flight was truncated.
 pub fn flights(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     let kinds: Vec<&String> = report.residual_rms.keys().collect();
@@ -139,9 +138,12 @@ pub fn sensor_residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u
                 let Some(residual) = sensor.residuals[sample] else {
                     continue;
                 };
-                let part = |axis: usize| match axis < sensor.components {
-                    true => format!("{:.6}", residual[axis]),
-                    false => String::new(),
+                let part = |axis: usize| {
+                    if axis < sensor.components {
+                        format!("{:.6}", residual[axis])
+                    } else {
+                        String::new()
+                    }
                 };
                 table.write_record([
                     &flight.file,
@@ -163,7 +165,7 @@ pub fn sensor_residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u
     Ok(table.into_inner()?)
 }
 
-/// Role of a flight (fitted or held out) as spelled in dataset files.
+/// Role of a flight as spelled in dataset files.
 pub fn role(role: Role) -> &'static str {
     match role {
         Role::Fit => "fit",

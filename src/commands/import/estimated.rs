@@ -1,5 +1,4 @@
-//! Estimates a template (the positions of the markers on the body) from the free flights, for takes without a given
-//! template.
+//! Estimates a template from the free flights, for takes without a given template.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -9,15 +8,14 @@ use dataset::Marker;
 use dataset::takes::words::{listed, shown};
 use dataset::takes::{FreeFlight, ReadOptions, Take, ThrowOptions, Throws, estimate_template};
 
+use super::no_throw;
 use super::template::Template;
-use super::{no_throw, up_of};
 use crate::cli::Import;
 
-/// Maximum magnitude of the value of `--centre-height` (height of the centre of mass), m; larger values suggest
-/// millimetres.
+/// Maximum magnitude of the value of `--centre-height`, m; larger values suggest millimetres.
 const MAX_HEIGHT: f64 = 2.0;
 
-/// A template (the marker positions on the body) estimated from recordings, a text on how it was estimated, and for
+/// A template estimated from recordings, a text on how it was estimated, and for
 /// each marker the comment that is written above its position in `dataset.toml`.
 pub struct Estimated {
     pub template: Template,
@@ -43,12 +41,13 @@ pub fn estimated(
             "--centre-height: found {height}, expected metres, at most {MAX_HEIGHT} (millimetres?)"
         );
     }
+    let up = super::up(options)?;
     let mut thrown: Vec<(Take, Throws)> = Vec::new();
     for file in &options.takes {
         let mut take = dataset::takes::read(file, reading)?;
         // The positions are estimated from the single points, not from poses of bodies.
         take.bodies.clear();
-        let (up, _) = up_of(&take, file, options)?;
+        let up = dataset::takes::up_of(&take, file, up)?;
         let turned = take.with_z_up(up, options.left_handed);
         let found = dataset::takes::find_throws(&turned, &[], &ThrowOptions::default());
         if !found.throws.is_empty() {

@@ -1,32 +1,31 @@
 //! Command `hyzer import`: converts recordings of laboratories to a dataset, cut to the free flights.
 
 mod estimated;
-mod page;
 mod template;
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
-use std::ops::Range;
 use std::path::Path;
 
 use anyhow::{Context, bail};
 use dataset::takes::words::listed;
-use dataset::takes::{Axis, Format, LengthUnit, ReadOptions, Take, Throw, ThrowOptions, TimeUnit};
+use dataset::takes::{
+    self, Axis, Format, ImportOptions, LengthUnit, ReadOptions, Take, Throw, ThrowOptions, TimeUnit,
+};
 use dataset::{Dataset, Flight, Sensor, SensorKind, write_commented};
 use report::import::{ImportPage, ImportedTake};
 
-use self::page::Shown;
-use self::template::{Followed, Template};
+use self::template::Template;
 use crate::cli::Import;
 use crate::{Answer, output, progress};
 
 /// File in the dataset's folder that lists the choices made in the import, such as units, axes and the samples of each
 /// flight.
 const DECISIONS: &str = "import.txt";
-/// File name of the report page of the import, with the choices made (units, axes, samples) and plots of each flight.
+/// File name of the report page of the import, with the choices made and plots of each flight.
 const PAGE: &str = "import.html";
 
-/// Result of the import of all recordings: flights, choices made (such as axes and tracked points) and data for the
+/// Result of the import of all recordings: flights, choices made and data for the
 /// plots on the report page.
 #[derive(Default)]
 struct Found {
@@ -87,11 +86,17 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
         decisions,
         ..Found::default()
     };
+    let asked = ImportOptions {
+        markers: template.markers.clone(),
+        labels,
+        up: up(options)?,
+        left_handed: options.left_handed,
+    };
     for file in &options.takes {
         let _ = writeln!(found.decisions, "{}", file.display());
         let take = dataset::takes::read(file, &reading)?;
         let before = found.flights.len();
-        add(&take, file, &template, &labels, options, &mut found)?;
+        add(&take, file, &asked, &mut found)?;
         if found.flights.len() == before {
             found.decisions.push_str("  no throw\n");
         }
@@ -133,7 +138,7 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
     Ok(Answer::Yes)
 }
 
-/// Options for reading the recordings (format, units, frame rate), parsed from the command-line options.
+/// Options for reading the recordings, parsed from the command-line options.
 fn reading(options: &Import) -> anyhow::Result<ReadOptions> {
     let chosen = |name: &str, text: &Option<String>, expected: &str| match text {
         Some(text) => format!("--{name}: found {text:?}, expected {expected}"),
@@ -175,52 +180,14 @@ fn labels(texts: &[String]) -> anyhow::Result<BTreeMap<String, String>> {
     Ok(labels)
 }
 
-/// Adds to `all` the flights in the recording `take`, the choices made in their import (such as units and axes), and
-/// their figures.
-fn add(
-    take: &Take,
-    file: &Path,
-    template: &Template,
-    labels: &BTreeMap<String, String>,
-    options: &Import,
-    all: &mut Found,
-) -> anyhow::Result<()> {
-    let (up, is_option) = up_of(take, file, options)?;
-    let by = if is_option {
-        "by --up"
-    } else {
-        "as the file states"
-    };
-    let hand = match (options.left_handed, take.left_handed) {
-        (true, _) => "left-handed, by --left-handed",
-        (false, Some(false)) => "right-handed",
-        (false, _) => "taken as right-handed (otherwise --left-handed)",
-    };
-    let followed = template
-        .followed(take, labels)
-        .with_context(|| file.display().to_string())?;
-    let followed_labels: Vec<&str> = followed.labels(take);
-    let turned = take.clone().with_z_up(up, options.left_handed);
-    let found = dataset::takes::find_throws(&turned, &followed_labels, &ThrowOptions::default());
-    let mut notes = take.notes.clone();
-    if followed.is_pose() {
-        notes.push(
-            "the poses are written as those of the body frame, in which the template is".into(),
-        );
-    }
-    notes.extend(found.notes.iter().cloned());
-    if found.throws.is_empty()
-        && let Some(other) = other_up(take, &followed_labels, options.left_handed, up)
-    {
-        bail!(
-            "{}: found no throw with {up} up, and free flights with {other} up; expected --up {other}",
-            file.display()
-        );
-    }
-    let is_pose = followed.is_pose();
-    let name = followed_labels
+/// Adds to `all` the flights in the recording `take`, the choices made in their import, and their figures.
+fn add(take: &Take, file: &Path, options: &ImportOptions, all: &mut Found) -> anyhow::Result<()> {
+    let mut found = takes::ImportedTake::new(take, file, options)?;
+    let labels = found.followed.labels(&found.take);
+    let is_pose = found.followed.is_pose();
+    let name = labels
         .first()
-        .map(|label| dataset_name(label, labels));
+        .map(|label| dataset_name(label, &options.labels));
     match (&all.pose, is_pose, all.takes.is_empty()) {
         (_, true, true) => all.pose = name,
         (Some(pose), true, false) if name.as_ref() == Some(pose) => {}
@@ -228,87 +195,29 @@ fn add(
         _ => bail!(
             "{}: found {}, expected the same points or the same body as in the recordings before",
             file.display(),
-            listed(&followed_labels)
+            listed(&labels)
         ),
     }
-    let motion = dataset::takes::motion(&turned, &followed_labels);
-    let shown = Shown {
-        take: &turned,
-        followed: &followed,
-        markers: &template.markers,
-        motion: motion.as_ref(),
-    };
-    let mut flights = Vec::new();
-    let mut lines = String::new();
-    for throw in &found.throws {
-        if !is_downwards(throw.acceleration) {
-            let [x, y, z] = throw.acceleration;
-            notes.push(format!(
-                "a flight accelerates by {x:.1}, {y:.1}, {z:.1} m/s² (z up), not downwards: is {up} up?"
-            ));
-        }
-        let positions = throw
-            .samples()
-            .map(|sample| followed.positions(&turned, sample));
-        let flight = Flight {
-            file: format!("flight{:02}.csv", all.flights.len() + 1),
-            times: turned.times[throw.samples()].to_vec(),
-            positions: positions.collect(),
-            ..Flight::default()
-        };
-        describe(throw, &flight.file, &mut lines);
-        flights.push(shown.flight(throw, &flight));
-        all.flights.push(match followed.is_pose() {
-            true => of_poses(flight, &throw.samples(), &followed, &turned),
-            false => flight,
-        });
+    for (what, text) in &found.decisions {
+        let _ = writeln!(all.decisions, "  {what}: {text}");
     }
-    let labels = listed(&followed_labels);
-    let samples = take.times.len();
-    let _ = writeln!(
-        all.decisions,
-        "  {}: {samples} samples, lengths in {}, {up} up {by}, axes {hand}; written in m, z up\n  followed: {labels}",
-        take.format, take.length
-    );
-    for note in &notes {
+    for note in &found.notes {
         let _ = writeln!(all.decisions, "  note: {note}");
     }
-    all.decisions += &lines;
-    let decision = |what: &str, text: String| (what.to_owned(), text);
-    all.takes.push(ImportedTake {
-        file: file.display().to_string(),
-        decisions: vec![
-            decision("format", take.format.to_string()),
-            decision("samples", samples.to_string()),
-            decision("lengths", format!("in {}, written in m", take.length)),
-            decision("up", format!("{up}, {by}; written with z up")),
-            decision("axes", hand.to_owned()),
-            decision("followed", labels),
-        ],
-        notes,
-        heights: page::heights(motion.as_ref()),
-        flights,
-    });
-    Ok(())
-}
-
-/// Replaces the marker positions of a flight by poses: position and attitude of the tracked body in `followed`, in the
-/// samples `samples` of the recording `take`. All poses are missing if `followed` selects points instead of a body.
-fn of_poses(flight: Flight, samples: &Range<usize>, followed: &Followed, take: &Take) -> Flight {
-    let readings = samples
-        .clone()
-        .map(|sample| match followed.pose(take, sample) {
-            Some(pose) => {
-                let [x, y, z] = pose.position;
-                vec![Some([x, y, z, 0.0]), Some(pose.quaternion)]
-            }
-            None => vec![None; 2],
-        });
-    Flight {
-        positions: vec![Vec::new(); flight.times.len()],
-        readings: readings.collect(),
-        ..flight
+    let mut files = Vec::new();
+    for (mut flight, throw) in std::mem::take(&mut found.flights)
+        .into_iter()
+        .zip(&found.throws)
+    {
+        flight.file = format!("flight{:02}.csv", all.flights.len() + 1);
+        describe(throw, &flight.file, &mut all.decisions);
+        files.push(flight.file.clone());
+        all.flights.push(flight);
     }
+    let (file, markers) = (file.display().to_string(), &options.markers);
+    all.takes
+        .push(ImportedTake::new(file, &found, markers, &files));
+    Ok(())
 }
 
 /// Marker name in the dataset for a label of a recording: the name given by the option `--label`, or else one made from
@@ -326,41 +235,15 @@ fn no_throw() -> String {
     format!("found no throw, expected at least one free flight of {shortest} s")
 }
 
-/// Axis of the recording `take` that points up, and whether it is specified by the option `--up` instead of in the
-/// file. An error if neither specifies it, or if the value of the option is not an axis.
-fn up_of(take: &Take, file: &Path, options: &Import) -> anyhow::Result<(Axis, bool)> {
-    let stated = match &options.up {
-        Some(text) => match Axis::parse(text) {
-            Some(up) => Some(up),
-            None => bail!("--up: found {text:?}, expected +z, -z, +y, -y, +x or -x"),
-        },
-        None => None,
+/// Axis that points up by the option `--up`; `None` without it.
+fn up(options: &Import) -> anyhow::Result<Option<Axis>> {
+    let Some(text) = &options.up else {
+        return Ok(None);
     };
-    let Some(up) = stated.or(take.up) else {
-        bail!(
-            "{}: found no statement of the axis that points up, expected the option --up, such as --up +z or --up +y",
-            file.display()
-        );
-    };
-    Ok((up, stated.is_some()))
-}
-
-/// Whether an acceleration, m/s², in axes with z up, is directed mainly downwards, as expected in free flight.
-fn is_downwards([x, y, z]: [f64; 3]) -> bool {
-    -z > 0.5 * x.hypot(y)
-}
-
-/// Tries the axes other than `up` as the upward axis of the recording `take`. Returns the first axis with which throws
-/// are found; `None` if there is none.
-fn other_up(take: &Take, labels: &[&str], left_handed: bool, up: Axis) -> Option<Axis> {
-    let all = ["+z", "+y", "+x", "-z", "-y", "-x"]
-        .into_iter()
-        .filter_map(Axis::parse);
-    all.filter(|axis| *axis != up).find(|&axis| {
-        let turned = take.clone().with_z_up(axis, left_handed);
-        let found = dataset::takes::find_throws(&turned, labels, &ThrowOptions::default());
-        !found.throws.is_empty()
-    })
+    match Axis::parse(text) {
+        Some(up) => Ok(Some(up)),
+        None => bail!("--up: found {text:?}, expected +z, -z, +y, -y, +x or -x"),
+    }
 }
 
 fn describe(throw: &Throw, name: &str, decisions: &mut String) {

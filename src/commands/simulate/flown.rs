@@ -7,6 +7,7 @@ use flight::throw::{Throw, ThrownModel};
 use flight::{BoundModel, CompiledModel};
 use model_spec::model::Model;
 use ode::Trajectory;
+use report::{Cell, Column, Table};
 use serde_json::{Value, json};
 
 use crate::commands::hundredths;
@@ -32,10 +33,9 @@ pub struct Flown {
     pub top_speed: f64,
     /// Position of the mass centre at the end of the flight: x and y in the inertial frame, and height, m.
     pub landing: [f64; 3],
-    /// Motion of the body at release, expressed in the quantities of a throw (speed, angles, spin, height).
+    /// Motion of the body at release, expressed in the quantities of a throw.
     pub release: Throw,
-    /// Motion of the body at the end of the flight, expressed in the quantities of a throw (speed, angles, spin,
-    /// height).
+    /// Motion of the body at the end of the flight, expressed in the quantities of a throw.
     pub end: Throw,
     /// Minimum and maximum angle of attack, deg; `None` for a point mass.
     pub alpha: Option<(f64, f64)>,
@@ -121,19 +121,20 @@ impl Flown {
         if let Some((least, greatest)) = self.alpha {
             let _ = writeln!(text, "  angle of attack {least:.1} to {greatest:.1} deg");
         }
-        let _ = writeln!(text, "  {:16} {:>10} {:>10}", "", "release", "end");
+        let mut table = Table::new()
+            .with(Column::Name, &[""])
+            .with(Column::Number, &["release", "end"]);
+        let number = |value: f64| Cell::from(format!("{:.2}", hundredths(value)));
         for (name, unit, ..) in flight::throw::FIELDS {
             if let (Some(first), Some(last)) = (self.release.field(name), self.end.field(name)) {
-                let label = format!("{name}, {unit}");
-                let _ = writeln!(
-                    text,
-                    "  {label:16} {:>10.2} {:>10.2}",
-                    hundredths(first),
-                    hundredths(last)
-                );
+                table.row([
+                    format!("{name}, {unit}").into(),
+                    number(first),
+                    number(last),
+                ]);
             }
         }
-        text
+        text + &table.text(usize::MAX)
     }
 
     /// The characteristics of the flight as JSON, with units in the keys.

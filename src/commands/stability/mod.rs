@@ -2,6 +2,7 @@
 //! flight, stability criteria, and maps over speed and spin.
 
 mod page;
+mod text;
 mod words;
 
 use analysis::stability::{Body, Instant, along, at, map, trim};
@@ -10,6 +11,7 @@ use flight::files::ResultFile;
 use flight::simulate;
 use flight::throw::Throw;
 use ode::IntegrationOptions;
+use report::Figure;
 
 use super::simulate::{apply, released, throws};
 use super::vector;
@@ -101,17 +103,17 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
     output::print(if options.json {
         json.clone()
     } else {
-        words::table(&body.model.name, &found)
+        text::text(&body.model.name, &found)
     })?;
     if let (Some(folder), Some(place)) = (&out, &options.out) {
-        let sheet = page::sheet(&body.model.name, &found);
+        let (page, figures) = page::page(&body.model.name, &found);
         let mut files = vec![
             ResultFile::new("stability.json", json),
-            ResultFile::new("report.html", sheet.html()),
+            ResultFile::new("report.html", page.html()),
             ResultFile::new("modes.csv", words::csv(&found.flight)),
             ResultFile::new("map.csv", words::csv(&found.map)),
         ];
-        files.extend(sheet.figure_files());
+        files.extend(figures.into_iter().flat_map(Figure::files));
         output::add_figures(&mut files, &options.figures)?;
         output::replace(folder, &files)?;
         eprintln!(

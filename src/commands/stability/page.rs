@@ -1,133 +1,97 @@
 //! The report page of a stability analysis: modes at release, along the flight, in steady flight, and over speed and
 //! spin.
 
-use analysis::stability::{Instant, ModeKind, Modes};
-use report::figures::{Dots, Line, Look, Panel};
-use report::{Section, Sheet, SheetFigure, Table};
+use analysis::stability::{Instant, Mode, ModeKind, Modes};
+use report::figures::{Dots, Layout, Line, Look, Panel};
+use report::{Cell, Column, Figure, Html, Page, Table};
 
 use super::Found;
-use super::words::{nutation, of_criteria, slowest};
+use super::words::{INSTANT, lead, nutation, of_criteria, slowest, steady};
 
 /// Maximum number of lines in one panel of a figure, equal to the number of distinct line colours.
 const LINES: usize = 4;
 
-/// The report page of a stability analysis.
-pub fn sheet(model: &str, found: &Found) -> Sheet {
-    let mut sections = vec![Section {
-        title: "At release".into(),
-        words: of_criteria(&found.release),
-        table: table(&found.release.modes),
-        ..Section::default()
-    }];
+/// The report page of a stability analysis, and its figures.
+pub fn page(model: &str, found: &Found) -> (Page, Vec<Figure>) {
+    let mut body = Html::new();
+    for text in lead(found) {
+        body.paragraph(text);
+    }
+    let instant = (!found.release.modes.is_symmetric).then_some(INSTANT);
+    body.alarms("Mind", instant);
+    let mut figures = Vec::new();
+    let mut section = Html::new();
+    for text in of_criteria(&found.release) {
+        section.paragraph(text);
+    }
+    section.table(&table(&found.release.modes));
+    body.section("release", "At release", section);
     if let Some((trim, modes)) = &found.trim {
-        sections.push(Section {
-            title: "Steady flight".into(),
-            words: vec![format!(
-                "At the spin of release, held, the body can fly at {:.2} m/s, {:.2}° below the horizontal, nose {:.2}°, hyzer {:.2}°, \
-                 its heading turning by {:+.2}°/s. Its modes there:",
-                trim.throw.speed,
-                -trim.throw.launch,
-                trim.throw.nose.unwrap_or(0.0),
-                trim.throw.hyzer.unwrap_or(0.0),
-                trim.turn.to_degrees()
-            )],
-            table: table(modes),
-            ..Section::default()
-        });
+        let mut section = Html::new();
+        section.paragraph(steady(trim));
+        section.table(&table(modes));
+        body.section("trim", "Steady flight", section);
     }
     if !found.flight.is_empty() {
-        sections.push(Section {
-            title: "Along the flight".into(),
-            words: vec![
-                "Each instant is taken for itself: its modes are those of small departures that are over before the flight has changed. \
-                 The nutation is fast enough for that; the slow modes of a flight that is not steady are a guide only."
-                    .into(),
-            ],
-            figures: vec![along(&found.flight)],
-            ..Section::default()
-        });
+        let figure = along(&found.flight);
+        let mut section = Html::new();
+        section.paragraph(
+            "Each instant is taken for itself: its modes are those of small departures that are over before the flight has changed. \
+             The nutation is fast enough for that; the slow modes of a flight that is not steady are a guide only.",
+        );
+        section.figure(&figure, true);
+        body.section("flight", "Along the flight", section);
+        figures.push(figure);
     }
-    sections.push(Section {
-        title: "Over speed and spin".into(),
-        words: vec!["The throw of the release, at other speeds and spins.".into()],
-        figures: vec![over(&found.map)],
-        ..Section::default()
-    });
-    Sheet {
-        kind: "hyzer stability".into(),
+    let figure = over(&found.map);
+    let mut section = Html::new();
+    section.paragraph("The throw of the release, at other speeds and spins.");
+    section.figure(&figure, true);
+    body.section("speed-and-spin", "Over speed and spin", section);
+    figures.push(figure);
+    body.note(concat!("hyzer ", env!("CARGO_PKG_VERSION")));
+    let page = Page {
+        kind: "hyzer stability",
         title: format!("Stability of {model}"),
-        lead: lead(found),
-        warnings: match found.release.modes.is_symmetric {
-            true => Vec::new(),
-            false => vec![
-                "The motion depends on the turn about the body's axis. For a spinning body the modes are those of an instant alone, and \
-                 the criteria do not apply."
-                    .into(),
-            ],
-        },
-        sections,
-    }
+        body,
+        ..Page::default()
+    };
+    (page, figures)
 }
 
-fn lead(found: &Found) -> Vec<String> {
-    let mut lead = Vec::new();
-    if let Some(mode) = nutation(&found.release.modes) {
-        lead.push(format!(
-            "At release the axis circles at {:.2} rad/s ({:.2} Hz) and its wobble {} at {:.3} 1/s.",
-            mode.frequency(),
-            mode.frequency() / std::f64::consts::TAU,
-            if mode.decay() >= 0.0 {
-                "decays"
-            } else {
-                "grows"
-            },
-            mode.decay().abs()
-        ));
-    }
-    let growing = found
-        .release
-        .modes
-        .modes
-        .iter()
-        .filter(|mode| mode.decay() < -1e-6);
-    let names: Vec<String> = growing
-        .map(|m| format!("{} ({:.3} 1/s)", m.kind.name(), -m.decay()))
-        .collect();
-    lead.push(match names.is_empty() {
-        true => "None of its modes grows.".into(),
-        false => format!("Growing: {}.", names.join(", ")),
-    });
-    lead
-}
-
-fn table(modes: &Modes) -> Table {
+/// Table of the modes of the linearised motion.
+pub fn table(modes: &Modes) -> Table {
     let head = [
-        "mode",
         "frequency, rad/s",
         "decay, 1/s",
         "damping ratio",
+        "period, s",
         "axis",
         "path",
         "speed",
         "spin",
     ];
-    let rows = modes.modes.iter().map(|mode| {
-        let mut row = vec![
+    let mut table = Table::new()
+        .with(Column::Name, &["mode"])
+        .with(Column::Number, &head);
+    for mode in &modes.modes {
+        let frequency = Some(mode.frequency()).filter(|f| *f > 1e-9);
+        let period = frequency.map(|f| format!("{:.4}", std::f64::consts::TAU / f));
+        let mut row: Vec<Cell> = vec![
             mode.kind.name().into(),
-            format!("{:.4}", mode.frequency()),
-            format!("{:.5}", mode.decay()),
-            format!("{:.4}", mode.damping_ratio()),
+            format!("{:.4}", mode.frequency()).into(),
+            format!("{:.5}", mode.decay()).into(),
+            format!("{:.4}", mode.damping_ratio()).into(),
+            period.unwrap_or_default().into(),
         ];
-        row.extend(mode.shares.map(|share| format!("{:.0} %", 100.0 * share)));
-        row
-    });
-    Table {
-        head: head.map(String::from).to_vec(),
-        rows: rows.collect(),
+        let shares = mode.shares.map(|share| format!("{:.0} %", 100.0 * share));
+        row.extend(shares.map(Cell::from));
+        table.row(row);
     }
+    table
 }
 
-fn along(flight: &[Instant]) -> SheetFigure {
+fn along(flight: &[Instant]) -> Figure {
     let of = |value: &dyn Fn(&Instant) -> f64| {
         flight
             .iter()
@@ -138,16 +102,14 @@ fn along(flight: &[Instant]) -> SheetFigure {
         name: name.into(),
         points,
     };
-    let fast = |i: &Instant, of: &dyn Fn(&analysis::stability::Mode) -> f64| {
-        nutation(&i.modes).map_or(f64::NAN, of)
-    };
+    let fast = |i: &Instant, of: &dyn Fn(&Mode) -> f64| nutation(&i.modes).map_or(f64::NAN, of);
     let panel = |title: &str, lines| Panel {
         title: title.into(),
         across: "time, s".into(),
         lines,
         ..Panel::default()
     };
-    let slow = |of: &dyn Fn(&analysis::stability::Mode) -> f64| {
+    let slow = |of: &dyn Fn(&Mode) -> f64| {
         let points = flight.iter().flat_map(|i| {
             let modes = i
                 .modes
@@ -165,43 +127,36 @@ fn along(flight: &[Instant]) -> SheetFigure {
         }],
         ..panel(title, Vec::new())
     };
-    SheetFigure {
-        name: "modes".into(),
-        title: "Modes along the flight".into(),
-        caption:
-            "Blue: eigenvalues of the whole body. Red, dashed: the closed forms of the criteria."
-                .into(),
-        panels: vec![
-            panel(
-                "Frequency of the nutation, rad/s",
-                vec![
-                    line(
-                        "modes",
-                        of(&|i| fast(i, &analysis::stability::Mode::frequency)),
-                    ),
-                    line("closed", of(&|i| i.criteria.nutation)),
-                ],
-            ),
-            panel(
-                "Decay of the nutation, 1/s",
-                vec![
-                    line("modes", of(&|i| fast(i, &analysis::stability::Mode::decay))),
-                    line("closed", of(&|i| i.criteria.nutation_decay)),
-                ],
-            ),
-            dots(
-                "Decay of the slow modes, 1/s",
-                slow(&analysis::stability::Mode::decay),
-            ),
-            dots(
-                "Their frequencies, rad/s",
-                slow(&analysis::stability::Mode::frequency),
-            ),
-        ],
-    }
+    let panels = [
+        panel(
+            "Frequency of the nutation, rad/s",
+            vec![
+                line("modes", of(&|i| fast(i, &Mode::frequency))),
+                line("closed", of(&|i| i.criteria.nutation)),
+            ],
+        ),
+        panel(
+            "Decay of the nutation, 1/s",
+            vec![
+                line("modes", of(&|i| fast(i, &Mode::decay))),
+                line("closed", of(&|i| i.criteria.nutation_decay)),
+            ],
+        ),
+        dots("Decay of the slow modes, 1/s", slow(&Mode::decay)),
+        dots("Their frequencies, rad/s", slow(&Mode::frequency)),
+    ];
+    let caption =
+        "Blue: eigenvalues of the whole body. Red, dashed: the closed forms of the criteria.";
+    Figure::of_panels(
+        "modes",
+        "Modes along the flight",
+        caption,
+        Layout::COLUMN,
+        &panels,
+    )
 }
 
-fn over(map: &[Instant]) -> SheetFigure {
+fn over(map: &[Instant]) -> Figure {
     let mut speeds: Vec<f64> = map.iter().map(|i| i.throw.speed).collect();
     speeds.dedup();
     let step = speeds.len().div_ceil(LINES).max(1);
@@ -232,36 +187,39 @@ fn over(map: &[Instant]) -> SheetFigure {
         own.map(|i| (i.throw.spin.unwrap_or(0.0), i.throw.speed))
             .collect::<Vec<_>>()
     };
-    SheetFigure {
-        name: "map".into(),
-        title: "Over speed and spin".into(),
-        caption: "Last panel: dots where all three criteria hold, crosses where one fails.".into(),
-        panels: vec![
-            panel(
-                "Frequency of the fast mode, rad/s",
-                &|i| nutation(&i.modes).map_or(f64::NAN, analysis::stability::Mode::frequency),
-                Vec::new(),
-            ),
-            panel(
-                "Least decay of the other modes, 1/s",
-                &|i| slowest(&i.modes),
-                vec![0.0],
-            ),
-            Panel {
-                title: "Criteria: speed, m/s".into(),
-                across: "spin, rpm".into(),
-                dots: vec![
-                    Dots {
-                        look: Look::Colour(0),
-                        points: points(true),
-                    },
-                    Dots {
-                        look: Look::Cross,
-                        points: points(false),
-                    },
-                ],
-                ..Panel::default()
-            },
-        ],
-    }
+    let panels = [
+        panel(
+            "Frequency of the fast mode, rad/s",
+            &|i| nutation(&i.modes).map_or(f64::NAN, Mode::frequency),
+            Vec::new(),
+        ),
+        panel(
+            "Least decay of the other modes, 1/s",
+            &|i| slowest(&i.modes),
+            vec![0.0],
+        ),
+        Panel {
+            title: "Criteria: speed, m/s".into(),
+            across: "spin, rpm".into(),
+            dots: vec![
+                Dots {
+                    look: Look::Colour(0),
+                    points: points(true),
+                },
+                Dots {
+                    look: Look::Cross,
+                    points: points(false),
+                },
+            ],
+            ..Panel::default()
+        },
+    ];
+    let caption = "Last panel: dots where all three criteria hold, crosses where one fails.";
+    Figure::of_panels(
+        "map",
+        "Over speed and spin",
+        caption,
+        Layout::COLUMN,
+        &panels,
+    )
 }

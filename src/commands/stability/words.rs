@@ -1,101 +1,60 @@
-//! Output of a stability analysis as text, JSON and CSV.
+//! Sentences of a stability analysis, and its JSON and CSV.
 
 use std::fmt::Write;
 
-use analysis::stability::{Criteria, Instant, Mode, ModeKind, Modes};
+use analysis::stability::{Criteria, Instant, Mode, ModeKind, Modes, Trim};
 use serde_json::{Value, json};
 
 use super::Found;
 
-/// Text of the modes and stability criteria in `found`, for the terminal.
-pub fn table(model: &str, found: &Found) -> String {
-    let mut text = format!("{model}: modes at release\n");
-    text += &modes(&found.release.modes);
-    for line in of_criteria(&found.release) {
-        let _ = writeln!(text, "  {line}");
-    }
-    match &found.trim {
-        Some((trim, of_trim)) => {
-            let throw = &trim.throw;
-            let _ = writeln!(
-                text,
-                "steady flight at this spin: {:.2} m/s, {:.2} deg below the horizontal, nose {:.2} deg, hyzer {:.2} deg, turning \
-                 {:+.2} deg/s",
-                throw.speed,
-                -throw.launch,
-                throw.nose.unwrap_or(0.0),
-                throw.hyzer.unwrap_or(0.0),
-                trim.turn.to_degrees()
-            );
-            text += &modes(of_trim);
-        }
-        None => text.push_str("no steady flight was found at this spin\n"),
-    }
-    if let (Some(first), Some(last)) = (found.flight.first(), found.flight.last()) {
-        let _ = writeln!(
-            text,
-            "along the flight, {:.2} s, the modes of each instant:",
-            last.time
-        );
-        let _ = writeln!(
-            text,
-            "  {:>7} {:>8} {:>22} {:>12}",
-            "time, s", "m/s", "nutation, rad/s", "decay, 1/s"
-        );
-        let step = (found.flight.len() / 8).max(1);
-        for instant in found
-            .flight
-            .iter()
-            .step_by(step)
-            .chain([last])
-            .take_while(|i| i.time >= first.time)
-        {
-            let nutation = nutation(&instant.modes);
-            let (frequency, decay) =
-                nutation.map_or((f64::NAN, f64::NAN), |m| (m.frequency(), m.decay()));
-            let _ = writeln!(
-                text,
-                "  {:>7.3} {:>8.2} {frequency:>22.3} {decay:>12.3}",
-                instant.time, instant.throw.speed
-            );
-        }
-    }
-    let stable = found.map.iter().filter(|i| i.criteria.is_stable()).count();
-    let _ = writeln!(
-        text,
-        "over speed and spin: all three criteria hold at {stable} of {} points",
-        found.map.len()
-    );
-    text
+/// Warning on the modes of a body that is no body of revolution.
+pub const INSTANT: &str = "The motion depends on the turn about the body's axis. For a spinning body the modes are those of an instant alone, and \
+     the criteria do not apply.";
+
+/// Sentence on the steady flight at the spin of release.
+pub fn steady(trim: &Trim) -> String {
+    format!(
+        "At the spin of release, held, the body can fly at {:.2} m/s, {:.2}° below the horizontal, nose {:.2}°, hyzer {:.2}°, \
+         its heading turning by {:+.2}°/s. Its modes there:",
+        trim.throw.speed,
+        -trim.throw.launch,
+        trim.throw.nose.unwrap_or(0.0),
+        trim.throw.hyzer.unwrap_or(0.0),
+        trim.turn.to_degrees()
+    )
 }
 
-/// Text table of the modes of the linearised motion: one line per mode with frequency, decay rate, damping ratio and
-/// period.
-fn modes(of: &Modes) -> String {
-    let mut text = format!(
-        "  {:14} {:>12} {:>12} {:>9} {:>10}\n",
-        "mode", "rad/s", "decay, 1/s", "damping", "period, s"
-    );
-    for mode in &of.modes {
-        let period = match mode.frequency() {
-            f if f > 1e-9 => format!("{:.4}", std::f64::consts::TAU / f),
-            _ => String::new(),
-        };
-        let _ = writeln!(
-            text,
-            "  {:14} {:>12.4} {:>12.5} {:>9.4} {period:>10}",
-            mode.kind.name(),
+/// Sentences on the nutation at release and on the modes that grow.
+pub fn lead(found: &Found) -> Vec<String> {
+    let mut lead = Vec::new();
+    if let Some(mode) = nutation(&found.release.modes) {
+        lead.push(format!(
+            "At release the axis circles at {:.2} rad/s ({:.2} Hz) and its wobble {} at {:.3} 1/s.",
             mode.frequency(),
-            mode.decay(),
-            mode.damping_ratio()
-        );
+            mode.frequency() / std::f64::consts::TAU,
+            if mode.decay() >= 0.0 {
+                "decays"
+            } else {
+                "grows"
+            },
+            mode.decay().abs()
+        ));
     }
-    if !of.is_symmetric {
-        text.push_str(
-            "  The motion depends on the turn about the body's axis: for a spinning body these modes are those of an instant alone.\n",
-        );
-    }
-    text
+    let growing = found
+        .release
+        .modes
+        .modes
+        .iter()
+        .filter(|mode| mode.decay() < -1e-6);
+    let names: Vec<String> = growing
+        .map(|m| format!("{} ({:.3} 1/s)", m.kind.name(), -m.decay()))
+        .collect();
+    lead.push(if names.is_empty() {
+        "None of its modes grows.".into()
+    } else {
+        format!("Growing: {}.", names.join(", "))
+    });
+    lead
 }
 
 /// Sentences on the aerodynamic derivatives and the stability criteria at one instant of a flight.

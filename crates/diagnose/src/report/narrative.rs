@@ -1,97 +1,247 @@
-//! Summary of a diagnosis as text.
+//! Sentences of a diagnosis, which report, page and terminal share.
 
-use super::types::{Consensus, Explanation, ExplanationEffect, LoadChannel, Report, Verdict};
+use identify::numbers::{Digits, millimetres, percent, probability, stated, unit};
+use identify::wording::{count, names, sentence};
+
+use super::types::{
+    Consensus, Estimate, Explanation, ExplanationEffect, LoadChannel, Report, Verdict,
+};
 use crate::selection::{StepwiseModel, StepwiseTerm};
-use crate::text::{millimetres, three_figures};
 use crate::validation::{PredictiveGain, Validated};
 
 /// Minimum bias of a coefficient caused by the missing effect, in standard errors of the coefficient, for the summary
 /// of the report to name the coefficient.
 const MIN_BIAS: f64 = 3.0;
 
-/// Maximum number of flights that a sentence of the report lists by name.
-const MAX_NAMES: usize = 16;
+impl Report {
+    /// Sentence that states the verdict.
+    pub fn verdict_sentence(&self) -> String {
+        let lacks = |what: &str| match self.explanations.first() {
+            Some(found) => format!("The model lacks {what}: {}.", found.name()),
+            None => format!("The model lacks {what}."),
+        };
+        match (self.verdict, self.explanations.as_slice()) {
+            (Verdict::Adequate, _) => "No model error detected.".to_owned(),
+            (Verdict::Identified, [found, ..]) if found.effects.len() > 1 => format!(
+                "The model lacks {} effects, {}.",
+                found.effects.len(),
+                found.name()
+            ),
+            (Verdict::Identified, []) => "The model lacks an effect.".to_owned(),
+            (Verdict::Identified, _) => lacks("one effect"),
+            (Verdict::Ambiguous, [] | [_]) => {
+                "The model lacks an effect, but these flights cannot show which.".to_owned()
+            }
+            (Verdict::Ambiguous, all) => format!(
+                "The model lacks one of {} effects; these flights cannot distinguish them.",
+                all.len()
+            ),
+            (Verdict::Unattributed, _) => {
+                "The model lacks an effect that is not in the catalogue.".to_owned()
+            }
+            (Verdict::Negligible, _) => lacks("an effect below the smallest size of interest"),
+        }
+    }
+
+    /// Sentences on the reduction of the prediction error by the effects added to the model, or the reason why it was
+    /// not measured.
+    pub fn gain_sentences(&self) -> String {
+        match (&self.predictive_gain, &self.extended_model) {
+            (Some(gain), _) => gain.sentences(),
+            (None, Some(_)) => {
+                "The gain on flights that were not fitted could not be measured.".to_owned()
+            }
+            (None, None) => "The model is not extended.".to_owned(),
+        }
+    }
+}
+
+impl Verdict {
+    /// Name of the verdict, as in `report.json`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Verdict::Adequate => "adequate",
+            Verdict::Identified => "identified",
+            Verdict::Ambiguous => "ambiguous",
+            Verdict::Unattributed => "unattributed",
+            Verdict::Negligible => "negligible",
+        }
+    }
+}
+
+impl Explanation {
+    /// Names of the effects of the explanation, in one text.
+    pub fn name(&self) -> String {
+        let effects: Vec<&str> = self.effects.iter().map(|e| e.name.as_str()).collect();
+        match effects.len() {
+            0 => "an explanation without effects".to_owned(),
+            1 => names(&effects),
+            _ => format!("{} together", names(&effects)),
+        }
+    }
+
+    /// Sentences on the effects of the explanation and their estimates.
+    fn sentences(&self) -> String {
+        let effects = self.effects.iter().map(|effect| {
+            let estimates = effect.estimates.iter();
+            let estimates: Vec<String> = estimates.map(|(name, e)| e.text(name)).collect();
+            format!(
+                " {} Acts on: {}; {}.",
+                effect.sentence(),
+                effect.site,
+                estimates.join(", ")
+            )
+        });
+        effects.collect()
+    }
+}
+
+impl ExplanationEffect {
+    /// Sentence on the effect, from its documentation.
+    pub fn sentence(&self) -> String {
+        match self.description.trim() {
+            "" => "It has no description.".to_owned(),
+            doc => sentence(&doc.replace('\n', " ")),
+        }
+    }
+}
+
+impl Estimate {
+    /// The estimate with its standard error as text, such as `C_L0 = 0.188 ± 0.003 1/rad`; `name` is its coefficient.
+    pub fn text(&self, name: &str) -> String {
+        let digits = Digits::of(self.value, self.std_error);
+        let (value, error) = (digits.one(self.value), digits.one(self.std_error));
+        let text = format!("{name} = {value} ± {error} {}", unit(&self.unit));
+        text.trim_end().to_owned()
+    }
+}
+
+impl PredictiveGain {
+    /// Reduction of the RMS prediction error with its standard error, such as `19.4 ± 0.4 mm`.
+    pub fn text(&self) -> String {
+        let (value, error) = (1e3 * self.error_reduction_m(), 1e3 * self.std_error_m);
+        if !(error.is_finite() && error > 0.0) {
+            return millimetres(self.error_reduction_m());
+        }
+        let digits = Digits::of(value, error);
+        format!("{} ± {}\u{a0}mm", digits.one(value), digits.one(error))
+    }
+
+    /// Sentences on the prediction errors without and with the added effects, over all flights and flight by flight.
+    fn sentences(&self) -> String {
+        let on = match (self.held_out_by_dataset, self.flights) {
+            (true, 0) => "On held-out flights".to_owned(),
+            (true, 1) => "On the one held-out flight".to_owned(),
+            (true, n) => format!("On {n} held-out flights"),
+            (false, n) => format!("By cross-validation over {}", count(n, "flight")),
+        };
+        let first = "it in the first part already, on which the initial state is fitted, and";
+        let without = match self.without {
+            0 => String::new(),
+            1 => format!(" One of them contradicts {first} is predicted without it."),
+            n => format!(" {n} of them contradict {first} are predicted without it."),
+        };
+        let mut text = format!(
+            "{on} the RMS prediction error per coordinate is {} without the extension and {} with it: a gain of {}.{without} \
+             The noise, {}, is the lower limit of any model.",
+            millimetres(self.rms_before_m),
+            millimetres(self.rms_after_m),
+            self.text(),
+            millimetres(self.noise_m)
+        );
+        let compared = self.improved + self.worsened;
+        if compared > 0 {
+            text += &format!(
+                " {} of {} improve{} (sign test p = {}); the median RMS error over flights changes from {} to {}.",
+                self.improved,
+                count(compared, "flight"),
+                if self.improved == 1 { "s" } else { "" },
+                probability(self.sign_test_p_value),
+                millimetres(self.median_before_m),
+                millimetres(self.median_after_m)
+            );
+        }
+        for (number, by) in [
+            (self.predicted_only_after, "with"),
+            (self.predicted_only_before, "without"),
+        ] {
+            if number > 0 {
+                let flights = count(number, "more flight");
+                text += &format!(" {flights} can be computed only {by} the added effects.");
+            }
+        }
+        if !self.set_apart.is_empty() {
+            let files = names(&self.set_apart);
+            text +=
+                &format!(" Set apart, because no model follows them, and not counted: {files}.");
+        }
+        text
+    }
+}
 
 /// Summary text of the report, one paragraph: the verdict, the agreement of the flights, the gain in prediction error,
 /// and the coefficients that the missing effect biased.
 pub(crate) fn summary(report: &Report) -> String {
-    let mut text = answer(report);
+    let mut text = report.verdict_sentence() + &details(report);
     if let Some(consensus) = &report.consensus {
-        text.push_str(&agreement(consensus));
+        text += &agreement(consensus);
     }
-    if let Some(gain) = &report.predictive_gain {
-        text.push_str(&prediction(gain));
+    if report.predictive_gain.is_some() {
+        text += &format!(" {}", report.gain_sentences());
     }
-    text.push_str(&omitted_variable_bias(report));
-    text
+    text + &omitted_variable_bias(report)
 }
 
-fn answer(report: &Report) -> String {
-    let model = &report.model;
+/// Sentences on the verdict's reasons: the tests, the explanations, or the terms outside the catalogue.
+fn details(report: &Report) -> String {
+    let first = report.explanations.first();
     match report.verdict {
         Verdict::Adequate => format!(
-            "No error of the model {model} is detected: none of {} candidate effects is significant (familywise p-value {}).",
-            report.tests.len(),
-            three_figures(report.threshold.alpha)
+            " None of {} is significant (familywise p-value {}).",
+            count(report.tests.len(), "candidate effect"),
+            stated(report.threshold.alpha)
         ),
-        Verdict::Identified => format!(
-            "The model {model} lacks {}",
-            described(&report.explanations[0])
-        ),
-        Verdict::Negligible => format!(
-            "The model {model} lacks a significant but negligible effect: {}",
-            described(&report.explanations[0])
-        ),
+        Verdict::Identified | Verdict::Negligible => {
+            first.map_or_else(String::new, Explanation::sentences)
+        }
         Verdict::Ambiguous => {
-            if let Some(undecided) = undecided(&report.explanations) {
-                return format!(
-                    "The model {model} lacks {} These flights do not decide whether it lacks {undecided} too.",
-                    described(&report.explanations[0])
-                );
-            }
-            let names: Vec<String> = report.explanations.iter().map(name).collect();
+            let all: Vec<String> = report.explanations.iter().map(Explanation::name).collect();
+            let Some(first) = first else {
+                return String::new();
+            };
+            let undecided = undecided(&report.explanations).map(|effect| {
+                format!(" These flights do not decide whether the model lacks {effect} too.")
+            });
             format!(
-                "The model {model} lacks an effect, and these flights do not tell which of {}: {}. The best fit: {}",
-                report.explanations.len(),
-                names.join("; "),
-                described(&report.explanations[0])
+                " They are: {}.{} The best fit: {}.{}",
+                all.join("; "),
+                undecided.unwrap_or_default(),
+                first.name(),
+                first.sentences()
             )
         }
-        Verdict::Unattributed => unattributed_answer(report),
+        Verdict::Unattributed => {
+            let found = report.unattributed.as_ref();
+            let found = found.map(|found| format!(" {}", found.description));
+            let written =
+                first.map(|first| format!(" An effect was written for it: {}.", first.name()));
+            found.unwrap_or_default() + &written.unwrap_or_default()
+        }
     }
 }
 
-/// If there are two explanations (`explanations`), and the second consists of all effects of the first and one more effect:
-/// name of this further effect; otherwise `None`.
-fn undecided(explanations: &[Explanation]) -> Option<String> {
+/// If there are two explanations, and the second consists of all effects of the first and one more effect: name of this
+/// further effect; otherwise `None`.
+fn undecided(explanations: &[Explanation]) -> Option<&str> {
     let [first, second] = explanations else {
         return None;
     };
     let is_in_first = |name: &str| first.effects.iter().any(|effect| effect.name == name);
-    let more = second
-        .effects
-        .iter()
-        .filter(|effect| !is_in_first(&effect.name));
-    let more: Vec<&str> = more.map(|effect| effect.name.as_str()).collect();
-    match &more[..] {
-        [more] if second.effects.len() == first.effects.len() + 1 => Some((*more).to_owned()),
+    let more = second.effects.iter().map(|effect| effect.name.as_str());
+    let more: Vec<&str> = more.filter(|name| !is_in_first(name)).collect();
+    match more[..] {
+        [more] if second.effects.len() == first.effects.len() + 1 => Some(more),
         _ => None,
-    }
-}
-
-fn unattributed_answer(report: &Report) -> String {
-    let model = &report.model;
-    match &report.unattributed {
-        Some(found) if !report.explanations.is_empty() => format!(
-            "The model {model} has a lack of fit that no candidate effect explains. {} An effect was written for it: {}.",
-            found.description,
-            name(&report.explanations[0])
-        ),
-        Some(found) => format!(
-            "The model {model} has a lack of fit that neither a candidate effect nor a term of the library explains. {}",
-            found.description
-        ),
-        None => format!("The model {model} has a lack of fit that no candidate effect explains."),
     }
 }
 
@@ -100,140 +250,48 @@ fn agreement(consensus: &Consensus) -> String {
     let mut text = format!(
         " {} flights agree on it (sign-flip test, p ≤ {}).",
         consensus.flights,
-        three_figures(consensus.p_value),
+        probability(consensus.p_value),
     );
     if let Some(explained) = consensus.explained_fraction {
-        text.push_str(&format!(
-            " It explains {:.0} % of the excess \u{3c7}\u{b2}; the rest differs from flight to flight and follows none of the laws \
-             that were tested. Standard errors are cluster-robust (by flight).",
-            100.0 * explained
-        ));
+        text += &format!(
+            " It explains {} of the excess χ²; the rest differs from flight to flight and follows none of the laws that were \
+             tested. Standard errors are cluster-robust (by flight).",
+            percent(explained)
+        );
     }
     if !consensus.discordant.is_empty() {
-        text.push_str(&format!(
+        text += &format!(
             " {} discordant flights are left out: check the quantities given for them ({}).",
             consensus.discordant.len(),
-            listed(&consensus.discordant)
-        ));
-    }
-    text
-}
-
-fn listed(names: &[String]) -> String {
-    match names.len().checked_sub(MAX_NAMES) {
-        Some(more) if more > 0 => format!("{} and {more} more", names[..MAX_NAMES].join(", ")),
-        _ => names.join(", "),
-    }
-}
-
-fn prediction(gain: &PredictiveGain) -> String {
-    let how = match gain.held_out_by_dataset {
-        true => "held-out flights",
-        false => "flights not used in the fit (2-fold cross-validation)",
-    };
-    let mut text = format!(
-        " The RMS prediction error on {how} falls from {} to {} (noise {}).",
-        millimetres(gain.rms_before_m),
-        millimetres(gain.rms_after_m),
-        millimetres(gain.noise_m)
-    );
-    if gain.error_reduction_m() < 0.0 {
-        text = text.replace(" falls from ", " rises from ");
-    }
-    text.push_str(&format!(
-        " {} of {} flights are predicted better, {} worse (median {} to {}).",
-        gain.improved,
-        gain.flights,
-        gain.worsened,
-        millimetres(gain.median_before_m),
-        millimetres(gain.median_after_m)
-    ));
-    for (count, by) in [
-        (gain.predicted_only_after, "with"),
-        (gain.predicted_only_before, "without"),
-    ] {
-        if count > 0 {
-            let flights = if count == 1 { "flight" } else { "flights" };
-            text.push_str(&format!(
-                " {count} more {flights} can be computed only {by} the added effects."
-            ));
-        }
-    }
-    if !gain.set_apart.is_empty() {
-        text.push_str(&format!(
-            " Set apart, as no model follows: {}.",
-            listed(&gain.set_apart)
-        ));
-    }
-    if gain.without > 0 {
-        text.push_str(&format!(
-            " {} of these {} flights contradict it in the segment on which their initial state is fitted, and are predicted without \
-             it.",
-            gain.without, gain.flights
-        ));
+            names(&consensus.discordant)
+        );
     }
     text
 }
 
 /// Sentence on the coefficients whose estimates were biased because the model lacked an effect; empty if none was.
 fn omitted_variable_bias(report: &Report) -> String {
-    let biased: Vec<String> = report
-        .coefficients
-        .iter()
-        .filter_map(|(name, c)| {
-            let before = c.before?;
-            let bias = (c.value - before) / c.std_error;
-            let change = || {
-                let (before, after) = (three_figures(before), three_figures(c.value));
-                format!("{name} from {before} to {after}")
-            };
-            (bias.abs() > MIN_BIAS).then(change)
+    let biased = report.coefficients.iter().filter_map(|(name, c)| {
+        let before = c.before?;
+        let bias = (c.value - before) / c.std_error;
+        let digits = Digits::of(c.value, c.std_error);
+        (bias.abs() > MIN_BIAS).then(|| {
+            format!(
+                "{name} from {} to {}",
+                digits.one(before),
+                digits.one(c.value)
+            )
         })
-        .collect();
-    match biased.is_empty() {
-        true => String::new(),
-        false => format!(
-            " Corrected for omitted-variable bias: {}.",
-            biased.join(", ")
-        ),
+    });
+    let biased: Vec<String> = biased.collect();
+    if biased.is_empty() {
+        return String::new();
     }
-}
-
-fn name(explanation: &Explanation) -> String {
-    let names: Vec<&str> = explanation
-        .effects
-        .iter()
-        .map(|e| e.name.as_str())
-        .collect();
-    names.join(" with ")
-}
-
-fn described(explanation: &Explanation) -> String {
-    let each: Vec<String> = explanation.effects.iter().map(described_effect).collect();
-    each.join(" And ")
-}
-
-fn described_effect(effect: &ExplanationEffect) -> String {
-    let values: Vec<String> = effect
-        .estimates
-        .iter()
-        .map(|(name, e)| {
-            let unit = if e.unit == "1" { "" } else { e.unit.as_str() };
-            let (value, error) = (three_figures(e.value), three_figures(e.std_error));
-            let text = format!("{name} = {value} ± {error} {unit}");
-            text.trim_end().to_owned()
-        })
-        .collect();
-    let doc = effect.description.replace('\n', " ");
-    let doc = doc.trim().trim_end_matches('.');
     format!(
-        "{} ({}): {doc}; {}.",
-        effect.name,
-        effect.site,
-        values.join(", ")
+        " Corrected for omitted-variable bias: {}.",
+        biased.join(", ")
     )
 }
-
 /// Sentence that explains why a hypothesis is not accepted although it leaves only noise in the residuals: it can fit
 /// almost any data and does not improve out-of-sample predictions.
 pub(crate) fn refused(validated: &Validated) -> String {
@@ -279,9 +337,10 @@ pub(crate) fn unattributed(model: &StepwiseModel, channels: &[LoadChannel]) -> S
         .iter()
         .map(|term| format!("{} by {}", term.site, term.formula))
         .collect();
-    let rest = match model.is_adequate {
-        true => "",
-        false => " A significant lack of fit remains.",
+    let rest = if model.is_adequate {
+        ""
+    } else {
+        " A significant lack of fit remains."
     };
     let beside = match model.effects.as_slice() {
         [] => String::new(),
@@ -300,52 +359,34 @@ pub(crate) fn unattributed(model: &StepwiseModel, channels: &[LoadChannel]) -> S
 mod tests {
     use super::*;
 
-    fn gain(after: f64) -> PredictiveGain {
-        PredictiveGain {
+    #[test]
+    fn a_prediction_error_falls_or_rises() {
+        let gain = |after: f64| PredictiveGain {
             rms_before_m: 0.02,
             rms_after_m: after,
             std_error_m: 0.001,
             noise_m: 0.0015,
             flights: 4,
-            without: 0,
             held_out_by_dataset: true,
             improved: 3,
             worsened: 1,
             set_apart: vec!["f9.csv".into()],
-            ..PredictiveGain::default()
-        }
-    }
-
-    #[test]
-    fn a_prediction_error_falls_or_rises() {
-        let text = prediction(&gain(0.002));
-        assert!(text.contains("falls from 20.0 mm to 2.0 mm"), "{text}");
-        assert!(
-            text.contains("3 of 4 flights are predicted better, 1 worse"),
-            "{text}"
-        );
-        assert!(
-            text.contains("Set apart, as no model follows: f9.csv"),
-            "{text}"
-        );
-        let text = prediction(&PredictiveGain {
             predicted_only_after: 3,
             predicted_only_before: 1,
-            ..gain(0.002)
-        });
-        assert!(
-            text.contains("3 more flights can be computed only with the added effects.")
-                && text.contains("1 more flight can be computed only without the added effects."),
-            "{text}"
-        );
-        let text = prediction(&gain(0.03));
-        assert!(text.contains("rises from 20.0 mm to 30.0 mm"), "{text}");
-    }
-
-    #[test]
-    fn long_lists_of_flights_are_shortened() {
-        let names: Vec<String> = (0..20).map(|i| format!("f{i}.csv")).collect();
-        assert!(listed(&names).ends_with("f15.csv and 4 more"));
-        assert_eq!(listed(&names[..2]), "f0.csv, f1.csv");
+            ..PredictiveGain::default()
+        };
+        let text = gain(0.002).sentences().replace('\u{a0}', " ");
+        for part in [
+            "On 4 held-out flights the RMS prediction error per coordinate is 20.0 mm without the extension and 2.00 mm with it",
+            "a gain of 18.0 ± 1.0 mm",
+            "3 of 4 flights improve",
+            "no model follows them, and not counted: f9.csv",
+            "3 more flights can be computed only with the added effects.",
+            "1 more flight can be computed only without the added effects.",
+        ] {
+            assert!(text.contains(part), "{part}: {text}");
+        }
+        let text = gain(0.03).sentences().replace('\u{a0}', " ");
+        assert!(text.contains("a gain of −10.0 ± 1.0 mm"), "{text}");
     }
 }

@@ -3,7 +3,7 @@
 use super::types::{Report, Unattributed, Verdict};
 use crate::context::display_name;
 use crate::extension::ExtendedModel;
-use crate::text::{millimetres, three_figures};
+use identify::numbers::{millimetres, significant};
 use identify::{LackOfFit, SmoothMisfit};
 
 /// Maximum number of flights whose largest smooth deviation is described in the report's text on the lack of fit.
@@ -44,7 +44,7 @@ pub(crate) fn describe_departures(report: &mut Report) {
     let says = departures(found);
     match (&mut report.unattributed, report.verdict) {
         (Some(unattributed), _) => {
-            unattributed.description = format!("{} {says}", unattributed.description);
+            unattributed.description = format!("{} {says}", unattributed.description)
         }
         (none, Verdict::Unattributed) => {
             *none = Some(Unattributed {
@@ -62,7 +62,7 @@ fn departures(found: &LackOfFit) -> String {
     let each: Vec<String> = each.map(departure).collect();
     format!(
         "The residuals are not noise (p = {}): {} beyond the noise of {} that no smooth motion can follow. The greatest largest_misfits: {}.",
-        three_figures(found.p_value),
+        significant(found.p_value, 3),
         millimetres(found.beyond_noise_m),
         millimetres(found.noise_m),
         each.join("; ")
@@ -81,7 +81,7 @@ fn departure(found: &SmoothMisfit) -> String {
     } = found;
     let size = match unit.as_str() {
         "" | "m" => millimetres(*size_m),
-        unit => format!("{} {unit}", three_figures(*size_m)),
+        unit => format!("{} {unit}", significant(*size_m, 3)),
     };
     let sign = if *size_m > 0.0 { "+" } else { "" };
     format!("{file}, {coordinate} by {sign}{size} at {from_s:.2} to {to_s:.2} s")

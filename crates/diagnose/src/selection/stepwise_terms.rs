@@ -15,7 +15,7 @@ use crate::context::{
 use crate::error::{DiagnosisError, if_possible};
 use crate::extension::ExtendedModel;
 use crate::score_test::{ScoreTest, ScoreTests};
-use crate::text::three_figures;
+use identify::numbers::significant;
 
 /// Maximum number of library terms selected by the stepwise regression.
 pub(crate) const MAX_SELECTED: usize = 4;
@@ -373,8 +373,8 @@ fn evidence(dataset: &str, flights: usize, term: Option<&StepwiseTerm>) -> Strin
         format!(
             " score \u{3c7}\u{b2}(1) = {:.0}, one-step estimate {} \u{b1} {}",
             term.score_chi2,
-            three_figures(term.value),
-            three_figures(term.std_error)
+            significant(term.value, 3),
+            significant(term.std_error, 3)
         )
     });
     format!("Found in {flights} flights of {dataset}, which no candidate effect explains:{test}.")

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use crate::noise::NoiseModel;
+use crate::numbers::{millimetres, probability};
 
 /// Result of the lack-of-fit test, which compares the residuals of a fit with the measurement noise. The noise is
 /// estimated from changes of the residuals that are too fast for any smooth motion.
@@ -53,4 +54,21 @@ pub struct SmoothMisfit {
     pub unit: String,
     /// p-value of the lack-of-fit test of this flight alone.
     pub p_value: f64,
+}
+
+impl LackOfFit {
+    /// Sentence on the result of the test.
+    pub fn sentence(&self) -> String {
+        let p = probability(self.p_value);
+        let floor = millimetres(self.noise_m);
+        if self.largest_misfits.is_empty() {
+            return format!(
+                "The residuals are compatible with noise of {floor} (lack-of-fit test, p = {p})."
+            );
+        }
+        format!(
+            "The residuals are not noise (lack-of-fit test, p = {p}): {} rms remain beyond the noise of {floor}.",
+            millimetres(self.beyond_noise_m)
+        )
+    }
 }

@@ -1,65 +1,116 @@
-//! Tables of the accepted explanations and of the throw that would best
-//! distinguish them.
+//! Accepted explanations and the throw that would best distinguish them.
 
-use diagnose::{Explanation, ExplanationEffect, ProposedThrow};
+use diagnose::{Explanation, ProposedThrow, Verdict};
 use model_spec::compose::ModelTree;
-use serde::Serialize;
 
 use super::{DiagnosisPage, words};
 use crate::equation::of_effect;
-use crate::fit::flights::short;
-use crate::fit::page::sentence;
-use crate::numbers::{Digits, millimetres, percent, plain, significant, stated, unit};
+use crate::html::Html;
+use crate::table::{Cell, Column, Table};
+use identify::numbers::{
+    Digits, equivalent_z, millimetres, percent, plain, probability, significant, stated, unit,
+};
+use identify::wording::{sentence, short};
 
 /// Maximum number of explanations shown in the HTML report.
-pub(super) const MAX_EXPLANATIONS: usize = 12;
+const MAX_EXPLANATIONS: usize = 12;
 
-/// Accepted explanation, with all values formatted as text.
-#[derive(Serialize)]
-pub(super) struct Section {
-    name: String,
-    /// Decrease of the weighted sum of squared residuals, χ², when the effects of the explanation are added to the
-    /// model; formatted.
-    chi2_decrease: String,
-    /// Fraction of the misfit beyond noise that the explanation explains, and RMS of the remaining residuals in excess
-    /// of the noise, both formatted; `None` if not computed.
-    explained_fraction: Option<[String; 2]>,
-    /// The most significant of the candidate effects outside the explanation, tested in the model that includes the
-    /// effects of the explanation: name and formatted p-value. `None` if no such candidate can be tested.
-    strongest_remaining: Option<[String; 2]>,
-    effects: Vec<Effect>,
-    /// Table rows of the coefficients of the effects that the explanation adds to the model.
-    rows: Vec<Row>,
+/// The accepted explanations of the report, best fit first, and the proposed throw.
+pub(super) fn section(page: &DiagnosisPage<'_>) -> Html {
+    let report = page.report;
+    let number = report.explanations.len();
+    let mut content = Html::new();
+    if number == 0 {
+        content.paragraph(match report.verdict {
+            Verdict::Adequate => {
+                "No effect of the catalogue is needed: the residuals are compatible with the noise."
+            }
+            Verdict::Unattributed if report.unattributed.is_some() => {
+                "No effect of the catalogue explains the residuals; see the section on terms outside it."
+            }
+            Verdict::Unattributed => "No effect of the catalogue explains the residuals.",
+            _ => "No effect is named.",
+        });
+    }
+    if number > 1 {
+        let throw = match report.proposed_throw {
+            Some(_) => "; a throw that would distinguish them is proposed below",
+            None => "",
+        };
+        content.paragraph(format!(
+            "These flights cannot distinguish the following explanations: each alone explains the residuals, and the \
+             data reject none. The best is first{throw}."
+        ));
+    }
+    for (i, found) in report
+        .explanations
+        .iter()
+        .take(MAX_EXPLANATIONS)
+        .enumerate()
+    {
+        let mut name = words::readable(&found.name());
+        if number > 1 {
+            name = format!("{}. {name}", i + 1);
+        }
+        content.element("div", "card", card(page, found, &name));
+    }
+    if number > MAX_EXPLANATIONS {
+        let more = number - MAX_EXPLANATIONS;
+        content.note(format!("{more} more explanations are in report.json."));
+    }
+    if let Some(next) = &report.proposed_throw {
+        content.element_with_id("div", "next-throw", "card", throw(next));
+    }
+    content
 }
 
-#[derive(Serialize)]
-struct Effect {
-    name: String,
-    doc: String,
-    /// Equations that the effect adds to the model or replaces, as MathML.
-    equations: Vec<String>,
+fn card(page: &DiagnosisPage<'_>, explanation: &Explanation, name: &str) -> Html {
+    let is_joint = explanation.effects.len() > 1;
+    let mut card = Html::from("\n");
+    card.heading(name);
+    for effect in &explanation.effects {
+        let mut text = Html::new();
+        if is_joint {
+            text = Html::strong(words::readable(&effect.name)).then(": ");
+        }
+        card.paragraph(text.then(effect.sentence()));
+        for equation in equations(page, &effect.name) {
+            card.scrolled("div", "equation", Html::trusted(equation));
+        }
+    }
+    card.table(&estimates(explanation));
+    card.note(share(explanation));
+    card
 }
 
-#[derive(Serialize)]
-struct Row {
-    /// Name of the effect, and number of table rows that the effect occupies. `None` in all rows of an effect but its
-    /// first.
-    effect: Option<(String, usize)>,
-    site: String,
-    variables: String,
-    score_chi2: String,
-    coefficient: String,
-    value: String,
-    error: String,
-    unit: String,
-    smallest_effect_of_interest: String,
-    is_negligible: bool,
-}
-
-/// Formats the accepted explanations of the report, best fit first; at most [`MAX_EXPLANATIONS`].
-pub(super) fn explanations(page: &DiagnosisPage<'_>) -> Vec<Section> {
-    let explanations = page.report.explanations.iter().take(MAX_EXPLANATIONS);
-    explanations.map(|found| section(page, found)).collect()
+/// Sentences on the misfit that the explanation takes away, and on what remains.
+pub(super) fn share(explanation: &Explanation) -> String {
+    let with = if explanation.effects.len() > 1 {
+        "them"
+    } else {
+        "it"
+    };
+    let explained = if explanation.explained_fraction > 0.0 {
+        format!(
+            " It explains {} of the misfit; {} rms remain beyond the noise.",
+            percent(explanation.explained_fraction),
+            millimetres(explanation.remaining_rms_m)
+        )
+    } else {
+        String::new()
+    };
+    let remaining = match &explanation.strongest_remaining {
+        Some(effect) => format!(
+            "The strongest remaining effect is {} (p = {}).",
+            effect.name,
+            probability(effect.p_value)
+        ),
+        None => "No other effect remains.".to_owned(),
+    };
+    format!(
+        "With {with} the weighted sum of squares falls by {}.{explained} {remaining}",
+        significant(explanation.chi2_decrease, 4)
+    )
 }
 
 /// Equations that the effect called `name` adds to the model or replaces, as MathML. They are taken from the extended
@@ -79,108 +130,101 @@ fn equations(page: &DiagnosisPage<'_>, name: &str) -> Vec<String> {
     alone.map_or_else(|_| Vec::new(), |model| of_effect(&model, &identifier))
 }
 
-fn section(page: &DiagnosisPage<'_>, explanation: &Explanation) -> Section {
-    let remaining = explanation.strongest_remaining.as_ref();
-    let effects = explanation.effects.iter().map(|e| Effect {
-        name: words::readable(&e.name),
-        equations: equations(page, &e.name),
-        doc: match e.description.trim() {
-            "" => "It has no description.".to_owned(),
-            doc => sentence(&doc.replace('\n', " ")),
-        },
-    });
-    Section {
-        name: words::readable(&words::explanation(explanation)),
-        chi2_decrease: significant(explanation.chi2_decrease, 4),
-        explained_fraction: (explanation.explained_fraction > 0.0).then(|| {
-            [
-                percent(explanation.explained_fraction),
-                millimetres(explanation.remaining_rms_m),
-            ]
-        }),
-        strongest_remaining: remaining.map(|r| [r.name.clone(), words::probability(r.p_value)]),
-        effects: effects.collect(),
-        rows: explanation.effects.iter().flat_map(rows).collect(),
+/// Table of the coefficients of the effects of an explanation; an effect without coefficients has one row.
+pub(super) fn estimates(explanation: &Explanation) -> Table {
+    use Column::{Name, Number, Plain, Text};
+    let is_joint = explanation.effects.len() > 1;
+    let mut table = Table::new().stacked();
+    if is_joint {
+        table = table.with(Name, &["effect"]);
     }
-}
-
-fn rows(effect: &ExplanationEffect) -> Vec<Row> {
-    let span = effect.estimates.len().max(1);
-    let empty = || Row {
-        effect: None,
-        site: words::site(&effect.site).to_owned(),
-        variables: if effect.variables.is_empty() {
+    table = table
+        .with(Plain, &["coefficient"])
+        .with(Number, &["value", "standard error"])
+        .with(Plain, &["unit"])
+        .with(Number, &["smallest effect of interest"])
+        .with(Plain, &["acts on"])
+        .with(Text, &["depends on"])
+        .with(Number, &["score χ²"]);
+    for effect in &explanation.effects {
+        let mut site = Html::from(words::site(&effect.site));
+        if effect.negligible {
+            site = site
+                .then(" ")
+                .then(Html::tag("below the smallest effect of interest"));
+        }
+        let variables = if effect.variables.is_empty() {
             "–".to_owned()
         } else {
             short(&effect.variables.join(", "))
-        },
-        score_chi2: significant(effect.score_chi2, 4),
-        coefficient: "–".to_owned(),
-        value: "–".to_owned(),
-        error: "–".to_owned(),
-        unit: String::new(),
-        smallest_effect_of_interest: String::new(),
-        is_negligible: effect.negligible,
-    };
-    let found = effect.estimates.iter().map(|(name, e)| {
-        let digits = Digits::of(e.value, e.std_error);
-        Row {
-            coefficient: name.clone(),
-            value: digits.one(e.value),
-            error: digits.one(e.std_error),
-            unit: unit(&e.unit),
-            smallest_effect_of_interest: e
-                .smallest_effect_of_interest
-                .map_or("–".to_owned(), stated),
-            ..empty()
+        };
+        let mut row = |estimate: [Cell; 5]| {
+            let mut cells: Vec<Cell> = Vec::new();
+            if is_joint {
+                cells.push((&effect.name).into());
+            }
+            cells.extend(estimate);
+            cells.extend([
+                site.clone().into(),
+                (&variables).into(),
+                significant(effect.score_chi2, 4).into(),
+            ]);
+            table.row(cells);
+        };
+        for (name, e) in &effect.estimates {
+            let digits = Digits::of(e.value, e.std_error);
+            let interest = e.smallest_effect_of_interest;
+            row([
+                name.into(),
+                digits.one(e.value).into(),
+                digits.one(e.std_error).into(),
+                unit(&e.unit).into(),
+                interest.map_or("–".to_owned(), stated).into(),
+            ]);
         }
-    });
-    let mut all: Vec<Row> = found.collect();
-    if all.is_empty() {
-        all.push(empty());
+        if effect.estimates.is_empty() {
+            row(["–".into(), "–".into(), "–".into(), "".into(), "".into()]);
+        }
     }
-    all[0].effect = Some((effect.name.clone(), span));
-    all
+    table
 }
 
-/// Throw that the diagnosis proposes as the next measurement, formatted as text.
-#[derive(Serialize)]
-pub(super) struct Throw {
-    description: String,
-    /// Launch conditions of the throw (speed, angles, spin): pairs of name and formatted value.
-    rows: Vec<(&'static str, String)>,
-    separation: String,
-    separation_now: String,
-}
-
-/// Formats the throw that would best distinguish the explanations, in the
-/// quantities common for disc throws.
-pub(super) fn throw(next: &ProposedThrow) -> Throw {
+/// The throw that would best distinguish the explanations, in the quantities common for disc throws.
+fn throw(next: &ProposedThrow) -> Html {
     let degrees = |radians: f64| format!("{}°", plain(radians.to_degrees(), 1));
-    let rpm = plain(next.spin / flight::throw::RPM, 0);
-    Throw {
-        description: sentence(&next.description),
-        rows: vec![
-            ("speed", format!("{}\u{a0}m/s", plain(next.speed, 1))),
-            (
-                "launch angle (velocity above the horizontal)",
-                degrees(next.launch),
-            ),
-            ("nose angle (angle of attack)", degrees(next.nose)),
-            (
-                "hyzer angle (tilt about the velocity, positive: left edge lower)",
-                degrees(next.hyzer),
-            ),
-            (
-                "spin (positive: clockwise from above)",
-                format!("{rpm}\u{a0}rpm"),
-            ),
-            (
-                "heading, from the x axis to the left",
-                degrees(next.heading),
-            ),
-        ],
-        separation: words::equivalent_z(next.separation),
-        separation_now: words::equivalent_z(next.separation_now),
+    let mut table = Table::new()
+        .with(Column::Name, &[""])
+        .with(Column::Plain, &[""]);
+    for (name, value) in [
+        ("speed", format!("{}\u{a0}m/s", plain(next.speed, 1))),
+        (
+            "launch angle (velocity above the horizontal)",
+            degrees(next.launch),
+        ),
+        ("nose angle (angle of attack)", degrees(next.nose)),
+        (
+            "hyzer angle (tilt about the velocity, positive: left edge lower)",
+            degrees(next.hyzer),
+        ),
+        (
+            "spin (positive: clockwise from above)",
+            format!("{}\u{a0}rpm", plain(next.spin / flight::throw::RPM, 0)),
+        ),
+        (
+            "heading, from the x axis to the left",
+            degrees(next.heading),
+        ),
+    ] {
+        table.row([name.into(), value.into()]);
     }
+    let mut card = Html::from("\n");
+    card.heading("The next throw");
+    card.paragraph(format!(
+        "{} With it the smallest difference between two explanations would be {} standard deviations; it is {} now.",
+        sentence(&next.description),
+        equivalent_z(next.separation),
+        equivalent_z(next.separation_now)
+    ));
+    card.table(&table);
+    card
 }

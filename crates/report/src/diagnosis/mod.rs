@@ -2,20 +2,25 @@
 
 mod coefficients;
 mod draw;
+mod evidence;
 mod explanations;
 mod finding;
 mod limits;
 mod page;
+mod text;
 mod words;
 
-use crate::fit::Figure;
+use crate::figure::Figure;
 use diagnose::Report;
 
 use identify::{Fit, FlightEvidence};
 
-pub use words::{
-    lack_of_fit as lack_of_fit_sentence, paired as paired_gain_sentence, verdict_name,
-};
+pub use text::text;
+
+/// Maximum number of rows of a table in the HTML report of a diagnosis.
+const MAX_ROWS: usize = 60;
+/// Maximum number of figures of missing loads, and of coefficient curves, that are expanded when the page is opened.
+const OPEN: usize = 6;
 
 /// Input of the HTML report of a diagnosis.
 #[derive(Clone, Copy, Debug)]

@@ -1,135 +1,198 @@
-//! HTML page of a diagnosis, rendered from a template.
+//! HTML page of a diagnosis.
 
 use dataset::Role;
-use diagnose::{Report, Verified};
-use identify::wording::count;
-use minijinja::context;
-use minijinja::value::Value;
+use diagnose::Report;
 
-use super::draw::{self, Figures};
+use super::draw::Figures;
 use super::finding::Finding;
-use super::{DiagnosisPage, coefficients, explanations, limits, words};
-use crate::data_faults;
-use crate::figures::svg::STYLE;
-use crate::fit::Drawn;
-use crate::fit::flights::short;
-use crate::fit::page::{capitalized, one, plain_values, reached, rendered, sentence, shown};
-use crate::fit::words::names;
-use crate::numbers::{millimetres, percent, plain};
+use super::{DiagnosisPage, coefficients, evidence, explanations, limits, words};
+use crate::figure::Figure;
+use crate::html::Html;
+use crate::page::Page;
+use crate::table::{Column, Table};
+use identify::wording::{counted, durations, names, sentence, short, truncated};
 
 /// Maximum number of characters of the extended model's text shown in the HTML report.
 const MAX_TEXT: usize = 60_000;
 /// Maximum number of notes shown in the HTML report of a diagnosis. The same maximum applies to the list of
 /// verification checks of the extended model.
 const MAX_NOTES: usize = 40;
-/// Maximum number of figures of the loads that the model lacks (one for each force or moment component) that are
-/// expanded when the page is opened. The same maximum applies to figures of coefficient curves.
-const OPEN: usize = 6;
 
 /// Renders the self-contained HTML page of the diagnosis.
 pub(super) fn html(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figures) -> String {
     let report = page.report;
-    let (curves, more_curves) = split(&figures.curves);
-    let (channels, more_channels) = split(&figures.channels);
-    let seconds = report.seconds.iter().filter(|(_, s)| s.is_finite());
-    let seconds: Vec<String> = seconds
-        .map(|(what, s)| format!("{what} {} s", plain(*s, 2)))
-        .collect();
-    let notes: Vec<String> = report
-        .notes
-        .iter()
-        .take(MAX_NOTES)
-        .map(|n| sentence(n))
-        .collect();
-    let reasons = page.report.cautions.iter();
-    let cautions: Vec<String> = reasons.map(|reason| capitalized(reason)).collect();
-    let number = |role| report.flights.iter().filter(|f| f.role == role).count();
-    let looked_for = report.tests.len();
-    let alarms = report.tests.iter().filter(|c| c.significant).count();
-    let unattributed = report.unattributed.as_ref();
-    let context = context! {
-        css => Value::from_safe_string(include_str!("../fit/page.css").to_owned() + include_str!("page.css")),
-        style => Value::from_safe_string(STYLE.to_owned() + draw::STYLE),
-        model => &report.model,
-        dataset => &report.dataset,
-        effects => names(&report.effects),
-        kind => words::verdict_name(report.verdict),
-        verdict => words::verdict(report),
-        summary => report.summary.trim(),
-        finding => plain_values(finding),
-        finding_figure => figures.finding.iter().map(|f| one(&reached(f))).collect::<Vec<_>>(),
-        gain => words::gain(report),
-        paired => report.predictive_gain.as_ref().and_then(words::paired),
-        lack_of_fit => report.lack_of_fit.as_ref().map(|test| plain_values(&limits::lack_of_fit(test))),
-        notes => plain_values(&notes),
-        cautions => plain_values(&cautions),
-        faults => plain_values(&data_faults::table(&report.data_faults)),
-        gain_figure => figures.gain.iter().map(|f| one(&reached(f))).collect::<Vec<_>>(),
-        explanations => plain_values(&explanations::explanations(page)),
-        more_explanations => report.explanations.len().saturating_sub(explanations::MAX_EXPLANATIONS),
-        throw => report.proposed_throw.as_ref().map(|t| plain_values(&explanations::throw(t))),
-        candidates => figures.score_tests.iter().map(one).collect::<Vec<_>>(),
-        score_correlations => figures.score_correlations.iter().map(one).collect::<Vec<_>>(),
-        scores => plain_values(&limits::scores(report)),
-        looked_for => count(looked_for, "effect"),
-        alarms,
-        predictions => shown(&figures.predictions),
-        residuals => shown(&figures.residuals),
-        curves => shown(curves),
-        more_curves => shown(more_curves),
-        unmoved => names(&draw::unmoved(page)),
-        flights_figure => figures.flights.iter().map(one).collect::<Vec<_>>(),
-        flights => plain_values(&limits::flights(report)),
-        shown_by => if page.after.is_empty() { "" } else { " · extended" },
-        fitted => number(Role::Fit),
-        held_out => number(Role::HeldOut),
-        coefficients => plain_values(&coefficients::rows(report)),
-        extended => coefficients::extended(report),
-        not_identifiable => plain_values(&limits::not_identifiable(report)),
-        detectable => plain_values(&limits::detectable(report)),
-        unattributed => unattributed.map(|o| o.description.trim()),
-        channels => shown(channels),
-        more_channels => shown(more_channels),
-        terms => unattributed.map(|o| plain_values(&limits::terms(&o.terms))),
-        extended_model => &report.extended_model,
-        extended_text => page.extended.map(beginning),
-        verified => report.verified.as_ref().map(verified),
-        noise => noise(report),
-        schema => &report.schema,
-        seconds => seconds.join(", "),
+    let mut body = Html::new();
+    body.unreliable(&report.cautions, "diagnosis");
+    body.element_with_id("section", "summary", "", summary(page, finding, figures));
+    body.data_faults(&report.data_faults);
+    let title = match report.explanations.len() {
+        0 => "No explanation",
+        1 => "Explanation",
+        _ => "Possible explanations",
     };
-    rendered(include_str!("page.html"), context)
-}
-
-fn split(drawn: &[Drawn]) -> (&[Drawn], &[Drawn]) {
-    drawn.split_at(OPEN.min(drawn.len()))
-}
-
-/// Truncates the text of a model file to [`MAX_TEXT`] characters.
-fn beginning(text: &str) -> String {
-    let mut shown: String = text.chars().take(MAX_TEXT).collect();
-    if shown.len() < text.len() {
-        shown.push('…');
+    body.section("explanations", title, explanations::section(page));
+    body.section("evidence", "Evidence", evidence::section(page, figures));
+    let coefficients = coefficients::section(report);
+    body.section("coefficients", "Coefficients", coefficients);
+    body.section("limits", "Limits of these flights", limits::section(report));
+    if report.unattributed.is_some() {
+        let title = "Terms outside the catalogue";
+        body.section("unattributed", title, unattributed(report, figures));
     }
-    shown
+    body.section("extension", "Extended model", extension(page));
+    body.section("how", "How it was computed", how(report));
+    let soft = |text: &str| Html::of("span", "", text);
+    let mut heading = Html::from(&report.model);
+    if !report.effects.is_empty() {
+        heading = heading.then(" ").then(soft("with")).then(" ");
+        heading.push(names(&report.effects));
+    }
+    Page {
+        kind: "hyzer diagnose",
+        title: format!("Diagnosis of {} with {}", report.model, report.dataset),
+        heading: heading
+            .then(" ")
+            .then(soft("tested with"))
+            .then(" ")
+            .then(&report.dataset),
+        body,
+    }
+    .html()
 }
 
-fn verified(found: &Verified) -> Value {
-    let checks = found.checks.iter().take(MAX_NOTES);
-    let checks: Vec<(String, String)> = checks
-        .map(|(name, says)| (short(name), short(says)))
-        .collect();
-    context! { holds => found.holds, checks => plain_values(&checks) }
+fn summary(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figures) -> Html {
+    let report = page.report;
+    let verdict = format!("verdict {}", report.verdict.name());
+    let mut lead = Html::from("\n");
+    if !finding.what.is_empty() {
+        lead.element("p", "finding", &finding.what);
+    }
+    let watch = Html::from(format!("{} The flights can be watched in ", finding.next));
+    for (what, text) in [
+        ("How sure.", Html::from(&finding.sure)),
+        ("What it gains.", report.gain_sentences().into()),
+        (
+            "What next.",
+            watch
+                .then(Html::link("flights.html", "flights.html"))
+                .then("."),
+        ),
+    ] {
+        lead.element("p", "", Html::strong(what).then(" ").then(text));
+    }
+    let mut picture = Html::new();
+    let shown = figures.finding.clone().map(Figure::reachable);
+    picture.figures(shown.iter().chain(figures.opening_channel()), true);
+    let mut gain = Html::new();
+    gain.figures(figures.gain.clone().map(Figure::reachable).iter(), true);
+    let mut opening = Html::from("\n");
+    opening.element("div", "words lead", lead);
+    opening.element("div", "picture", picture);
+    opening.element("div", "gain", gain);
+    let mut more = Html::from("\n");
+    if let Some(test) = &report.lack_of_fit {
+        more.element("p", "", test.sentence());
+    }
+    more.alarms(
+        "Notes",
+        report
+            .notes
+            .iter()
+            .take(MAX_NOTES)
+            .map(|note| sentence(note)),
+    );
+    let summary = report.summary.trim();
+    if !summary.is_empty() {
+        let text = Html::of("p", "", summary);
+        more.folded("Summary, as in report.json", text);
+    }
+    let mut content = Html::from("\n");
+    content.element("p", &verdict, report.verdict_sentence());
+    content.element("div", "opening", opening);
+    content.element("div", "words", more);
+    content
 }
 
-/// Sentence for the report that states the estimated measurement noise.
-fn noise(report: &Report) -> String {
-    let noise = report.leading_noise();
-    format!(
-        "The noise per coordinate is {} (standard deviation), with a lag-1 autocorrelation of {}; {} of the points were \
-         classified as outliers.",
-        millimetres(noise.sigma),
-        plain(noise.lag1_autocorrelation, 2),
-        percent(noise.outlier_fraction)
-    )
+/// Loads and terms outside the catalogue of effects in which the misfit lies.
+fn unattributed(report: &Report, figures: &Figures) -> Html {
+    let mut content = Html::new();
+    let Some(found) = &report.unattributed else {
+        return content;
+    };
+    let description = found.description.trim();
+    if !description.is_empty() {
+        content.paragraph(description);
+    }
+    let (first, rest) = figures
+        .channels
+        .split_at(figures.channels.len().min(super::OPEN));
+    let opening = figures.opening_channel().count();
+    for (i, figure) in first.iter().enumerate().skip(opening) {
+        content.figure(figure, i == 0);
+    }
+    let mut more = Html::new();
+    more.figures(rest, false);
+    content.folded(format!("{} more", rest.len()), more);
+    let terms = limits::terms(&found.terms);
+    if !terms.is_empty() {
+        content.heading("Candidate terms");
+        content.table(&terms);
+    }
+    content
+}
+
+/// Extended model: its file, its text and its verification.
+fn extension(page: &DiagnosisPage<'_>) -> Html {
+    let mut content = Html::new();
+    if let Some(file) = &page.report.extended_model {
+        content.paragraph(format!(
+            "The extended model is {file}, in the folder of this page; its default values are the estimates."
+        ));
+    }
+    if let Some(text) = page.extended {
+        let mut model = Html::new();
+        model.scrolled("pre", "model", truncated(text, MAX_TEXT));
+        content.folded("Its text", model);
+    }
+    if let Some(verified) = &page.report.verified {
+        let outcome = if verified.holds {
+            "It passes all independent checks."
+        } else {
+            "It fails an independent check: do not rely on it."
+        };
+        content.element_with_id("p", "verified", "words", outcome);
+        let mut table = Table::new()
+            .with(Column::Name, &["check"])
+            .with(Column::Text, &["result"]);
+        for (name, result) in verified.checks.iter().take(MAX_NOTES) {
+            table.row([short(name).into(), short(result).into()]);
+        }
+        content.table(&table);
+    }
+    content
+}
+
+fn how(report: &Report) -> Html {
+    let number = |role| report.flights.iter().filter(|f| f.role == role).count();
+    let held_out = match number(Role::HeldOut) {
+        0 => String::new(),
+        n => format!(" and {n} held out"),
+    };
+    let mut content = Html::new();
+    content.paragraph(format!(
+        "{} {} fitted{held_out}; {} tested.",
+        words::noise(report),
+        counted(number(Role::Fit), "flight"),
+        counted(report.tests.len(), "effect"),
+    ));
+    let seconds = match durations(&report.seconds).as_str() {
+        "" => String::new(),
+        seconds => format!("; time: {seconds}"),
+    };
+    content.note(format!(
+        "SI units unless stated otherwise. Schema {}; hyzer {}{seconds}. The numbers are in report.json.",
+        report.schema,
+        env!("CARGO_PKG_VERSION")
+    ));
+    content
 }

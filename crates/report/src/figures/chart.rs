@@ -4,7 +4,7 @@ use super::Layout;
 use super::axis::{number, ticks};
 use super::csv::Table;
 use super::svg::{Svg, cut};
-use crate::numbers::{significant, stated};
+use identify::numbers::{significant, stated};
 
 /// Scale of a chart's horizontal axis.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,8 +4,8 @@ use super::axis::number;
 use super::layout::{Layout, Scale};
 use super::panel::{Look, Panel};
 use super::svg::{Svg, cut};
-use crate::numbers::significant;
 use crate::thin::stride;
+use identify::numbers::significant;
 
 /// Maximum number of points of a line to which a tooltip with the point's value is added.
 const MAX_VALUES: usize = 6;

@@ -14,6 +14,7 @@ mod names;
 mod panel;
 mod states;
 pub(crate) mod svg;
+pub(crate) mod triangle;
 
 pub use figure::{figure, figure_of};
 pub use flight::flight;

@@ -38,7 +38,7 @@ impl Panel {
         }
     }
 
-    /// Draws the marks of the panel (labelled events and limits) whose y is not finite: as vertical lines behind the
+    /// Draws the marks of the panel whose y is not finite: as vertical lines behind the
     /// data, labelled above the plot area. A label without space is omitted. `width` is the width of the figure,
     /// `letter` that of one character, SVG units.
     pub(super) fn draw_marks(&self, svg: &mut Svg, scale: &Scale, width: f64, letter: f64) {
@@ -57,7 +57,7 @@ impl Panel {
         }
     }
 
-    /// Draws the marks of the panel (labelled events and limits) whose y is finite: as dots, each with its label at
+    /// Draws the marks of the panel whose y is finite: as dots, each with its label at
     /// that corner of the dot where it covers the fewest other labels and points of lines. `width` is the width of the
     /// figure, `letter` that of one character, SVG units.
     pub(super) fn draw_places(&self, svg: &mut Svg, scale: &Scale, width: f64, letter: f64) {

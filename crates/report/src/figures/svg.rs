@@ -24,6 +24,11 @@ path.d0, path.d1, path.d2, path.d3, path.dg { stroke-width: 3; stroke-linecap: r
 path.diagonal { stroke: #777; stroke-width: 1 } path.ribbon { fill: #cfe2f1; stroke: none }
 g.value circle { fill: #0072b2; fill-opacity: 0 } g.value text { display: none; font-weight: 600; fill: #111; paint-order: stroke; stroke: #fff; stroke-width: 5px; stroke-linejoin: round }
 g.value { outline: none; cursor: default } g.value:hover text, g.value:focus text { display: inline } g.value:hover circle, g.value:focus circle { fill-opacity: .45 }
+rect.bar.explanation { fill: #0072b2 } rect.bar.alarm { fill: #d9813f } rect.bar.calm { fill: #b4b9c0 }
+circle.before { fill: #fff; stroke: #d55e00; stroke-width: 2 } circle.after { fill: #0072b2 } line.join { stroke: #9aa0a8; stroke-width: 2 }
+line.reach { stroke: #0072b2; stroke-width: 2 } text.strong { font-weight: 600; fill: #0060a0 } text.weak { fill: #777 }
+rect.alike { fill: #00437c } rect.positive { fill: #b24800 } rect.unknown { fill: #c9b9b9 }
+path.history { stroke: #0072b2; stroke-width: 1.4 } path.dots-after { stroke: #0072b2; stroke-width: 3; stroke-linecap: round }
 "#;
 
 /// SVG document that is built element by element. Coordinates are in SVG units, with the y axis downwards.
@@ -95,14 +100,6 @@ impl Svg {
         let _ = writeln!(
             self.body,
             r#"<rect class="{class}" fill-opacity="{cover:.2}" x="{x:.1}" y="{y:.1}" width="{wide:.1}" height="{tall:.1}"/>"#
-        );
-    }
-
-    /// Draws a rectangle with its upper left corner at (x, y), filled with `colour`.
-    pub(crate) fn cell(&mut self, colour: &str, (x, y): (f64, f64), (wide, tall): (f64, f64)) {
-        let _ = writeln!(
-            self.body,
-            r#"<rect fill="{colour}" x="{x:.1}" y="{y:.1}" width="{wide:.1}" height="{tall:.1}"/>"#
         );
     }
 
@@ -195,10 +192,11 @@ pub(crate) fn cut(text: &str, room: f64, letter: f64) -> String {
 }
 
 pub(crate) fn escape(text: &str) -> String {
-    // Control characters are not permitted in XML, even as references.
+    // Control characters except for line breaks and tabs are not permitted in XML, even as references.
     let printable = text
         .chars()
-        .filter(|c| !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}'));
+        .filter(|c| matches!(c, '\n' | '\t') || !c.is_control())
+        .filter(|c| !matches!(c, '\u{fffe}' | '\u{ffff}'));
     printable.fold(String::new(), |mut text, c| {
         match c {
             '&' => text.push_str("&amp;"),
@@ -226,5 +224,6 @@ mod tests {
     #[test]
     fn what_xml_cannot_hold_is_left_out() {
         assert_eq!(escape("a\u{1}<b>\u{ffff}&\"'"), "a&lt;b&gt;&amp;&quot;'");
+        assert_eq!(escape("a\n\tb\r"), "a\n\tb");
     }
 }

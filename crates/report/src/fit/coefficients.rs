@@ -1,114 +1,162 @@
-//! Table of the estimated coefficients, compared with values from the literature.
+//! Tables of the estimated coefficients, and of their values in the literature.
 
 use identify::Coefficient;
-use serde::Serialize;
 
 use super::FitPage;
-use crate::literature::{Source, sources};
-use crate::numbers::{Digits, stated, unit};
+use crate::html::Html;
+use crate::literature::sources;
+use crate::table::{Cell, Column, Table};
+use identify::numbers::{Digits, stated, unit};
 
-/// Row of the table of fitted coefficients, with all values formatted as text.
-#[derive(Serialize)]
-pub(super) struct Row {
-    name: String,
-    doc: String,
-    value: String,
-    interval: String,
-    error: String,
-    clustered: String,
-    /// Whether the cluster-robust standard error (from the scatter between flights) is more than 1.5 times the
-    /// Cramér–Rao standard error.
-    doubtful: bool,
-    unit: String,
-    at_bound: bool,
-    /// Notes on the estimate: whether it was fixed, and its Gaussian prior.
-    notes: Vec<String>,
-    picture: Option<Picture>,
-    /// Values of the coefficient for comparison: that in the model file, then that in each literature source.
-    literature: Vec<String>,
+/// Ratio of the cluster-robust to the Cramér–Rao standard error above which the former is marked.
+const DOUBTFUL: f64 = 1.5;
+
+/// Tables of the coefficients, in the order of declaration in the model; those that the model does not declare are
+/// last.
+pub(super) fn section(page: &FitPage<'_>) -> Html {
+    let mut content = Html::new();
+    let all = page.coefficients();
+    if all.is_empty() {
+        return content;
+    }
+    content.table(&estimates(&all));
+    let mut note = "Figure: the value and its 95 % interval; the grey line is 0, the orange tick the default of the model’s file, \
+                    where it is in range."
+        .to_owned();
+    if is_clustered(&all) {
+        note += " The cluster-robust standard error (by flight) is computed from the differences between the flights; it is \
+                 marked where it exceeds the other by half or more.";
+    }
+    content.note(note);
+    content.heading("Compared with the literature");
+    content.table(&literature(page, &all));
+    let sources = sources(page.model.reference.as_deref()).iter();
+    content.list(
+        "note",
+        sources.map(|source| Html::strong(source.short).then(format!(": {}", source.long))),
+    );
+    content
 }
 
-/// Confidence interval and estimate of a coefficient, drawn on an axis that includes 0; positions in percent of the
-/// axis length, 0 to 100.
-#[derive(Serialize)]
-struct Picture {
-    zero: f64,
-    low: f64,
-    high: f64,
-    value: f64,
-    model: Option<f64>,
+fn is_clustered(all: &[(&str, &Coefficient)]) -> bool {
+    all.iter()
+        .any(|(_, c)| c.std_error_cluster_robust.is_some())
 }
 
-/// Rows of the table of fitted coefficients: first the coefficients in the order of declaration in the model, then
-/// those that the model does not declare.
-pub(super) fn rows(page: &FitPage<'_>) -> Vec<Row> {
-    let sources = sources(page.model.reference.as_deref());
-    let found = page.coefficients().into_iter();
-    found.map(|(name, c)| row(page, name, c, sources)).collect()
+/// Table of the estimates with their standard errors and intervals.
+pub(super) fn estimates(all: &[(&str, &Coefficient)]) -> Table {
+    let is_clustered = is_clustered(all);
+    let mut table = Table::new()
+        .with(Column::Name, &[""])
+        .with(Column::Number, &["value", "standard error"])
+        .with(Column::Plain, &["unit"])
+        .with(Column::Number, &["95 % interval"])
+        .with(Column::Plain, &[""]);
+    if is_clustered {
+        table = table.with(Column::Number, &["cluster-robust error"]);
+    }
+    table = table.with(Column::Plain, &[""]);
+    for (name, found) in all {
+        let digits = Digits::of(found.value, found.std_error);
+        let if_estimated = |text: String| if found.fixed { "–".to_owned() } else { text };
+        let mut row: Vec<Cell> = vec![
+            (*name).into(),
+            digits.one(found.value).into(),
+            if_estimated(digits.one(found.std_error)).into(),
+            unit(&found.unit).into(),
+            if_estimated(digits.range(found.interval)).into(),
+            picture(found).into(),
+        ];
+        if is_clustered {
+            let error = found.std_error_cluster_robust;
+            let cell = Cell::from(error.map_or("–".to_owned(), |e| digits.one(e)));
+            let is_larger = error.is_some_and(|e| e > DOUBTFUL * found.std_error);
+            row.push(cell.doubtful_if(is_larger && !found.fixed));
+        }
+        row.push(remarks(found).into());
+        table.row(row);
+    }
+    table
 }
 
-fn row(page: &FitPage<'_>, name: &str, found: &Coefficient, sources: &[Source]) -> Row {
-    let digits = Digits::of(found.value, found.std_error);
-    let mut known = page.model.coefficients.iter().chain(&page.model.params);
-    let known = known.find(|c| c.name == name);
-    let mut notes = Vec::new();
+/// Remarks on an estimate: whether it is at a bound or fixed, and its Gaussian prior.
+fn remarks(found: &Coefficient) -> Html {
+    let mut remarks = Html::new();
+    if found.at_bound {
+        remarks.push(Html::warning_tag("at its bound").then(" "));
+    }
     if found.fixed {
-        notes.push("held".to_owned());
+        remarks.push(Html::tag("held").then(" "));
     }
     if let Some([mean, deviation]) = found.prior {
         let digits = Digits::of(mean, deviation);
         let prior = format!("prior {} ± {}", digits.one(mean), digits.one(deviation));
-        notes.push(prior);
+        remarks.push(Html::tag(prior));
     }
-    let estimated = !found.fixed && found.std_error > 0.0;
-    let if_estimated = |text: String| if found.fixed { "–".to_owned() } else { text };
-    let mut literature = vec![stated(found.model_value)];
-    for source in sources {
-        let value = source.value(name);
-        literature.push(value.map_or("–".to_owned(), |v| v.to_string()));
-    }
-    Row {
-        name: name.to_owned(),
-        doc: known.map_or(String::new(), |c| c.doc.replace('\n', " ")),
-        value: digits.one(found.value),
-        interval: if_estimated(digits.range(found.interval)),
-        error: if_estimated(digits.one(found.std_error)),
-        clustered: found
-            .std_error_cluster_robust
-            .map_or("–".to_owned(), |e| digits.one(e)),
-        doubtful: found
-            .std_error_cluster_robust
-            .is_some_and(|e| e > 1.5 * found.std_error)
-            && !found.fixed,
-        unit: unit(&found.unit),
-        at_bound: found.at_bound,
-        notes,
-        picture: if estimated { picture(found) } else { None },
-        literature,
-    }
+    remarks
 }
 
-fn picture(found: &Coefficient) -> Option<Picture> {
+fn literature(page: &FitPage<'_>, all: &[(&str, &Coefficient)]) -> Table {
+    let sources = sources(page.model.reference.as_deref());
+    let names: Vec<&str> = sources.iter().map(|source| source.short).collect();
+    let mut table = Table::new()
+        .with(Column::Name, &[""])
+        .with(Column::Number, &["this fit", "model’s file"])
+        .with(Column::Number, &names)
+        .with(Column::Plain, &["unit"])
+        .with(Column::Text, &["meaning"]);
+    for (name, found) in all {
+        let digits = Digits::of(found.value, found.std_error);
+        let mut row: Vec<Cell> = vec![
+            (*name).into(),
+            digits.one(found.value).into(),
+            stated(found.model_value).into(),
+        ];
+        row.extend(sources.iter().map(|source| {
+            let value = source.value(name);
+            Cell::from(value.map_or("–".to_owned(), |v| v.to_string()))
+        }));
+        let mut known = page.model.coefficients.iter().chain(&page.model.params);
+        let known = known.find(|c| c.name == *name);
+        row.push(unit(&found.unit).into());
+        row.push(
+            known
+                .map_or(String::new(), |c| c.doc.replace('\n', " "))
+                .into(),
+        );
+        table.row(row);
+    }
+    table
+}
+
+/// Picture of the estimate and its confidence interval on an axis that includes 0; empty if there is no interval.
+fn picture(found: &Coefficient) -> Html {
     let [low, high] = found.interval;
-    let model = found.model_value;
     let all = [low, high, found.value];
-    if !all.iter().all(|v| v.is_finite()) || low > high {
-        return None;
+    let is_estimated = !found.fixed && found.std_error > 0.0;
+    if !is_estimated || !all.iter().all(|v| v.is_finite()) || low > high {
+        return Html::new();
     }
     // The value in the model file is drawn unless the axis would have to be much longer for it.
     let near = all.iter().fold(0.0_f64, |a, v| a.max(v.abs()));
-    let model = Some(model).filter(|m| m.is_finite() && m.abs() <= 2.0 * near);
+    let model = Some(found.model_value).filter(|m| m.is_finite() && m.abs() <= 2.0 * near);
     let values = || all.into_iter().chain(model);
     let (least, greatest) = (values().fold(0.0, f64::min), values().fold(0.0, f64::max));
     if least == greatest {
-        return None;
+        return Html::new();
     }
+    // Percent of the length of the axis.
     let at = |v: f64| (10.0 * (4.0 + 92.0 * (v - least) / (greatest - least))).round() / 10.0;
-    Some(Picture {
-        zero: at(0.0),
-        low: at(low),
-        high: at(high),
-        value: at(found.value),
-        model: model.map(at),
-    })
+    let line = |class: &str, [x1, x2]: [f64; 2], [y1, y2]: [f64; 2]| {
+        format!("<line class=\"{class}\" x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\"/>")
+    };
+    let zero = line("null", [at(0.0); 2], [1.0, 15.0]);
+    let model = model.map(|m| line("model", [at(m); 2], [2.5, 13.5]));
+    let interval = line("reach", [at(low), at(high)], [8.0; 2]);
+    Html::trusted(format!(
+        "<svg class=\"interval\" viewBox=\"0 0 100 16\" width=\"100\" height=\"16\" aria-hidden=\"true\">{zero}{}{interval}\
+         <circle class=\"value\" cx=\"{}\" cy=\"8\" r=\"3\"/></svg>",
+        model.unwrap_or_default(),
+        at(found.value)
+    ))
 }

@@ -3,116 +3,116 @@
 use dataset::Role;
 use identify::FlightReport;
 use model_spec::sort_by_number;
-use serde::Serialize;
 
 use super::FitPage;
-use crate::numbers::{millimetres, plain};
+use super::draw::MAX_FLIGHTS;
+use crate::figure::Figure;
+use crate::html::Html;
+use crate::page::flight_link;
+use crate::table::{Column, Table};
+use identify::numbers::{millimetres, plain};
+use identify::wording::short;
 
 /// Maximum number of flights that a table of the report lists.
 const MAX_ROWS: usize = 50;
-/// Maximum number of characters of a note on a flight; longer notes are truncated.
-const MAX_LETTERS: usize = 300;
 
-/// Table of the flights of a fit, as input of the HTML template.
-#[derive(Serialize)]
-pub(super) struct Table {
-    /// Total number of flights, including those that the table does not list.
-    all: usize,
-    /// Whether only the flights with the largest RMS residuals are listed, in descending order.
-    worst: bool,
-    rows: Vec<Row>,
+/// Section of the flights, with a histogram of their residuals.
+pub(super) fn section(page: &FitPage<'_>, histogram: Option<&Figure>) -> Html {
+    let mut content = Html::new();
+    content.grid(histogram.cloned().as_slice(), 1, true);
+    let fitted: Vec<&FlightReport> = page.report.used(Role::Fit).collect();
+    let held_out: Vec<&FlightReport> = page.report.used(Role::HeldOut).collect();
+    let excluded: Vec<&FlightReport> = page.report.excluded().collect();
+    if page.report.flights.is_empty() {
+        content.paragraph("None.");
+    }
+    if !fitted.is_empty() {
+        content.heading("Fitted");
+        worst(&mut content, page, fitted);
+    }
+    if !held_out.is_empty() {
+        content.heading("Held out");
+        content.note(
+            "These flights were not used to estimate the coefficients. The initial state of each was fitted to the \
+             first 30 % of its samples with the coefficients fixed; the rms is the prediction error of the rest.",
+        );
+        worst(&mut content, page, held_out);
+    }
+    if !excluded.is_empty() {
+        content.heading("Excluded");
+        content.table(&table(page, &excluded));
+        let all = excluded.len();
+        if all > MAX_ROWS {
+            content.note(format!(
+                "The first {MAX_ROWS} of {all}; all are in flights.csv."
+            ));
+        }
+    }
+    content
 }
 
-#[derive(Serialize)]
-struct Row {
-    file: String,
-    /// Links to the figures of the flight on the same page: pairs of anchor name and link text.
-    figures: Vec<(String, &'static str)>,
-    samples: usize,
-    rms: String,
-    outliers: usize,
-    cut: String,
-    notes: String,
+/// Appends the table of `flights`.
+fn worst(content: &mut Html, page: &FitPage<'_>, flights: Vec<&FlightReport>) {
+    let all = flights.len();
+    content.table(&table(page, &worst_first(flights, MAX_ROWS)));
+    if all > MAX_ROWS {
+        content.note(format!(
+            "The {MAX_ROWS} with the largest rms, of {all}; all are in flights.csv."
+        ));
+    }
 }
 
-/// Table of the flights with one role (fitted or held out), in dataset order. If there are more than [`MAX_ROWS`], only
-/// the flights with the largest RMS residuals, in descending order.
-pub(super) fn table(page: &FitPage<'_>, role: Role) -> Table {
-    let mut flights: Vec<&FlightReport> = page.report.used(role).collect();
-    let number = flights.len();
-    let worst = number > MAX_ROWS;
-    if worst {
+/// The flights in dataset order or, if there are more than `most`, in descending order of their RMS residuals.
+pub(super) fn worst_first(mut flights: Vec<&FlightReport>, most: usize) -> Vec<&FlightReport> {
+    if flights.len() > most {
         // A flight without a finite RMS residual ranks as the worst.
-        let size = |f: &FlightReport| {
-            if f.rms().is_nan() {
-                f64::INFINITY
-            } else {
-                f.rms()
-            }
-        };
-        sort_by_number(&mut flights, |flight| -size(flight));
-        flights.truncate(MAX_ROWS);
+        let size = |rms: f64| if rms.is_nan() { f64::INFINITY } else { rms };
+        sort_by_number(&mut flights, |flight| -size(flight.rms()));
     }
-    Table {
-        all: number,
-        worst,
-        rows: flights.into_iter().map(|f| row(page, f)).collect(),
-    }
+    flights
 }
 
-/// Table of the flights that were excluded from the fit, limited to [`MAX_ROWS`] rows.
-pub(super) fn left_out(page: &FitPage<'_>) -> Table {
-    Table {
-        all: page.report.excluded().count(),
-        worst: false,
-        rows: page
-            .report
-            .excluded()
-            .take(MAX_ROWS)
-            .map(|f| row(page, f))
-            .collect(),
-    }
-}
-
-/// Links to the figures of a flight on the same page: pairs of anchor name and link text; empty if the flight is not
-/// drawn.
-fn figures(page: &FitPage<'_>, file: &str) -> Vec<(String, &'static str)> {
-    let drawn = || page.evidence.iter().take(super::draw::MAX_FLIGHTS);
-    let mut figures = Vec::new();
-    if let Some(at) = drawn().position(|f| f.file == file) {
-        figures.push((format!("tracks-{:02}", at + 1), "paths"));
-        figures.push((format!("states-{:02}", at + 1), "states"));
-    }
-    figures
-}
-
-fn row(page: &FitPage<'_>, flight: &FlightReport) -> Row {
-    let cut = flight.cut.as_ref().map(|cut| {
-        let (t, samples) = (plain(cut.t, 3), cut.samples);
-        format!(
-            "after {t} s, {samples} samples not used: {}",
-            short(&cut.reason)
-        )
-    });
-    Row {
-        file: flight.file.clone(),
-        figures: figures(page, &flight.file),
-        samples: flight.samples,
-        rms: if flight.is_used() {
+/// Table of the first [`MAX_ROWS`] flights.
+pub(super) fn table(page: &FitPage<'_>, flights: &[&FlightReport]) -> Table {
+    use Column::{File, Number, Text};
+    let mut table = Table::new()
+        .with(File, &["flight"])
+        .with(Number, &["samples", "rms", "outliers"])
+        .with(Text, &["cut", "notes"]);
+    for flight in flights.iter().take(MAX_ROWS) {
+        let cut = flight.cut.as_ref().map(|cut| {
+            let (t, samples) = (plain(cut.t, 3), cut.samples);
+            format!(
+                "after {t} s, {samples} samples not used: {}",
+                short(&cut.reason)
+            )
+        });
+        let rms = if flight.is_used() {
             millimetres(flight.rms())
         } else {
             "–".to_owned()
-        },
-        outliers: flight.outliers,
-        cut: cut.unwrap_or_default(),
-        notes: short(&flight.notes.join("; ")),
+        };
+        table.row([
+            links(page, &flight.file).into(),
+            flight.samples.to_string().into(),
+            rms.into(),
+            flight.outliers.to_string().into(),
+            cut.unwrap_or_default().into(),
+            short(&flight.notes.join("; ")).into(),
+        ]);
     }
+    table
 }
 
-/// Truncates a text to [`MAX_LETTERS`] characters, for a note in a table.
-pub(crate) fn short(text: &str) -> String {
-    if text.chars().count() <= MAX_LETTERS {
-        return text.to_owned();
+/// Links to the flight in three dimensions and to its figures, where they are drawn.
+fn links(page: &FitPage<'_>, file: &str) -> Html {
+    let mut links = flight_link(file, file);
+    let mut drawn = page.evidence.iter().take(MAX_FLIGHTS);
+    if let Some(at) = drawn.position(|f| f.file == file) {
+        for (name, text) in [("tracks", "paths"), ("states", "states")] {
+            links.push(" ");
+            links.push(Html::link(&format!("#{name}-{:02}", at + 1), text));
+        }
     }
-    text.chars().take(MAX_LETTERS).chain(['…']).collect()
+    links
 }

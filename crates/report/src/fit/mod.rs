@@ -2,15 +2,15 @@
 
 mod coefficients;
 pub(crate) mod draw;
-pub(crate) mod flights;
-mod noise;
-pub(crate) mod page;
+mod flights;
+mod page;
+mod text;
 pub(crate) mod words;
 
-use crate::figures::csv::of_panels;
-use crate::figures::{Layout, Panel, figure_of};
+pub use crate::figure::Figure;
 use identify::{Coefficient, Fit, FitReport, FlightEvidence};
 use model_spec::model::Model;
+pub use text::text;
 
 /// Input of the HTML report of a fit.
 #[derive(Clone, Copy)]
@@ -45,21 +45,6 @@ impl FitPage<'_> {
     }
 }
 
-/// Figure of a report, written as an SVG file and as a CSV table of its data.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Figure {
-    /// File name without `.svg`; consists of letters, digits and hyphens.
-    pub name: String,
-    /// Title of the figure.
-    pub title: String,
-    /// Caption, which explains how to read the figure.
-    pub caption: String,
-    /// SVG text of the figure.
-    pub svg: String,
-    /// CSV table of the data shown in the figure.
-    pub csv: String,
-}
-
 /// Renders the HTML report of a fit as one self-contained page, and returns it with its figures in the order in which
 /// they appear on the page.
 pub fn html_and_figures(page: &FitPage<'_>) -> (String, Vec<Figure>) {
@@ -69,15 +54,15 @@ pub fn html_and_figures(page: &FitPage<'_>) -> (String, Vec<Figure>) {
 
 /// Figures of the report of a fit, grouped by its sections.
 struct Figures {
-    precision: Option<Drawn>,
-    predictions: Vec<Drawn>,
-    profiles: Vec<Drawn>,
-    tracks: Vec<Drawn>,
-    residuals: Vec<Drawn>,
-    states: Vec<Drawn>,
-    correlations: Option<Drawn>,
-    whiteness: Vec<Drawn>,
-    histogram: Option<Drawn>,
+    precision: Option<Figure>,
+    predictions: Vec<Figure>,
+    profiles: Vec<Figure>,
+    tracks: Vec<Figure>,
+    residuals: Vec<Figure>,
+    states: Vec<Figure>,
+    correlations: Option<Figure>,
+    whiteness: Vec<Figure>,
+    histogram: Option<Figure>,
 }
 
 impl Figures {
@@ -104,60 +89,6 @@ impl Figures {
         let all = all.chain(self.profiles).chain(self.tracks);
         let all = all.chain(self.residuals).chain(self.states);
         let all = all.chain(self.correlations).chain(self.whiteness);
-        all.chain(self.histogram).map(|d| d.figure).collect()
-    }
-}
-
-/// A figure, with a second SVG version for narrow screens (`None` if the first version fits narrow screens).
-pub(crate) struct Drawn {
-    pub(crate) figure: Figure,
-    pub(crate) narrow: Option<String>,
-}
-
-impl Drawn {
-    /// Creates a figure, without a version for narrow screens, from its name, its title and the texts of its caption,
-    /// SVG and CSV table.
-    pub(crate) fn new(name: String, title: String, [caption, svg, csv]: [String; 3]) -> Drawn {
-        let figure = Figure {
-            name,
-            title,
-            caption,
-            svg,
-            csv,
-        };
-        Drawn {
-            figure,
-            narrow: None,
-        }
-    }
-
-    /// Creates a figure from its caption and CSV table (`texts`) by calling `draw` for the layout `wide` and, if that
-    /// is not the small layout, also for the small one, for narrow screens.
-    pub(crate) fn in_layouts(
-        name: impl Into<String>,
-        title: &str,
-        [caption, csv]: [String; 2],
-        wide: Layout,
-        draw: &dyn Fn(Layout) -> String,
-    ) -> Drawn {
-        let drawn = Drawn::new(name.into(), title.to_owned(), [caption, draw(wide), csv]);
-        Drawn {
-            narrow: (wide != Layout::SMALL).then(|| draw(Layout::SMALL)),
-            ..drawn
-        }
-    }
-
-    /// Creates a figure of panels, with their data as CSV table, for the layout `wide` and, if that is not the small
-    /// layout, also for narrow screens.
-    pub(crate) fn of_panels(
-        name: impl Into<String>,
-        title: &str,
-        caption: String,
-        wide: Layout,
-        panels: &[Panel],
-    ) -> Drawn {
-        Drawn::in_layouts(name, title, [caption, of_panels(panels)], wide, &|layout| {
-            figure_of(layout, title, panels)
-        })
+        all.chain(self.histogram).collect()
     }
 }

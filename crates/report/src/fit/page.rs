@@ -1,19 +1,18 @@
-//! HTML page of a fit, rendered from a template.
+//! HTML page of a fit.
 
 use dataset::Role;
 use identify::FitReport;
 use identify::wording::count;
-use minijinja::syntax::SyntaxConfig;
-use minijinja::value::{Serde, Value};
-use minijinja::{AutoEscape, Environment, UndefinedBehavior, context};
 use model_spec::sort_by_number;
-use serde::Serialize;
 
-use super::{Drawn, Figure, Figures, FitPage, coefficients, flights, noise, words};
-use crate::data_faults;
-use crate::figures::svg::{STYLE, without_style};
-use crate::literature::sources;
-use crate::numbers::{percent, plain};
+use super::draw::MAX_FLIGHTS;
+use super::{Figures, FitPage, coefficients, flights, words};
+use crate::figure::Figure;
+use crate::html::Html;
+use crate::page::Page;
+use crate::table::{Column, Table};
+use identify::numbers::{millimetres, percent, plain};
+use identify::wording::{durations, names, sentence};
 
 /// Number of flights whose figures of the states over time are expanded when the page is opened.
 const OPEN: usize = 3;
@@ -21,231 +20,267 @@ const OPEN: usize = 3;
 const OPEN_TRACKS: usize = 6;
 /// Maximum number of non-identifiable directions in parameter space that are listed in the report of a fit.
 const MAX_UNDETERMINED: usize = 20;
-
-/// Non-identifiable direction in parameter space, with all values formatted as text.
-#[derive(Serialize)]
-struct Undetermined {
-    names: String,
-    /// Linear combination of coefficients, such as `0.71 C_L0 − 0.70 C_La`; empty for a single coefficient.
-    direction: String,
-    error: String,
-    why: String,
-}
+/// Maximum number of non-identifiable directions that the summary names.
+const MAX_NAMED: usize = 3;
 
 /// Renders the HTML page of the report of a fit with the given figures.
 pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
-    let (first, rest) = figures.states.split_at(OPEN.min(figures.states.len()));
-    let (tracks, more_tracks) = figures
-        .tracks
-        .split_at(OPEN_TRACKS.min(figures.tracks.len()));
     let report = page.report;
-    let caption = |drawn: &[Drawn]| drawn.first().map(|d| d.figure.caption.clone());
-    let seconds = report.seconds.iter().filter(|(_, s)| s.is_finite());
-    let seconds: Vec<String> = seconds
-        .map(|(what, s)| format!("{what} {} s", plain(*s, 2)))
-        .collect();
-    let context = context! {
-        model => &report.model,
-        dataset => page.dataset,
-        effects => words::names(&report.effects),
-        summary => plain_values(&words::summary(page)),
-        opening => plain_values(&words::opening(page)),
-        precision => figures.precision.iter().map(|f| one(&reached(f))).collect::<Vec<_>>(),
-        predictions => shown(&figures.predictions),
-        alarms => plain_values(&words::alarms(page)),
-        cautions => plain_values(&cautions(report)),
-        faults => plain_values(&data_faults::table(&report.data_faults)),
-        coefficients => plain_values(&coefficients::rows(page)),
-        clustered => report.coefficients.values().any(|c| c.std_error_cluster_robust.is_some()),
-        sources => plain_values(&sources(page.model.reference.as_deref()).iter().map(|s| (s.short, s.long)).collect::<Vec<_>>()),
-        undetermined => plain_values(&undetermined(page)),
-        profiles => shown(&figures.profiles),
-        tracks => shown(tracks),
-        more_tracks => shown(more_tracks),
-        tracks_caption => caption(&figures.tracks),
-        drawn => figures.tracks.len(),
-        residuals => shown(&figures.residuals),
-        states => shown(first),
-        more_states => shown(rest),
-        correlations => figures.correlations.iter().map(one).collect::<Vec<_>>(),
-        whiteness => shown(&figures.whiteness),
-        whiteness_caption => caption(&figures.whiteness),
-        histogram => figures.histogram.iter().map(one).collect::<Vec<_>>(),
-        fitted => plain_values(&flights::table(page, Role::Fit)),
-        held_out => plain_values(&flights::table(page, Role::HeldOut)),
-        left_out => plain_values(&flights::left_out(page)),
-        noise => plain_values(&noise::rows(report)),
-        noise_how => if report.leading_noise().estimated { "estimated" } else { "given by the dataset" },
-        estimated => report.leading_noise().estimated,
-        interval => crate::numbers::significant(1e3 * report.leading_noise().interval_s, 3),
-        points => report.leading_noise().points,
-        outliers => report.leading_noise().outliers,
-        outlier_share => percent(report.leading_noise().outlier_fraction),
-        dropouts => report.leading_noise().missing,
-        schema => &report.schema,
-        steps => count(report.iterations.steps, "step"),
-        rounds => count(report.iterations.rounds, "time"),
-        converged => report.iterations.converged,
-        seconds => seconds.join(", "),
-    };
-    rendered(include_str!("page.html"), context)
-}
-
-/// Reasons not to rely on the fit, as sentences; empty if the fit is reliable.
-fn cautions(report: &FitReport) -> Vec<String> {
-    match report.reliable {
-        true => Vec::new(),
-        false => report
-            .cautions
-            .iter()
-            .map(|reason| capitalized(reason))
-            .collect(),
+    let mut body = Html::new();
+    if !report.reliable {
+        body.unreliable(&report.cautions, "fit");
     }
-}
-
-/// Renders a template of this crate with the given values; panics if the template is invalid. The values `css` and
-/// `style` default to the style sheets of the report of a fit and of figures.
-pub(crate) fn rendered(template: &str, context: Value) -> String {
-    let mut environment = Environment::new();
-    environment.set_undefined_behavior(UndefinedBehavior::Strict);
-    environment.set_auto_escape_callback(|_| AutoEscape::Html);
-    let syntax = SyntaxConfig::builder()
-        .trim_blocks(true)
-        .lstrip_blocks(true)
-        .build();
-    environment.set_syntax(syntax.unwrap_or_default());
-    environment.add_global("version", env!("CARGO_PKG_VERSION"));
-    for (name, sheet) in [("css", include_str!("page.css")), ("style", STYLE)] {
-        environment.add_global(name, Value::from_safe_string(sheet.to_owned()));
+    body.push(summary(page, figures));
+    body.data_faults(&report.data_faults);
+    body.section("coefficients", "Coefficients", coefficients::section(page));
+    body.section("undetermined", "Not identifiable", undetermined(report));
+    body.push(evidence(page, figures));
+    body.section(
+        "flights",
+        "Flights",
+        flights::section(page, figures.histogram.as_ref()),
+    );
+    body.section("noise", "Noise", noise(report));
+    body.section("how", "How it was computed", how(report));
+    let soft = |text: &str| Html::of("span", "", text);
+    Page {
+        kind: "hyzer fit",
+        title: format!("{} fitted to {}", report.model, page.dataset),
+        heading: Html::from(&report.model)
+            .then(" ")
+            .then(soft("fitted to"))
+            .then(" ")
+            .then(page.dataset),
+        body,
     }
-    let shared = [
-        ("data_faults.html", include_str!("../data_faults.html")),
-        ("document.html", include_str!("../document.html")),
-        ("macros.html", include_str!("../macros.html")),
-    ];
-    let mut added = shared.into_iter();
-    added
-        .try_for_each(|(name, text)| environment.add_template(name, text))
-        .and_then(|()| environment.render_str(template, context))
-        .unwrap_or_else(|fault| {
-            panic!("the page's own template, which its tests render: {fault:#}")
-        })
+    .html()
 }
 
-/// Converts a serializable value to a value for the HTML templates. The template engine escapes all strings in it as
-/// plain text.
-pub(crate) fn plain_values(of: &impl Serialize) -> Value {
-    Value::from(Serde(of))
-}
-
-pub(crate) fn shown(drawn: &[Drawn]) -> Vec<Value> {
-    drawn.iter().map(one).collect()
-}
-
-/// Copy of a figure in which the points with tooltips can receive the keyboard focus, so that their values can be read
-/// without a pointer.
-pub(crate) fn reached(drawn: &Drawn) -> Drawn {
-    let reached = |svg: &str| svg.replace("tabindex=\"-1\"", "tabindex=\"0\"");
-    Drawn {
-        figure: Figure {
-            svg: reached(&drawn.figure.svg),
-            ..drawn.figure.clone()
-        },
-        narrow: drawn.narrow.as_deref().map(reached),
+fn summary(page: &FitPage<'_>, figures: &Figures) -> Html {
+    let report = page.report;
+    let mut lead = Html::new();
+    for (i, text) in words::opening(page).into_iter().enumerate() {
+        lead.element("p", if i == 0 { "finding" } else { "" }, text);
     }
-}
-
-pub(crate) fn one(drawn: &Drawn) -> Value {
-    // The SVG writer has already escaped all external text.
-    let safe = |svg: &String| Value::from_safe_string(without_style(svg));
-    let figure = &drawn.figure;
-    context! {
-        name => &figure.name,
-        title => &figure.title,
-        caption => &figure.caption,
-        svg => safe(&figure.svg),
-        narrow => drawn.narrow.as_ref().map(safe),
-        csv => table_link(figure),
+    for text in words::summary(page) {
+        lead.element("p", "", text);
     }
-}
-
-/// Maximum size in bytes of a CSV table that is embedded in the HTML report; the report links to the file of a larger
-/// table.
-const MAX_EMBEDDED: usize = 10_000;
-
-/// Link to the CSV table of a figure: a data URI, or the path of the file if the table is large.
-fn table_link(figure: &Figure) -> String {
-    match figure.csv.len() <= MAX_EMBEDDED {
-        true => format!("data:text/csv;charset=utf-8,{}", encoded(&figure.csv)),
-        false => format!("figure-data/{}.csv", figure.name),
-    }
-}
-
-/// Percent-encodes the characters that a data URI must not contain; control characters are dropped.
-fn encoded(text: &str) -> String {
-    let mut encoded = String::with_capacity(text.len() + text.len() / 8);
-    for c in text.chars() {
-        match c {
-            '%' | '#' | '"' | '<' | '>' | ' ' | '&' | '\'' | '\n' | '\r' => {
-                encoded += &format!("%{:02X}", u32::from(c));
-            }
-            c if c.is_control() => {}
-            c => encoded.push(c),
+    let mut unknown = report
+        .not_identifiable
+        .iter()
+        .map(|u| names(&u.combination));
+    let named: Vec<String> = unknown.by_ref().take(MAX_NAMED).collect();
+    if !named.is_empty() {
+        let more = if unknown.next().is_some() {
+            ", and more"
+        } else {
+            ""
+        };
+        let mut text = Html::from("Not identifiable from these flights: ");
+        for (i, names) in named.iter().enumerate() {
+            text.push(if i == 0 { "" } else { "; " });
+            text.push(names);
+            text.push(" (");
+            text.push(Html::link("#undetermined", "why"));
+            text.push(")");
         }
+        lead.element("p", "", text.then(more).then("."));
     }
-    encoded
+    let alarms = words::alarms(page);
+    if alarms.is_empty() && report.cautions.is_empty() {
+        lead.element("p", "calm", words::NO_WARNINGS);
+    }
+    lead.alarms("Warnings", alarms);
+    let watch = Html::from("The flights can be watched in ");
+    let watch = watch.then(Html::link("flights.html", "flights.html"));
+    lead.element("p", "", watch.then("."));
+    let mut picture = Html::new();
+    picture.figures(
+        figures.precision.clone().map(Figure::reachable).iter(),
+        true,
+    );
+    let mut opening = Html::from("\n");
+    opening.element("div", "words lead", Html::from("\n").then(lead));
+    opening.element("div", "picture", picture);
+    let mut section = Html::new();
+    section.element_with_id("section", "summary", "opening", opening);
+    section
 }
 
-/// Truncates a text to 300 characters (the maximum length of a note in a report), and appends a full stop unless the
-/// text ends with a punctuation mark that ends a sentence. A colon at the end is removed.
-pub(crate) fn sentence(text: &str) -> String {
-    let text = flights::short(text.trim_end().trim_end_matches(':'));
-    if text.ends_with(['.', '…', '!', '?']) {
-        text
+/// Non-identifiable directions in parameter space.
+fn undetermined(report: &FitReport) -> Html {
+    let mut content = Html::new();
+    let found = report.not_identifiable.iter().take(MAX_UNDETERMINED);
+    let items = found.map(|u| {
+        let mut text = Html::strong(names(&u.combination));
+        text.push(format!(": {}", sentence(&u.reason)));
+        let direction = direction(u.weights.iter().map(|(name, weight)| (name, *weight)));
+        if let Some(direction) = direction {
+            text.push(format!(
+                " The direction is {direction}, each divided by its typical magnitude."
+            ));
+        }
+        text.then(format!(
+            " Along it the standard error is {} of the typical magnitude.",
+            percent(u.relative_error)
+        ))
+    });
+    content.list("words", items);
+    content
+}
+
+/// Linear combination of coefficients, such as `0.71 C_L0 − 0.70 C_La`; `None` for a single coefficient.
+fn direction<'a>(weights: impl Iterator<Item = (&'a String, f64)>) -> Option<String> {
+    let mut weights: Vec<_> = weights.collect();
+    weights.retain(|(_, w)| w.is_finite() && w.abs() >= 0.05);
+    sort_by_number(&mut weights, |weight| -weight.1.abs());
+    weights.truncate(8);
+    let mut direction = String::new();
+    for (i, (name, weight)) in weights.iter().enumerate() {
+        direction += match (i, *weight < 0.0) {
+            (0, false) => "",
+            (0, true) => "−",
+            (_, false) => " + ",
+            (_, true) => " − ",
+        };
+        direction += &format!("{} {name}", plain(weight.abs(), 2));
+    }
+    (weights.len() > 1).then_some(direction)
+}
+
+/// Sections of figures.
+fn evidence(page: &FitPage<'_>, figures: &Figures) -> Html {
+    let all = figures.correlations.iter().chain(&figures.whiteness);
+    let has_checks = all.count() > 0;
+    let section = |figures: &[Figure], open: usize, note: &str, captioned: bool| {
+        let mut content = Html::new();
+        if !figures.is_empty() {
+            content.note(note);
+        }
+        content.grid(figures, open, captioned);
+        content
+    };
+    let caption = |figures: &[Figure]| figures.first().map_or("", |f| &f.caption).to_owned();
+    let report = page.report;
+    let flights = report
+        .used(Role::Fit)
+        .chain(report.used(Role::HeldOut))
+        .count();
+    let drawn = figures.tracks.len();
+    let mut tracks = caption(&figures.tracks);
+    if flights > drawn {
+        tracks += &format!(" {drawn} of {flights} flights are drawn, here and below.");
+    }
+    let mut body = Html::new();
+    let profiles = section(&figures.profiles, MAX_FLIGHTS, words::PROFILES, true);
+    body.section("profiles", "Profile likelihoods", profiles);
+    let predictions = caption(&figures.predictions);
+    let predictions = section(&figures.predictions, MAX_FLIGHTS, &predictions, false);
+    body.section("predictions", words::PREDICTIONS, predictions);
+    let tracks = section(&figures.tracks, OPEN_TRACKS, &tracks, false);
+    body.section("tracks", "Measured and predicted", tracks);
+    let mut residuals = Html::new();
+    residuals.figures(&figures.residuals, true);
+    body.section("residuals", words::RESIDUALS, residuals);
+    let states = section(&figures.states, OPEN, words::STATES, false);
+    body.section("states", "States over time", states);
+    if has_checks {
+        let mut grid = Html::from("\n");
+        grid.figures(&figures.whiteness, false);
+        grid.figures(figures.correlations.iter(), true);
+        let mut content = Html::new();
+        if !figures.whiteness.is_empty() {
+            content.note(caption(&figures.whiteness));
+        }
+        content.element("div", "grid", grid);
+        body.section("checks", "Residual diagnostics", content);
+    }
+    body
+}
+
+fn noise(report: &FitReport) -> Html {
+    let mut content = Html::new();
+    content.table(&noise_table(report));
+    content.note(words::noise(report));
+    for sensor in words::sensors(report) {
+        content.note(sensor);
+    }
+    content
+}
+
+/// Table of the measurement noise: one row for each axis, then one for all axes together.
+pub(super) fn noise_table(report: &FitReport) -> Table {
+    let noise = report.leading_noise();
+    let mut table = Table::new().with(Column::Name, &["axis"]).with(
+        Column::Number,
+        &[
+            "standard deviation",
+            "lag-1 autocorrelation",
+            "correlation time",
+        ],
+    );
+    let mut row = |axis: &str, sigma: f64, ar1: f64| {
+        table.row([
+            axis.into(),
+            millimetres(sigma).into(),
+            plain(ar1, 2).into(),
+            correlation_time(ar1, noise.interval_s).into(),
+        ]);
+    };
+    for (axis, n) in noise.axes.iter().take(3) {
+        row(axis, n.sigma, n.lag1_autocorrelation);
+    }
+    row("all", noise.sigma, noise.lag1_autocorrelation);
+    table
+}
+
+/// Lag at which the autocorrelation of the noise has fallen to 1/e; `–` if the noise is nearly uncorrelated.
+fn correlation_time(ar1: f64, interval: f64) -> String {
+    let time = -interval / ar1.ln();
+    if ar1 > 0.05 && time.is_finite() {
+        format!("{} ms", plain(1e3 * time, 1))
     } else {
-        text + "."
+        "–".to_owned()
     }
 }
 
-/// Formats a text as a sentence that begins with a capital letter and ends with a full stop.
-pub(crate) fn capitalized(text: &str) -> String {
-    let sentence = sentence(text);
-    let mut letters = sentence.chars();
-    let first: String = letters
-        .next()
-        .into_iter()
-        .flat_map(char::to_uppercase)
-        .collect();
-    first + letters.as_str()
-}
-
-fn undetermined(page: &FitPage<'_>) -> Vec<Undetermined> {
-    let found = page.report.not_identifiable.iter().take(MAX_UNDETERMINED);
-    found
-        .map(|u| {
-            let mut weights: Vec<(&String, f64)> = u.weights.iter().map(|(n, w)| (n, *w)).collect();
-            weights.retain(|(_, w)| w.is_finite() && w.abs() >= 0.05);
-            sort_by_number(&mut weights, |weight| -weight.1.abs());
-            weights.truncate(8);
-            let mut direction = String::new();
-            for (i, (name, weight)) in weights.iter().enumerate() {
-                let sign = match (i, *weight < 0.0) {
-                    (0, false) => "",
-                    (0, true) => "−",
-                    (_, false) => " + ",
-                    (_, true) => " − ",
-                };
-                direction += &format!("{sign}{} {name}", plain(weight.abs(), 2));
-            }
-            if weights.len() < 2 {
-                direction.clear();
-            }
-            Undetermined {
-                names: words::names(&u.combination),
-                direction,
-                error: percent(u.relative_error),
-                why: sentence(&u.reason),
-            }
-        })
-        .collect()
+fn how(report: &FitReport) -> Html {
+    let iterations = &report.iterations;
+    let weights = if report.leading_noise().estimated {
+        format!(
+            "which was estimated with them ({})",
+            count(iterations.rounds, "time")
+        )
+    } else {
+        "which the dataset gives".to_owned()
+    };
+    let outcome = if iterations.converged {
+        "converged"
+    } else {
+        "did not converge"
+    };
+    let mut content = Html::new();
+    content.paragraph(format!(
+        "Output-error method: the markers of each flight are predicted by integrating the model from an initial state \
+         of that flight; coefficients and initial states minimise the sum of squared residuals, weighted by the noise \
+         above, {weights}. The iteration took {} and {outcome}. Standard errors follow from the linearised model at \
+         the solution; the intervals have a coverage of 95 % if the model is correct.",
+        count(iterations.steps, "step"),
+    ));
+    let mut facts = vec![
+        format!("Schema {}", report.schema),
+        format!("hyzer {}", env!("CARGO_PKG_VERSION")),
+    ];
+    if !report.effects.is_empty() {
+        facts.push(format!("effects: {}", names(&report.effects)));
+    }
+    let seconds = durations(&report.seconds);
+    if !seconds.is_empty() {
+        facts.push(format!("time: {seconds}"));
+    }
+    content.note(format!(
+        "SI units unless stated otherwise. {}. The numbers are in report.json, coefficients.csv and flights.csv.",
+        facts.join("; ")
+    ));
+    content
 }

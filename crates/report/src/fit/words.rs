@@ -1,22 +1,34 @@
 //! Summary of a fit in sentences: data, goodness of fit, precision of the coefficients, and warnings.
 
 use dataset::Role;
-use identify::wording::{count, listed};
+use identify::wording::count;
 use identify::{Coefficient, FitReport, FlightReport};
 
 use super::FitPage;
-use super::flights::short;
-use crate::numbers::{millimetres, percent, plain};
+use identify::numbers::{millimetres, percent, plain, significant};
+use identify::wording::{counted, names, short};
 
 /// Maximum relative standard error at which the report calls a coefficient well determined.
 const GOOD: f64 = 0.1;
 /// Minimum ratio of a held-out flight's RMS prediction error to the RMS noise at which the report calls the flight
 /// badly predicted.
 const FAR: f64 = 3.0;
-/// Maximum number of names that a sentence lists; of the remaining names it states only the number.
-const MAX_NAMES: usize = 24;
 
-/// Sentences on the fitted data, the noise, the goodness of fit and the precision of the coefficients.
+/// Sentence of a page without warnings.
+pub(super) const NO_WARNINGS: &str = "No warnings: the fit converged, no coefficient is at a bound, every flight was used to its end, at most 1 % of the points \
+     are outliers, and the residuals are compatible with the noise model.";
+/// How to read profile likelihoods.
+pub(super) const PROFILES: &str = "One coefficient is fixed at each value and all others are fitted again; the deviance is twice the logarithm of the \
+     ratio of the greatest likelihood to this one. Where the profile is not a parabola, the standard error is not a valid \
+     measure of uncertainty.";
+/// How to read figures of states.
+pub(super) const STATES: &str = "States of the fitted model, with the angle of attack and the airspeed where the model defines them.";
+/// Heading of the figures of predictions.
+pub(crate) const PREDICTIONS: &str = "Flights that were not fitted, and their predictions";
+/// Heading of the figures of residuals.
+pub(crate) const RESIDUALS: &str = "Residuals of all flights in sequence";
+
+/// Sentences on the fitted data, the noise and the goodness of fit.
 pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
     let report = page.report;
     let number = |role: Role| report.used(role).count();
@@ -40,7 +52,7 @@ pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
     }
     text.push('.');
     if left_out > 0 {
-        text += &format!(" {} excluded.", were(left_out));
+        text += &format!(" {} excluded.", counted(left_out, "flight"));
     }
     let rms = millimetres(report.rms());
     let sigma = millimetres(noise.sigma);
@@ -61,7 +73,6 @@ pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
     };
     let mut all = vec![text, fits];
     all.extend(held_out_words(report));
-    all.extend(determined(page));
     all
 }
 
@@ -87,44 +98,30 @@ fn held_out_words(report: &FitReport) -> Option<String> {
     })
 }
 
-/// First sentences of the report: which coefficients the measured flights determine well, roughly, or not at all.
+/// First sentences of the report: which coefficients the measured flights determine well, roughly, or not at all, and
+/// which were not estimated.
 pub(super) fn opening(page: &FitPage<'_>) -> Vec<String> {
-    let [good, loose, unknown, _] = by_precision(page);
-    let mut sentences = Vec::new();
-    if !good.is_empty() {
-        sentences.push(format!(
-            "These flights determine {good} to {} or better.",
-            percent(GOOD)
-        ));
-    }
-    if !loose.is_empty() {
-        sentences.push(format!(
-            "They determine the sign of {loose}, but the size only roughly."
-        ));
-    }
-    if !unknown.is_empty() {
-        sentences.push(format!("They cannot distinguish {unknown} from zero."));
-    }
-    sentences
-}
-
-/// Sentences that list the coefficients that are well determined, roughly determined, not determined, and fixed.
-fn determined(page: &FitPage<'_>) -> Vec<String> {
-    let [good, loose, none, held] = by_precision(page);
-    let good_is = format!(
-        "Well determined (standard error below {} of the value)",
-        percent(GOOD)
-    );
+    let [good, loose, unknown, fixed] = by_precision(page);
     let sentences = [
-        (good_is.as_str(), good),
-        ("Significantly different from 0, but not precise", loose),
-        ("Not significantly different from 0", none),
-        ("Fixed, not estimated", held),
+        (
+            &good,
+            format!(
+                "These flights determine {good} to {} or better.",
+                percent(GOOD)
+            ),
+        ),
+        (
+            &loose,
+            format!("They determine the sign of {loose}, but the size only roughly."),
+        ),
+        (
+            &unknown,
+            format!("They cannot distinguish {unknown} from zero."),
+        ),
+        (&fixed, format!("Fixed, not estimated: {fixed}.")),
     ];
-    let sentences = sentences.into_iter().filter(|(_, names)| !names.is_empty());
-    sentences
-        .map(|(what, names)| format!("{what}: {names}."))
-        .collect()
+    let sentences = sentences.into_iter().filter(|(names, _)| !names.is_empty());
+    sentences.map(|(_, text)| text).collect()
 }
 
 /// Names of the coefficients, as text, in four groups: well determined; determined only in sign; not distinguishable
@@ -196,13 +193,16 @@ pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
         far > 0,
         format!(
             "{} predicted with an error above {FAR} times the noise.",
-            were(far).replacen(' ', " held-out ", 1)
+            counted(far, "held-out flight")
         ),
     );
     let cut = report.flights.iter().filter(|f| f.cut.is_some()).count();
     add(
         cut > 0,
-        format!("{} cut before the end of the table.", were(cut)),
+        format!(
+            "{} cut before the end of the table.",
+            counted(cut, "flight")
+        ),
     );
     let notes = report.flights.iter().filter(|f| !f.notes.is_empty());
     let noted: Vec<String> = notes
@@ -239,21 +239,40 @@ pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
     alarms
 }
 
-fn were(flights: usize) -> String {
+/// Sentences on the noise of the measured positions and its model.
+pub(super) fn noise(report: &FitReport) -> String {
+    let noise = report.leading_noise();
+    let how = if noise.estimated {
+        "estimated"
+    } else {
+        "given by the dataset"
+    };
     format!(
-        "{} {}",
-        count(flights, "flight"),
-        if flights == 1 { "was" } else { "were" }
+        "Of one coordinate; {how}. The noise model is a stationary first-order autoregressive process along each axis; \
+         the autocorrelation is that of samples {} ms apart and falls to 1/e in the correlation time. The fitted \
+         flights have {} measured points, {} of them ({}) classified as outliers; {} are missing.",
+        significant(1e3 * noise.interval_s, 3),
+        noise.points,
+        noise.outliers,
+        percent(noise.outlier_fraction),
+        noise.missing
     )
 }
 
-/// Joins names as `a, b and c`; beyond [`MAX_NAMES`] names, only the number of further names is stated.
-pub(crate) fn names(names: &[impl AsRef<str>]) -> String {
-    let shown = names.iter().take(MAX_NAMES).map(AsRef::as_ref);
-    let mut shown: Vec<&str> = shown.collect();
-    let more = format!("{} more", names.len() - shown.len());
-    if shown.len() < names.len() {
-        shown.push(&more);
-    }
-    listed(&shown)
+/// A sentence on the residuals and the noise of each sensor.
+pub(super) fn sensors(report: &FitReport) -> Vec<String> {
+    let sensors = report.sensors.iter().map(|sensor| {
+        format!(
+            "{} ({}): RMS residual {:.3} {unit}, noise {:.3} {unit}, lag-1 autocorrelation {}, {} of {} outliers.",
+            sensor.name,
+            sensor.measures,
+            sensor.rms,
+            sensor.sigma,
+            plain(sensor.lag1_autocorrelation, 2),
+            sensor.outliers,
+            sensor.points,
+            unit = sensor.unit,
+        )
+    });
+    sensors.collect()
 }

@@ -3,8 +3,8 @@
 use model_spec::sort_by_number;
 
 use super::{Curve, Distance, ImportedFlight, ImportedTake};
+use crate::figure::Figure;
 use crate::figures::{Dots, Layout, Line, Look, Mark, Panel};
-use crate::fit::Drawn;
 use crate::thin;
 
 /// Maximum number of marker pairs whose distances are drawn for a flight: the number of distinct line colours.
@@ -14,7 +14,7 @@ const MAX_DOTS: usize = 150;
 
 /// Draws the motion and the marker distances of an imported flight over time: lines during the flight, grey dots for
 /// the recording before and after it. `number` becomes part of the figure's file name.
-pub(super) fn flight(number: usize, flight: &ImportedFlight) -> Drawn {
+pub(super) fn flight(number: usize, flight: &ImportedFlight) -> Figure {
     let mut panels: Vec<Panel> = flight.curves.iter().map(|it| curve(flight, it)).collect();
     if let Some(panel) = distances(flight) {
         panels.push(panel);
@@ -27,12 +27,18 @@ pub(super) fn flight(number: usize, flight: &ImportedFlight) -> Drawn {
         flight.release.time, flight.release.reason, flight.end.time, flight.end.reason
     );
     let name = format!("flight-{number:02}");
-    Drawn::of_panels(name, &flight.file, caption, Layout::SMALL, &panels)
+    without_table(Figure::of_panels(
+        name,
+        &flight.file,
+        caption,
+        Layout::SMALL,
+        &panels,
+    ))
 }
 
 /// Draws the height of the body over the whole recording `take`, with begin and end of each flight. `number` becomes
 /// part of the figure's file name.
-pub(super) fn take(number: usize, take: &ImportedTake) -> Drawn {
+pub(super) fn take(number: usize, take: &ImportedTake) -> Figure {
     let inside = |time: f64| take.flights.iter().any(|flight| flight.holds(time));
     let mut panel = split(&take.heights, inside);
     panel.title = "Height, m".into();
@@ -43,13 +49,21 @@ pub(super) fn take(number: usize, take: &ImportedTake) -> Drawn {
         .map(|flight| (flight.release.time, flight.file.as_str()));
     let end = take.flights.iter().map(|flight| (flight.end.time, ""));
     panel.marks = marks(release.chain(end));
-    Drawn::of_panels(
+    without_table(Figure::of_panels(
         format!("take-{number:02}"),
         &take.file,
-        "Lines: the flights; grey: what was cut away.".into(),
+        "Lines: the flights; grey: what was cut away.",
         Layout::WIDE,
         &[panel],
-    )
+    ))
+}
+
+/// The figure without its CSV table: an import is one page, and its numbers are the tables of the dataset.
+fn without_table(figure: Figure) -> Figure {
+    Figure {
+        csv: String::new(),
+        ..figure
+    }
 }
 
 fn marks<'a>(of: impl IntoIterator<Item = (f64, &'a str)>) -> Vec<Mark> {
@@ -63,9 +77,12 @@ fn marks<'a>(of: impl IntoIterator<Item = (f64, &'a str)>) -> Vec<Mark> {
 /// Panel of the pairs (time in s, value) in `points`. Points for whose time `inside` returns true form a line; all
 /// other points are grey dots.
 fn split(points: &[(f64, f64)], inside: impl Fn(f64) -> bool) -> Panel {
-    let line = points.iter().map(|&(time, value)| match inside(time) {
-        true => (time, value),
-        false => (time, f64::NAN),
+    let line = points.iter().map(|&(time, value)| {
+        if inside(time) {
+            (time, value)
+        } else {
+            (time, f64::NAN)
+        }
     });
     let line: Vec<(f64, f64)> = line.collect();
     let outside = points
@@ -101,9 +118,12 @@ fn distances(flight: &ImportedFlight) -> Option<Panel> {
     let left_out = pairs.len().saturating_sub(MAX_PAIRS);
     pairs.truncate(MAX_PAIRS);
     let line = |pair: &&Distance| {
-        let off = pair.points.iter().map(|&(t, d)| match flight.holds(t) {
-            true => (t, 1e3 * (d - pair.template)),
-            false => (t, f64::NAN),
+        let off = pair.points.iter().map(|&(t, d)| {
+            if flight.holds(t) {
+                (t, 1e3 * (d - pair.template))
+            } else {
+                (t, f64::NAN)
+            }
         });
         let off: Vec<(f64, f64)> = off.collect();
         Line {

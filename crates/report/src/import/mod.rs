@@ -1,5 +1,6 @@
 //! HTML page of an import: decisions made on each recording, and each flight that was cut from it.
 
+mod data;
 mod draw;
 mod page;
 
@@ -14,7 +15,7 @@ pub struct ImportPage {
     pub takes: Vec<ImportedTake>,
 }
 
-/// Choices of the import (such as units and axes), notes and flights of one imported recording.
+/// Choices of the import, notes and flights of one imported recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportedTake {
     /// File name of the imported recording.

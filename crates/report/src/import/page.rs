@@ -1,102 +1,122 @@
-//! HTML page of an import, rendered from a template.
+//! HTML page of an import.
 
 use identify::wording::count;
-use minijinja::context;
-use minijinja::value::Value;
 use model_spec::sort_by_number;
-use serde::Serialize;
 
-use super::{ImportPage, ImportedFlight, ImportedTake, draw};
-use crate::fit::flights::short;
-use crate::fit::page::{capitalized, one, plain_values, rendered};
-use crate::fit::words::names;
-use crate::numbers::plain;
+use super::{Distance, ImportPage, ImportedFlight, ImportedTake, draw};
+use crate::html::Html;
+use crate::page::Page;
+use crate::table::{Cell, Column, Table};
+use identify::numbers::plain;
+use identify::wording::{capitalized, names, short};
 
 /// Maximum number of imported flights that are drawn, over all recordings.
 const MAX_FLIGHTS: usize = 60;
-/// Maximum number of gaps (intervals without a measured marker) that are listed for each flight.
+/// Maximum number of gaps that are listed for each flight.
 const MAX_GAPS: usize = 5;
 /// Maximum number of marker pairs whose distances are listed for each recording.
 const MAX_PAIRS: usize = 30;
 
-/// A motion-capture recording, as input of the HTML template.
-#[derive(Serialize)]
-struct Take {
-    file: String,
-    decisions: Vec<(String, String)>,
-    notes: Vec<String>,
-    flights: Vec<Row>,
-    pairs: Vec<Pair>,
-}
-
-/// An imported flight, as input of the HTML template; all values are formatted as text.
-#[derive(Serialize)]
-struct Row {
-    file: String,
-    samples: usize,
-    from: String,
-    release: String,
-    to: String,
-    end: String,
-    unseen: String,
-}
-
-/// A pair of markers with their distance, as input of the HTML template; all lengths are formatted in mm.
-#[derive(Serialize)]
-struct Pair {
-    name: String,
-    template: String,
-    measured: String,
-    farthest: String,
-    file: String,
-}
-
 /// Renders the HTML page that reports an import of recordings.
 pub(super) fn html(page: &ImportPage) -> String {
     let flights: usize = page.takes.iter().map(|take| take.flights.len()).sum();
-    let mut takes = Vec::new();
+    let from = count(page.takes.len(), "recording");
+    let mut body = Html::new();
+    body.paragraph(format!(
+        "{} from {from}. Each flight was cut where free flight begins and ends; blue is what the dataset holds, grey \
+         what was cut away.",
+        count(flights, "flight")
+    ));
     let mut drawn = 0;
     for (number, take) in page.takes.iter().enumerate() {
-        let room = MAX_FLIGHTS.saturating_sub(drawn);
-        let figures = take.flights.iter().take(room).enumerate();
-        let figures: Vec<Value> = figures
-            .map(|(i, flight)| one(&draw::flight(drawn + i + 1, flight)))
-            .collect();
-        drawn += figures.len();
-        takes.push(context! {
-            of => plain_values(&table(take)),
-            overview => one(&draw::take(number + 1, take)),
-            figures => figures,
-        });
+        let content = section(take, number + 1, drawn);
+        body.section("", &take.file, content);
+        drawn = (drawn + take.flights.len()).min(MAX_FLIGHTS);
     }
-    let context = context! {
-        css => Value::from_safe_string(include_str!("../fit/page.css").to_owned() + include_str!("page.css")),
-        model => &page.model,
-        dataset => &page.dataset,
-        summary => format!("{} from {}.", count(flights, "flight"), count(page.takes.len(), "recording")),
-        undrawn => flights - drawn,
-        takes => takes,
-    };
-    rendered(include_str!("page.html"), context)
+    if flights > drawn {
+        body.note(format!("{} more flights are not drawn.", flights - drawn));
+    }
+    let version = env!("CARGO_PKG_VERSION");
+    body.note(format!(
+        "hyzer {version}. The same decisions are in import.txt."
+    ));
+    let heading = Html::from(&page.dataset).then(" ");
+    let heading = heading
+        .then(Html::of("span", "", "for the model"))
+        .then(" ");
+    Page {
+        kind: "hyzer import",
+        title: format!("Import of {}", page.dataset),
+        heading: heading.then(&page.model),
+        body,
+    }
+    .html()
 }
 
-fn table(take: &ImportedTake) -> Take {
-    Take {
-        file: take.file.clone(),
-        decisions: take.decisions.clone(),
-        notes: take.notes.iter().map(|note| capitalized(note)).collect(),
-        flights: take.flights.iter().map(row).collect(),
-        pairs: pairs(take),
+/// Section of one recording with the number `number`; `drawn` flights of the recordings before it are drawn.
+fn section(take: &ImportedTake, number: usize, drawn: usize) -> Html {
+    let mut content = Html::new();
+    content.heading("What was decided");
+    let mut decisions = Table::new()
+        .with(Column::Name, &[""])
+        .with(Column::Text, &[""]);
+    for (what, decision) in &take.decisions {
+        decisions.row([what.into(), decision.into()]);
     }
+    content.table(&decisions);
+    content.alarms("Notes", take.notes.iter().map(|note| capitalized(note)));
+    if take.flights.is_empty() {
+        content.paragraph("No throw was found.");
+    } else {
+        content.heading("Flights");
+        content.table(&flights(take));
+    }
+    content.figure(&draw::take(number, take), false);
+    let room = take.flights.iter().take(MAX_FLIGHTS - drawn).enumerate();
+    let figures = room.map(|(i, flight)| draw::flight(drawn + i + 1, flight));
+    content.grid(&figures.collect::<Vec<_>>(), MAX_FLIGHTS, true);
+    let pairs = pairs(take);
+    if !pairs.is_empty() {
+        content.heading("Distances between markers");
+        content.table(&pairs);
+        content.note(
+            "Of each pair, the flight in which its distance departs farthest from its median. The distances of a \
+             rigid body are constant: one that jumps has exchanged labels, one that drifts a loose marker.",
+        );
+    }
+    content
 }
 
-fn row(flight: &ImportedFlight) -> Row {
-    let mut unseen: Vec<String> = flight
-        .gaps
-        .iter()
-        .take(MAX_GAPS)
-        .map(|(from, to)| format!("nothing from {} to {} s", plain(*from, 3), plain(*to, 3)))
-        .collect();
+fn flights(take: &ImportedTake) -> Table {
+    use Column::{Name, Number, Text};
+    let mut table = Table::new()
+        .with(Name, &["table"])
+        .with(Number, &["from, s"])
+        .with(Text, &["because"])
+        .with(Number, &["to, s"])
+        .with(Text, &["because"])
+        .with(Number, &["samples"])
+        .with(Text, &["not seen"]);
+    for flight in &take.flights {
+        table.row([
+            (&flight.file).into(),
+            plain(flight.release.time, 3).into(),
+            short(&flight.release.reason).into(),
+            plain(flight.end.time, 3).into(),
+            short(&flight.end.reason).into(),
+            flight.samples.to_string().into(),
+            unseen(flight).into(),
+        ]);
+    }
+    table
+}
+
+/// Text on the gaps of a flight and on its markers with missing samples.
+fn unseen(flight: &ImportedFlight) -> String {
+    let gaps = flight.gaps.iter().take(MAX_GAPS);
+    let gaps =
+        gaps.map(|(from, to)| format!("nothing from {} to {} s", plain(*from, 3), plain(*to, 3)));
+    let mut unseen: Vec<String> = gaps.collect();
     if flight.gaps.len() > MAX_GAPS {
         unseen.push(format!("{} more gaps", flight.gaps.len() - MAX_GAPS));
     }
@@ -105,49 +125,54 @@ fn row(flight: &ImportedFlight) -> Row {
     if !missing.is_empty() {
         unseen.push(names(&missing));
     }
-    Row {
-        file: flight.file.clone(),
-        samples: flight.samples,
-        from: plain(flight.release.time, 3),
-        release: short(&flight.release.reason),
-        to: plain(flight.end.time, 3),
-        end: short(&flight.end.reason),
-        unseen: unseen.join("; "),
-    }
+    unseen.join("; ")
 }
 
-/// Marker pairs of a recording with their distances, largest deviation from the median distance first. Each pair is
-/// listed with the flight in which the distance of its markers deviates most from its median over that flight.
-fn pairs(take: &ImportedTake) -> Vec<Pair> {
-    let mut worst: Vec<(&str, f64, f64, f64, &str)> = Vec::new();
+/// Table of the marker pairs of a recording, largest deviation from the median distance first. Each pair is listed
+/// with the flight in which the distance of its markers deviates most from its median over that flight.
+fn pairs(take: &ImportedTake) -> Table {
+    struct Worst<'a> {
+        pair: &'a Distance,
+        file: &'a str,
+        median: f64,
+        farthest: f64,
+    }
+    let mut worst: Vec<Worst<'_>> = Vec::new();
     for flight in &take.flights {
         for pair in &flight.distances {
             let Some((median, farthest)) = draw::median_and_departure(flight, pair) else {
                 continue;
             };
-            let entry = (
-                pair.name.as_str(),
-                pair.template,
+            let found = Worst {
+                pair,
+                file: &flight.file,
                 median,
                 farthest,
-                flight.file.as_str(),
-            );
-            match worst.iter_mut().find(|known| known.0 == pair.name) {
-                Some(known) if known.3 < farthest => *known = entry,
+            };
+            match worst.iter_mut().find(|known| known.pair.name == pair.name) {
+                Some(known) if known.farthest < farthest => *known = found,
                 Some(_) => {}
-                None => worst.push(entry),
+                None => worst.push(found),
             }
         }
     }
-    sort_by_number(&mut worst, |pair| -pair.3);
-    worst.truncate(MAX_PAIRS);
-    let millimetres = |metres: f64| plain(1e3 * metres, 1);
-    let pair = |(name, template, median, farthest, file): (&str, f64, f64, f64, &str)| Pair {
-        name: name.to_owned(),
-        template: millimetres(template),
-        measured: millimetres(median),
-        farthest: millimetres(farthest),
-        file: file.to_owned(),
-    };
-    worst.into_iter().map(pair).collect()
+    sort_by_number(&mut worst, |found| -found.farthest);
+    let mut table = Table::new()
+        .with(Column::Name, &["pair"])
+        .with(
+            Column::Number,
+            &["template, mm", "median, mm", "farthest from it, mm"],
+        )
+        .with(Column::Plain, &["in"]);
+    let millimetres = |metres: f64| Cell::from(plain(1e3 * metres, 1));
+    for found in worst.iter().take(MAX_PAIRS) {
+        table.row([
+            (&found.pair.name).into(),
+            millimetres(found.pair.template),
+            millimetres(found.median),
+            millimetres(found.farthest),
+            found.file.into(),
+        ]);
+    }
+    table
 }

@@ -8,8 +8,8 @@ use serde::Serialize;
 
 use crate::angle::is_angle;
 use crate::figures::symbol;
-use crate::numbers::unit;
 use crate::thin::stride;
+use identify::numbers::unit;
 
 /// Maximum number of scalar quantities that the 3D viewer shows over time for a flight.
 const MAX_NUMBERS: usize = 10;
@@ -184,9 +184,10 @@ impl<'m> FlightModel<'m> {
             let at = layout.quantities.iter().position(|q| *q == variable.name)?;
             let is_scalar = variable.value.shape == Shape::Scalar;
             let of = variable.value.unit.to_string();
-            let rank = match is_angle(&variable.value) {
-                true => 0,
-                false => 1 + UNITS.iter().position(|known| *known == of)?,
+            let rank = if is_angle(&variable.value) {
+                0
+            } else {
+                1 + UNITS.iter().position(|known| *known == of)?
             };
             is_scalar.then_some((rank, at, variable, of))
         });
@@ -199,9 +200,10 @@ impl<'m> FlightModel<'m> {
             .map(|(t, x)| observer.quantities(*t, x))
             .collect();
         numbers.extend(scalars.into_iter().map(|(_, at, variable, of)| {
-            let (scale, of) = match is_angle(&variable.value) {
-                true => (1f64.to_degrees(), "°".to_owned()),
-                false => (1.0, unit(&of)),
+            let (scale, of) = if is_angle(&variable.value) {
+                (1f64.to_degrees(), "°".to_owned())
+            } else {
+                (1.0, unit(&of))
             };
             let name = match variable.doc.split([',', ':']).next() {
                 None | Some("") => symbol(&variable.name),

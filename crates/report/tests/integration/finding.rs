@@ -49,7 +49,7 @@ fn page() -> (String, Vec<Figure>) {
 fn the_page_opens_with_what_is_wrong_and_how_sure_it_is() {
     assert_eq!(mystery().report.verdict, Verdict::Identified);
     let (html, figures) = page();
-    let opening = &html[..html.find("id=\"causes\"").unwrap()];
+    let opening = &html[..html.find("id=\"explanations\"").unwrap()];
     for text in [
         "The lift stops growing with the angle of attack",
         "° C_L is ",

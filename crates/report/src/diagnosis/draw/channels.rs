@@ -3,19 +3,18 @@
 use diagnose::{LoadChannel, LoadHistory, Report};
 
 use super::super::words;
-use super::drawn;
+use crate::figure::Figure;
 use crate::figures::Layout;
 use crate::figures::axis::{number, range, ticks};
 use crate::figures::csv::Table;
 use crate::figures::svg::{Svg, cut};
-use crate::fit::Drawn;
 use crate::fit::draw::not_drawn;
-use crate::numbers::{percent, raised};
 use crate::thin::stride;
+use identify::numbers::{percent, raised};
 
 /// Maximum number of load channels drawn, one figure each.
 const MAX_CHANNELS: usize = 12;
-/// Maximum number of time histories (one for each flight) drawn for each load.
+/// Maximum number of time histories drawn for each load.
 const MAX_HISTORIES: usize = 12;
 /// Maximum number of points with which a load history is drawn.
 const MAX_POINTS: usize = 120;
@@ -27,7 +26,7 @@ const ABOVE: f64 = 24.0;
 const BELOW: f64 = 24.0;
 
 /// Draws the time histories of the loads that the model lacks, one figure for each load channel.
-pub(super) fn channels(report: &Report) -> Vec<Drawn> {
+pub(super) fn channels(report: &Report) -> Vec<Figure> {
     let all = report.unattributed.iter().flat_map(|o| &o.channels);
     let all = all.filter(|c| !c.histories.is_empty()).take(MAX_CHANNELS);
     all.enumerate()
@@ -35,7 +34,7 @@ pub(super) fn channels(report: &Report) -> Vec<Drawn> {
         .collect()
 }
 
-fn figure(index: usize, channel: &LoadChannel) -> Drawn {
+fn figure(index: usize, channel: &LoadChannel) -> Figure {
     let title = format!(
         "{}: {} explained",
         words::site(&channel.site),
@@ -56,7 +55,7 @@ fn figure(index: usize, channel: &LoadChannel) -> Drawn {
         }
     }
     let texts = [caption, table.finish()];
-    drawn(&name, &title, texts, Layout::WIDE, |layout| {
+    Figure::in_layouts(name, &title, texts, Layout::WIDE, &|layout| {
         draw(channel, &title, layout)
     })
 }
@@ -150,7 +149,7 @@ fn draw(channel: &LoadChannel, title: &str, layout: Layout) -> String {
         svg.line("axis", (x0, bottom), (x0 + wide, bottom));
         let ends = [(time.0, "start"), (time.0 + length, "end")];
         for (t, anchor) in ends {
-            let mut text = crate::numbers::plain(t, 1);
+            let mut text = identify::numbers::plain(t, 1);
             if anchor == "end" {
                 text += " s";
             }

@@ -3,11 +3,10 @@
 use diagnose::{CoefficientCurve, Report};
 
 use super::super::DiagnosisPage;
-use super::drawn_panels;
+use crate::figure::Figure;
 use crate::figures::{Bar, Layout, Line, Panel, symbol};
-use crate::fit::Drawn;
-use crate::numbers::with_unit;
 use crate::thin::MAX_CURVE_POINTS;
+use identify::numbers::with_unit;
 
 /// Maximum number of coefficient curves drawn in the report.
 const MAX_CURVES: usize = 24;
@@ -24,7 +23,7 @@ fn moves(curve: &CoefficientCurve) -> bool {
 }
 
 /// Draws each coefficient curve that has points; curves that the effects added to the model change come first.
-pub(super) fn curves(report: &Report) -> Vec<Drawn> {
+pub(super) fn curves(report: &Report) -> Vec<Figure> {
     let mut curves: Vec<&CoefficientCurve> =
         report.curves.iter().filter(|c| !c.x.is_empty()).collect();
     curves.sort_by_key(|c| !moves(c));
@@ -32,7 +31,7 @@ pub(super) fn curves(report: &Report) -> Vec<Drawn> {
     figures.map(|(i, curve)| figure(i, curve)).collect()
 }
 
-fn figure(index: usize, curve: &CoefficientCurve) -> Drawn {
+fn figure(index: usize, curve: &CoefficientCurve) -> Figure {
     let points = |values: &[f64]| {
         let all = curve.x.iter().copied().zip(values.iter().copied());
         all.filter(|p| p.0.is_finite())
@@ -82,7 +81,7 @@ fn figure(index: usize, curve: &CoefficientCurve) -> Drawn {
         "The same without and with the extension; below, the number of samples."
     };
     let name = format!("curve-{:02}", index + 1);
-    drawn_panels(&name, &title, caption, Layout::SMALL, &panels)
+    Figure::of_panels(name, &title, caption, Layout::SMALL, &panels)
 }
 
 /// Histogram bars of the number of samples along the abscissa of the coefficient curve; empty for fewer than two

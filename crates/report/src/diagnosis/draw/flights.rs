@@ -5,10 +5,9 @@ use diagnose::{FlightGain, Report};
 use model_spec::sort_by_number;
 
 use super::gain::row;
-use super::{drawn_chart, drawn_panels};
+use crate::figure::Figure;
 use crate::figures::chart::{Chart, Row, Shape, axis_for};
 use crate::figures::{Dots, Layout, Line, Look, Panel};
-use crate::fit::Drawn;
 use crate::thin::stride;
 
 /// Maximum number of flights drawn as one chart row each; more flights are drawn as dots in order of their residual.
@@ -18,7 +17,7 @@ const MAX_DOTS: usize = 2000;
 
 /// Draws the RMS residuals of the fitted flights, without and with the effects added to the model; `None` if no effect
 /// was added.
-pub(super) fn flights(report: &Report) -> Option<Drawn> {
+pub(super) fn flights(report: &Report) -> Option<Figure> {
     let fitted = report.flights.iter();
     let fitted = fitted.filter(|f| f.role == Role::Fit && f.rms_after_m.is_some());
     let fitted: Vec<&FlightGain> = fitted.collect();
@@ -48,12 +47,12 @@ pub(super) fn flights(report: &Report) -> Option<Drawn> {
         level: Some((1e3 * report.leading_noise().sigma, "noise".into())),
     };
     let caption = "RMS residuals of the fitted flights, without and with the extension.";
-    Some(drawn_chart("flights", &chart, caption, Layout::SMALL))
+    Some(Figure::of_chart("flights", &chart, caption, Layout::SMALL))
 }
 
 /// Draws two dots for each flight: its RMS residuals without and with the effects added to the model. Flights are
 /// ordered by the residual without these effects; `noise` is the RMS measurement noise, mm.
-fn ranked(title: &str, fitted: &[&FlightGain], noise: f64) -> Drawn {
+fn ranked(title: &str, fitted: &[&FlightGain], noise: f64) -> Figure {
     let sizes = fitted
         .iter()
         .filter_map(|f| Some((1e3 * f.rms_before_m?, 1e3 * f.rms_after_m?)));
@@ -101,5 +100,5 @@ fn ranked(title: &str, fitted: &[&FlightGain], noise: f64) -> Drawn {
     };
     let caption =
         "RMS residuals of the fitted flights, two dots per flight; the broken line is the noise.";
-    drawn_panels("flights", title, caption, Layout::SMALL, &[panel])
+    Figure::of_panels("flights", title, caption, Layout::SMALL, &[panel])
 }

@@ -4,10 +4,9 @@ use dataset::Role;
 use diagnose::{FlightGain, Report};
 use model_spec::sort_by_number;
 
-use super::drawn_chart;
+use crate::figure::Figure;
 use crate::figures::Layout;
 use crate::figures::chart::{Chart, Row, Shape, axis_for};
-use crate::fit::Drawn;
 use crate::fit::draw::not_drawn;
 
 /// Maximum number of held-out flights whose prediction errors are drawn, one chart row each.
@@ -15,7 +14,7 @@ const MAX_FLIGHTS: usize = 12;
 
 /// Draws the RMS prediction errors without and with the effects added to the model, mm: one chart row for all flights
 /// and one for each held-out flight. `None` if the errors were not compared.
-pub(super) fn gain(report: &Report) -> Option<Drawn> {
+pub(super) fn gain(report: &Report) -> Option<Figure> {
     let gain = report.predictive_gain.as_ref()?;
     let mm = |metres: f64| 1e3 * metres;
     let mut held_out: Vec<&FlightGain> = Vec::new();
@@ -69,7 +68,7 @@ pub(super) fn gain(report: &Report) -> Option<Drawn> {
         "Flights that were not fitted; the bar at ‘all’ is the standard error of the difference, the broken line the \
          noise per coordinate.{left_out}"
     );
-    Some(drawn_chart("gain", &chart, &caption, Layout::SMALL))
+    Some(Figure::of_chart("gain", &chart, &caption, Layout::SMALL))
 }
 
 /// Chart row of a flight: RMS prediction error or residual, mm, without and with the effects added to the model.

@@ -4,10 +4,9 @@
 use identify::FlightEvidence;
 
 use super::super::DiagnosisPage;
-use super::drawn;
+use crate::figure::Figure;
 use crate::figures::csv::of_panels;
 use crate::figures::{Dots, Layout, Look, Panel};
-use crate::fit::Drawn;
 use crate::fit::draw::residuals::{FlightsOfRole, flights_of, panel, residual_figure};
 
 /// Maximum number of dots of each series of residuals in the version of a figure for narrow screens.
@@ -16,7 +15,7 @@ const NARROW_DOTS: usize = 400;
 /// Draws one figure for the residuals of the fitted flights and one for those of the held-out flights: grey for the
 /// model under test, blue for the extended model. If the model was not extended, the colours distinguish the markers
 /// instead. A figure without flights is omitted.
-pub(super) fn residuals(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
+pub(super) fn residuals(page: &DiagnosisPage<'_>) -> Vec<Figure> {
     let sigma = page.report.leading_noise().sigma;
     let figure = |before: FlightsOfRole<'_>| {
         let after = flights_of(page.after, before.role());
@@ -34,7 +33,7 @@ pub(super) fn residuals(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
             before.notes
         );
         let texts = [caption, of_panels(&panels)];
-        drawn(before.name, before.title, texts, Layout::WIDE, |layout| {
+        Figure::in_layouts(before.name, before.title, texts, Layout::WIDE, &|layout| {
             residual_figure(layout, before.title, &panels, NARROW_DOTS)
         })
     };

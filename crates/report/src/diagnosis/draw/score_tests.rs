@@ -1,13 +1,12 @@
 //! Figure of the score tests of all candidate effects, as equivalent z.
 
 use diagnose::{CandidateTest, Report};
+use identify::numbers::equivalent_z;
 use model_spec::sort_by_number;
 
-use super::super::words;
-use super::drawn_chart;
+use crate::figure::Figure;
 use crate::figures::Layout;
 use crate::figures::chart::{Axis, Chart, Row, Shape};
-use crate::fit::Drawn;
 use crate::fit::draw::not_drawn;
 
 /// Maximum number of candidate effects whose score tests are drawn.
@@ -15,7 +14,7 @@ const MAX_CANDIDATES: usize = 60;
 
 /// Draws the score test of each candidate effect as a bar of the equivalent standard normal quantile z, the most
 /// significant first; `None` if there are no candidates.
-pub(super) fn score_tests(report: &Report) -> Option<Drawn> {
+pub(super) fn score_tests(report: &Report) -> Option<Figure> {
     let mut all: Vec<&CandidateTest> = report.tests.iter().collect();
     // Candidates without a finite z-equivalent come last.
     let size = |c: &CandidateTest| {
@@ -44,7 +43,7 @@ pub(super) fn score_tests(report: &Report) -> Option<Drawn> {
             name: c.name.clone(),
             class,
             shapes: vec![Shape::Bar(c.z.max(0.0), bar)],
-            words: words::equivalent_z(c.z),
+            words: equivalent_z(c.z),
         }
     };
     let rows: Vec<Row> = all.iter().map(row).collect();
@@ -77,18 +76,24 @@ pub(super) fn score_tests(report: &Report) -> Option<Drawn> {
         across: "equivalent z".into(),
         level: Some((
             threshold,
-            format!("significant from {}", words::equivalent_z(threshold)),
+            format!("significant from {}", equivalent_z(threshold)),
         )),
     };
     let more = not_drawn(left_out, "more with smaller z");
-    let along = match report.explanations.is_empty() {
-        true => "",
-        false => " Effects with a signature like that of a explanation are significant with it.",
+    let along = if report.explanations.is_empty() {
+        ""
+    } else {
+        " Effects with a signature like that of a explanation are significant with it."
     };
     let caption = format!(
         "Score test of each effect alone, as the standard normal quantile z of equal p-value. The familywise error rate \
          of all tests is {}.{along}{more}",
-        crate::numbers::percent(report.threshold.alpha)
+        identify::numbers::percent(report.threshold.alpha)
     );
-    Some(drawn_chart("candidates", &chart, &caption, Layout::COLUMN))
+    Some(Figure::of_chart(
+        "candidates",
+        &chart,
+        &caption,
+        Layout::COLUMN,
+    ))
 }

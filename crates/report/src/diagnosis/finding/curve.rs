@@ -27,7 +27,7 @@ const QUANTILES: (f64, f64) = (0.005, 0.995);
 /// drawn.
 const FLAT: f64 = 1e-6;
 
-/// Curve of a quantity of the extended model (with the found effects) over a variable, and the same quantity of the
+/// Curve of a quantity of the extended model over a variable, and the same quantity of the
 /// model under test at the same states.
 #[derive(Clone, Debug, PartialEq)]
 pub(in super::super) struct Curve {
@@ -100,7 +100,7 @@ pub(super) fn of<'n>(fits: &Fits<'_>, effects: impl IntoIterator<Item = &'n str>
     })
 }
 
-/// Scalar variable (state, time or auxiliary variable) on which an auxiliary variable of the extended model depends;
+/// Scalar variable on which an auxiliary variable of the extended model depends;
 /// `None` if there is none. `at` is the index of the dependent variable in `Model::aux_variables`; `effect` is the
 /// index in `Model::effects` of the effect that adds or replaces it. Of several variables, the first is returned, but
 /// one that the effect lists in its declaration is preferred.
@@ -220,9 +220,10 @@ fn curve(before: &Fit, after: &Fit, at: usize, over: &Abscissa<'_>) -> Option<Cu
         unit: variable.value.unit.to_string(),
         over: over.name.to_owned(),
         over_doc: over.doc.split(',').next().unwrap_or_default().to_owned(),
-        over_unit: match over.is_angle {
-            true => "°".into(),
-            false => over.unit.clone(),
+        over_unit: if over.is_angle {
+            "°".into()
+        } else {
+            over.unit.clone()
         },
         points,
     })
@@ -256,9 +257,10 @@ fn points(samples: &[Sample<'_>], models: &Models<'_>) -> Vec<Point> {
             samples: inside.len(),
         })
     };
-    match step > 0.0 {
-        true => (0..INTERVALS).filter_map(interval).collect(),
-        false => Vec::new(),
+    if step > 0.0 {
+        (0..INTERVALS).filter_map(interval).collect()
+    } else {
+        Vec::new()
     }
 }
 

@@ -3,13 +3,12 @@
 use diagnose::{CandidateTest, Report, Verdict};
 use model_spec::sort_by_number;
 
-use super::super::draw::{drawn_chart, drawn_panels};
 use super::super::words;
 use super::curve::Curve;
+use crate::figure::Figure;
 use crate::figures::chart::{Axis, Chart, Row, Shape};
 use crate::figures::{Bar, Layout, Line, Panel, symbol};
-use crate::fit::Drawn;
-use crate::numbers::{Digits, unit, with_unit};
+use identify::numbers::{Digits, equivalent_z, unit, with_unit};
 
 /// File name, without suffix, of the figure in the opening section of the diagnosis report.
 const NAME: &str = "finding";
@@ -21,7 +20,7 @@ const WIDTH_95: f64 = 1.96;
 
 /// Draws the quantity of `curve` in the model under test and in the extended model, over the variable on which the
 /// quantity depends. The 95 % confidence band of the extended model and the number of samples are drawn as well.
-pub(super) fn curve(curve: &Curve) -> Drawn {
+pub(super) fn curve(curve: &Curve) -> Figure {
     let line = |name: &str, of: fn(&super::curve::Point) -> f64| Line {
         name: name.into(),
         points: curve.points.iter().map(|p| (p.x, of(p))).collect(),
@@ -60,12 +59,12 @@ pub(super) fn curve(curve: &Curve) -> Drawn {
     let title = format!("{} over {over}", curve.quantity);
     let caption = "Before: the model as it was, fitted. Extended: with the effect, fitted; shaded: its 95\u{a0}% band from \
                    the covariance of the fit, mostly narrower than the line. Below: how many samples of the fitted flights support each part.";
-    drawn_panels(NAME, &title, caption, Layout::COLUMN, &panels)
+    Figure::of_panels(NAME, &title, caption, Layout::COLUMN, &panels)
 }
 
 /// Draws the estimated coefficients of the hypothesis that fits best, in units of their smallest effect sizes of
 /// interest if all are declared, otherwise in standard errors. `None` if there are no estimates.
-pub(super) fn estimates(report: &Report) -> Option<Drawn> {
+pub(super) fn estimates(report: &Report) -> Option<Figure> {
     let effects = report.explanations.first()?.effects.iter();
     let all = effects.flat_map(|e| &e.estimates);
     let all: Vec<_> = all
@@ -75,9 +74,10 @@ pub(super) fn estimates(report: &Report) -> Option<Drawn> {
     let interest = |e: &diagnose::Estimate| e.smallest_effect_of_interest.filter(|s| *s > 0.0);
     let by_interest = !all.is_empty() && all.iter().all(|(_, e)| interest(e).is_some());
     let rows = all.iter().map(|(name, e)| {
-        let scale = match by_interest {
-            true => interest(e).unwrap_or(e.std_error),
-            false => e.std_error,
+        let scale = if by_interest {
+            interest(e).unwrap_or(e.std_error)
+        } else {
+            e.std_error
         };
         let (value, half) = (e.value.abs() / scale, WIDTH_95 * e.std_error / scale);
         let digits = Digits::of(e.value, e.std_error);
@@ -95,15 +95,16 @@ pub(super) fn estimates(report: &Report) -> Option<Drawn> {
     if rows.is_empty() {
         return None;
     }
-    let (across, level) = match by_interest {
-        true => (
+    let (across, level) = if by_interest {
+        (
             "size, in units of the smallest size of interest",
             (1.0, "of interest".to_owned()),
-        ),
-        false => (
+        )
+    } else {
+        (
             "size, in standard errors",
             (report.threshold.z, "significant".to_owned()),
-        ),
+        )
     };
     let chart = Chart {
         title: "Size of the effect".into(),
@@ -114,12 +115,12 @@ pub(super) fn estimates(report: &Report) -> Option<Drawn> {
         level: Some(level),
     };
     let caption = "Dot and bar: the estimate, without its sign, and its 95\u{a0}% interval; at 0 the effect is absent.";
-    Some(drawn_chart(NAME, &chart, caption, Layout::COLUMN))
+    Some(Figure::of_chart(NAME, &chart, caption, Layout::COLUMN))
 }
 
 /// Draws the most significant score tests of candidate effects with the significance threshold; `None` if there are no
 /// candidates.
-pub(super) fn strongest(report: &Report) -> Option<Drawn> {
+pub(super) fn strongest(report: &Report) -> Option<Figure> {
     let mut all: Vec<&CandidateTest> = report.tests.iter().collect();
     all.retain(|c| c.z.is_finite());
     sort_by_number(&mut all, |test| -test.z);
@@ -137,7 +138,7 @@ pub(super) fn strongest(report: &Report) -> Option<Drawn> {
             name: words::readable(&c.name),
             class: "tick",
             shapes: vec![Shape::Bar(c.z.max(0.0), bar)],
-            words: words::equivalent_z(c.z),
+            words: equivalent_z(c.z),
         }
     });
     let chart = Chart {
@@ -154,5 +155,5 @@ pub(super) fn strongest(report: &Report) -> Option<Drawn> {
         }
         _ => "The effects with the largest test statistics.",
     };
-    Some(drawn_chart(NAME, &chart, caption, Layout::COLUMN))
+    Some(Figure::of_chart(NAME, &chart, caption, Layout::COLUMN))
 }

@@ -5,13 +5,12 @@ mod draw;
 mod words;
 
 use diagnose::Verdict;
-use serde::Serialize;
 
 use super::DiagnosisPage;
-use crate::fit::Drawn;
+use crate::figure::Figure;
 
 /// Sentences of the opening section of the diagnosis report.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Finding {
     /// Sentences that state which effect the model lacks, and the size of the effect.
     pub(super) what: String,
@@ -23,7 +22,7 @@ pub(super) struct Finding {
 
 /// Writes the opening section of the diagnosis report and draws its figure; the figure is `None` if there is nothing to
 /// draw.
-pub(super) fn finding(page: &DiagnosisPage<'_>) -> (Finding, Option<Drawn>) {
+pub(super) fn finding(page: &DiagnosisPage<'_>) -> (Finding, Option<Figure>) {
     let report = page.report;
     let effects = || {
         let first = report.explanations.first();

@@ -1,14 +1,13 @@
 //! Sentences of the opening section: the finding, its certainty, and the recommended next step.
 
-use diagnose::{Estimate, Explanation, ExplanationEffect, Report, Verdict};
+use diagnose::{Explanation, ExplanationEffect, LackOfFit, Report, Verdict};
 use identify::wording::count;
 
 use super::super::{DiagnosisPage, words};
 use super::curve::{Curve, Point};
 use crate::figures::symbol;
-use crate::fit::page::sentence;
-use crate::fit::words::names;
-use crate::numbers::{Digits, percent, plain, significant, unit};
+use identify::numbers::{Digits, equivalent_z, percent, plain, probability, significant, unit};
+use identify::wording::{names, sentence};
 
 /// Minimum absolute ratio of an effect's estimate to its standard error at which the report calls the effect far beyond
 /// chance. The threshold is so high that chance does not reach it even in a large number of diagnoses.
@@ -21,38 +20,24 @@ const USUAL: f64 = 0.05;
 /// point to be named in a sentence.
 const MIN_SHARE: f64 = 0.025;
 
-/// Sentences that state which effect the model lacks, and the size of this effect.
+/// Sentences that describe the effect that the model lacks, and its size; empty if nothing is known of it.
 pub(super) fn what(report: &Report, curve: Option<&Curve>) -> String {
     let first = report.explanations.first();
-    let model = &report.model;
+    let effects = first.map_or_else(String::new, says);
     match report.verdict {
-        Verdict::Adequate => format!(
-            "Nothing that these flights can show is missing in {model}: its residuals look like the noise of the measurement."
-        ),
-        Verdict::Identified => match first {
-            Some(explanation) => joined([says(explanation), size(curve, first)]),
-            None => "The model lacks an effect.".to_owned(),
-        },
-        Verdict::Ambiguous => match first {
-            Some(explanation) => joined([
-                "Something is missing, and these flights cannot show which of several effects it is. The one that fits best:"
-                    .to_owned(),
-                says(explanation),
-                size(curve, first),
-            ]),
-            None => "Something is missing, and these flights cannot show what.".to_owned(),
-        },
-        Verdict::Negligible => match first {
-            Some(explanation) => joined([
-                "There is an effect that the model lacks, and it is too small to matter:".to_owned(),
-                says(explanation),
-                size(None, first),
-            ]),
-            None => "What the model lacks is too small to matter.".to_owned(),
-        },
+        Verdict::Adequate => "The residuals look like the noise of the measurement.".to_owned(),
+        Verdict::Identified => joined([effects, size(curve, first)]),
+        Verdict::Ambiguous if first.is_none() => String::new(),
+        Verdict::Ambiguous => joined([
+            "The one that fits best:".to_owned(),
+            effects,
+            size(curve, first),
+        ]),
+        Verdict::Negligible => joined([effects, size(None, first)]),
         Verdict::Unattributed => {
             let channels = report.unattributed.iter().flat_map(|u| &u.channels);
-            let most = channels.max_by(|a, b| a.explained_fraction.total_cmp(&b.explained_fraction));
+            let most =
+                channels.max_by(|a, b| a.explained_fraction.total_cmp(&b.explained_fraction));
             let place = most.filter(|c| c.explained_fraction.is_finite()).map(|c| {
                 format!(
                     "Most of it acts as {}: that alone explains {} of what all terms explain.",
@@ -60,11 +45,7 @@ pub(super) fn what(report: &Report, curve: Option<&Curve>) -> String {
                     percent(c.explained_fraction)
                 )
             });
-            joined([
-                "Something is missing that is not in the catalogue of effects.".to_owned(),
-                place.unwrap_or_default(),
-                size(curve, first),
-            ])
+            joined([place.unwrap_or_default(), size(curve, first)])
         }
     }
 }
@@ -95,10 +76,11 @@ fn size(curve: Option<&Curve>, explanation: Option<&Explanation>) -> String {
             .into_iter()
             .flat_map(|explanation| &explanation.effects);
         let all = effects.flat_map(|e| &e.estimates).take(3);
-        let all: Vec<String> = all.map(|(name, e)| estimate(name, e)).collect();
-        match all.is_empty() {
-            true => String::new(),
-            false => format!("Its size: {}.", all.join(", ")),
+        let all: Vec<String> = all.map(|(name, e)| e.text(name)).collect();
+        if all.is_empty() {
+            String::new()
+        } else {
+            format!("Its size: {}.", all.join(", "))
         }
     };
     let Some((curve, point)) = curve.and_then(|c| Some((c, farthest(c)?))) else {
@@ -125,13 +107,14 @@ fn size(curve: Option<&Curve>, explanation: Option<&Explanation>) -> String {
         digits.one(point.error)
     );
     let value = value.trim_end();
-    match point.before.is_finite() {
-        true => format!(
+    if point.before.is_finite() {
+        format!(
             "At {} {place} {quantity} is {value}; the model without it has {}.",
             article(&over),
             digits.one(point.before)
-        ),
-        false => format!("At {} {place} {quantity} is {value}.", article(&over)),
+        )
+    } else {
+        format!("At {} {place} {quantity} is {value}.", article(&over))
     }
 }
 
@@ -146,9 +129,12 @@ fn article(noun: &str) -> &'static str {
 /// considered. Points near an end of the curve are not considered: on each side of a point must lie at least the
 /// fraction [`MIN_SHARE`] of the samples.
 fn farthest(curve: &Curve) -> Option<Point> {
-    let size = |p: &Point| match p.before.is_finite() {
-        true => (p.after - p.before).abs(),
-        false => p.after.abs(),
+    let size = |p: &Point| {
+        if p.before.is_finite() {
+            (p.after - p.before).abs()
+        } else {
+            p.after.abs()
+        }
     };
     let all: usize = curve.points.iter().map(|p| p.samples).sum();
     let mut below = 0;
@@ -159,17 +145,6 @@ fn farthest(curve: &Curve) -> Option<Point> {
     });
     let known = supported.filter(|p| p.after.is_finite() && p.error.is_finite());
     known.copied().max_by(|a, b| size(a).total_cmp(&size(b)))
-}
-
-fn estimate(name: &str, e: &Estimate) -> String {
-    let digits = Digits::of(e.value, e.std_error);
-    let text = format!(
-        "{name} = {} ± {} {}",
-        digits.one(e.value),
-        digits.one(e.std_error),
-        unit(&e.unit)
-    );
-    text.trim_end().to_owned()
 }
 
 /// Coefficient of the hypothesis `explanation` with the largest absolute ratio of estimate to standard error: the effect, the
@@ -186,7 +161,7 @@ fn clearest(explanation: &Explanation) -> Option<(&ExplanationEffect, &String, f
 /// another candidate effect could also explain the flights.
 pub(super) fn sure(report: &Report) -> String {
     let tested = count(report.tests.len(), "effect");
-    let threshold = words::equivalent_z(report.threshold.z);
+    let threshold = equivalent_z(report.threshold.z);
     let first = report.explanations.first();
     let far = first.and_then(clearest).map(|(_, name, z)| {
         format!(
@@ -206,11 +181,12 @@ pub(super) fn sure(report: &Report) -> String {
             "Of the {tested} tested only this one explains the flights: with it in the model, the strongest of the others \
              is {} (p = {}{}).",
             words::readable(&r.name),
-            words::probability(r.p_value),
+            probability(r.p_value),
             // Bonferroni correction for the number of candidates.
-            match r.p_value * report.tests.len() as f64 > USUAL {
-                true => ", as chance gives among so many",
-                false => "",
+            if r.p_value * report.tests.len() as f64 > USUAL {
+                ", as chance gives among so many"
+            } else {
+                ""
             }
         ),
         None => format!("Of the {tested} tested only this one explains the flights."),
@@ -223,7 +199,7 @@ pub(super) fn sure(report: &Report) -> String {
                 format!(
                     "None of the {tested} tested is significant: the largest test statistic is z = {}, and {threshold} would be \
                      needed.",
-                    words::equivalent_z(strongest)
+                    equivalent_z(strongest)
                 ),
                 "An effect below its minimum detectable size could still be there; the sizes are listed under the limits \
                  of these flights."
@@ -247,7 +223,7 @@ pub(super) fn sure(report: &Report) -> String {
                     &report
                         .explanations
                         .iter()
-                        .map(words::explanation)
+                        .map(Explanation::name)
                         .collect::<Vec<_>>()
                 )
             ),
@@ -258,7 +234,7 @@ pub(super) fn sure(report: &Report) -> String {
                 .to_owned(),
         ]),
         Verdict::Unattributed => {
-            let strongest = report.lack_of_fit.as_ref().map(words::lack_of_fit);
+            let strongest = report.lack_of_fit.as_ref().map(LackOfFit::sentence);
             joined([
                 strongest.unwrap_or_default(),
                 format!("None of the {tested} of the catalogue takes the misfit away."),

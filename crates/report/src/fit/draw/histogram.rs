@@ -3,15 +3,15 @@
 use dataset::Role;
 use identify::FitReport;
 
-use super::super::Drawn;
 use super::not_drawn;
+use crate::figure::Figure;
 use crate::figures::{Bar, Layout, Panel};
 
 /// Minimum number of fitted flights for which the histogram of their residuals is drawn.
 const MIN_FLIGHTS: usize = 8;
 
 /// Draws the histogram of the RMS residuals (mm) of the fitted flights; `None` for fewer than [`MIN_FLIGHTS`] flights.
-pub(in super::super) fn histogram(report: &FitReport) -> Option<Drawn> {
+pub(in super::super) fn histogram(report: &FitReport) -> Option<Figure> {
     let mut rms: Vec<f64> = report.used(Role::Fit).map(|f| 1e3 * f.rms()).collect();
     rms.retain(|v| v.is_finite());
     if rms.len() < MIN_FLIGHTS {
@@ -46,7 +46,7 @@ pub(in super::super) fn histogram(report: &FitReport) -> Option<Drawn> {
         ..Panel::default()
     };
     let more = not_drawn(beyond, "with larger residuals");
-    Some(Drawn::of_panels(
+    Some(Figure::of_panels(
         "rms",
         "Residuals by flight",
         format!("Number of fitted flights by RMS residual.{more}"),

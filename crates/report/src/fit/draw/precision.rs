@@ -2,12 +2,13 @@
 
 use model_spec::sort_by_number;
 
-use super::super::{Drawn, FitPage};
+use super::super::FitPage;
 use super::not_drawn;
 use crate::bands::std_error;
+use crate::figure::Figure;
 use crate::figures::Layout;
 use crate::figures::chart::{Axis, Chart, Row, Shape};
-use crate::numbers::percent;
+use identify::numbers::percent;
 
 /// Minimum and maximum of the chart axis on which relative standard errors are drawn, %.
 const AXIS: (f64, f64) = (0.1, 1e3);
@@ -16,7 +17,7 @@ const MAX_ROWS: usize = 24;
 
 /// Draws the relative standard error of each estimated coefficient, the smallest first; `None` if no coefficient was
 /// estimated.
-pub(in super::super) fn precision(page: &FitPage<'_>) -> Option<Drawn> {
+pub(in super::super) fn precision(page: &FitPage<'_>) -> Option<Figure> {
     let found = page.coefficients().into_iter();
     let sizes = found.map(|(name, c)| (name, c, std_error(c) / c.value.abs()));
     let mut sizes: Vec<_> = sizes
@@ -53,7 +54,7 @@ pub(in super::super) fn precision(page: &FitPage<'_>) -> Option<Drawn> {
     );
     let (wide, texts) = (Layout::COLUMN, [caption, chart.csv()]);
     let draw = |layout| chart.draw(layout);
-    Some(Drawn::in_layouts(
+    Some(Figure::in_layouts(
         "precision",
         &chart.title,
         texts,

@@ -3,9 +3,9 @@
 use dataset::Role;
 use identify::{Fit, FlightEvidence, FlightId};
 
-use super::super::Drawn;
 use super::{points, samples};
 use crate::bands::{PredictionBand, prediction_band};
+use crate::figure::Figure;
 use crate::figures::{Dots, Layout, Look, Mark, Panel};
 use crate::thin::{MAX_CURVE_POINTS, stride};
 
@@ -22,7 +22,7 @@ pub(crate) fn predictions(
     fit: &Fit,
     evidence: &[FlightEvidence],
     before: &[FlightEvidence],
-) -> Vec<Drawn> {
+) -> Vec<Figure> {
     let held_out = evidence
         .iter()
         .filter(|f| f.role == Role::HeldOut && !f.markers.is_empty());
@@ -47,7 +47,7 @@ fn figure(
     before: Option<&FlightEvidence>,
     band: &PredictionBand,
     sigma: [f64; 3],
-) -> Drawn {
+) -> Figure {
     let first = flight.times.get(band.first).copied();
     let panel = |(axis, name): (usize, &str)| {
         let half = |sample: usize| {
@@ -93,7 +93,7 @@ fn figure(
          of the coefficients, of the initial state (fitted to the first 30\u{a0}%) and of the noise."
     );
     let name = format!("prediction-{:02}", index + 1);
-    Drawn::of_panels(name, &flight.file, caption, Layout::SMALL, &panels)
+    Figure::of_panels(name, &flight.file, caption, Layout::SMALL, &panels)
 }
 
 /// Times (s) and prediction errors (measured − predicted position, mm) of a flight along one axis of the inertial frame

@@ -4,9 +4,9 @@
 use identify::FitReport;
 use model_spec::sort_by_number;
 
-use super::super::Drawn;
+use crate::figure::Figure;
 use crate::figures::{Dots, Layout, Line, Look, Mark, Panel};
-use crate::numbers::{Digits, raised, unit};
+use identify::numbers::{Digits, raised, unit};
 
 /// Deviance of the profile likelihood above which a value of the coefficient is rejected at the 5 % level: 95 %
 /// quantile of χ²(1).
@@ -15,7 +15,7 @@ const LEVEL: f64 = 3.84;
 const MAX_PROFILES: usize = 24;
 
 /// Draws one figure for each profile likelihood in the report.
-pub(in super::super) fn profiles(report: &FitReport) -> Vec<Drawn> {
+pub(in super::super) fn profiles(report: &FitReport) -> Vec<Figure> {
     let wanted = report.profiles.iter().take(MAX_PROFILES).enumerate();
     wanted
         .map(|(i, profile)| {
@@ -72,7 +72,7 @@ pub(in super::super) fn profiles(report: &FitReport) -> Vec<Drawn> {
                 up: Some((-0.05 * top, 1.05 * top)),
                 ..Panel::default()
             };
-            Drawn::of_panels(
+            Figure::of_panels(
                 format!("profile-{:02}", i + 1),
                 &format!("Profile likelihood of {}", profile.name),
                 format!(

@@ -4,8 +4,8 @@
 use dataset::Role;
 use identify::{FlightEvidence, NoiseReport};
 
-use super::super::Drawn;
 use super::{MAX_FLIGHTS, points, samples};
+use crate::figure::Figure;
 use crate::figures::csv::of_panels;
 use crate::figures::{Dots, Layout, Look, Mark, Panel, figure_of};
 use crate::thin::stride;
@@ -15,7 +15,7 @@ const MAX_DOTS: usize = 1500;
 /// Maximum number of residuals drawn as dots for each marker on a narrow screen.
 const NARROW_DOTS: usize = 150;
 
-/// Flights of one role (fitted or held out), whose residuals are drawn in one figure.
+/// Flights of one role, whose residuals are drawn in one figure.
 pub(crate) struct FlightsOfRole<'e> {
     /// File name, without suffix, of the figure of residuals.
     pub(crate) name: &'static str,
@@ -92,7 +92,7 @@ pub(crate) fn residual_figure(
 
 /// Draws one figure for the residuals of the fitted flights and one for those of the held-out flights. A figure without
 /// flights is omitted.
-pub(in super::super) fn residuals(evidence: &[FlightEvidence], noise: &NoiseReport) -> Vec<Drawn> {
+pub(in super::super) fn residuals(evidence: &[FlightEvidence], noise: &NoiseReport) -> Vec<Figure> {
     let figure = |of: FlightsOfRole<'_>| {
         let axes = ["x", "y", "z"].into_iter().enumerate();
         let panels = axes.map(|(i, axis)| {
@@ -106,7 +106,7 @@ pub(in super::super) fn residuals(evidence: &[FlightEvidence], noise: &NoiseRepo
             of.notes
         );
         let texts = [caption, of_panels(&panels)];
-        Drawn::in_layouts(of.name, of.title, texts, Layout::WIDE, &|layout| {
+        Figure::in_layouts(of.name, of.title, texts, Layout::WIDE, &|layout| {
             residual_figure(layout, of.title, &panels, NARROW_DOTS)
         })
     };

@@ -4,8 +4,8 @@
 use identify::FlightEvidence;
 use model_spec::model::Model;
 
-use super::super::Drawn;
 use super::{MAX_FLIGHTS, samples};
+use crate::figure::Figure;
 use crate::figures::{Layout, Line, Panel, StateLabel, panels_of_states, symbol};
 use crate::thin::{MAX_CURVE_POINTS, curve};
 
@@ -22,13 +22,13 @@ const QUANTITIES: [(&str, &str, &str); 3] = [
 ];
 
 /// Draws the fitted states of each flight over time, one figure for each flight.
-pub(in super::super) fn states(evidence: &[FlightEvidence], model: &Model) -> Vec<Drawn> {
+pub(in super::super) fn states(evidence: &[FlightEvidence], model: &Model) -> Vec<Figure> {
     let flights = evidence.iter().take(MAX_FLIGHTS).enumerate();
     let figures = flights.filter_map(|(i, flight)| state_figure(i, flight, model));
     figures.collect()
 }
 
-fn state_figure(index: usize, flight: &FlightEvidence, model: &Model) -> Option<Drawn> {
+fn state_figure(index: usize, flight: &FlightEvidence, model: &Model) -> Option<Figure> {
     let mut panels = state_panels(flight, model);
     for (name, title, unit) in QUANTITIES {
         let at = flight.quantity_names.iter().position(|n| n == name);
@@ -49,10 +49,10 @@ fn state_figure(index: usize, flight: &FlightEvidence, model: &Model) -> Option<
     if panels.is_empty() {
         return None;
     }
-    Some(Drawn::of_panels(
+    Some(Figure::of_panels(
         format!("states-{:02}", index + 1),
         &flight.file,
-        "States of the fitted flight over time.".into(),
+        "States of the fitted flight over time.",
         Layout::SMALL,
         &panels,
     ))

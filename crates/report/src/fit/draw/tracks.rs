@@ -2,8 +2,8 @@
 
 use identify::FlightEvidence;
 
-use super::super::Drawn;
 use super::{MAX_FLIGHTS, MeasuredPoint, not_drawn, points, predicted, samples};
+use crate::figure::Figure;
 use crate::figures::axis::range;
 use crate::figures::{Dots, Layout, Line, Look, Panel};
 use crate::thin::{MAX_CURVE_POINTS, stride};
@@ -14,7 +14,7 @@ const MAX_MARKERS: usize = 4;
 const MAX_DOTS: usize = 80;
 
 /// Draws the measured and predicted marker paths of each flight: top view, and height over time.
-pub(in super::super) fn tracks(evidence: &[FlightEvidence]) -> Vec<Drawn> {
+pub(in super::super) fn tracks(evidence: &[FlightEvidence]) -> Vec<Figure> {
     let flights = evidence.iter().take(MAX_FLIGHTS).enumerate();
     let maps: Vec<Panel> = evidence.iter().take(MAX_FLIGHTS).map(map).collect();
     // All top views have equal height, so that figures in a row are aligned.
@@ -37,7 +37,7 @@ fn shape(map: &Panel) -> f64 {
     1.1 * (y.1 - y.0) / (x.1 - x.0)
 }
 
-fn track(index: usize, flight: &FlightEvidence, map: Panel, tall: f64) -> Drawn {
+fn track(index: usize, flight: &FlightEvidence, map: Panel, tall: f64) -> Figure {
     let height = |t: f64, p: [f64; 3]| (t, p[2]);
     let mut above = Panel {
         title: "Top view: y, m".into(),
@@ -57,7 +57,7 @@ fn track(index: usize, flight: &FlightEvidence, map: Panel, tall: f64) -> Drawn 
     };
     let left_out = flight.markers.len().saturating_sub(MAX_MARKERS);
     let caption = "Dots: measured; lines: predicted; crosses: outliers. Long flights are drawn with fewer samples.";
-    Drawn::of_panels(
+    Figure::of_panels(
         format!("tracks-{:02}", index + 1),
         &flight.file,
         caption.to_owned() + &not_drawn(left_out, "more markers"),
@@ -79,9 +79,10 @@ fn panel(flight: &FlightEvidence, at: impl Fn(f64, [f64; 3]) -> (f64, f64)) -> P
         let mut dots = Vec::new();
         for measured in measured.iter().filter(|point| point.marker == marker) {
             let point = at(measured.time, measured.measured);
-            match measured.is_outlier {
-                true => outliers.push(point),
-                false => dots.push(point),
+            if measured.is_outlier {
+                outliers.push(point);
+            } else {
+                dots.push(point);
             }
         }
         let line = samples(flight).map(|s| at(flight.times[s], predicted(flight, s, marker)));

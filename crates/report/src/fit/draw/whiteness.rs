@@ -1,19 +1,19 @@
-//! Figures of the residual diagnostics: autocorrelation (whiteness) and normal Q–Q plot.
+//! Figures of the residual diagnostics: autocorrelation and normal Q–Q plot.
 
 use identify::{AxisResiduals, FitReport};
 
-use super::super::Drawn;
+use crate::figure::Figure;
 use crate::figures::{Dots, Layout, Line, Look, Panel};
 use crate::thin::{MAX_CURVE_POINTS, stride};
 
 /// Draws the autocorrelation and the normal Q–Q plot of the residuals, one figure for each axis.
-pub(in super::super) fn whiteness(report: &FitReport) -> Vec<Drawn> {
+pub(in super::super) fn whiteness(report: &FitReport) -> Vec<Figure> {
     let axes = report.residuals.iter().take(3).enumerate();
     let figures = axes.filter_map(|(i, (axis, found))| figure(i, axis, found));
     figures.collect()
 }
 
-fn figure(index: usize, axis: &str, found: &AxisResiduals) -> Option<Drawn> {
+fn figure(index: usize, axis: &str, found: &AxisResiduals) -> Option<Figure> {
     let mut panels = Vec::new();
     // The autocorrelation at lag 0 is 1 by definition and is omitted.
     let lags = |values: &[f64]| {
@@ -60,12 +60,11 @@ fn figure(index: usize, axis: &str, found: &AxisResiduals) -> Option<Drawn> {
     if panels.is_empty() {
         return None;
     }
-    Some(Drawn::of_panels(
+    Some(Figure::of_panels(
         format!("noise-{}", index + 1),
         &format!("Residuals along {axis}"),
         "Above: autocorrelation of the residuals, as they are and whitened by the noise model; the whitened one should be \
-         within the shaded 95 % band. Below: normal Q–Q plot; the points should be on the line."
-            .into(),
+         within the shaded 95 % band. Below: normal Q–Q plot; the points should be on the line.",
         Layout::SMALL,
         &panels,
     ))

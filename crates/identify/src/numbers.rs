@@ -2,7 +2,7 @@
 //! not finite.
 
 /// Formats a number with the given number of decimals; `–` if it is not finite.
-pub(crate) fn plain(value: f64, decimals: usize) -> String {
+pub fn plain(value: f64, decimals: usize) -> String {
     if !value.is_finite() {
         return "–".to_owned();
     }
@@ -18,7 +18,7 @@ pub(crate) fn plain(value: f64, decimals: usize) -> String {
 
 /// Format for a value and its standard error: common power of ten, and number of decimals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Digits {
+pub struct Digits {
     exponent: i32,
     decimals: usize,
 }
@@ -26,7 +26,7 @@ pub(crate) struct Digits {
 impl Digits {
     /// Chooses a format that shows two significant digits of the standard error `error`, or five significant digits of
     /// the value if `error` is not positive.
-    pub(crate) fn of(value: f64, error: f64) -> Digits {
+    pub fn of(value: f64, error: f64) -> Digits {
         let value = if value.is_finite() { value.abs() } else { 0.0 };
         let known = error.is_finite() && error > 0.0;
         let size = if known { value.max(error) } else { value };
@@ -63,7 +63,7 @@ impl Digits {
     }
 
     /// Formats a number with the power of ten of this format, if it has one.
-    pub(crate) fn one(self, value: f64) -> String {
+    pub fn one(self, value: f64) -> String {
         let text = self.mantissa(value);
         if self.exponent == 0 || !value.is_finite() {
             text
@@ -73,7 +73,7 @@ impl Digits {
     }
 
     /// Formats an interval (lower, upper) with a common power of ten, if this format has one.
-    pub(crate) fn range(self, [low, high]: [f64; 2]) -> String {
+    pub fn range(self, [low, high]: [f64; 2]) -> String {
         let (low, high) = (self.mantissa(low), self.mantissa(high));
         if self.exponent == 0 {
             format!("{low} … {high}")
@@ -84,13 +84,13 @@ impl Digits {
 }
 
 /// Formats a number with the given number of significant digits.
-pub(crate) fn significant(value: f64, digits: i32) -> String {
+pub fn significant(value: f64, digits: i32) -> String {
     let unit = 10_f64.powf(value.abs().log10().floor() + 2.0 - f64::from(digits));
     Digits::of(value, unit).one(value)
 }
 
 /// Formats a length in m as mm with three significant digits; `–` if it is not finite.
-pub(crate) fn millimetres(metres: f64) -> String {
+pub fn millimetres(metres: f64) -> String {
     if !metres.is_finite() {
         return "–".to_owned();
     }
@@ -98,7 +98,7 @@ pub(crate) fn millimetres(metres: f64) -> String {
 }
 
 /// Formats a fraction (0 to 1) as a percentage; `–` if it is not finite.
-pub(crate) fn percent(share: f64) -> String {
+pub fn percent(share: f64) -> String {
     if !share.is_finite() {
         return "–".to_owned();
     }
@@ -107,7 +107,7 @@ pub(crate) fn percent(share: f64) -> String {
 }
 
 /// Typesets a unit, such as `m²` for `m^2`; empty for dimensionless quantities.
-pub(crate) fn unit(text: &str) -> String {
+pub fn unit(text: &str) -> String {
     if matches!(text, "1" | "[1]") {
         return String::new();
     }
@@ -116,7 +116,7 @@ pub(crate) fn unit(text: &str) -> String {
 }
 
 /// Label of an axis: a name and a unit, which is typeset; the name alone for dimensionless quantities.
-pub(crate) fn with_unit(name: &str, unit_text: &str) -> String {
+pub fn with_unit(name: &str, unit_text: &str) -> String {
     match unit(unit_text).as_str() {
         "" => name.to_owned(),
         unit => format!("{name}, {unit}"),
@@ -124,7 +124,7 @@ pub(crate) fn with_unit(name: &str, unit_text: &str) -> String {
 }
 
 /// Formats a number as in a model file, without trailing zeros; `–` if it is not finite.
-pub(crate) fn stated(value: f64) -> String {
+pub fn stated(value: f64) -> String {
     let size = value.abs();
     if !value.is_finite() {
         "–".to_owned()
@@ -139,12 +139,47 @@ pub(crate) fn stated(value: f64) -> String {
     }
 }
 
-pub(crate) fn raised(exponent: i32) -> String {
+/// Typesets an exponent as a superscript.
+pub fn raised(exponent: i32) -> String {
     let digit = |c: char| match c {
         '-' => '⁻',
         c => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][c as usize - '0' as usize],
     };
     exponent.to_string().chars().map(digit).collect()
+}
+
+/// Formats a p-value; `–` if it is not between 0 and 1.
+pub fn probability(p: f64) -> String {
+    if !(0.0..=1.0).contains(&p) {
+        "–".to_owned()
+    } else if p >= 1e-3 {
+        plain(p, if p < 0.0995 { 3 } else { 2 })
+    } else if p > 1e-300 {
+        significant(p, 2)
+    } else {
+        format!("less than 10{}", raised(-300))
+    }
+}
+
+/// Formats a p-value given as its natural logarithm, which may represent a value below the range of `f64`.
+pub fn probability_of_ln(ln_p_value: f64) -> String {
+    if ln_p_value.is_nan() || ln_p_value > 0.0 {
+        return "–".to_owned();
+    }
+    if ln_p_value > -20.0 {
+        return probability(ln_p_value.exp());
+    }
+    let power = ln_p_value / std::f64::consts::LN_10;
+    if power < -1e9 {
+        return "0".to_owned();
+    }
+    format!("10{}", raised(power.round() as i32))
+}
+
+/// Formats a standard normal quantile z, such as the one that is equivalent to the p-value of a test: with one decimal
+/// below 99.95, without decimals above.
+pub fn equivalent_z(value: f64) -> String {
+    plain(value, usize::from(value.abs() < 99.95))
 }
 
 #[cfg(test)]
@@ -183,5 +218,22 @@ mod tests {
         assert_eq!(stated(0.188), "0.188");
         assert_eq!(unit("N*m*s"), "N\u{a0}m\u{a0}s");
         assert_eq!(plain(-0.0001, 2), "0.00");
+    }
+
+    #[test]
+    fn probabilities_are_written_however_small() {
+        for (p, text) in [
+            (0.314, "0.31"),
+            (0.0042, "0.004"),
+            (0.0, "less than 10⁻³⁰⁰"),
+            (f64::NAN, "–"),
+            (2.0, "–"),
+        ] {
+            assert_eq!(probability(p), text);
+        }
+        assert_eq!(probability(1.234e-5), "1.2 · 10⁻⁵");
+        assert_eq!(probability_of_ln(-2302.585), "10⁻¹⁰⁰⁰");
+        assert_eq!(probability_of_ln(0.314_f64.ln()), "0.31");
+        assert_eq!(probability_of_ln(f64::NEG_INFINITY), "0");
     }
 }

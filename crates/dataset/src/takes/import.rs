@@ -1,0 +1,259 @@
+//! Import of one recording: the tracked body, its free flights, and the decisions made.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use super::error::{Fault, Location};
+use super::words::listed;
+use super::{
+    Axis, Motion, Pose, Take, TakeError, Throw, ThrowOptions, find_throws, motion, rotated,
+};
+use crate::{Flight, Marker};
+
+/// What the user states about the recordings of a body.
+#[derive(Clone, Debug, Default)]
+pub struct ImportOptions {
+    /// Markers of the body: their names and positions in the body frame, m.
+    pub markers: Vec<Marker>,
+    /// Marker names of labels of the recordings, where the two differ.
+    pub labels: BTreeMap<String, String>,
+    /// Axis that points up; `None` for the one that the file states.
+    pub up: Option<Axis>,
+    /// Whether the axes of the recordings are left-handed.
+    pub left_handed: bool,
+}
+
+/// A recording with z up, the tracked body in it, and its free flights.
+#[derive(Clone, Debug)]
+pub struct ImportedTake {
+    /// The recording, with z up.
+    pub take: Take,
+    /// The points or the body from which the positions of the markers are obtained.
+    pub followed: Followed,
+    /// Motion of the body over the whole recording; `None` if it is seen in fewer than two samples.
+    pub motion: Option<Motion>,
+    /// The throws in the order of time.
+    pub throws: Vec<Throw>,
+    /// The flight of each throw, without a file name: positions of the markers, or poses of the tracked body.
+    pub flights: Vec<Flight>,
+    /// Pairs of a subject, such as `up`, and what was decided about it.
+    pub decisions: Vec<(String, String)>,
+    /// Notes on parts of the recording that were excluded or are uncertain.
+    pub notes: Vec<String>,
+}
+
+/// Recorded points, or the recorded rigid body, from which the positions of the markers are obtained.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Followed {
+    /// For each marker, in its order, the index of a point of the recording.
+    Points(Vec<usize>),
+    /// Index of a tracked body of the recording, and the positions of the markers in its frame, m.
+    Pose(usize, Vec<[f64; 3]>),
+}
+
+impl ImportedTake {
+    /// Finds the body and its free flights in the recording `take`, which was read from `file`.
+    ///
+    /// # Errors
+    /// [`TakeError`] if the axis that points up is not known or wrong, or if the markers are not found.
+    pub fn new(take: &Take, file: &Path, options: &ImportOptions) -> Result<Self, TakeError> {
+        let up = up_of(take, file, options.up)?;
+        let followed = Followed::find(take, options).map_err(|fault| fault.of(file))?;
+        let labels = followed.labels(take);
+        let turned = take.clone().with_z_up(up, options.left_handed);
+        let found = find_throws(&turned, &labels, &ThrowOptions::default());
+        if found.throws.is_empty()
+            && let Some(other) = other_up(take, &labels, options.left_handed, up)
+        {
+            let found = format!("no throw with {up} up, and free flights with {other} up");
+            return Err(fault(found, format!("--up {other}")).of(file));
+        }
+        let mut notes = take.notes.clone();
+        if followed.is_pose() {
+            notes.push(
+                "the poses are written as those of the body frame, in which the template is".into(),
+            );
+        }
+        notes.extend(found.notes);
+        for throw in &found.throws {
+            let [x, y, z] = throw.acceleration;
+            if -z <= 0.5 * x.hypot(y) {
+                notes.push(format!(
+                    "a flight accelerates by {x:.1}, {y:.1}, {z:.1} m/s² (z up), not downwards: is {up} up?"
+                ));
+            }
+        }
+        let throws = found.throws.iter();
+        Ok(Self {
+            flights: throws
+                .map(|throw| followed.flight(&turned, throw))
+                .collect(),
+            motion: motion(&turned, &labels),
+            throws: found.throws,
+            decisions: decisions(take, options, up, &labels),
+            take: turned,
+            followed,
+            notes,
+        })
+    }
+}
+
+fn fault(found: String, expected: String) -> Fault {
+    Fault::new(Location::File, found, expected)
+}
+
+fn decisions(
+    take: &Take,
+    options: &ImportOptions,
+    up: Axis,
+    labels: &[&str],
+) -> Vec<(String, String)> {
+    let by = match options.up {
+        Some(_) => "by --up",
+        None => "as the file states",
+    };
+    let hand = match (options.left_handed, take.left_handed) {
+        (true, _) => "left-handed, by --left-handed",
+        (false, Some(false)) => "right-handed",
+        (false, _) => "taken as right-handed (otherwise --left-handed)",
+    };
+    let decisions = [
+        ("format", take.format.to_string()),
+        ("samples", take.times.len().to_string()),
+        ("lengths", format!("in {}, written in m", take.length)),
+        ("up", format!("{up}, {by}; written with z up")),
+        ("axes", hand.to_owned()),
+        ("followed", listed(labels)),
+    ];
+    decisions.map(|(what, text)| (what.to_owned(), text)).into()
+}
+
+/// Axis of the recording that points up: `stated`, or else the one that the file states.
+///
+/// # Errors
+/// [`TakeError`] if neither states it.
+pub fn up_of(take: &Take, file: &Path, stated: Option<Axis>) -> Result<Axis, TakeError> {
+    stated.or(take.up).ok_or_else(|| {
+        let expected = "the option --up, such as --up +z or --up +y";
+        fault(
+            "no statement of the axis that points up".into(),
+            expected.into(),
+        )
+        .of(file)
+    })
+}
+
+/// First axis other than `up` with which throws are found when it points up.
+fn other_up(take: &Take, labels: &[&str], left_handed: bool, up: Axis) -> Option<Axis> {
+    let all = ["+z", "+y", "+x", "-z", "-y", "-x"]
+        .into_iter()
+        .filter_map(Axis::parse);
+    all.filter(|axis| *axis != up).find(|&axis| {
+        let turned = take.clone().with_z_up(axis, left_handed);
+        !find_throws(&turned, labels, &ThrowOptions::default())
+            .throws
+            .is_empty()
+    })
+}
+
+impl Followed {
+    /// Selects the points of a recording that are the markers: the label of such a point, or the name given to the
+    /// label, is the name of the marker. If no point matches, selects the recording's only body.
+    fn find(take: &Take, options: &ImportOptions) -> Result<Self, Fault> {
+        let is_unknown = |label: &&String| !take.labels().any(|known| known == *label);
+        if let Some(label) = options.labels.keys().find(is_unknown) {
+            let expected = format!("one of the labels {}", listed(take.labels()));
+            return Err(fault(format!("{label:?} in --label"), expected));
+        }
+        let mut points = Vec::new();
+        let mut missing = Vec::new();
+        for marker in &options.markers {
+            let name = |label: &String| options.labels.get(label).unwrap_or(label) == &marker.name;
+            match take.points.iter().position(|point| name(&point.label)) {
+                Some(point) => points.push(point),
+                None => missing.push(marker.name.as_str()),
+            }
+        }
+        if missing.is_empty() {
+            return Ok(Self::Points(points));
+        }
+        if take.bodies.len() == 1 && points.is_empty() {
+            let markers = options.markers.iter().map(|marker| marker.position);
+            return Ok(Self::Pose(0, markers.collect()));
+        }
+        Err(fault(
+            format!(
+                "the labels {}, and none for {}",
+                listed(take.labels()),
+                listed(missing)
+            ),
+            "--label FILE_LABEL=NAME for each".into(),
+        ))
+    }
+
+    /// Whether the positions of the markers are obtained from the pose of a body instead of from recorded points.
+    pub fn is_pose(&self) -> bool {
+        matches!(self, Self::Pose(..))
+    }
+
+    /// Labels of the points or of the body from which the positions of the markers are obtained.
+    pub fn labels<'t>(&self, take: &'t Take) -> Vec<&'t str> {
+        match self {
+            Self::Points(points) => points
+                .iter()
+                .map(|&i| take.points[i].label.as_str())
+                .collect(),
+            Self::Pose(body, _) => vec![take.bodies[*body].label.as_str()],
+        }
+    }
+
+    /// Positions of the markers in a sample of a recording, along its axes, m; `None` for a marker that was not seen.
+    pub fn positions(&self, take: &Take, sample: usize) -> Vec<Option<[f64; 3]>> {
+        match self {
+            Self::Points(points) => {
+                let points = points.iter();
+                points.map(|&i| take.points[i].positions[sample]).collect()
+            }
+            Self::Pose(body, markers) => {
+                let pose = take.bodies[*body].poses[sample];
+                let position = |pose: Pose, marker: [f64; 3]| {
+                    let arm = rotated(pose.quaternion, marker);
+                    [0, 1, 2].map(|axis| pose.position[axis] + arm[axis])
+                };
+                let markers = markers.iter();
+                markers
+                    .map(|&marker| pose.map(|pose| position(pose, marker)))
+                    .collect()
+            }
+        }
+    }
+
+    /// Flight of a throw: positions of the markers or, if a body is followed, its poses.
+    fn flight(&self, take: &Take, throw: &Throw) -> Flight {
+        let times = take.times[throw.samples()].to_vec();
+        let Self::Pose(body, _) = self else {
+            return Flight {
+                positions: throw.samples().map(|i| self.positions(take, i)).collect(),
+                times,
+                ..Flight::default()
+            };
+        };
+        let readings = take.bodies[*body].poses[throw.samples()]
+            .iter()
+            .map(|pose| match pose {
+                Some(Pose {
+                    position: [x, y, z],
+                    quaternion,
+                }) => {
+                    vec![Some([*x, *y, *z, 0.0]), Some(*quaternion)]
+                }
+                None => vec![None; 2],
+            });
+        Flight {
+            positions: vec![Vec::new(); times.len()],
+            readings: readings.collect(),
+            times,
+            ..Flight::default()
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! Text of a fit for a terminal.
+
+use dataset::Role;
+use identify::FlightReport;
+
+use super::{FitPage, coefficients, flights, page, words};
+use crate::text::{MAX_ROWS, cautions, wrapped};
+use identify::numbers::significant;
+
+/// Text of a fit for a terminal: sentences and tables of the page.
+pub fn text(of: &FitPage<'_>) -> String {
+    let report = of.report;
+    let mut text = cautions("fit", &report.cautions, &report.data_faults);
+    let mut sentences = words::opening(of);
+    sentences.extend(words::summary(of));
+    sentences.push(words::noise(report));
+    sentences.extend(words::sensors(report));
+    let hidden = report.not_identifiable.iter();
+    sentences.extend(hidden.map(|found| format!("Not identifiable: {}", found.reason)));
+    sentences.extend(
+        words::alarms(of)
+            .into_iter()
+            .map(|alarm| format!("Warning: {alarm}")),
+    );
+    text.extend(sentences.iter().map(|sentence| wrapped(sentence)));
+    for profile in &report.profiles {
+        let beyond = || "beyond the profiled range".to_owned();
+        let [low, high] = profile
+            .interval
+            .map(|end| end.map_or_else(beyond, |end| significant(end, 4)));
+        let name = &profile.name;
+        text += &format!("{name}: 95 % profile-likelihood interval {low} … {high}\n");
+    }
+    let tables = [
+        coefficients::estimates(&of.coefficients()),
+        page::noise_table(report),
+    ];
+    for table in tables.iter().filter(|table| !table.is_empty()) {
+        text += &format!("\n{}", table.text(usize::MAX));
+    }
+    let mut add = |what: &str, flights: Vec<&FlightReport>| {
+        if !flights.is_empty() {
+            let table = flights::table(of, &flights::worst_first(flights, MAX_ROWS));
+            text += &format!("\n{what}\n{}", table.text(MAX_ROWS));
+        }
+    };
+    add("fitted", report.used(Role::Fit).collect());
+    add(
+        "held out: initial state fitted to the first 30 % of the samples; rms of the prediction of the rest",
+        report.used(Role::HeldOut).collect(),
+    );
+    add("excluded", report.excluded().collect());
+    text
+}

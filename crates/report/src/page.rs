@@ -1,0 +1,233 @@
+//! Self-contained HTML pages: paragraphs, tables and figures in sections.
+
+use identify::DataFault;
+
+use crate::figure::Figure;
+use crate::figures::svg::{STYLE, escape, without_style};
+use crate::html::Html;
+use crate::table::{Column, Table};
+use identify::wording::{capitalized, counted};
+
+/// Maximum number of faults in the measured data that the table of a page lists.
+const MAX_FAULTS: usize = 60;
+/// Maximum size in bytes of a CSV table that is embedded in a page; the page links to the file of a larger table.
+const MAX_EMBEDDED: usize = 10_000;
+
+impl Html {
+    /// Appends a table; nothing if it has no rows.
+    pub fn table(&mut self, table: &Table) {
+        if !table.is_empty() {
+            self.scrolled("div", "scroll", Html::from("\n").then(table.html()));
+        }
+    }
+
+    /// Appends a figure, with its caption if `captioned`.
+    pub fn figure(&mut self, figure: &Figure, captioned: bool) {
+        let svg = without_style(&figure.svg);
+        let svg = match &figure.narrow {
+            Some(narrow) => format!(
+                "<div class=\"wide\">{svg}</div><div class=\"narrow\">{}</div>",
+                without_style(narrow)
+            ),
+            None => svg,
+        };
+        let mut caption = Html::new();
+        if captioned {
+            caption.push(&figure.caption);
+        }
+        if !figure.csv.is_empty() {
+            caption.push(if captioned { " " } else { "" });
+            caption.push(table_link(figure));
+        }
+        let mut content = Html::trusted(svg + "\n");
+        if !caption.is_empty() {
+            content.push(Html::of("figcaption", "", caption));
+        }
+        self.element_with_id("figure", &figure.name, "", content);
+    }
+
+    /// Appends figures one below the other.
+    pub fn figures<'a>(&mut self, figures: impl IntoIterator<Item = &'a Figure>, captioned: bool) {
+        for figure in figures {
+            self.figure(figure, captioned);
+        }
+    }
+
+    /// Appends small figures side by side; those beyond the first `open` are folded.
+    pub fn grid(&mut self, figures: &[Figure], open: usize, captioned: bool) {
+        let grid = |figures: &[Figure]| {
+            let (mut content, mut grid) = (Html::new(), Html::new());
+            content.figures(figures, captioned);
+            if !content.is_empty() {
+                grid.element("div", "grid", Html::from("\n").then(content));
+            }
+            grid
+        };
+        let (first, rest) = figures.split_at(open.min(figures.len()));
+        self.push(grid(first));
+        self.folded(format!("{} more", rest.len()), grid(rest));
+    }
+
+    /// Appends the reasons not to rely on a result, `what`; nothing if there are none.
+    pub(crate) fn unreliable(&mut self, reasons: &[String], what: &str) {
+        let mut list = Html::new();
+        list.list("", reasons.iter().map(|reason| capitalized(reason)));
+        if !list.is_empty() {
+            let title = Html::of("p", "title", format!("Do not rely on this {what}"));
+            let open = Html::trusted("<div class=\"unreliable\" role=\"alert\">");
+            let content = open.then(title).then("\n").then(list);
+            self.push(content.then(Html::trusted("</div>\n")));
+        }
+    }
+
+    /// Appends a section on the faults of the measured data; nothing if there are none.
+    pub(crate) fn data_faults(&mut self, faults: &[DataFault]) {
+        if faults.is_empty() {
+            return;
+        }
+        let mut content = Html::new();
+        content.paragraph(format!(
+            "{} found in the measured data. The flights concerned are excluded, unless --trust-data is given.",
+            counted(faults.len(), "fault")
+        ));
+        content.table(&data_faults(faults));
+        if faults.len() > MAX_FAULTS {
+            let all = faults.len();
+            content.note(format!(
+                "The first {MAX_FAULTS} of {all}; all are in report.json."
+            ));
+        }
+        self.section("data-faults", "Faults of the data", content);
+    }
+}
+
+/// One HTML page.
+#[derive(Clone, Debug, Default)]
+pub struct Page {
+    /// Command that created the page, such as `hyzer design`.
+    pub kind: &'static str,
+    /// Title of the page, as text for the browser.
+    pub title: String,
+    /// Heading of the page, whose secondary words may be in `span` elements; empty if it is the title.
+    pub heading: Html,
+    /// Content of the page.
+    pub body: Html,
+}
+
+impl Page {
+    /// Renders the page as one self-contained file.
+    pub fn html(&self) -> String {
+        let title = Html::from(&self.title);
+        let heading = if self.heading.is_empty() {
+            &title
+        } else {
+            &self.heading
+        };
+        format!(
+            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+             <meta name=\"color-scheme\" content=\"light dark\">\n<title>{}</title>\n<style>\n{STYLE}{}</style>\n\
+             </head>\n<body>\n<main>\n<header>\n<p class=\"kind\">{}</p>\n<h1>{}</h1>\n</header>\n{}</main>\n</body>\n\
+             </html>\n",
+            title.as_str(),
+            include_str!("page.css"),
+            self.kind,
+            heading.as_str(),
+            self.body.as_str(),
+        )
+    }
+}
+
+/// Table of the first [`MAX_FAULTS`] faults of the measured data.
+pub(crate) fn data_faults(faults: &[DataFault]) -> Table {
+    use Column::{File, Plain, Text};
+    let mut table = Table::new()
+        .with(File, &["flight"])
+        .with(Plain, &["fault"])
+        .with(Text, &["found", "correction"]);
+    for fault in faults.iter().take(MAX_FAULTS) {
+        table.row([
+            (&fault.file).into(),
+            fault.fault.name().replace('_', " ").into(),
+            (&fault.detail).into(),
+            (&fault.correction).into(),
+        ]);
+    }
+    table
+}
+
+/// Link to the CSV table of a figure: a data URI, or the path of the file if the table is large.
+fn table_link(figure: &Figure) -> Html {
+    let to = if figure.csv.len() <= MAX_EMBEDDED {
+        format!("data:text/csv;charset=utf-8,{}", encoded(&figure.csv))
+    } else {
+        figure.table_path()
+    };
+    let (name, path) = (escape(&figure.name), escape(&figure.table_path()));
+    Html::trusted(format!(
+        "<a class=\"csv\" download=\"{name}.csv\" href=\"{}\" title=\"The numbers behind the figure, also in {path}\">CSV</a>",
+        escape(&to)
+    ))
+}
+
+/// Percent-encodes the characters that the path of a data URI or the fragment of a link must not contain; control
+/// characters are dropped.
+pub(crate) fn encoded(text: &str) -> String {
+    let mut encoded = String::with_capacity(text.len() + text.len() / 8);
+    for c in text.chars() {
+        match c {
+            '%' | '#' | '"' | '<' | '>' | ' ' | '&' | '\'' | '\n' | '\r' => {
+                encoded += &format!("%{:02X}", u32::from(c));
+            }
+            c if c.is_control() => {}
+            c => encoded.push(c),
+        }
+    }
+    encoded
+}
+
+/// Link to a flight in the page of flights in three dimensions; `name` is its name there.
+pub(crate) fn flight_link(name: &str, text: &str) -> Html {
+    Html::link(&format!("flights.html#{}", encoded(name)), text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figures::{Layout, Line, Panel};
+
+    #[test]
+    fn texts_are_escaped_and_figures_are_drawn_twice() {
+        let mut table = Table::new()
+            .with(Column::Name, &["name"])
+            .with(Column::Number, &["value, m"]);
+        table.row(["<x>".into(), "1.5".into()]);
+        let panel = Panel {
+            lines: vec![Line {
+                name: String::new(),
+                points: vec![(0.0, 0.0), (1.0, 2.0)],
+            }],
+            ..Panel::default()
+        };
+        let mut body = Html::new();
+        body.table(&table);
+        body.figure(
+            &Figure::of_panels("path", "", "", Layout::COLUMN, &[panel]),
+            true,
+        );
+        let page = Page {
+            title: "A <b> & c".into(),
+            body,
+            ..Page::default()
+        };
+        let html = page.html();
+        assert!(html.contains("A &lt;b&gt; &amp; c") && html.contains("&lt;x&gt;"));
+        assert!(!html.contains("<x>") && !html.contains("http-equiv"));
+        assert_eq!(html.matches("<svg").count(), 2);
+        assert_eq!(html.matches("<td class=\"n\">1.5").count(), 1);
+        assert_eq!(
+            html.matches("<th").count() - html.matches("<thead").count(),
+            html.matches(" scope=").count()
+        );
+    }
+}

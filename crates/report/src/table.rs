@@ -1,0 +1,226 @@
+//! Tables of a page.
+
+use crate::figures::svg::escape;
+use crate::html::Html;
+
+/// Kind of the cells of a column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Column {
+    /// What the row is about; the header of the row.
+    Name,
+    /// Formula or other code that the row is about; the header of the row.
+    Code,
+    /// Number, aligned to the right.
+    Number,
+    /// Word or unit that is not broken into lines.
+    Plain,
+    /// Text that is broken into lines.
+    Text,
+    /// Text that is broken into lines, and left out on a terminal.
+    Detail,
+    /// Name of a file, which is broken where it is long.
+    File,
+}
+
+/// Cell of a table.
+#[derive(Clone, Debug)]
+pub struct Cell {
+    content: Html,
+    is_doubtful: bool,
+}
+
+impl From<Html> for Cell {
+    fn from(content: Html) -> Cell {
+        Cell {
+            content,
+            is_doubtful: false,
+        }
+    }
+}
+
+impl From<&str> for Cell {
+    fn from(text: &str) -> Cell {
+        Html::from(text).into()
+    }
+}
+
+impl From<&String> for Cell {
+    fn from(text: &String) -> Cell {
+        Html::from(text).into()
+    }
+}
+
+impl From<String> for Cell {
+    fn from(text: String) -> Cell {
+        Html::from(text).into()
+    }
+}
+
+impl Cell {
+    /// Marks a number that is doubtful.
+    #[must_use]
+    pub fn doubtful_if(self, is_doubtful: bool) -> Cell {
+        Cell {
+            is_doubtful,
+            ..self
+        }
+    }
+}
+
+/// Table with a header.
+#[derive(Clone, Debug, Default)]
+pub struct Table {
+    columns: Vec<(String, Column)>,
+    rows: Vec<Vec<Cell>>,
+    is_stacked: bool,
+}
+
+impl Table {
+    /// Table without columns and rows.
+    pub fn new() -> Table {
+        Table::default()
+    }
+
+    /// Appends columns of one kind with these headings.
+    #[must_use]
+    pub fn with(mut self, kind: Column, heads: &[&str]) -> Table {
+        let columns = heads.iter().map(|head| ((*head).to_owned(), kind));
+        self.columns.extend(columns);
+        self
+    }
+
+    /// Shows each row as a list of its cells on a narrow screen.
+    #[must_use]
+    pub fn stacked(self) -> Table {
+        Table {
+            is_stacked: true,
+            ..self
+        }
+    }
+
+    /// Appends a row with a cell for each column.
+    pub fn row(&mut self, cells: impl IntoIterator<Item = Cell>) {
+        self.rows.push(cells.into_iter().collect());
+    }
+
+    /// Whether the table has no rows.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// The first `most` rows as text for a terminal, with aligned columns; columns without content are left out.
+    pub fn text(&self, most: usize) -> String {
+        let rows = self.rows.iter().take(most);
+        let rows: Vec<Vec<String>> = rows
+            .map(|row| row.iter().map(|cell| cell.content.text()).collect())
+            .collect();
+        let length = |text: &String| text.chars().count();
+        let widths: Vec<usize> = self
+            .columns
+            .iter()
+            .enumerate()
+            .map(|(i, (head, kind))| {
+                let widest = rows.iter().map(|row| length(&row[i])).max().unwrap_or(0);
+                match widest {
+                    0 => 0,
+                    _ if *kind == Column::Detail => 0,
+                    widest => widest.max(length(head)),
+                }
+            })
+            .collect();
+        let line = |cells: &mut dyn Iterator<Item = &String>| {
+            let mut line = String::new();
+            for ((cell, width), (_, kind)) in cells.zip(&widths).zip(&self.columns) {
+                let width = *width;
+                match kind {
+                    _ if width == 0 => {}
+                    Column::Number => line += &format!("  {cell:>width$}"),
+                    _ => line += &format!("  {cell:width$}"),
+                }
+            }
+            line.trim_end().to_owned() + "\n"
+        };
+        let mut text = line(&mut self.columns.iter().map(|(head, _)| head));
+        for row in &rows {
+            text += &line(&mut row.iter());
+        }
+        if self.rows.len() > most {
+            text += &format!("  … and {} more\n", self.rows.len() - most);
+        }
+        text
+    }
+
+    /// The table as HTML. A header without text is left out.
+    pub(crate) fn html(&self) -> Html {
+        let mut html = if self.is_stacked {
+            "<table class=\"stacked\">\n".to_owned()
+        } else {
+            "<table>\n".to_owned()
+        };
+        if self.columns.iter().any(|(head, _)| !head.is_empty()) {
+            html += "<thead><tr>";
+            for (head, kind) in &self.columns {
+                let class = if *kind == Column::Number {
+                    " class=\"n\""
+                } else {
+                    ""
+                };
+                html += &format!("<th{class} scope=\"col\">{}</th>", escape(head));
+            }
+            html += "</tr></thead>\n";
+        }
+        html += "<tbody>\n";
+        for row in &self.rows {
+            html += "<tr>";
+            for ((head, kind), cell) in self.columns.iter().zip(row) {
+                html += &self.cell(head, *kind, cell);
+            }
+            html += "</tr>\n";
+        }
+        Html::trusted(html + "</tbody>\n</table>\n")
+    }
+
+    fn cell(&self, head: &str, kind: Column, cell: &Cell) -> String {
+        let content = cell.content.as_str();
+        let class = match (kind, cell.is_doubtful) {
+            (Column::Name, _) => return format!("<th scope=\"row\">{content}</th>"),
+            (Column::Code, _) => return format!("<th class=\"code\" scope=\"row\">{content}</th>"),
+            (Column::Number, false) => " class=\"n\"",
+            (Column::Number, true) => " class=\"n doubt\"",
+            (Column::Plain, _) => "",
+            (Column::Text | Column::Detail, _) => " class=\"doc\"",
+            (Column::File, _) => " class=\"file\"",
+        };
+        let of = if self.is_stacked {
+            format!(" data-of=\"{}\"", escape(head))
+        } else {
+            String::new()
+        };
+        format!("<td{class}{of}>{content}</td>")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_table_is_aligned_text_too() {
+        let mut table = Table::new()
+            .with(Column::Name, &["mode"])
+            .with(Column::Number, &["decay, 1/s"])
+            .with(Column::Plain, &["empty"])
+            .with(Column::Detail, &["meaning"]);
+        for (name, decay) in [("a < b", "−0.5"), ("nutation", "10.25"), ("third", "0")] {
+            let link = Html::link("#a", name);
+            table.row([link.into(), decay.into(), "".into(), "long".into()]);
+        }
+        let expected = "  mode      decay, 1/s\n  a < b           −0.5\n  nutation       10.25\n  … and 1 more\n";
+        assert_eq!(table.text(2), expected);
+    }
+}

@@ -1,0 +1,52 @@
+//! Text of a stability analysis for the terminal.
+
+use analysis::stability::{Instant, Mode};
+use report::{Column, Table};
+
+use super::words::{INSTANT, lead, nutation, of_criteria, steady};
+use super::{Found, page};
+
+/// Number of instants of the flight in the text for the terminal.
+const INSTANTS: usize = 8;
+
+/// Text of the modes and stability criteria in `found`, for the terminal.
+pub fn text(model: &str, found: &Found) -> String {
+    let mut text = format!("{model}: {}\n", lead(found).join(" "));
+    text += &page::table(&found.release.modes).text(usize::MAX);
+    if !found.release.modes.is_symmetric {
+        text += &format!("{INSTANT}\n");
+    }
+    text += &(of_criteria(&found.release).join("\n") + "\n\n");
+    text += &match &found.trim {
+        Some((trim, modes)) => format!("{}\n{}", steady(trim), page::table(modes).text(usize::MAX)),
+        None => "No steady flight was found at this spin.\n".to_owned(),
+    };
+    if let Some(last) = found.flight.last() {
+        let table = along(&found.flight).text(usize::MAX);
+        text += &format!(
+            "\nAlong the flight, {:.2} s, the modes of each instant:\n{table}",
+            last.time
+        );
+    }
+    let stable = found.map.iter().filter(|i| i.criteria.is_stable()).count();
+    let points = found.map.len();
+    text + &format!("over speed and spin: all three criteria hold at {stable} of {points} points\n")
+}
+
+/// Table of the nutation at some instants of the flight, the last among them.
+fn along(flight: &[Instant]) -> Table {
+    let head = ["time, s", "speed, m/s", "nutation, rad/s", "decay, 1/s"];
+    let mut table = Table::new().with(Column::Number, &head);
+    let step = (flight.len() / INSTANTS).max(1);
+    for instant in flight.iter().step_by(step).chain(flight.last()) {
+        let nutation = nutation(&instant.modes);
+        let number = |of: fn(&Mode) -> f64| format!("{:.3}", nutation.map_or(f64::NAN, of));
+        table.row([
+            format!("{:.3}", instant.time).into(),
+            format!("{:.2}", instant.throw.speed).into(),
+            number(Mode::frequency).into(),
+            number(Mode::decay).into(),
+        ]);
+    }
+    table
+}
