@@ -37,6 +37,17 @@ pub enum MathFunction {
     Table(TableFunction),
 }
 
+/// Function of two arguments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum BinaryFunction {
+    /// `atan2(y, x)` with operands y and x: angle of the point (x, y), rad; 0 at the origin.
+    Atan2,
+    /// The smaller of the operands.
+    Min,
+    /// The greater of the operands.
+    Max,
+}
+
 /// Symmetry of a function about 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Parity {
@@ -76,7 +87,7 @@ pub enum CostKind {
     Root,
     /// Transcendental function or table lookup.
     Call,
-    /// Comparison of the argument with 0 (sign, Heaviside function, indicator of x ≠ 0), or absolute value.
+    /// Comparison of the argument with 0, or absolute value.
     Select,
 }
 
@@ -124,8 +135,7 @@ impl MathFunction {
         MathFunction::NonZero,
     ];
 
-    /// Name of the function, used in printed expressions and in names of generated variables. For every table it is
-    /// `table`; [`Tables::name`] returns the name of a particular table.
+    /// Name in printed expressions and of variables; `table` for every table.
     pub fn name(self) -> &'static str {
         match self {
             MathFunction::Sin => "sin",
@@ -143,8 +153,7 @@ impl MathFunction {
         }
     }
 
-    /// Returns the function with this [`name`](Self::name); `None` for an unknown name and for tables, which belong to
-    /// a model.
+    /// Function with this [`name`](Self::name); `None` for tables.
     pub fn named(name: &str) -> Option<MathFunction> {
         Self::ALL
             .into_iter()
@@ -173,8 +182,7 @@ impl MathFunction {
         }
     }
 
-    /// Rust method call on a [`lanes::Real`] that computes the function, without the receiver, such as `exp()`. For a
-    /// table it is the method name without the arguments.
+    /// Rust method call on a [`lanes::Real`], such as `exp()`; of a table, the method name.
     pub fn rust_method(self) -> &'static str {
         match self {
             MathFunction::Sin => "sin_cos().0",

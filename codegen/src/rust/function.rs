@@ -24,8 +24,7 @@ pub(crate) fn file(compiled: &Compiled, function: &Function) -> String {
     print::file(&[HEADER], quote!(#title #tables use lanes::Real; #item))
 }
 
-/// Tokens of the Rust function that is generated for `function`, with its documentation and the attributes
-/// `attributes`.
+/// Tokens of a generated function, with documentation.
 pub(super) fn item(
     compiled: &Compiled,
     function: &Function,

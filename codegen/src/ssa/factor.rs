@@ -4,8 +4,7 @@ use super::{DefId, Signed, Ssa, SsaDef, cancel};
 use crate::number::Number;
 use model_spec::index::IndexVec;
 
-/// Extracts common factors from all sums on which a requested result depends, including the inner sums that factoring
-/// creates.
+/// Extracts common factors from all used sums, those that factoring creates included.
 pub fn factor(ssa: &mut Ssa) {
     let mut uses = ssa.uses();
     let mut k = 0;
@@ -119,8 +118,7 @@ fn factor_once(ssa: &mut Ssa, id: DefId, uses: &mut IndexVec<DefId, u32>) -> boo
     true
 }
 
-/// Redefines `id` as the sum of `terms`, and updates the use counts `uses` of the definitions on which the old and the
-/// new sum depend.
+/// Redefines `id` as the sum of `terms`, and updates the use counts.
 fn replace(ssa: &mut Ssa, id: DefId, mut terms: Vec<Signed>, uses: &mut IndexVec<DefId, u32>) {
     cancel(&mut terms);
     let new = match terms.as_slice() {

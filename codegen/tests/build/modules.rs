@@ -50,8 +50,7 @@ struct Case {
 }
 
 fn cases(folder: &Path) -> Vec<Case> {
-    let zoo =
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../codegen/tests/integration/zoo/zoo.hyz");
+    let zoo = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/integration/zoo/zoo.hyz");
     let clashing = folder.join("yield.hyz");
     std::fs::write(&clashing, CLASHING).unwrap();
     let path = |path: &Path| path.to_str().unwrap().to_string();

@@ -1,5 +1,4 @@
-//! Common-subexpression elimination in products: greedy extraction of the pair of factors that saves the most
-//! operations.
+//! Common-subexpression elimination in products, by greedy extraction of pairs.
 
 use super::candidates::{Candidates, Score};
 use crate::graph::FastMap;
@@ -71,10 +70,7 @@ fn count(list: &[DefId], pair: Pair) -> usize {
     }
 }
 
-/// Score of a pair of factors that occurs in the products `users`: the number of multiplications that are saved if the
-/// pair is computed only once, which is the number of occurrences minus 1. A pair that depends on parameters only is
-/// computed once per flight, so that every occurrence in a product of more than two factors saves a multiplication.
-/// `None` if nothing is saved.
+/// Multiplications saved by a shared pair: occurrences less 1, or of a fixed pair those in longer products.
 fn score(ssa: &Ssa, pair: Pair, users: &[DefId]) -> Option<Score> {
     let (mut places, mut whole) = (0, 0);
     for &id in users {

@@ -79,10 +79,7 @@ fn sign(list: &[Signed], pair: Pair) -> Option<bool> {
     (pair.0 != pair.1 && (first != second) == pair.2).then_some(first)
 }
 
-/// Score of a pair of terms that occurs in the sums `users`: the number of additions that are saved if the pair is
-/// computed only once, which is the number of occurrences minus 1. A pair that depends on parameters only is computed
-/// once per flight, so that every occurrence in a sum of more than two terms saves an addition. `None` if nothing is
-/// saved.
+/// Additions saved by a shared pair: occurrences less 1, or of a fixed pair those in longer sums.
 fn score(ssa: &Ssa, pair: Pair, users: &[DefId]) -> Option<Score> {
     let holds = |id: DefId| sign(terms(ssa, id), pair).is_some();
     let places = users.iter().filter(|&&id| holds(id)).count();
