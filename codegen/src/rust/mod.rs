@@ -33,7 +33,7 @@ use scalar::Scalar;
 #[derive(Clone, Copy, Debug)]
 pub struct PlainRust;
 
-/// Backend of one module per model, on `f64`, without dependencies.
+/// Backend of one module per model, generic over [`lanes::Real`].
 #[derive(Clone, Copy, Debug)]
 pub struct LanesRust;
 

@@ -47,10 +47,10 @@ pub(super) fn import(function: &Function) -> TokenStream {
     let tables = &function.program.tables;
     let used = used_by(function).into_iter();
     let names: BTreeSet<Ident> = used.flat_map(|f| names(tables, f)).collect();
-    match names.is_empty() {
-        true => TokenStream::new(),
-        false => quote!(use super::tables::{#(#names),*};),
+    if names.is_empty() {
+        return TokenStream::new();
     }
+    quote!(use super::tables::{#(#names),*};)
 }
 
 /// Tokens of the `f64` function that looks up a table.

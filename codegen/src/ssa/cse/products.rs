@@ -1,9 +1,8 @@
 //! Common-subexpression elimination in products, by greedy extraction of pairs.
 
 use super::candidates::{Candidates, Score};
-use crate::graph::FastMap;
+use super::merge_equal;
 use crate::ssa::{DefId, Ssa, SsaDef};
-use model_spec::index::IndexVec;
 
 type Pair = (DefId, DefId);
 
@@ -41,7 +40,10 @@ pub fn share(ssa: &mut Ssa) {
         }
         candidates.rate(|pair, users| score(ssa, pair, users));
     }
-    alias(ssa);
+    merge_equal(ssa, factors, |factors| match factors {
+        [single] => Some(*single),
+        _ => None,
+    });
 }
 
 fn factors(ssa: &Ssa, id: DefId) -> &[DefId] {
@@ -87,19 +89,4 @@ fn score(ssa: &Ssa, pair: Pair, users: &[DefId]) -> Option<Score> {
         places.saturating_sub(1)
     };
     (saved > 0 && places > whole).then_some((saved, fixed))
-}
-
-/// Merges equal products, and replaces products of a single factor by that factor.
-fn alias(ssa: &mut Ssa) {
-    let mut canonical: FastMap<Vec<DefId>, DefId> = FastMap::default();
-    let mut target: IndexVec<DefId, DefId> = ssa.defs.indices().collect();
-    for (id, def) in ssa.defs.iter_enumerated() {
-        if let SsaDef::Product(list) = def {
-            match list.as_slice() {
-                [single] => target[id] = *single,
-                _ => target[id] = *canonical.entry(list.clone()).or_insert(id),
-            }
-        }
-    }
-    ssa.redirect(&target);
 }
