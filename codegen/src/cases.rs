@@ -6,14 +6,12 @@ use crate::lower::lower;
 use crate::tape::{Inputs, Tape};
 use model_spec::model::{CheckCase, Expectation, Model, Observable, Target};
 
-/// Expected and computed value of one quantity of a check case. A check case of a model file lists states and
-/// parameters, and the values that the model must give for them.
+/// Expected and computed value of one quantity of a check case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
     /// Name of the checked quantity in the notation of the check case: `alpha`, `der(u)`.
     pub name: String,
-    /// SI unit of the expected and of the computed value, in the notation of model files; `1` if the quantity is
-    /// dimensionless.
+    /// SI unit of the values, in the notation of model files.
     pub unit: String,
     /// Value computed from the model, in the SI unit `unit`.
     pub found: f64,
@@ -28,8 +26,7 @@ impl Comparison {
     }
 }
 
-/// Evaluates the check cases (points of evaluation with expected values) of a model file. Returns for each case, in the
-/// order of the file, its title and the expected and computed values.
+/// Evaluates the check cases of a model; returns title and comparisons of each.
 pub fn check_cases(model: &Model) -> Vec<(String, Vec<Comparison>)> {
     let observables: Vec<Observable> = model
         .checks
@@ -88,8 +85,7 @@ fn compared(model: &Model, expected: &Expectation, found: f64) -> Comparison {
     }
 }
 
-/// States, parameters and marker coordinates of a check case: the defaults of the model, except where the case sets
-/// another value.
+/// States, parameters and marker of a check case, defaults where it sets none.
 fn arguments(model: &Model, case: &CheckCase) -> (Vec<f64>, Vec<f64>, [f64; 3]) {
     let layout = crate::layout::Layout::new(model);
     let (mut states, mut parameters) = (layout.default_states(), layout.default_parameters());

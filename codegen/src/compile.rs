@@ -30,13 +30,11 @@ pub enum Selection {
 pub enum Effort {
     /// Tries several elimination orders for each Jacobian and uses the one with the lowest cost; for generated code.
     Full,
-    /// Uses one elimination order, and obtains `f_jac` from `f_jac_par` by omission of the parameter Jacobian; for
-    /// bytecode that is compiled at run time.
+    /// One elimination order, and `f_jac` from `f_jac_par`; for bytecode at run time.
     Quick,
 }
 
-/// Compiled model: its functions as programs, the order of its states and parameters, and the source locations of its
-/// auxiliary variables.
+/// Compiled model: its functions, their order of arguments, and source locations.
 #[derive(Clone, Debug)]
 pub struct Compiled {
     /// Name of the model.
@@ -45,11 +43,9 @@ pub struct Compiled {
     pub layout: Layout,
     /// Model lowered to scalar expressions, with names and source locations of its auxiliary variables.
     pub lowered: Lowered,
-    /// Parameter index of each column of the parameter Jacobians `jp` and `dy_dp`; all parameters unless a
-    /// [`Selection`] was given.
+    /// Parameter of each column of `jp` and `dy_dp`.
     pub columns: Vec<usize>,
-    /// Function that computes the invariants, which depend on parameters alone. It runs once per flight, and its
-    /// results are inputs of all other functions.
+    /// Computes the invariants once per flight, for all other functions.
     pub prepare: Function,
     /// Names of the invariants that `prepare` computes.
     pub prepared: Vec<String>,
@@ -57,25 +53,20 @@ pub struct Compiled {
     pub f: Function,
     /// Function that computes the time derivatives `dx` of the states and their state Jacobian `j`.
     pub f_jac: Function,
-    /// Function that computes the time derivatives `dx` of the states, their state Jacobian `j` and their parameter
-    /// Jacobian `jp`.
+    /// Computes the state derivatives `dx` with the Jacobians `j` and `jp`.
     pub f_jac_par: Function,
-    /// Function that computes the measurement equation: the position `y`, m, of a marker in the inertial frame. It has
-    /// no outputs if the model has no measurement equation.
+    /// Computes the marker position `y`, m, if the model has a measurement equation.
     pub observe: Function,
-    /// Function that computes the marker position `y`, m, and its Jacobians `dy_dx`, `dy_dp` and `dy_dmarker` with
-    /// respect to states, parameters and marker coordinates.
+    /// Computes `y` and its Jacobians `dy_dx`, `dy_dp` and `dy_dmarker`.
     pub observe_jac: Function,
     /// Function that computes the values of all auxiliary variables of the model.
     pub quantities: Function,
-    /// Function that computes the left-hand sides of the model's limits of validity. The model is valid while each
-    /// left-hand side exceeds its bound.
+    /// Computes the left-hand sides of the limits of validity.
     pub limits: Function,
 }
 
 impl Compiled {
-    /// All functions of the model, in the order `prepare`, `f`, `f_jac`, `f_jac_par`, `observe`, `observe_jac`,
-    /// `quantities`, `limits`.
+    /// All functions, in the order of the fields.
     pub fn functions(&self) -> [&Function; 8] {
         [
             &self.prepare,
@@ -96,31 +87,25 @@ impl Compiled {
             .find(|function| function.name == name)
     }
 
-    /// Counts, by kind, the operations that the model function with the name `name`, such as `f_jac`, needs but leaves
-    /// to `prepare`, which runs once per flight. All counts are zero for an unknown name.
+    /// Counts the operations that a function leaves to `prepare`; none for an unknown name.
     pub fn count_prepared(&self, name: &str) -> count::Count {
         let Some(function) = self.function(name) else {
             return count::Count::default();
         };
         let program = &function.program;
-        let inside = program.statements.iter().flat_map(|s| s.op.operands());
-        let slots: Vec<usize> = inside
-            .chain(program.outputs.iter().copied())
-            .filter_map(|operand| match operand {
-                Operand::Prepared(slot) => Some(slot as usize),
-                _ => None,
-            })
-            .collect();
-        count::count_for(&self.prepare.program, &slots)
+        let slots = program.operands().filter_map(|operand| match operand {
+            Operand::Prepared(slot) => Some(slot as usize),
+            _ => None,
+        });
+        count::count_for(&self.prepare.program, &slots.collect::<Vec<_>>())
     }
 
-    /// Counts, by kind, the operations of the model function with the name `name`, such as `f_jac`; all counts are zero
-    /// for an unknown name.
+    /// Counts the operations of a function; none for an unknown name.
     pub fn count(&self, name: &str) -> count::Count {
-        self.function(name)
-            .map_or_else(count::Count::default, |function| {
-                count::count(&function.program)
-            })
+        let function = self.function(name);
+        function
+            .map(|function| count::count(&function.program))
+            .unwrap_or_default()
     }
 }
 
@@ -156,9 +141,7 @@ pub fn compile_at(
     compiler.run(&model.name)
 }
 
-/// Compiles a program whose outputs are the time derivatives of the states, followed by the observed marker position.
-/// The program has no Jacobians, and expressions of parameters alone are not moved to a separate function `prepare`,
-/// which would run once per flight; compilation takes a tenth of the time of [`compile`].
+/// Compiles state derivatives and observation, without Jacobians, in a tenth of the time of [`compile`].
 pub fn compile_values(model: &Model) -> (Layout, Program) {
     let Lowered {
         mut graph,
@@ -175,8 +158,7 @@ pub fn compile_values(model: &Model) -> (Layout, Program) {
     (layout, program)
 }
 
-/// Compiles a program whose outputs are the values of the graph nodes `wanted`. Expressions of parameters alone are not
-/// moved to a separate function `prepare`, which would run once per flight.
+/// Program of the nodes `wanted`, without `prepare`.
 pub(crate) fn scheduled_values(
     graph: &mut ExprGraph,
     layout: &Layout,
@@ -253,16 +235,14 @@ impl Compiler {
         }
     }
 
-    /// Components of the observed marker position in the inertial frame, m; empty if the model has no measurement
-    /// equation.
+    /// Components of the observed position, m; empty without a measurement equation.
     fn observed(&self) -> Vec<NodeId> {
         self.lowered
             .observation
             .map_or_else(Vec::new, |y| y.to_vec())
     }
 
-    /// Compiles the function `name`, which computes `values` and no derivatives. The values form its only output, a
-    /// vector with the name `section`.
+    /// Compiles a function of `values` without derivatives, with one output vector.
     fn values(&mut self, name: &'static str, section: &'static str, values: &[NodeId]) -> Function {
         let ssa = self.optimised(values);
         self.scheduled(name, &ssa, vec![dense(section, values.len())])

@@ -1,5 +1,4 @@
-//! Operation counts of programs, by kind. Sine and cosine of one angle count as two calls; a fused multiply-add counts
-//! as one product and one sum.
+//! Operation counts of programs, by kind. A fused multiply-add counts as one product and one sum.
 
 use crate::functions::CostKind;
 use crate::program::{Binary, Op, Operand, Program, Unary};

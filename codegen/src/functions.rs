@@ -37,6 +37,17 @@ pub enum MathFunction {
     Table(TableFunction),
 }
 
+/// Function of two arguments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum BinaryFunction {
+    /// `atan2(y, x)` with operands y and x: angle of the point (x, y), rad; 0 at the origin.
+    Atan2,
+    /// The smaller of the operands.
+    Min,
+    /// The greater of the operands.
+    Max,
+}
+
 /// Symmetry of a function about 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Parity {
@@ -76,7 +87,7 @@ pub enum CostKind {
     Root,
     /// Transcendental function or table lookup.
     Call,
-    /// Comparison of the argument with 0 (sign, Heaviside function, indicator of x ≠ 0), or absolute value.
+    /// Comparison of the argument with 0, or absolute value.
     Select,
 }
 
@@ -100,10 +111,10 @@ pub enum Notation {
 impl From<ElementaryFunction> for MathFunction {
     fn from(function: ElementaryFunction) -> Self {
         match function {
-            ElementaryFunction::Exp => MathFunction::Exp,
-            ElementaryFunction::Log => MathFunction::Log,
-            ElementaryFunction::Tanh => MathFunction::Tanh,
-            ElementaryFunction::Asin => MathFunction::Asin,
+            ElementaryFunction::Exp => Self::Exp,
+            ElementaryFunction::Log => Self::Log,
+            ElementaryFunction::Tanh => Self::Tanh,
+            ElementaryFunction::Asin => Self::Asin,
         }
     }
 }
@@ -111,40 +122,38 @@ impl From<ElementaryFunction> for MathFunction {
 impl MathFunction {
     /// All elementary functions except table lookups.
     pub const ALL: [MathFunction; 11] = [
-        MathFunction::Sin,
-        MathFunction::Cos,
-        MathFunction::Asin,
-        MathFunction::Exp,
-        MathFunction::Log,
-        MathFunction::Tanh,
-        MathFunction::Abs,
-        MathFunction::Sign,
-        MathFunction::Heaviside,
-        MathFunction::Sqrt,
-        MathFunction::NonZero,
+        Self::Sin,
+        Self::Cos,
+        Self::Asin,
+        Self::Exp,
+        Self::Log,
+        Self::Tanh,
+        Self::Abs,
+        Self::Sign,
+        Self::Heaviside,
+        Self::Sqrt,
+        Self::NonZero,
     ];
 
-    /// Name of the function, used in printed expressions and in names of generated variables. For every table it is
-    /// `table`; [`Tables::name`] returns the name of a particular table.
+    /// Name in printed expressions and of variables; `table` for every table.
     pub fn name(self) -> &'static str {
         match self {
-            MathFunction::Sin => "sin",
-            MathFunction::Cos => "cos",
-            MathFunction::Asin => "asin",
-            MathFunction::Exp => "exp",
-            MathFunction::Log => "log",
-            MathFunction::Tanh => "tanh",
-            MathFunction::Abs => "abs",
-            MathFunction::Sign => "sign",
-            MathFunction::Heaviside => "step",
-            MathFunction::Sqrt => "sqrt",
-            MathFunction::NonZero => "nonzero",
-            MathFunction::Table(_) => "table",
+            Self::Sin => "sin",
+            Self::Cos => "cos",
+            Self::Asin => "asin",
+            Self::Exp => "exp",
+            Self::Log => "log",
+            Self::Tanh => "tanh",
+            Self::Abs => "abs",
+            Self::Sign => "sign",
+            Self::Heaviside => "step",
+            Self::Sqrt => "sqrt",
+            Self::NonZero => "nonzero",
+            Self::Table(_) => "table",
         }
     }
 
-    /// Returns the function with this [`name`](Self::name); `None` for an unknown name and for tables, which belong to
-    /// a model.
+    /// Function with this [`name`](Self::name); `None` for tables.
     pub fn named(name: &str) -> Option<MathFunction> {
         Self::ALL
             .into_iter()
@@ -158,102 +167,84 @@ impl MathFunction {
     #[inline(always)]
     pub fn eval<T: Real>(self, x: T, tables: &Tables) -> T {
         match self {
-            MathFunction::Sin => x.sin_cos().0,
-            MathFunction::Cos => x.sin_cos().1,
-            MathFunction::Asin => x.asin(),
-            MathFunction::Exp => x.exp(),
-            MathFunction::Log => x.log(),
-            MathFunction::Tanh => x.tanh(),
-            MathFunction::Abs => x.abs(),
-            MathFunction::Sign => x.sign(),
-            MathFunction::Heaviside => x.heaviside(),
-            MathFunction::Sqrt => x.sqrt(),
-            MathFunction::NonZero => x.if_zero(T::splat(0.0), T::splat(1.0)),
-            MathFunction::Table(function) => tables.of(function).eval(x),
+            Self::Sin => x.sin_cos().0,
+            Self::Cos => x.sin_cos().1,
+            Self::Asin => x.asin(),
+            Self::Exp => x.exp(),
+            Self::Log => x.log(),
+            Self::Tanh => x.tanh(),
+            Self::Abs => x.abs(),
+            Self::Sign => x.sign(),
+            Self::Heaviside => x.heaviside(),
+            Self::Sqrt => x.sqrt(),
+            Self::NonZero => x.if_zero(T::splat(0.0), T::splat(1.0)),
+            Self::Table(function) => tables.of(function).eval(x),
         }
     }
 
-    /// Rust method call on a [`lanes::Real`] that computes the function, without the receiver, such as `exp()`. For a
-    /// table it is the method name without the arguments.
+    /// Rust method call on a [`lanes::Real`], such as `exp()`; of a table, the method name.
     pub fn rust_method(self) -> &'static str {
         match self {
-            MathFunction::Sin => "sin_cos().0",
-            MathFunction::Cos => "sin_cos().1",
-            MathFunction::Asin => "asin()",
-            MathFunction::Exp => "exp()",
-            MathFunction::Log => "log()",
-            MathFunction::Tanh => "tanh()",
-            MathFunction::Abs => "abs()",
-            MathFunction::Sign => "sign()",
-            MathFunction::Heaviside => "heaviside()",
-            MathFunction::Sqrt => "sqrt()",
-            MathFunction::NonZero => "if_zero(T::splat(0.0), T::splat(1.0))",
-            MathFunction::Table(_) => "piecewise_cubic",
+            Self::Sin => "sin_cos().0",
+            Self::Cos => "sin_cos().1",
+            Self::Asin => "asin()",
+            Self::Exp => "exp()",
+            Self::Log => "log()",
+            Self::Tanh => "tanh()",
+            Self::Abs => "abs()",
+            Self::Sign => "sign()",
+            Self::Heaviside => "heaviside()",
+            Self::Sqrt => "sqrt()",
+            Self::NonZero => "if_zero(T::splat(0.0), T::splat(1.0))",
+            Self::Table(_) => "piecewise_cubic",
         }
     }
 
     /// Symbolic derivative of the function.
     pub fn derivative(self) -> Derivative {
         match self {
-            MathFunction::Sin => Derivative::Call(MathFunction::Cos),
-            MathFunction::Cos => Derivative::Opposite(MathFunction::Sin),
-            MathFunction::Asin => Derivative::InverseRootOfOneMinusSquare,
-            MathFunction::Exp => Derivative::Value,
-            MathFunction::Log => Derivative::ReciprocalAboveZero,
-            MathFunction::Tanh => Derivative::OneMinusValueSquared,
-            MathFunction::Abs => Derivative::Call(MathFunction::Sign),
-            MathFunction::Sign | MathFunction::Heaviside | MathFunction::NonZero => {
-                Derivative::Zero
-            }
-            MathFunction::Sqrt => Derivative::HalfOverValue,
-            MathFunction::Table(function) => {
-                function.derivative().map_or(Derivative::Zero, |slope| {
-                    Derivative::Call(Self::Table(slope))
-                })
-            }
+            Self::Sin => Derivative::Call(Self::Cos),
+            Self::Cos => Derivative::Opposite(Self::Sin),
+            Self::Asin => Derivative::InverseRootOfOneMinusSquare,
+            Self::Exp => Derivative::Value,
+            Self::Log => Derivative::ReciprocalAboveZero,
+            Self::Tanh => Derivative::OneMinusValueSquared,
+            Self::Abs => Derivative::Call(Self::Sign),
+            Self::Sign | Self::Heaviside | Self::NonZero => Derivative::Zero,
+            Self::Sqrt => Derivative::HalfOverValue,
+            Self::Table(function) => function.derivative().map_or(Derivative::Zero, |slope| {
+                Derivative::Call(Self::Table(slope))
+            }),
         }
     }
 
     /// Symmetry of the function about 0: even, odd or none.
     pub fn parity(self) -> Parity {
         match self {
-            MathFunction::Cos | MathFunction::Abs | MathFunction::NonZero => Parity::Even,
-            MathFunction::Sin | MathFunction::Asin | MathFunction::Tanh | MathFunction::Sign => {
-                Parity::Odd
-            }
-            MathFunction::Exp
-            | MathFunction::Log
-            | MathFunction::Heaviside
-            | MathFunction::Sqrt
-            | MathFunction::Table(_) => Parity::None,
+            Self::Cos | Self::Abs | Self::NonZero => Parity::Even,
+            Self::Sin | Self::Asin | Self::Tanh | Self::Sign => Parity::Odd,
+            Self::Exp | Self::Log | Self::Heaviside | Self::Sqrt | Self::Table(_) => Parity::None,
         }
     }
 
     /// Whether f(c x) = f(x) for every scale factor c > 0.
     pub fn ignores_scale(self) -> bool {
-        matches!(
-            self,
-            MathFunction::Heaviside | MathFunction::Sign | MathFunction::NonZero
-        )
+        matches!(self, Self::Heaviside | Self::Sign | Self::NonZero)
     }
 
     /// Whether f(x) ≥ 0 for every x.
     pub fn is_nonneg(self) -> bool {
         matches!(
             self,
-            MathFunction::Exp
-                | MathFunction::Abs
-                | MathFunction::Heaviside
-                | MathFunction::Sqrt
-                | MathFunction::NonZero
+            Self::Exp | Self::Abs | Self::Heaviside | Self::Sqrt | Self::NonZero
         )
     }
 
     /// Whether f(x) is known to be nonzero; `argument_nonzero` states whether x is known to be nonzero.
     pub fn is_nonzero(self, argument_nonzero: bool) -> bool {
         match self {
-            MathFunction::Exp => true,
-            MathFunction::Abs | MathFunction::Sign | MathFunction::NonZero => argument_nonzero,
+            Self::Exp => true,
+            Self::Abs | Self::Sign | Self::NonZero => argument_nonzero,
             _ => false,
         }
     }
@@ -263,27 +254,22 @@ impl MathFunction {
         let (zero, negative) = (x.is_zero(), x.is_negative());
         let indicator = |holds: bool| Some(if holds { Number::ONE } else { Number::ZERO });
         match self {
-            MathFunction::Sin | MathFunction::Asin | MathFunction::Tanh | MathFunction::Sqrt => {
-                zero.then_some(Number::ZERO)
-            }
-            MathFunction::Cos | MathFunction::Exp => zero.then_some(Number::ONE),
-            MathFunction::Log => (x.is_one() || zero || negative).then_some(Number::ZERO),
-            MathFunction::Abs => Some(x.abs()),
-            MathFunction::Sign if negative => Some(Number::MINUS_ONE),
-            MathFunction::Sign | MathFunction::NonZero => indicator(!zero),
-            MathFunction::Heaviside => indicator(!zero && !negative),
-            MathFunction::Table(_) => None,
+            Self::Sin | Self::Asin | Self::Tanh | Self::Sqrt => zero.then_some(Number::ZERO),
+            Self::Cos | Self::Exp => zero.then_some(Number::ONE),
+            Self::Log => (x.is_one() || zero || negative).then_some(Number::ZERO),
+            Self::Abs => Some(x.abs()),
+            Self::Sign if negative => Some(Number::MINUS_ONE),
+            Self::Sign | Self::NonZero => indicator(!zero),
+            Self::Heaviside => indicator(!zero && !negative),
+            Self::Table(_) => None,
         }
     }
 
     /// Operation class under which the function is counted in a [`Count`](crate::count::Count).
     pub fn cost_kind(self) -> CostKind {
         match self {
-            MathFunction::Sqrt => CostKind::Root,
-            MathFunction::Abs
-            | MathFunction::Sign
-            | MathFunction::Heaviside
-            | MathFunction::NonZero => CostKind::Select,
+            Self::Sqrt => CostKind::Root,
+            Self::Abs | Self::Sign | Self::Heaviside | Self::NonZero => CostKind::Select,
             _ => CostKind::Call,
         }
     }
@@ -291,9 +277,9 @@ impl MathFunction {
     /// Approximate latency of the function on current processors, in clock cycles.
     pub fn latency(self) -> u32 {
         match self {
-            MathFunction::Abs => 1,
-            MathFunction::Sign | MathFunction::Heaviside | MathFunction::NonZero => 4,
-            MathFunction::Sqrt => 18,
+            Self::Abs => 1,
+            Self::Sign | Self::Heaviside | Self::NonZero => 4,
+            Self::Sqrt => 18,
             _ => 30,
         }
     }
@@ -301,18 +287,18 @@ impl MathFunction {
     /// LaTeX notation of the function.
     pub fn notation(self) -> Notation {
         match self {
-            MathFunction::Sin => Notation::Command(r"\sin", true),
-            MathFunction::Cos => Notation::Command(r"\cos", true),
-            MathFunction::Asin => Notation::Command(r"\arcsin", false),
-            MathFunction::Exp => Notation::PowerOfE,
-            MathFunction::Log => Notation::Command(r"\ln", true),
-            MathFunction::Tanh => Notation::Command(r"\tanh", true),
-            MathFunction::Abs => Notation::Bars,
-            MathFunction::Sign => Notation::Operator("sgn"),
-            MathFunction::Heaviside => Notation::Bracket("> 0"),
-            MathFunction::Sqrt => Notation::Radical,
-            MathFunction::NonZero => Notation::Bracket(r"\neq 0"),
-            MathFunction::Table(_) => Notation::Operator("table"),
+            Self::Sin => Notation::Command(r"\sin", true),
+            Self::Cos => Notation::Command(r"\cos", true),
+            Self::Asin => Notation::Command(r"\arcsin", false),
+            Self::Exp => Notation::PowerOfE,
+            Self::Log => Notation::Command(r"\ln", true),
+            Self::Tanh => Notation::Command(r"\tanh", true),
+            Self::Abs => Notation::Bars,
+            Self::Sign => Notation::Operator("sgn"),
+            Self::Heaviside => Notation::Bracket("> 0"),
+            Self::Sqrt => Notation::Radical,
+            Self::NonZero => Notation::Bracket(r"\neq 0"),
+            Self::Table(_) => Notation::Operator("table"),
         }
     }
 }

@@ -10,8 +10,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Generates the source files of the crate `generated` (Rust code of the models), sorted by path relative to its `src`
-/// directory.
+/// Source files of the crate `generated`, sorted by path relative to its `src`.
 pub fn generate(models: &[Model]) -> Vec<SourceFile> {
     let mut ordered: Vec<&Model> = models.iter().collect();
     ordered.sort_by(|a, b| a.name.cmp(&b.name));

@@ -20,7 +20,7 @@ pub mod lower;
 pub mod number;
 pub mod program;
 #[cfg(test)]
-mod random_expressions;
+mod random_expressions_tests;
 mod registry;
 pub mod rust;
 pub mod schedule;

@@ -19,13 +19,21 @@ impl Number {
     /// The constant -1, exact.
     pub const MINUS_ONE: Number = Number::Exact(-1, 1);
 
+    /// -1 if `minus`, else 1.
+    pub fn sign(minus: bool) -> Number {
+        if minus {
+            Number::MINUS_ONE
+        } else {
+            Number::ONE
+        }
+    }
+
     /// Exact constant of an integer value.
     pub fn whole(value: i64) -> Number {
         Number::Exact(value, 1)
     }
 
-    /// Constant numerator / denominator in lowest terms; `Float` if the reduced numerator or denominator exceeds `i64`,
-    /// or if the denominator is 0.
+    /// A fraction in lowest terms; `Float` beyond `i64`, or if the denominator is 0.
     pub fn fraction(numerator: i128, denominator: i128) -> Number {
         if denominator == 0 {
             return Number::Float(numerator as f64 / denominator as f64);
@@ -39,8 +47,7 @@ impl Number {
         }
     }
 
-    /// Constant of a literal in the model text: the fraction `exact` if given, else an exact integer if `value` is an
-    /// integer below 1e15 in magnitude, else `Float(value)`.
+    /// A literal: its exact fraction, else an integer below 1e15, else `Float`.
     pub fn literal(value: f64, exact: Option<(i64, i64)>) -> Number {
         match exact {
             Some((n, d)) => Number::fraction(n.into(), d.into()),

@@ -1,19 +1,18 @@
-//! Straight-line programs: scheduled statements of one operation each, in the order in which every backend prints or
-//! interprets them.
+//! Straight-line programs, which every backend prints or interprets.
 
-use crate::functions::MathFunction;
+use crate::functions::{BinaryFunction, MathFunction};
 use crate::table::Tables;
 
 /// Source of an operand: an input, a constant or the result of an earlier statement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Operand {
-    /// Time since release (the start of the flight), s.
+    /// Time since release, s.
     Time,
     /// State variable, by its index in the state vector.
     State(u32),
     /// Parameter, by its index in the parameter vector.
     Parameter(u32),
-    /// Invariant (value that depends on parameters alone), by its index among the results of the function `prepare`.
+    /// Invariant, by its index among the results of the function `prepare`.
     Prepared(u32),
     /// Body-fixed coordinate, m, of the marker, by its index (0 to 2).
     Marker(u32),
@@ -48,6 +47,16 @@ pub enum Binary {
     Atan2,
     Min,
     Max,
+}
+
+impl From<BinaryFunction> for Binary {
+    fn from(function: BinaryFunction) -> Binary {
+        match function {
+            BinaryFunction::Atan2 => Binary::Atan2,
+            BinaryFunction::Min => Binary::Min,
+            BinaryFunction::Max => Binary::Max,
+        }
+    }
 }
 
 /// Multiply-add of the operands (a, b, c); rounded once if the number type has a fused multiply-add, else twice.
@@ -108,8 +117,7 @@ pub struct Statement {
     pub op: Op,
     /// Variable name; `None` if backends may print the operation as a subexpression of the statement that uses it.
     pub name: Option<String>,
-    /// Auxiliary variable of the model that the statement computes or contributes to, for comments in generated code;
-    /// `None` if there is none.
+    /// Auxiliary variable that the statement computes, for comments.
     pub about: Option<About>,
 }
 
@@ -127,14 +135,19 @@ pub struct About {
 pub struct Program {
     /// Statements in order of execution; operands refer only to earlier statements.
     pub statements: Vec<Statement>,
-    /// Operands whose values are the results of the program, in the order of the output vectors and matrices of the
-    /// function.
+    /// Results of the program, in the order of the sections.
     pub outputs: Vec<Operand>,
     /// Tables that the statements look up.
     pub tables: Tables,
 }
 
 impl Program {
+    /// Operands of all statements, then the outputs.
+    pub(crate) fn operands(&self) -> impl Iterator<Item = Operand> + '_ {
+        let inside = self.statements.iter().flat_map(|s| s.op.operands());
+        inside.chain(self.outputs.iter().copied())
+    }
+
     /// Renumbers the operands that are results of statements, after each statement `k` has moved to `places[k]`.
     pub(crate) fn renumber(&mut self, places: &[u32]) {
         let moved = |operand: &mut Operand| {
@@ -161,7 +174,7 @@ pub struct Section {
 }
 
 /// Function of a model: a program, and the layout and names of its outputs.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Function {
     /// Name of the function: `f`, `f_jac`, …
     pub name: &'static str,
@@ -179,16 +192,14 @@ impl Function {
         self.sections.iter().find(|section| section.name == name)
     }
 
-    /// Sparsity pattern of the output matrix `name`: (row, column) of each entry. Empty if the function has no such
-    /// matrix, or if `name` is a dense vector.
+    /// Sparsity pattern of the matrix `name`; empty if there is none.
     pub fn pattern(&self, name: &str) -> &[(u32, u32)] {
         self.section(name)
             .and_then(|section| section.pattern.as_deref())
             .unwrap_or(&[])
     }
 
-    /// Index range of the output vector or matrix `name` within the outputs of the function; an empty range at the end
-    /// of the outputs if the function has no such vector or matrix.
+    /// Range of a section within the outputs; empty if there is none.
     pub fn range(&self, name: &str) -> std::ops::Range<usize> {
         let mut start = 0;
         for section in &self.sections {

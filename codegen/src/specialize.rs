@@ -18,8 +18,7 @@ pub struct Specialized {
 }
 
 impl Specialized {
-    /// Copies the nodes of `old` on which `roots` depend to a new graph, with `values` substituted for symbols, and
-    /// simplifies them.
+    /// Copies and simplifies what `roots` depend on, with `values` for symbols.
     pub fn new(old: &ExprGraph, roots: &[NodeId], values: &Values) -> Specialized {
         let mut new = Specialized {
             graph: ExprGraph::with_tables(old.tables().clone()),
@@ -44,8 +43,7 @@ impl Specialized {
         new
     }
 
-    /// Node of the new graph that corresponds to the node `id` of the original graph; the constant 0 if the roots
-    /// (requested outputs) do not depend on `id`.
+    /// Node of the new graph for `id`; 0 if the roots do not depend on it.
     pub fn image(&mut self, id: NodeId) -> NodeId {
         match self.images[id.index()] {
             Some(image) => image,
@@ -90,8 +88,7 @@ impl Specialized {
         }
     }
 
-    /// Node of the new graph for a local symbol (leaf that stands for a shared subexpression) of the original graph: a
-    /// local symbol again, or the specialized definition if that is a leaf or a constant.
+    /// Image of a local symbol: a local symbol again, unless its definition is a leaf.
     fn local(
         &mut self,
         old: &ExprGraph,
@@ -137,8 +134,7 @@ impl Specialized {
     }
 }
 
-/// For each node of the graph, whether a node of `roots` (requested outputs) depends on it, directly or through the
-/// definitions of local symbols.
+/// Whether the roots depend on each node, also through local symbols.
 fn needed(graph: &ExprGraph, roots: &[NodeId]) -> Vec<bool> {
     let mut needed = vec![false; graph.len()];
     for root in roots {

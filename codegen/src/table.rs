@@ -61,8 +61,7 @@ pub struct CubicTable {
     pub argument: String,
     /// Units of the argument and of the value, as text in SI units.
     pub unit_texts: [String; 2],
-    /// Hash of the curve that the table defines ([`model::Table::fingerprint`]); 0 for a table that was read from
-    /// generated code.
+    /// [`model::Table::fingerprint`]; 0 for a table from generated code.
     pub fingerprint: u64,
     derivatives: [PiecewiseCubic; TableFunction::LAST as usize + 1],
 }
@@ -136,8 +135,7 @@ impl Tables {
         self.table(function.table()).cubic(function.order())
     }
 
-    /// Name of a table or of its derivative, in printed expressions and in names of variables: `C_L` for the table,
-    /// `C_L_slope` for its first derivative.
+    /// Name of a table or its derivative: `C_L`, `C_L_slope`.
     pub fn name(&self, function: TableFunction) -> String {
         let known = self.0.get(function.table().index());
         let name = known.map_or("", |table| table.name.as_str());

@@ -29,13 +29,11 @@ enum Opcode {
     Atan2,
     IfZero,
     Call(MathFunction),
-    /// Writes the sine of the value in register `a` to the target register, and the cosine of that value to register
-    /// `b`.
+    /// Sine of register `a` to the target, its cosine to register `b`.
     SinCos,
 }
 
-/// Registers of an instruction: the target, which receives the result, and the operands. Operand fields that its
-/// operation does not use repeat `a`.
+/// Registers of an instruction; unused operands repeat `a`.
 #[derive(Clone, Copy, Debug)]
 struct Instruction {
     target: u32,
@@ -68,7 +66,7 @@ pub struct Tape {
 /// Input values for one evaluation of a program. If `T` is a SIMD vector, each lane belongs to one flight.
 #[derive(Clone, Copy, Debug)]
 pub struct Inputs<'a, T> {
-    /// Time since release (the start of the flight), s.
+    /// Time since release, s.
     pub t: T,
     /// State vector, in the order of `Layout::states`.
     pub x: &'a [T],
@@ -90,7 +88,7 @@ impl Tape {
         allocate::tape(program)
     }
 
-    /// Number of registers, which is the minimum length of the buffer for register values (scratch space).
+    /// Number of registers, which is the minimum length of the buffer for register values.
     pub fn registers(&self) -> usize {
         self.registers
     }

@@ -10,8 +10,7 @@ use lanes::{ScalarKernel, ScalarLane, dispatch_scalar};
 pub struct TapeFunction {
     /// Bytecode of the function.
     pub tape: Tape,
-    /// Output vectors and matrices of the function (such as `dx` and `j`), in order; each is written to a separate
-    /// array.
+    /// Output sections of the function, each written to an array of its own.
     pub sections: Vec<Section>,
 }
 
@@ -36,8 +35,7 @@ impl TapeFunction {
     }
 }
 
-/// Reusable buffers for the registers and results of bytecode evaluations. All functions of all models can use the same
-/// buffers.
+/// Reusable buffers for registers and results, for any function.
 #[derive(Clone, Debug, Default)]
 pub struct Scratch {
     registers: Vec<f64>,
@@ -61,26 +59,22 @@ pub struct TapeModel {
     pub f: TapeFunction,
     /// Function that computes the time derivatives `dx` of the states and their state Jacobian `j`.
     pub f_jac: TapeFunction,
-    /// Function that computes the time derivatives `dx` of the states, their state Jacobian `j` and their parameter
-    /// Jacobian `jp`.
+    /// Computes the state derivatives `dx` with the Jacobians `j` and `jp`.
     pub f_jac_par: TapeFunction,
     /// Function that computes the position `y`, m, of a marker in the inertial frame, from its body-fixed coordinates.
     pub observe: TapeFunction,
-    /// Function that computes the marker position `y`, m, and its Jacobians `dy_dx`, `dy_dp` and `dy_dmarker` with
-    /// respect to states, parameters and marker coordinates.
+    /// Computes `y` and its Jacobians `dy_dx`, `dy_dp` and `dy_dmarker`.
     pub observe_jac: TapeFunction,
-    /// Function that computes the auxiliary variables in [`Layout::quantities`](crate::Layout::quantities): those that
-    /// depend neither on the marker nor on the specific force or angular acceleration.
+    /// Computes [`Layout::quantities`](crate::Layout::quantities).
     pub quantities: TapeFunction,
-    /// Function that computes the left-hand sides of the limits of validity. The model is valid while each left-hand
-    /// side exceeds its bound.
+    /// Computes the left-hand sides of the limits of validity.
     pub limits: TapeFunction,
 }
 
 /// Arguments of an evaluation of a model function.
 #[derive(Clone, Copy, Debug)]
 pub struct At<'a> {
-    /// Time since release (the start of the flight), s.
+    /// Time since release, s.
     pub t: f64,
     /// State vector, in the order of `Layout::states`.
     pub x: &'a [f64],
@@ -114,8 +108,7 @@ impl TapeModel {
         self.f_jac_par.pattern("j")
     }
 
-    /// Sparsity pattern: (row, column) of each entry of `jp` = ∂dx/∂parameters. The column is an index into
-    /// [`Compiled::columns`], the list of the parameters with respect to which derivatives are computed.
+    /// Sparsity pattern of `jp` = ∂dx/∂parameters, by column of [`Compiled::columns`].
     pub fn jp_pattern(&self) -> &[(u32, u32)] {
         self.f_jac_par.pattern("jp")
     }
@@ -125,15 +118,12 @@ impl TapeModel {
         self.observe_jac.pattern("dy_dx")
     }
 
-    /// Sparsity pattern: (row, column) of each entry of `dy_dp` = ∂y/∂parameters, where `y` is the observed marker
-    /// position. The column is an index into [`Compiled::columns`], the list of the parameters with respect to which
-    /// derivatives are computed.
+    /// Sparsity pattern of `dy_dp` = ∂y/∂parameters, by column of [`Compiled::columns`].
     pub fn dy_dp_pattern(&self) -> &[(u32, u32)] {
         self.observe_jac.pattern("dy_dp")
     }
 
-    /// Sparsity pattern: (row, column) of each entry of `dy_dmarker` = ∂y/∂marker, the derivatives of the observed
-    /// position `y` with respect to the body-fixed marker coordinates.
+    /// Sparsity pattern of `dy_dmarker` = ∂y/∂marker.
     pub fn dy_dmarker_pattern(&self) -> &[(u32, u32)] {
         self.observe_jac.pattern("dy_dmarker")
     }
@@ -141,19 +131,15 @@ impl TapeModel {
     /// Computes the invariants of a flight: all subexpressions that depend only on the parameters `p`.
     pub fn prepare(&self, p: &[f64]) -> Vec<f64> {
         let mut prepared = vec![0.0; self.prepared];
+        let (t, x, none) = (0.0, &[][..], &[][..]);
         let at = At {
-            t: 0.0,
-            x: &[],
+            t,
+            x,
             p,
-            prepared: &[],
+            prepared: none,
         };
-        run(
-            &self.prepare,
-            at,
-            &[],
-            &mut Scratch::default(),
-            &mut [&mut prepared],
-        );
+        let scratch = &mut Scratch::default();
+        run(&self.prepare, at, &[], scratch, &mut [&mut prepared]);
         prepared
     }
 
@@ -162,14 +148,12 @@ impl TapeModel {
         run(&self.f, at, &[], scratch, &mut [dx]);
     }
 
-    /// Writes the time derivatives of the states to `dx` and the nonzero entries of the state Jacobian to `j`, in the
-    /// order of [`j_pattern`](Self::j_pattern).
+    /// Computes `dx` and the entries of `j` in [`j_pattern`](Self::j_pattern).
     pub fn f_jac(&self, at: At<'_>, scratch: &mut Scratch, dx: &mut [f64], j: &mut [f64]) {
         run(&self.f_jac, at, &[], scratch, &mut [dx, j]);
     }
 
-    /// Writes the time derivatives of the states to `dx`, and the nonzero entries of the state and parameter Jacobians
-    /// to `j` and `jp`, in the order of [`j_pattern`](Self::j_pattern) and [`jp_pattern`](Self::jp_pattern).
+    /// Computes `dx` and the entries of `j` and `jp`.
     pub fn f_jac_par(
         &self,
         at: At<'_>,
@@ -181,15 +165,12 @@ impl TapeModel {
         run(&self.f_jac_par, at, &[], scratch, &mut [dx, j, jp]);
     }
 
-    /// Writes the position of a marker in the inertial frame, m, to `y`; `marker` contains the body-fixed coordinates,
-    /// m.
+    /// Computes the position `y`, m, of a marker in the inertial frame.
     pub fn observe(&self, at: At<'_>, marker: &[f64], scratch: &mut Scratch, y: &mut [f64]) {
         run(&self.observe, at, marker, scratch, &mut [y]);
     }
 
-    /// Writes the position of a marker in the inertial frame, m, and the Jacobians of the position to `results`, in the
-    /// order `[y, dy_dx, dy_dp, dy_dmarker]`. A Jacobian consists of its nonzero entries, in the order of its sparsity
-    /// pattern, such as [`dy_dx_pattern`](Self::dy_dx_pattern).
+    /// Computes `[y, dy_dx, dy_dp, dy_dmarker]`, the Jacobians by their entries.
     pub fn observe_jac(
         &self,
         at: At<'_>,
@@ -241,7 +222,7 @@ fn run(
     }
 }
 
-/// Scalar kernel that evaluates one [`Tape`] (register bytecode of a model function).
+/// Scalar kernel that evaluates one [`Tape`].
 struct Run<'a> {
     tape: &'a Tape,
     at: At<'a>,

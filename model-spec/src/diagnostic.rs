@@ -3,8 +3,7 @@
 pub use crate::source::{Source, Span};
 use crate::suggest;
 
-/// Maximum number of errors in model files that are shown and for which spelling suggestions are searched; further
-/// errors are only counted.
+/// Maximum number of errors shown, and for which suggestions are searched.
 pub(crate) const MAX_SHOWN: usize = 50;
 
 /// Category of an error in a model file, such as a syntax error or a unit error.
@@ -45,8 +44,7 @@ impl Kind {
     }
 }
 
-/// An additional source span that helps to explain an error, such as an earlier declaration of the same name, with an
-/// annotation.
+/// An additional source span with an annotation, such as an earlier declaration.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Label {
     /// Source span to which the annotation refers.
@@ -121,8 +119,7 @@ impl Diagnostic {
         self
     }
 
-    /// Sets the suggested remedy to the name in `names` that is nearest in spelling to `wrong`; leaves the remedy
-    /// unchanged if no name is near.
+    /// Suggests the name nearest in spelling to `wrong`, if one is near.
     pub(crate) fn did_you_mean<'n>(
         self,
         wrong: &str,

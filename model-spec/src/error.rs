@@ -45,8 +45,7 @@ pub enum LoadError {
         /// Names of the built-in models.
         known: Vec<String>,
     },
-    /// No effect has the given name: it is neither an existing file, nor declared in the model's file, nor built in,
-    /// nor created from an equation `der(STATE) = …` of the model.
+    /// No effect has the given name.
     #[error(
         "there is no effect `{wanted}`: not in the model, not among the built-in ones, and no such file{}\nknown are {}",
         suggestion(wanted, known), known.join(", ")

@@ -21,8 +21,7 @@ use std::ops::{Index, IndexMut};
 
 pub use crate::index_type;
 
-/// An index newtype over `u32`, declared by [`index_type!`]: an index of one kind of item, such as a state, that cannot
-/// be used for another kind.
+/// An index of one kind of item, declared by [`index_type!`].
 pub trait Idx: Copy + Eq + Ord + fmt::Debug {
     /// Creates the index with the value `position`, counted from 0.
     ///

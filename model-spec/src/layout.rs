@@ -11,21 +11,18 @@ index_type!(
 );
 
 index_type!(
-    /// Index of a parameter in the parameter vector: known constants first, then coefficients, then components of
-    /// inputs.
+    /// Index in the parameter vector: constants, coefficients, components of inputs.
     pub struct ParamId;
 );
 
 index_type!(
-    /// Index into [`Layout::quantities`], which has one entry per scalar auxiliary variable and per component of a
-    /// vector.
+    /// Index into [`Layout::quantities`].
     pub struct QuantityId;
 );
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Names and default values of states and parameters, in the order of the state vector and the parameter vector that
-/// the compiled model uses.
+/// Names and default values of states and parameters, in the order of the compiled model.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layout {
     /// Names of the states, in state-vector order.
@@ -38,8 +35,7 @@ pub struct Layout {
     pub coefficients: usize,
     /// Names of the three coordinates of the marker; empty if the model has no marker.
     pub marker: Vec<String>,
-    /// Names of the auxiliary variables, one per scalar and per vector component. Variables that depend on the marker,
-    /// the specific force or the angular acceleration are omitted.
+    /// Names of the auxiliary variables by component, except those of [`is_of_observation`].
     pub quantities: Vec<String>,
     /// Default values of the parameters, SI, in parameter-vector order.
     pub defaults: Vec<f64>,
@@ -76,9 +72,7 @@ impl Layout {
         layout
     }
 
-    /// Names for [`Layout::quantities`]. The components of a vector `v` are named `v_x`, `v_y`, `v_z` if `v` is in the
-    /// inertial frame, and `v_1`, `v_2`, `v_3` in other frames. If such a name is already used, the name of the frame
-    /// is inserted, as in `v_B1`.
+    /// Names of components: `v_x` in the inertial frame, `v_1` in others, and `v_B1` where that is taken.
     fn quantity_names(&self, model: &Model) -> Vec<String> {
         let scalars = model
             .aux_variables
@@ -134,14 +128,12 @@ impl Layout {
         position(&self.states, name).map(StateId::new)
     }
 
-    /// Index of a parameter by name: known constant, coefficient or input component. `None` if there is no such
-    /// parameter.
+    /// Index of a constant, coefficient or input component by name.
     pub fn parameter(&self, name: &str) -> Option<ParamId> {
         position(&self.parameters, name).map(ParamId::new)
     }
 
-    /// Index of a scalar auxiliary variable, or of a component of a vector, by name; `None` if [`Layout::quantities`]
-    /// does not contain the name.
+    /// Index of an auxiliary variable or of its component by name in [`Layout::quantities`].
     pub fn quantity(&self, name: &str) -> Option<QuantityId> {
         position(&self.quantities, name).map(QuantityId::new)
     }
@@ -171,22 +163,19 @@ fn position(names: &[String], name: &str) -> Option<usize> {
     names.iter().position(|own| own == name)
 }
 
-/// For each auxiliary variable, whether it depends on the marker, the specific force or the angular acceleration. Such
-/// a variable can be evaluated only together with an observation (measured position of the marker).
+/// For each auxiliary variable, whether it depends on the marker or on accelerations, and needs an observation.
 pub fn is_of_observation(model: &Model) -> Vec<bool> {
     depending_on(model, |kind| {
         matches!(kind, ExprKind::Marker) || is_acceleration(kind)
     })
 }
 
-/// For each auxiliary variable, whether it depends on the specific force or on the angular acceleration, directly or
-/// through other auxiliary variables.
+/// For each auxiliary variable, whether it depends on the specific force or the angular acceleration.
 pub fn depends_on_accelerations(model: &Model) -> Vec<bool> {
     depending_on(model, is_acceleration)
 }
 
-/// Whether an expression node is the specific force or the angular acceleration, which can be evaluated only after all
-/// forces and moments.
+/// Whether a node is the specific force or the angular acceleration.
 pub(crate) fn is_acceleration(kind: &ExprKind) -> bool {
     matches!(
         kind,
@@ -194,8 +183,7 @@ pub(crate) fn is_acceleration(kind: &ExprKind) -> bool {
     )
 }
 
-/// For each auxiliary variable, whether its definition contains a leaf that satisfies `is_leaf`, directly or through
-/// other auxiliary variables.
+/// For each auxiliary variable, whether it depends on a leaf that satisfies `is_leaf`.
 pub(crate) fn depending_on(model: &Model, is_leaf: fn(&ExprKind) -> bool) -> Vec<bool> {
     let mut known: Vec<bool> = Vec::new();
     for quantity in &model.aux_variables {
@@ -205,8 +193,7 @@ pub(crate) fn depending_on(model: &Model, is_leaf: fn(&ExprKind) -> bool) -> Vec
     known
 }
 
-/// Whether an expression contains a leaf that satisfies `is_leaf`, directly or through an auxiliary variable.
-/// `known[k]` states whether the definition of auxiliary variable `k` contains such a leaf.
+/// Whether an expression depends on such a leaf; `known` tells it of the auxiliary variables.
 pub(crate) fn depends(e: &Expr, known: &[bool], is_leaf: fn(&ExprKind) -> bool) -> bool {
     match &e.kind {
         kind if is_leaf(kind) => return true,

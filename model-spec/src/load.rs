@@ -97,9 +97,7 @@ pub fn inspect_text(name: &str, text: &str, with: &[&str]) -> Result<Loaded, Loa
     })
 }
 
-/// Combines the errors of a model and of an effect, so that all are reported at once. `earlier` holds the errors of the
-/// model `tree`; `error` holds those in the effect's text. An `error` other than [`LoadError::Faults`] is returned
-/// unchanged.
+/// Joins the errors of a model and those in an effect's text, so that all are reported.
 fn after(tree: ModelTree, mut earlier: Vec<Diagnostic>, error: LoadError) -> LoadError {
     let LoadError::Faults {
         mut diagnostics,

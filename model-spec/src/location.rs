@@ -1,7 +1,6 @@
 //! Lines and columns of a text, both counted from 1; lines end with LF, columns count characters.
 
-/// Line and column of a byte offset in a text, both counted from 1; columns count characters. An offset inside a
-/// character counts as the character's first byte, an offset past the end as the end.
+/// Line and column of a byte offset, counted from 1 and in characters; an offset past the end is the end.
 pub fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
     let byte = text.floor_char_boundary(byte);
     let line_start = line_start(text, byte);
@@ -17,8 +16,7 @@ pub fn line_of(text: &str, byte: usize) -> usize {
     memchr::memchr_iter(b'\n', before).count() + 1
 }
 
-/// Line, counted from 1, of a byte offset in a text, and the text of this line without leading and trailing whitespace.
-/// An offset past the end counts as the end.
+/// Line of a byte offset, counted from 1, and its trimmed text; an offset past the end is the end.
 pub fn trimmed_line(text: &str, byte: usize) -> (usize, &str) {
     let byte = text.floor_char_boundary(byte);
     let line = &text[line_start(text, byte)..];

@@ -27,8 +27,7 @@ pub struct Model {
     pub name: String,
     /// Documentation: the `//!` lines of the file.
     pub doc: String,
-    /// Name of the reference implementation (equations coded by hand) with which `hyzer verify` compares the model;
-    /// `None` if the model names none.
+    /// Name of the equations coded by hand with which `hyzer verify` compares the model, if any.
     pub reference: Option<String>,
     /// Source texts: the text of the model file first, then the text of each applied effect.
     pub sources: Vec<Source>,
@@ -40,11 +39,9 @@ pub struct Model {
     pub inputs: Vec<Input>,
     /// Components of the state vector, in order.
     pub states: Vec<State>,
-    /// Frames of reference. Each frame follows its parent, the frame from which it is rotated. Frame 0 is inertial,
-    /// with its third axis up.
+    /// Frames of reference, each after its parent. Frame 0 is inertial, with its third axis up.
     pub frames: Vec<Frame>,
-    /// The body whose equations of motion are derived from the declared forces and moments; `None` if the model states
-    /// every differential equation.
+    /// The body whose equations of motion are derived; `None` if the model states every equation.
     pub body: Option<Body>,
     /// Functions given by tables, in order of declaration.
     pub tables: Vec<Table>,
@@ -54,19 +51,13 @@ pub struct Model {
     pub forces: Vec<Load>,
     /// Moments about the centre of mass, N m; each may have its components in any frame.
     pub moments: Vec<Load>,
-    /// Differential equations that the model file writes explicitly (`der(STATE) = …`), in order of the states. In a
-    /// model with a body, they cover only the states whose derivatives do not follow from the body's equations of
-    /// motion.
+    /// Stated equations `der(STATE) = …`, in order of the states; with a body, of states that it does not determine.
     pub equations: Vec<Equation>,
-    /// Declared physical meaning of [`Model::equations`] (`claim` block): expressions for the mass, motion and loads of
-    /// a body. `hyzer verify` checks whether the equations agree with these expressions. `None` if the file has no such
-    /// block.
+    /// Mass, motion and loads of a body that [`Model::equations`] are claimed to describe, for `hyzer verify`.
     pub claim: Option<Claim>,
-    /// The observed point, whose coordinates are specified with each observation; `None` if the model observes no
-    /// marker.
+    /// The observed point, whose coordinates are specified with each observation.
     pub marker: Option<Marker>,
-    /// Measurement equation: expression for the observed position, a vector with components in the inertial frame, m.
-    /// `None` if the model has none.
+    /// Measurement equation: the observed position, in the inertial frame, m.
     pub observation: Option<Observation>,
     /// Rate of true time relative to recorded time. Every time derivative is multiplied by it. `None` if the rate is 1.
     pub clock: Option<Clock>,
@@ -91,8 +82,7 @@ pub struct Parameter {
     pub doc: String,
     /// Unit, declared or inferred.
     pub unit: Unit,
-    /// Text of the SI unit of [`Parameter::value`], such as `1`, `1/rad` or `kg*m^2`; `rad` for a parameter declared in
-    /// `deg`.
+    /// Text of the SI unit of [`Parameter::value`], such as `1/rad`; `rad` for a parameter in `deg`.
     pub unit_text: String,
     /// Whether the unit was inferred from the uses of the parameter.
     pub inferred: bool,
@@ -104,8 +94,7 @@ pub struct Parameter {
     pub span: Span,
 }
 
-/// A vector, such as the wind, whose value is specified for each flight. Its components are the parameters `<name>_x`,
-/// `<name>_y`, `<name>_z`.
+/// A vector specified for each flight, such as the wind, with the parameters `<name>_x`, `<name>_y`, `<name>_z`.
 #[derive(Clone, Debug, Default)]
 pub struct Input {
     /// Name of the input vector.
@@ -133,8 +122,7 @@ pub struct State {
     pub unit: Unit,
     /// Text of the state's unit, an SI unit.
     pub unit_text: String,
-    /// Default initial value, SI: as stated in the file, else 1 for the scalar part of a quaternion and 0 for other
-    /// states.
+    /// Default initial value, SI; unless stated, 1 for the scalar part of a quaternion and 0 for others.
     pub value: f64,
     /// Source span of the name in the declaration; for the rate of a rotation angle, such as `phidot`, of the angle.
     pub span: Span,
@@ -177,6 +165,16 @@ pub enum FrameKind {
     },
 }
 
+impl FrameKind {
+    /// Index into [`Model::frames`] of the parent frame; `None` for the inertial frame.
+    pub fn parent(self) -> Option<usize> {
+        match self {
+            FrameKind::Inertial => None,
+            FrameKind::Turned { parent, .. } | FrameKind::Quaternion { parent, .. } => Some(parent),
+        }
+    }
+}
+
 /// The body whose equations of motion are derived from Newton's and Euler's laws.
 #[derive(Clone, Debug)]
 pub struct Body {
@@ -186,8 +184,7 @@ pub struct Body {
     pub mass: Expr,
     /// Indices into [`Model::states`] of the position of the centre of mass, with components in the inertial frame.
     pub position: [usize; 3],
-    /// Indices into [`Model::states`] of the velocity of the centre of mass; its components are in
-    /// [`Body::velocity_frame`].
+    /// Indices into [`Model::states`] of the velocity of the centre of mass.
     pub velocity: [usize; 3],
     /// Index into [`Model::frames`] of the frame of the velocity's components.
     pub velocity_frame: usize,
@@ -202,20 +199,15 @@ pub struct Body {
 pub struct Rotation {
     /// Index into [`Model::frames`] of the body-fixed frame.
     pub body_frame: usize,
-    /// Index into [`Model::frames`] of the frame of the components of [`ExprKind::AngularVelocity`]: equal to
-    /// [`Rotation::inertia_frame`] unless the body states another frame.
+    /// Index into [`Model::frames`] of the frame of [`ExprKind::AngularVelocity`].
     pub angular_velocity_frame: usize,
-    /// Index into [`Model::frames`] of the frame in which the inertia tensor is constant: the body-fixed frame, or a
-    /// frame that differs from the body-fixed frame only by rotations about axes of inertial symmetry.
+    /// Index into [`Model::frames`] of a frame in which the inertia tensor is constant.
     pub inertia_frame: usize,
-    /// Inertia tensor about the centre of mass, kg m², symmetric, with components in [`Rotation::inertia_frame`].
-    /// Off-diagonal entries are those of the tensor, such as -∫ x y dm. All entries depend on parameters and
-    /// coefficients alone.
+    /// Inertia tensor about the centre of mass, kg m², in [`Rotation::inertia_frame`]: symmetric, of parameters alone,
+    /// with off-diagonal entries such as -∫ x y dm.
     pub inertia: [[Expr; 3]; 3],
-    /// If a quaternion describes the attitude: indices into [`Model::states`] of the components of the angular
-    /// velocity, and index into [`Model::frames`] of the frame of these components. `None` if three rotation angles
-    /// describe the attitude; the states then include the time derivatives of the angles in place of the angular
-    /// velocity.
+    /// With a quaternion attitude: indices of the states of the angular velocity, and of their frame. `None` for three
+    /// angles, whose rates are states.
     pub angular_velocity: Option<([usize; 3], usize)>,
 }
 
@@ -230,8 +222,7 @@ pub struct AuxVariable {
     pub value: Expr,
     /// Source span of the name in the declaration; after [`AuxVariable::new`], of the definition.
     pub span: Span,
-    /// Index into [`Model::effects`] of the effect that added this declaration or replaced it; `None` for an unchanged
-    /// declaration of the model's file.
+    /// Index into [`Model::effects`] of the effect that added or replaced the declaration, if any.
     pub effect: Option<usize>,
 }
 
@@ -257,14 +248,12 @@ pub struct Load {
     pub value: Expr,
     /// Source span of the name in the declaration.
     pub span: Span,
-    /// Index into [`Model::effects`] of the effect that added this declaration or replaced it; `None` for an unchanged
-    /// declaration of the model's file.
+    /// Index into [`Model::effects`] of the effect that added or replaced the declaration, if any.
     pub effect: Option<usize>,
 }
 
 impl Load {
-    /// Whether the force is the body's weight, which an accelerometer does not measure. This is decided by name:
-    /// `weight`, or a name that contains `gravity`.
+    /// Whether the force, by its name, is the weight, which an accelerometer does not measure.
     pub fn is_weight(&self) -> bool {
         self.name == "weight" || self.name.contains("gravity")
     }
@@ -303,16 +292,14 @@ pub struct Observation {
     pub span: Span,
 }
 
-/// Rate of true time relative to recorded time (the time stamps of the measurements, which may run at another rate than
-/// true time).
+/// Rate of true time relative to recorded time.
 #[derive(Clone, Debug)]
 pub struct Clock {
     /// Seconds of true time per second of recorded time, dimensionless.
     pub value: Expr,
     /// Source span of the `clock` statement.
     pub span: Span,
-    /// Index into [`Model::effects`] of the effect that added this declaration or replaced it; `None` for an unchanged
-    /// declaration of the model's file.
+    /// Index into [`Model::effects`] of the effect that added or replaced the declaration, if any.
     pub effect: Option<usize>,
 }
 
@@ -325,13 +312,11 @@ pub struct ValidityLimit {
     pub bound: f64,
     /// Reason why the model is invalid where `value` does not exceed `bound`, for messages.
     pub reason: String,
-    /// Source span of the `limit` statement; for a limit that the checker added ([`Model::is_automatic`]), of the name
-    /// of a frame.
+    /// Source span of the `limit` statement; of a frame for a limit that [`Model::is_automatic`].
     pub span: Span,
 }
 
-/// A test case that the model file states as `check "title" { … }`: values to set, and results expected for these
-/// values.
+/// A test case of the model file: values to set, and expected results.
 #[derive(Clone, Debug)]
 pub struct CheckCase {
     /// Title of the check case, as in `check "title" { … }`.
@@ -403,22 +388,19 @@ pub struct Expr {
     pub span: Span,
 }
 
-/// Operations and leaves of expressions. Indices refer to the vectors of [`Model`]. Operands of a vector operation have
-/// the same frame; `Reexpress` changes the frame of a vector.
+/// Operations and leaves of expressions. Operands of vector operations other than `Reexpress` have one frame.
 #[derive(Clone, Debug)]
 pub enum ExprKind {
     /// A numeric literal.
     Number {
         /// Value of the literal, SI.
         value: f64,
-        /// Exact SI value of the literal as (numerator, denominator); `None` if the value is irrational, or if
-        /// numerator or denominator exceeds `i64`.
+        /// Exact SI value as (numerator, denominator), if it is rational and they fit `i64`.
         exact: Option<(i64, i64)>,
     },
     /// The number π.
     Pi,
-    /// Recorded time since the start of the flight, s. In a model with a [`Clock`], recorded time may run at another
-    /// rate than true time.
+    /// Recorded time since the start of the flight, s, see [`Clock`].
     Time,
     /// A known constant, by index into [`Model::params`].
     Param(usize),
@@ -436,14 +418,11 @@ pub enum ExprKind {
     Position,
     /// Velocity of the centre of mass relative to the inertial frame, m/s, with components in [`Body::velocity_frame`].
     Velocity,
-    /// Angular velocity of the body relative to the inertial frame, rad/s, with components in
-    /// [`Rotation::angular_velocity_frame`].
+    /// Inertial angular velocity of the body, rad/s, in [`Rotation::angular_velocity_frame`].
     AngularVelocity,
-    /// Specific force: the sum of the forces other than the weight, divided by the mass, in [`Body::velocity_frame`],
-    /// m/s². It can be evaluated only after the forces.
+    /// Specific force: forces other than the weight per mass, in [`Body::velocity_frame`], m/s².
     SpecificForce,
-    /// Time derivative of the angular velocity in the inertial frame, with components in
-    /// [`Rotation::angular_velocity_frame`], rad/s². It can be evaluated only after the forces and moments.
+    /// Inertial derivative of the angular velocity, in [`Rotation::angular_velocity_frame`], rad/s².
     AngularAcceleration,
     /// Coordinates of the marker in the frame [`Marker::frame`], m.
     Marker,
@@ -461,8 +440,7 @@ pub enum ExprKind {
     Div(Box<Expr>, Box<Expr>),
     /// Guarded quotient `ratio(a, b, otherwise)`: `a / b`, or `otherwise` if `b` is 0.
     Ratio(Box<[Expr; 3]>),
-    /// Power `a ^ (n/2)`; the integer `n` is the second field. If `n` is odd: 0 with derivative 0 where `a` is 0 or
-    /// less.
+    /// Power `a ^ (n/2)`; for odd `n`, 0 with derivative 0 where `a` is 0 or less.
     Pow(Box<Expr>, i32),
     /// Scalar product of two vectors.
     Dot(Box<Expr>, Box<Expr>),
@@ -470,8 +448,7 @@ pub enum ExprKind {
     Cross(Box<Expr>, Box<Expr>),
     /// Euclidean norm of a vector; 0 with derivative 0 at the zero vector.
     Norm(Box<Expr>),
-    /// Unit vector along the vector of the first field. Where that is the zero vector, value and derivative are those
-    /// of the second field, or 0 if the second field is `None`.
+    /// Unit vector along the first vector; the second, or 0, where that is zero.
     Direction(Box<Expr>, Option<Box<Expr>>),
     /// Component 1, 2 or 3 of a vector, in the frame in the vector's [`Expr::shape`].
     Component(Box<Expr>, u8),

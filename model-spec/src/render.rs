@@ -6,12 +6,10 @@ use crate::diagnostic::{self, Diagnostic, MAX_SHOWN};
 use crate::location::{line_and_column, line_of};
 use crate::source::{Source, Span};
 
-/// Maximum length, bytes, of a source line that is shown as an excerpt. An error on a longer line is printed without
-/// excerpt.
+/// Maximum length, bytes, of a line that is shown as an excerpt.
 const MAX_LINE_BYTES: usize = 300;
 
-/// Formats diagnostics (errors in model files) as text, in the order of their source spans, with ANSI colours if
-/// `color`. At most 50 are shown; the number of further ones is stated.
+/// Formats diagnostics in the order of their spans, in ANSI colours if `color`; counts those beyond 50.
 pub fn render(diagnostics: &[Diagnostic], sources: &[Source], color: bool) -> String {
     let mut ordered: Vec<&Diagnostic> = diagnostics.iter().collect();
     ordered.sort_by_key(|d| d.span);
@@ -37,8 +35,7 @@ pub fn render(diagnostics: &[Diagnostic], sources: &[Source], color: bool) -> St
     out
 }
 
-/// Whether a diagnostic can be printed with source excerpts: all its spans lie inside their source texts, on lines of
-/// at most [`MAX_LINE_BYTES`] bytes.
+/// Whether all spans of a diagnostic can be shown as excerpts.
 fn drawable(diagnostic: &Diagnostic, sources: &[Source]) -> bool {
     let fits = |span: Span| {
         let Some(source) = sources.get(usize::from(span.source)) else {
@@ -147,8 +144,7 @@ fn within(inner: Span, outer: Span) -> bool {
     inner.source == outer.source && inner.start >= outer.start && inner.end <= outer.end
 }
 
-/// Source texts with their names, indexed by [`Span::source`], in the form in which the crate `ariadne` (formatter of
-/// error messages) looks up texts.
+/// Source texts with their names, indexed by [`Span::source`], for `ariadne`.
 struct Texts<'a>(&'a [(String, ariadne::Source<&'a str>)]);
 
 impl<'a> ariadne::Cache<u16> for Texts<'a> {

@@ -3,9 +3,7 @@
 /// Maximum length of a misspelt name, characters; for a longer name, no suggestion is searched. It bounds the run time.
 const MAX_NAME_CHARS: usize = 40;
 
-/// Finds the name nearest in spelling to `wrong`: equal except for case, one name a prefix of the other, or a small
-/// edit distance (at most 1 to 3, depending on length). Of equally near names, the first is returned; `None` if no name
-/// is near.
+/// First of the names nearest in spelling to `wrong`, by case, prefix or a small edit distance.
 pub fn nearest<'a>(wrong: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     if wrong.is_empty() || wrong.chars().count() > MAX_NAME_CHARS {
         return None;

@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use crate::check::singular_points;
 use crate::model::{
-    Continuation, EffectUnknown, ExprKind, FrameKind, Function, Interpolation, Load, Model,
-    Parameter, ValidityLimit,
+    Continuation, EffectUnknown, ExprKind, Function, Interpolation, Load, Model, Parameter,
+    ValidityLimit,
 };
 use crate::source::LineStarts;
 
@@ -60,17 +60,12 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
         {
             let inertia = &model.frames[rotation.inertia_frame].name;
             let rates = &model.frames[rotation.angular_velocity_frame].name;
-            writeln!(
-                out,
-                "  inertia in {inertia}, angular velocity seen in {rates}"
-            )?;
+            let line = format!("inertia in {inertia}, angular velocity seen in {rates}");
+            writeln!(out, "  {line}")?;
         }
     } else {
-        writeln!(
-            out,
-            "\nequations stated outright for all {} states",
-            model.equations.len()
-        )?;
+        let count = model.equations.len();
+        writeln!(out, "\nequations stated outright for all {count} states")?;
         if let Some(claim) = &model.claim {
             let kind = kind(claim.rotation.is_some());
             let force = model.text(claim.force.span);
@@ -83,11 +78,8 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
     }
     if let (Some(observation), Some(marker)) = (&model.observation, &model.marker) {
         let frame = &model.frames[marker.frame].name;
-        writeln!(
-            out,
-            "\nobserved: {} of a marker fixed in {frame}",
-            observation.name
-        )?;
+        let name = &observation.name;
+        writeln!(out, "\nobserved: {name} of a marker fixed in {frame}")?;
     } else if let Some(observation) = &model.observation {
         writeln!(out, "\nobserved: {}", observation.name)?;
     }
@@ -98,9 +90,10 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
     if !model.limits.is_empty() {
         writeln!(out, "\nlimits")?;
         for limit in &model.limits {
-            let text = match model.is_automatic(limit) {
-                true => automatic(model, limit),
-                false => model.text(limit.value.span),
+            let text = if model.is_automatic(limit) {
+                automatic(model, limit)
+            } else {
+                model.text(limit.value.span)
             };
             let bound = with_unit(limit.bound, &limit.value.unit.tidy().to_string());
             writeln!(out, "  {text} > {bound}   {}", limit.reason)?;
@@ -109,11 +102,8 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
     let points = singular_points(model);
     if !points.is_empty() {
         writeln!(out, "\nsingular points")?;
-        let lines: Vec<LineStarts> = model
-            .sources
-            .iter()
-            .map(|s| LineStarts::new(&s.text))
-            .collect();
+        let sources = model.sources.iter();
+        let lines: Vec<LineStarts> = sources.map(|s| LineStarts::new(&s.text)).collect();
         for point in points {
             let source = lines.get(usize::from(point.span.source));
             let line = source.map_or(1, |lines| lines.line(point.span.start));
@@ -134,13 +124,8 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
         }
     }
     for effect in &model.effects {
-        writeln!(
-            out,
-            "\neffect {} on {}   {}",
-            effect.name,
-            effect.site,
-            first(&effect.doc)
-        )?;
+        let doc = first(&effect.doc);
+        writeln!(out, "\neffect {} on {}   {doc}", effect.name, effect.site)?;
         if !effect.variables.is_empty() {
             writeln!(out, "  depends on {}", effect.variables.join(", "))?;
         }
@@ -157,8 +142,7 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
     Ok(())
 }
 
-/// Writes to `out` a line about `what`, a coefficient or state of an effect: its null value (value at which the effect
-/// is absent), and the smallest difference from the null value that matters in practice.
+/// Writes a line about a coefficient or state of an effect.
 fn unknown(out: &mut String, what: &str, unknown: &EffectUnknown, unit: &str) -> std::fmt::Result {
     let value = |value: f64| with_unit(value, unit);
     write!(out, "  {what} vanishes at {}", value(unknown.null_value))?;
@@ -201,8 +185,7 @@ fn tables(out: &mut String, model: &Model) -> std::fmt::Result {
     Ok(())
 }
 
-/// Text of the expression that a validity limit bounds from below, for a limit that the checker added to avoid gimbal
-/// lock: sine or cosine of an angle, such as `cos(theta)`.
+/// Text of a limit that avoids gimbal lock, such as `cos(theta)`.
 fn automatic(model: &Model, limit: &ValidityLimit) -> String {
     if let ExprKind::Call(function, angle) = &limit.value.kind
         && let ExprKind::State(state) = angle.kind
@@ -246,39 +229,10 @@ fn states(out: &mut String, model: &Model) -> std::fmt::Result {
 
 fn frames(out: &mut String, model: &Model) -> std::fmt::Result {
     writeln!(out, "\nframes")?;
-    for frame in &model.frames {
-        let state = |i: usize| model.states[i].name.as_str();
-        let name = |i: usize| model.frames[i].name.as_str();
-        match &frame.kind {
-            FrameKind::Inertial => writeln!(out, "  {}: inertial, axis 3 up", frame.name)?,
-            FrameKind::Turned {
-                parent,
-                angle,
-                axis,
-                ..
-            } => {
-                writeln!(
-                    out,
-                    "  {}: {} turned {} about {axis}",
-                    frame.name,
-                    name(*parent),
-                    state(*angle)
-                )?;
-            }
-            FrameKind::Quaternion {
-                parent,
-                states: [a, b, c, d],
-            } => writeln!(
-                out,
-                "  {}: {} by quaternion ({}, {}, {}, {})",
-                frame.name,
-                name(*parent),
-                state(*a),
-                state(*b),
-                state(*c),
-                state(*d)
-            )?,
-        }
+    for frame in model.tree.frames() {
+        let (name, kind) = (&frame.name.text, frame.kind.to_string());
+        let kind = kind.strip_prefix(" = ").unwrap_or("inertial, axis 3 up");
+        writeln!(out, "  {name}: {kind}")?;
     }
     Ok(())
 }

@@ -45,9 +45,9 @@ use crate::syntax::ast::{
     BinaryOp, Effect, EffectPart, Expr, ExprKind, Item, ItemKind, Name, Parameter, ParameterClass,
     Quantity, UnitExpr,
 };
+use crate::syntax::of_kind;
 
-/// Text that stands for the literature reference of a candidate term (a term that a model may lack): in the effect that
-/// adds the term to the model, and in the documentation of the term's coefficient.
+/// Stands for the literature reference of a candidate term.
 const FOUND_IN_FLIGHTS: &str = "found in measured flights";
 
 index_type!(
@@ -65,13 +65,10 @@ index_type!(
     pub struct ProductId;
 );
 
-/// Library of candidates for terms that a model lacks. A candidate is a coefficient times one of `products`, added to
-/// one of `channels` (such as the drag).
+/// Library of candidates for terms that a model lacks: a coefficient times a product, added to a channel.
 #[derive(Clone, Debug)]
 pub struct TermLibrary {
-    /// Effect that adds to each of `channels` (loads or state derivatives) one constant term: the coefficient
-    /// [`Channel::coefficient`], multiplied by no variable. It also declares those of `variables` that the model does
-    /// not have.
+    /// Effect that adds a constant term to each channel, and declares variables that the model lacks.
     pub loads: EffectTree,
     /// Quantities to which a term can be added: components of forces and moments, or derivatives of states.
     pub channels: IndexVec<ChannelId, Channel>,
@@ -84,15 +81,13 @@ pub struct TermLibrary {
 /// Component of a force or moment (such as drag), or derivative of a state, to which a term can be added.
 #[derive(Clone, Debug)]
 pub struct Channel {
-    /// Name of the coefficient that the effect [`TermLibrary::loads`] adds to the quantity as the term with the
-    /// constant product 1.
+    /// Name of the coefficient of the constant term in [`TermLibrary::loads`].
     pub coefficient: String,
     /// Name of the quantity in names of terms, such as `drag` in `drag-by-alpha-squared`.
     pub name: String,
     /// Component of the model that a term added to this quantity changes: one of [`SITES`](crate::SITES).
     pub site: String,
-    /// Effect that adds a term to the quantity; it contains the placeholders `NAME` for the name of the effect and
-    /// `TERM` for the term, a coefficient times a product of variables.
+    /// Effect that adds a term, with the placeholders `NAME` and `TERM`.
     template: Effect,
 }
 
@@ -123,13 +118,13 @@ pub struct Factor {
 /// Candidate for a missing term: coefficient times product of variables, added to a load or to a state's derivative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Term {
-    /// Channel (component of a force or moment, or derivative of a state) to which the term is added.
+    /// Channel to which the term is added.
     pub channel: ChannelId,
     /// Index of the product of variables by which the coefficient is multiplied.
     pub product: ProductId,
 }
 
-/// Error of parsing a term library (library of terms that a model may lack).
+/// Error of parsing a term library.
 #[derive(Clone, Debug, Error)]
 pub enum TermLibraryError {
     /// The text is not valid TOML or does not have the structure of a term library.
@@ -180,8 +175,7 @@ struct ChannelEntry {
 }
 
 impl TermLibrary {
-    /// Returns the built-in term libraries (libraries of terms that a model may lack), which are parsed on the first
-    /// call.
+    /// Returns the built-in term libraries, which are parsed on the first call.
     pub fn built_in() -> &'static [Arc<TermLibrary>] {
         static BUILT_IN: LazyLock<Vec<Arc<TermLibrary>>> = LazyLock::new(|| {
             let parse = |(name, text): &(&str, &str)| TermLibrary::parse(name, text).map(Arc::new);
@@ -191,10 +185,8 @@ impl TermLibrary {
         &BUILT_IN
     }
 
-    /// Returns a term library for a model, and the model with the effect [`TermLibrary::loads`] of that library
-    /// applied. It is the first built-in library whose effect can be applied to the model, or else one generated from
-    /// the model's quantities. `None` if the model has neither a body nor an equation `der(STATE) = …` to which a term
-    /// can be added.
+    /// Returns the first library that fits a model, or one generated for it, and the model with its
+    /// [`TermLibrary::loads`]. `None` if no equation can take a term.
     pub fn for_model(model: &Model) -> Option<(Arc<TermLibrary>, ModelTree)> {
         let (tree, binding) = (ModelTree::of(model), Binding::new(model));
         let with_loads = |library: &TermLibrary| {
@@ -259,8 +251,7 @@ impl TermLibrary {
         })
     }
 
-    /// Iterates over all terms of the library: every product of variables, added to the first of `channels` (component
-    /// of a force or moment, or derivative of a state), then every product added to the second, and so on.
+    /// Iterates over all terms, channel by channel.
     pub fn terms(&self) -> impl Iterator<Item = Term> + '_ {
         self.channels.indices().flat_map(|channel| {
             let products = self.products.indices();
@@ -310,8 +301,7 @@ impl TermLibrary {
         }
     }
 
-    /// Kinds of variables on which a term depends, such as `speed`, from [`VARIABLES`](crate::VARIABLES), without
-    /// duplicates; empty for the constant 1.
+    /// Kinds of variables of a term, from [`VARIABLES`](crate::VARIABLES), without duplicates.
     pub fn depends_on(&self, term: Term) -> Vec<&str> {
         let mut words: Vec<&str> = Vec::new();
         for factor in self.factors(term) {
@@ -323,8 +313,7 @@ impl TermLibrary {
         words
     }
 
-    /// Creates the effect that adds a term with the coefficient `k_NAME`, where `NAME` is the name of the effect. `doc`
-    /// becomes the documentation of the effect.
+    /// Effect `NAME` that adds a term with the coefficient `k_NAME`, documented by `doc`.
     pub fn effect(&self, term: Term, doc: &str) -> EffectTree {
         let name = self.name(term).replace('-', "_");
         let coefficient = format!("k_{name}");
@@ -363,20 +352,11 @@ impl TermLibrary {
 }
 
 impl Variable {
-    /// Creates a variable for the quantity named `entry.quantity`. If the effect `loads` declares this quantity by a
-    /// `let`, the definition of the variable is the right-hand side of the `let`. Otherwise the definition is the name
-    /// itself, which the model must then declare.
+    /// A variable, defined by a `let` in `loads`, else by its name in the model.
     fn new(entry: VariableEntry, loads: &EffectTree) -> Variable {
-        let defined = loads.tree().parts.iter().find_map(|part| match part {
-            EffectPart::Add(item) => match &item.kind {
-                ItemKind::Let(binding) if binding.name.text == entry.quantity => {
-                    Some(&binding.value)
-                }
-                _ => None,
-            },
-            _ => None,
-        });
-        let (formula, value) = match defined {
+        let mut lets = of_kind!(loads.tree().added(), ItemKind::Let);
+        let defined = lets.find(|binding| binding.name.text == entry.quantity);
+        let (formula, value) = match defined.map(|binding| &binding.value) {
             Some(value) => (loads.text(value.span), value.clone()),
             None => {
                 let name = ExprKind::Name(entry.quantity.clone());
@@ -419,8 +399,7 @@ fn powers(variables: &[VariableId]) -> Vec<Factor> {
     .collect()
 }
 
-/// Copy of a statement of the effect [`Channel::template`], in which `name` replaces the placeholder `NAME` and `term`
-/// replaces the placeholder `TERM`.
+/// Copy of a statement of [`Channel::template`] with its placeholders filled.
 fn filled(part: &EffectPart, name: &str, term: &Expr) -> EffectPart {
     let mut part = part.clone();
     if let EffectPart::Replace(item) | EffectPart::Add(item) = &mut part {

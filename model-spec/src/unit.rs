@@ -6,8 +6,7 @@ use std::fmt;
 
 pub mod symbol;
 
-/// A base unit: one of the seven SI base units, or the radian. The discriminant is the index of its exponent in
-/// [`Unit::doubled`].
+/// A base unit of SI, or the radian, by its index in [`Unit::doubled`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[allow(missing_docs)]
 pub enum Base {
@@ -21,8 +20,7 @@ pub enum Base {
     Radian,
 }
 
-/// A unit of measure, stored as twice the exponents of the base units, so that the half-integer exponents of square
-/// roots are integers too.
+/// A unit of measure as twice the exponents of the base units, for square roots.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Unit {
     /// Twice the exponent of each [`Base`] unit, in the order of the enum.
@@ -91,8 +89,7 @@ impl Unit {
         self.checked_pow_half(n.checked_mul(2)?)
     }
 
-    /// Unit of a quantity that has this unit, raised to the power `twice / 2`; `None` if an exponent of the result is
-    /// not a multiple of 1/2 or overflows.
+    /// The unit to the power `twice / 2`; `None` if an exponent is no multiple of 1/2 or overflows.
     pub fn checked_pow_half(self, twice: i32) -> Option<Unit> {
         let mut doubled = [0; 8];
         for (i, d) in doubled.iter_mut().enumerate() {
@@ -115,9 +112,7 @@ impl Unit {
         self.agrees(Unit::ONE)
     }
 
-    /// Removes the radian if it is redundant: if the unit contains a base unit other than the second and the radian
-    /// (`m*rad/s²` becomes `m/s²`), or if the exponent of the radian exceeds 1. An angle or an angular rate is returned
-    /// unchanged.
+    /// Removes a radian beside base units other than the second (`m*rad/s²` is `m/s²`), or above the power 1.
     #[must_use]
     pub fn tidy(self) -> Unit {
         let mut tidied = self;
@@ -139,23 +134,21 @@ impl Unit {
         })
     }
 
-    /// Symbol of the derived SI unit, such as `N` for `kg·m/s²`; `None` if this function knows no such symbol for the
-    /// unit.
+    /// Symbol of the derived SI unit, such as `N`, if one is known.
     pub fn named(self) -> Option<&'static str> {
         let unit = self.tidy();
-        [("N", Unit::NEWTON), ("N·m", Unit::NEWTON_METRE)]
-            .into_iter()
-            .chain([
-                ("Pa", Unit::of([-1, 1, -2, 0, 0, 0, 0, 0])),
-                ("W", Unit::of([2, 1, -3, 0, 0, 0, 0, 0])),
-                ("N·s/m", Unit::of([0, 1, -1, 0, 0, 0, 0, 0])),
-            ])
-            .find(|(_, u)| u.agrees(unit))
-            .map(|(name, _)| name)
+        let units = [
+            ("N", Unit::NEWTON),
+            ("N·m", Unit::NEWTON_METRE),
+            ("Pa", Unit::of([-1, 1, -2, 0, 0, 0, 0, 0])),
+            ("W", Unit::of([2, 1, -3, 0, 0, 0, 0, 0])),
+            ("N·s/m", Unit::of([0, 1, -1, 0, 0, 0, 0, 0])),
+        ];
+        let found = units.into_iter().find(|(_, known)| known.agrees(unit));
+        found.map(|(name, _)| name)
     }
 
-    /// Name of the physical quantity that has this unit, singular and plural (`a length`, `lengths`); `None` if no name
-    /// is known.
+    /// Name of the physical quantity, singular and plural, if one is known.
     pub fn quantity(self) -> Option<(&'static str, &'static str)> {
         const NAMES: [([i8; 3], &str, &str); 18] = [
             ([1, 0, 0], "a length", "lengths"),
@@ -190,8 +183,7 @@ impl Unit {
             .map(|&(_, one, many)| (one, many))
     }
 
-    /// Text of the unit with its derived SI unit and base units, such as `N = kg·m/s²`, or only base units, such as
-    /// `m/s²`.
+    /// Text such as `N = kg·m/s²`, or only base units, such as `m/s²`.
     pub fn explained(self) -> String {
         let tidy = self.tidy();
         match self.named() {
@@ -209,8 +201,7 @@ impl Unit {
             .filter(|&(_, doubled)| doubled != 0)
     }
 
-    /// Formats the unit as numerator over denominator, with `times` between factors. `power` returns the text of an
-    /// exponent, given twice the exponent.
+    /// Numerator over denominator; `power` returns the text of twice an exponent.
     fn written(self, times: &str, power: impl Fn(i8) -> String) -> String {
         let side = |sign: i8| -> Vec<String> {
             PRINT_ORDER

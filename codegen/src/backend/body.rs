@@ -4,7 +4,7 @@ mod variables;
 mod width;
 
 use crate::compile::Compiled;
-use crate::program::{Function, Op, Operand, Program};
+use crate::program::{Function, Op, Operand};
 use crate::schedule::pairs::sin_cos_pairs;
 use std::collections::{HashMap, HashSet};
 pub(crate) use variables::Variables;
@@ -12,8 +12,7 @@ pub(crate) use variables::Variables;
 /// One line of the body of a generated function.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Step {
-    /// Comment that quotes the source line of the model from which the following statements are compiled. The value is
-    /// an index into `Lowered::provenance`, the list of named values with their source locations.
+    /// Comment that quotes a source line of the model, by index into `Lowered::provenance`.
     Source(usize),
     /// Loads an element of an input array into its local variable; the operand identifies the array and the element.
     Load(Operand),
@@ -32,8 +31,7 @@ pub(crate) enum Step {
     Store {
         /// Index of the output among all outputs of the function.
         output: usize,
-        /// Index of the output section (vector or matrix such as `dx` or `j`), which is also the index of the output
-        /// array.
+        /// Index of the output section, and of its array.
         section: usize,
         /// Index of the element within the output array.
         element: usize,
@@ -54,8 +52,7 @@ pub(crate) struct Body<'a> {
 }
 
 impl<'a> Body<'a> {
-    /// Lists the lines of the body of a function in one output language; `is_reserved` returns whether a name cannot be
-    /// a local variable in that language.
+    /// Lists the lines of a function body; `is_reserved` excludes names of variables.
     pub fn new(
         compiled: &'a Compiled,
         function: &'a Function,
@@ -76,9 +73,7 @@ impl<'a> Body<'a> {
         &self.function.program.statements[statement].op
     }
 
-    /// Returns the model source line of an auxiliary variable as `file:line  text`, truncated to 94 characters.
-    /// `origin` is the index of the variable in `Lowered::provenance`, the list of named values with their source
-    /// locations.
+    /// `file:line  text` of an entry of `Lowered::provenance`, truncated to 94 characters.
     pub fn source_line(&self, origin: usize) -> String {
         const MAX_CHARS: usize = 94;
         let origin = &self.compiled.lowered.provenance[origin];
@@ -96,7 +91,10 @@ impl<'a> Body<'a> {
 
     /// Whether the function reads the input argument `input`.
     pub fn reads(&self, input: Input) -> bool {
-        operands(&self.function.program).any(|operand| Input::of(operand) == Some(input))
+        self.function
+            .program
+            .operands()
+            .any(|operand| Input::of(operand) == Some(input))
     }
 }
 
@@ -145,20 +143,13 @@ pub(crate) fn input_element(operand: Operand) -> Option<(Input, u32)> {
     }
 }
 
-/// All operands of a program's statements, followed by the outputs of the program.
-fn operands(program: &Program) -> impl Iterator<Item = Operand> + '_ {
-    let inside = program.statements.iter().flat_map(|s| s.op.operands());
-    inside.chain(program.outputs.iter().copied())
-}
-
 struct Planner<'a> {
     compiled: &'a Compiled,
     function: &'a Function,
     variables: &'a Variables,
     /// For each statement of the program, by index, the indices of the function outputs that it computes.
     outputs: Vec<Vec<usize>>,
-    /// For each angle of which both sine and cosine are computed, the indices (sine, cosine) of the two statements;
-    /// stored under both indices.
+    /// For each statement of such a pair, the sine and cosine of one angle.
     pairs: HashMap<usize, (usize, usize)>,
     loaded: HashSet<(Input, u32)>,
     /// Source lines of the model that have been emitted as comments, as (name of the source text, line number).

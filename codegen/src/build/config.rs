@@ -26,8 +26,7 @@ struct ModelSource {
 }
 
 impl Config {
-    /// Creates a configuration without models. By default, the generated code computes with `f64`, and the output
-    /// directory is the value of the environment variable `OUT_DIR`.
+    /// Creates a configuration without models, for `f64` and the directory `OUT_DIR`.
     pub fn new() -> Config {
         Config::default()
     }
@@ -41,8 +40,7 @@ impl Config {
         self
     }
 
-    /// Applies an effect (a named change, such as an additional force) to the model that was added last. The effect is
-    /// given by the path of its file, or by the name of an effect of the model file or of a built-in effect.
+    /// Applies an effect, by path or name, to the model that was added last.
     pub fn with(&mut self, effect: impl Into<String>) -> &mut Config {
         match self.models.last_mut() {
             Some(model) => model.effects.push(effect.into()),
@@ -109,8 +107,7 @@ impl Config {
         Ok(files)
     }
 
-    /// Prints `cargo::rerun-if-changed` for the file of each model and effect, if cargo runs this process as a build
-    /// script.
+    /// In a build script, prints `cargo::rerun-if-changed` for each file.
     fn request_reruns(&self) {
         if env::var_os("OUT_DIR").is_none() {
             return;

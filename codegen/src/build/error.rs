@@ -10,14 +10,13 @@ pub enum BuildError {
     /// No output directory: `OUT_DIR` is set only while cargo runs a build script.
     #[error("OUT_DIR is not set: call `compile` in a build script, or set `out_dir`")]
     NoOutDir,
-    /// [`Config::with`](crate::build::Config::with) was called before any
-    /// [`Config::model`](crate::build::Config::model), so there is no model to which the effect could be applied.
+    /// [`Config::with`](crate::build::Config::with) was called before a model was added.
     #[error("effect `{effect}` has no model: call `with` after `model`")]
     NoModel {
         /// Name or path of the effect, as passed to [`Config::with`](crate::build::Config::with).
         effect: String,
     },
-    /// A model, or an effect (named change) applied to it, is missing or invalid.
+    /// A model, or an effect applied to it, is missing or invalid.
     #[error("model `{model}`:\n{source}")]
     Model {
         /// Name or path of the model, as passed to [`Config::model`](crate::build::Config::model).
@@ -41,8 +40,7 @@ pub enum BuildError {
     },
 }
 
-/// `Debug` prints the same text as `Display`, because a build script whose `main` returns the error prints it by
-/// `Debug`.
+/// Prints as `Display` does, because a build script prints its error by `Debug`.
 impl std::fmt::Debug for BuildError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         std::fmt::Display::fmt(self, f)

@@ -6,28 +6,22 @@ use crate::program::Program;
 use model_spec::layout::Layout;
 use model_spec::model::Model;
 
-/// Program of all values of a model. Its outputs are the time derivatives of the states, the observed marker position,
-/// the left-hand sides `EXPR` of the limits of validity (statements `limit EXPR > bound`) and the auxiliary variables,
-/// in this order.
+/// Program of all values of a model: state derivatives, observation, limits, auxiliary variables.
 #[derive(Clone, Debug)]
 pub struct EveryValue {
     /// Names and order of the states and parameters.
     pub layout: Layout,
-    /// Program that computes all outputs; expressions of parameters alone are not moved to a separate function
-    /// `prepare`, which would run once per flight.
+    /// Program that computes all outputs, without `prepare`.
     pub program: Program,
-    /// Number of outputs that are components of the observed marker position: 3, or 0 if the model has no measurement
-    /// equation.
+    /// Number of components of the observation: 3, or 0 without one.
     pub observed: usize,
     /// Number of outputs that are left-hand sides `EXPR` of limits of validity (statements `limit EXPR > bound`).
     pub limits: usize,
-    /// Number of components of each auxiliary variable, 1 or 3, in the order of declaration, which is also the order of
-    /// the outputs.
+    /// Number of components of each auxiliary variable, 1 or 3, in order.
     pub lets: Vec<usize>,
 }
 
-/// Compiles a program that computes the state derivatives, the observed marker position, the left-hand sides `EXPR` of
-/// the limits of validity (statements `limit EXPR > bound`) and all auxiliary variables of a model, without Jacobians.
+/// Compiles the values of a model, without Jacobians.
 pub fn compile_every_value(model: &Model) -> EveryValue {
     let Lowered {
         mut graph,

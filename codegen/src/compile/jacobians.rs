@@ -8,12 +8,11 @@ use crate::specialize::Specialized;
 use crate::ssa::{Ssa, build};
 use std::ops::Range;
 
-/// Model outputs to be differentiated (time derivatives of the states, or marker position), and their linearized
-/// computational graph.
+/// Model outputs to be differentiated, and their linearized computational graph.
 pub(super) struct Differentiable {
     roots: Vec<NodeId>,
     edges: LinearizedGraph,
-    /// Indices of the local symbols (leaves with a definition) that represent shared subexpressions.
+    /// Indices of the local symbols that represent shared subexpressions.
     locals: Range<usize>,
 }
 
@@ -66,9 +65,7 @@ impl Compiler {
         self.lowered.graph = at.graph;
     }
 
-    /// Compiles the model functions `f`, `f_jac` and `f_jac_par`: the state derivatives alone, with the state Jacobian,
-    /// and with state and parameter Jacobians. `known` is the linearized graph of the state derivatives; `None` if it
-    /// must be computed.
+    /// Compiles `f`, `f_jac` and `f_jac_par`, from the linearized graph `known` if there is one.
     pub(super) fn motion(&mut self, known: Option<Differentiable>) -> [Function; 3] {
         let ssa = self.optimised(&self.lowered.dx);
         let (rows, states) = (ssa.roots.len(), self.lowered.layout.states.len());
@@ -95,8 +92,7 @@ impl Compiler {
         [f, f_jac, f_jac_par]
     }
 
-    /// Compiles the model functions `observe` and `observe_jac`: the observed marker position alone, and with its
-    /// Jacobians. `known` is the linearized graph of the marker position; `None` if it must be computed.
+    /// Compiles `observe` and `observe_jac`, from the linearized graph `known` if there is one.
     pub(super) fn observation(&mut self, known: Option<Differentiable>) -> [Function; 2] {
         let ssa = self.optimised(&self.observed());
         let layout = &self.lowered.layout;
@@ -133,8 +129,7 @@ impl Compiler {
         states.chain(parameters).collect()
     }
 
-    /// Builds the linearized graph of the requested results (roots) of `ssa` with respect to `symbols`. `value` is the
-    /// name of the output vector that the roots form (`dx` or `y`), from which the names of the roots are derived.
+    /// Linearized graph of the roots of `ssa`, which form the output vector `value`.
     fn linearized(&mut self, ssa: &Ssa, value: &str, symbols: &[Symbol]) -> Differentiable {
         let columns: Vec<String> = symbols.iter().map(|&s| self.symbol_name(s)).collect();
         let rows = (0..ssa.roots.len()).map(|row| self.row_name(value, row));
@@ -154,9 +149,7 @@ impl Compiler {
         }
     }
 
-    /// Compiles the values in `of` and their Jacobians. Each element of `columns` is a group of Jacobian columns that
-    /// becomes one output matrix. With [`Effort::Full`], compares two elimination orders and uses the one with the
-    /// lower operation cost.
+    /// Compiles values and one Jacobian per group of columns, by the cheaper elimination order.
     fn jacobians(
         &mut self,
         of: &Differentiable,

@@ -10,8 +10,7 @@ use crate::graph::{ExprGraph, Node, NodeId};
 /// Greedy rule that selects the next vertex of the linearized computational graph to eliminate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum EliminationOrder {
-    /// Selects the vertex with the lowest cost of elimination: the number of added multiplications minus a weighted
-    /// number of removed edges (variant of the Markowitz rule).
+    /// The vertex with the fewest added products less removed edges (variant of the Markowitz rule).
     FewestProducts,
     /// Selects the vertex whose elimination leaves the fewest edges (minimum fill).
     FewestEdges,
@@ -26,13 +25,11 @@ pub(crate) struct Jacobian {
     pub entries: Vec<NodeId>,
 }
 
-/// Maximum total length, in characters, of the two variable names in the name of a derivative; a derivative with longer
-/// names stays unnamed.
+/// Maximum total length, in characters, of the two names in the name of a derivative.
 const MAX_NAMES_LEN: usize = 30;
 
 impl LinearizedGraph {
-    /// Computes the Jacobian of the results with respect to the independent symbols by eliminating all intermediate
-    /// vertices.
+    /// Jacobian of the results with respect to the symbols, by eliminating inner vertices.
     pub fn eliminate_vertices(self, graph: &mut ExprGraph, order: EliminationOrder) -> Jacobian {
         let LinearizedGraph {
             mut vertices,
@@ -123,8 +120,7 @@ fn eliminate(graph: &mut ExprGraph, vertices: &mut [Vertex], v: usize) {
     }
 }
 
-/// Gives the partial derivative on the edge from a vertex A to a vertex B the name `d_A_d_B`, if both vertices have
-/// names.
+/// Names the partial derivative of an edge `d_A_d_B`, if both vertices have names.
 fn name_edge(graph: &mut ExprGraph, vertices: &[Vertex], from: usize, to: usize, partial: NodeId) {
     if let (Some(from), Some(to)) = (&vertices[from].name, &vertices[to].name) {
         name_derivative(graph, partial, from, to);
@@ -139,8 +135,7 @@ fn name_derivative(graph: &mut ExprGraph, partial: NodeId, of: &str, by: &str) {
     }
 }
 
-/// Replaces a sum that becomes a factor of several products by a local symbol (leaf defined by that sum), so that it is
-/// computed once; returns other nodes unchanged.
+/// Replaces a sum that becomes a factor of several products by a local symbol.
 fn bind(graph: &mut ExprGraph, id: NodeId) -> NodeId {
     match graph.node(id) {
         Node::Sum(terms, _) if terms.len() > 1 => {

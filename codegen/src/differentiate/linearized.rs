@@ -1,5 +1,4 @@
-//! Linearized computational graph: one vertex per value that is neither sum nor product. Each edge stores the partial
-//! derivative of its upper vertex with respect to its lower vertex.
+//! Linearized computational graph: vertices are values other than sums and products.
 
 use super::partials;
 use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol};
@@ -16,8 +15,7 @@ pub(super) struct Vertex {
     pub up: Vec<usize>,
 }
 
-/// Linearized computational graph: its vertices are results, intermediate values and independent symbols, and each edge
-/// from a vertex to one of its operands has the partial derivative with respect to that operand.
+/// Linearized computational graph, with the partial derivatives on its edges.
 #[derive(Clone, Debug)]
 pub(crate) struct LinearizedGraph {
     /// All vertices of the graph; the vertices of the results come first, in row order.
@@ -29,8 +27,7 @@ pub(crate) struct LinearizedGraph {
 }
 
 impl LinearizedGraph {
-    /// Builds the linearized graph of `results` with respect to `symbols`. `rows` and `columns` are the names of
-    /// results and symbols in generated code.
+    /// Linearized graph of `results`, named `rows`, with respect to `symbols`, named `columns`.
     pub fn new(
         graph: &mut ExprGraph,
         results: &[NodeId],
@@ -76,8 +73,7 @@ impl LinearizedGraph {
         edges.map(|&(_, partial)| partial).collect()
     }
 
-    /// Replaces the partial derivatives on all edges by `partials`, which are ordered vertex by vertex, and removes the
-    /// edges whose new partial derivative is 0.
+    /// Replaces all partial derivatives, vertex by vertex, and removes the edges with 0.
     pub fn set_partials(&mut self, graph: &ExprGraph, partials: &[NodeId]) {
         let mut next = partials.iter().copied();
         self.retain_edges(|_, partial| {
@@ -86,9 +82,7 @@ impl LinearizedGraph {
         });
     }
 
-    /// Restricts the graph to derivatives with respect to the first `columns` independent symbols: removes the edges to
-    /// the other independent symbols, and disconnects the intermediate vertices from which none of the remaining ones
-    /// can be reached.
+    /// Restricts the graph to the first `columns` symbols.
     pub fn towards_first(mut self, columns: usize) -> LinearizedGraph {
         let beyond: Vec<bool> = self
             .vertices
@@ -104,9 +98,7 @@ impl LinearizedGraph {
         self
     }
 
-    /// Calls `keep` for each edge with the index of the operand's vertex and the partial derivative, which `keep` may
-    /// replace. Removes the edges for which `keep` returns false, then disconnects the intermediate vertices from which
-    /// no independent symbol can be reached.
+    /// Keeps the edges for which `keep` holds; it may replace the partial derivative.
     fn retain_edges(&mut self, mut keep: impl FnMut(usize, &mut NodeId) -> bool) {
         let mut dropped = Vec::new();
         for (from, vertex) in self.vertices.iter_mut().enumerate() {
@@ -124,9 +116,7 @@ impl LinearizedGraph {
         self.prune();
     }
 
-    /// Disconnects the intermediate vertices from which no independent symbol can be reached, by removal of all edges
-    /// to them. The vertices stay in the list, so that indices remain valid; vertices of results are never
-    /// disconnected.
+    /// Disconnects inner vertices that lead to no symbol; they stay, so that indices remain valid.
     fn prune(&mut self) {
         let (vertices, roots) = (&mut self.vertices, self.rows.len());
         loop {
@@ -148,8 +138,7 @@ impl LinearizedGraph {
     }
 }
 
-/// Adds the edges from the vertex `from` to its operands, and recursively the vertices and edges on which these
-/// operands depend.
+/// Adds the edges from `from` to its operands, and what these depend on.
 fn attach(
     graph: &mut ExprGraph,
     from: usize,

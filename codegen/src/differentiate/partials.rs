@@ -1,6 +1,6 @@
 //! Exact partial derivatives of single nodes, with defined values at singular points.
 
-use crate::functions::{Derivative, MathFunction};
+use crate::functions::{BinaryFunction, Derivative, MathFunction};
 use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol};
 use crate::number::Number;
 
@@ -42,7 +42,7 @@ pub(crate) fn of_node(graph: &mut ExprGraph, id: NodeId) -> Vec<(NodeId, NodeId)
     match graph.node(id).clone() {
         Node::Number(_) | Node::Symbol(_) | Node::Sum(..) | Node::Product(_) => Vec::new(),
         Node::Call(function, x) => vec![(x, of_call(graph, function, x, id))],
-        Node::Atan2(y, x) => {
+        Node::Call2(BinaryFunction::Atan2, y, x) => {
             let (yy, xx) = (graph.power(y, 4), graph.power(x, 4));
             let square = graph.add(yy, xx);
             let by_y = graph.div(x, square);
@@ -50,9 +50,9 @@ pub(crate) fn of_node(graph: &mut ExprGraph, id: NodeId) -> Vec<(NodeId, NodeId)
             let by_x = graph.neg(by_x);
             vec![(y, by_y), (x, by_x)]
         }
-        node @ (Node::Min(a, b) | Node::Max(a, b)) => {
-            let difference = match node {
-                Node::Min(..) => graph.sub(b, a),
+        Node::Call2(function, a, b) => {
+            let difference = match function {
+                BinaryFunction::Min => graph.sub(b, a),
                 _ => graph.sub(a, b),
             };
             let first = graph.call(MathFunction::Heaviside, difference);
@@ -67,8 +67,7 @@ pub(crate) fn of_node(graph: &mut ExprGraph, id: NodeId) -> Vec<(NodeId, NodeId)
     }
 }
 
-/// Leaves of a sum-of-products expression, each with the partial derivative with respect to that leaf. Leaves are the
-/// symbols and the nodes that are neither sum nor product.
+/// Leaves of a sum of products, each with the partial derivative with respect to it.
 pub(crate) fn of_expression(graph: &mut ExprGraph, id: NodeId) -> Vec<(NodeId, NodeId)> {
     let mut found = PartialSums::default();
     let one = graph.whole(1);
@@ -80,8 +79,7 @@ pub(crate) fn of_expression(graph: &mut ExprGraph, id: NodeId) -> Vec<(NodeId, N
         .collect()
 }
 
-/// Terms of the partial derivatives of one expression, grouped by the node with respect to which the derivative is
-/// taken, in order of first occurrence of these nodes.
+/// Terms of partial derivatives by node, in order of first occurrence.
 #[derive(Default)]
 struct PartialSums {
     sums: Vec<(NodeId, Vec<(Number, NodeId)>)>,
@@ -129,8 +127,7 @@ fn collect(
     }
 }
 
-/// Total derivative of an expression with respect to one symbol, by the chain rule over all nodes that the expression
-/// depends on.
+/// Total derivative of an expression with respect to one symbol.
 pub(crate) fn total(graph: &mut ExprGraph, id: NodeId, by: Symbol) -> NodeId {
     let mut known = FastMap::default();
     total_of(graph, id, by, &mut known)
@@ -152,31 +149,24 @@ fn total_of(
             total_of(graph, definition, by, known)
         }
         Node::Symbol(symbol) => graph.whole(i64::from(symbol == by)),
-        Node::Sum(..) | Node::Product(_) => {
-            let partials = of_expression(graph, id);
-            chain(graph, partials, by, known)
-        }
         _ => {
-            let partials = of_node(graph, id);
-            chain(graph, partials, by, known)
+            let partials = of_operation(graph, id).into_iter();
+            let terms = partials.map(|(operand, partial)| {
+                let inner = total_of(graph, operand, by, known);
+                (Number::ONE, graph.mul(partial, inner))
+            });
+            let terms = terms.collect();
+            graph.sum(terms, Number::ZERO)
         }
     };
     known.insert(id, derivative);
     derivative
 }
 
-fn chain(
-    graph: &mut ExprGraph,
-    partials: Vec<(NodeId, NodeId)>,
-    by: Symbol,
-    known: &mut FastMap<NodeId, NodeId>,
-) -> NodeId {
-    let terms = partials
-        .into_iter()
-        .map(|(operand, partial)| {
-            let inner = total_of(graph, operand, by, known);
-            (Number::ONE, graph.mul(partial, inner))
-        })
-        .collect();
-    graph.sum(terms, Number::ZERO)
+/// Partial derivatives of any operation with respect to its operands, those of nested sums and products included.
+pub(crate) fn of_operation(graph: &mut ExprGraph, id: NodeId) -> Vec<(NodeId, NodeId)> {
+    match graph.node(id) {
+        Node::Sum(..) | Node::Product(_) => of_expression(graph, id),
+        _ => of_node(graph, id),
+    }
 }

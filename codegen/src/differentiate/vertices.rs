@@ -1,12 +1,11 @@
 //! Choice of the vertices of the linearized graph: the values that the optimised SSA definitions compute once.
 
+use crate::functions::BinaryFunction;
 use crate::graph::{ExprGraph, Node, NodeId, Symbol, ValueFacts};
 use crate::schedule::Namer;
 use crate::ssa::{Ssa, SsaDef};
 
-/// Builds graph nodes for the SSA definitions of `ssa`. Every sum, and every product that is used several times,
-/// becomes a local symbol defined by its value; `namer` names these symbols. Returns the nodes of the requested results
-/// (roots).
+/// Graph nodes of the roots of `ssa`, whose sums and shared products become named local symbols.
 pub(crate) fn share_values(ssa: &Ssa, graph: &mut ExprGraph, namer: &mut Namer) -> Vec<NodeId> {
     let uses = ssa.uses();
     let order = ssa.order();
@@ -29,7 +28,9 @@ pub(crate) fn share_values(ssa: &Ssa, graph: &mut ExprGraph, namer: &mut Namer) 
         };
         // The names of derivatives are formed from these vertex names.
         let vertex = match graph.node(node) {
-            Node::Symbol(Symbol::Local(_)) | Node::Call(..) | Node::Atan2(..) => true,
+            Node::Symbol(Symbol::Local(_))
+            | Node::Call(..)
+            | Node::Call2(BinaryFunction::Atan2, ..) => true,
             Node::Product(_) => rooted[id],
             _ => false,
         };
@@ -40,16 +41,17 @@ pub(crate) fn share_values(ssa: &Ssa, graph: &mut ExprGraph, namer: &mut Namer) 
         nodes[id] = node;
     }
     let roots = ssa.roots.iter();
-    let roots = roots.map(|&(minus, id)| match minus {
-        true => graph.neg(nodes[id]),
-        false => nodes[id],
+    let roots = roots.map(|&(minus, id)| {
+        if minus {
+            graph.neg(nodes[id])
+        } else {
+            nodes[id]
+        }
     });
     roots.collect()
 }
 
-/// Returns a new local symbol that is defined by the sum `sum`. If `rooted`, that is, if the square root of the sum is
-/// also used, creates a local symbol for the square root instead and returns the square of that symbol. `facts` are the
-/// known properties of the sum.
+/// Local symbol of a sum, or the square of that of its square root if `rooted`.
 fn share_sum(graph: &mut ExprGraph, sum: NodeId, facts: ValueFacts, rooted: bool) -> NodeId {
     if rooted && matches!(graph.node(sum), Node::Sum(..)) {
         let root = graph.local_root(facts, sum);

@@ -9,8 +9,7 @@ use crate::layout::Layout;
 use crate::number::Number;
 use model_spec::model::Model;
 
-/// LaTeX formulas `left = right` of a quantity, of its derivative with respect to one symbol, and of the intermediate
-/// derivatives to which that derivative refers.
+/// LaTeX formulas `left = right` of a quantity and of its derivative.
 pub(super) struct Formulas {
     pub values: Vec<String>,
     pub derivatives: Vec<String>,
@@ -23,21 +22,16 @@ pub(super) fn formulas(
     by: Option<(Symbol, &str)>,
 ) -> Formulas {
     let mut cut = Cut::new(model, &found.compiled.lowered.graph, &found.nodes);
-    let roots: Vec<NodeId> = cut
-        .roots
-        .clone()
-        .into_iter()
-        .map(|root| cut.inside(root))
-        .collect();
-    let roots: Vec<NodeId> = roots
-        .into_iter()
-        .map(|root| cut.share_repeated(root))
-        .collect();
-    let mut values: Vec<String> = roots
-        .iter()
-        .zip(&found.symbols)
-        .map(|(&root, left)| format!("{left} = {}", cut.write(root)))
-        .collect();
+    let mut roots = cut.roots.clone();
+    for root in &mut roots {
+        *root = cut.inside(*root);
+    }
+    for root in &mut roots {
+        *root = cut.share_repeated(*root);
+    }
+    let values = roots.iter().zip(&found.symbols);
+    let values = values.map(|(&root, left)| format!("{left} = {}", cut.write(root)));
+    let mut values: Vec<String> = values.collect();
     let mut derivatives = Vec::new();
     if let Some((symbol, wrt)) = by {
         cut.by = symbol;
@@ -75,16 +69,13 @@ fn fraction(above: &str, below: &str) -> String {
     format!(r"\frac{{\partial {above}}}{{\partial {below}}}")
 }
 
-/// Maximum size of a formula, in nodes of its expression tree, up to which repeated subexpressions are written out; in
-/// larger formulas they are replaced by names.
+/// Maximum size, in nodes, of a formula that repeats subexpressions.
 const MAX_FORMULA: u64 = 2_000;
 
-/// Minimum size, in nodes of its expression tree, of a repeated subexpression that is replaced by a name in a large
-/// formula.
+/// Minimum size, in nodes, of a repeated subexpression with a name of its own.
 const MIN_PART: u64 = 6;
 
-/// Maps each sum that is the negative of a named sum, and has no separate name, to the named sum. The graph represents
-/// the negative of a sum as another sum, with opposite coefficients.
+/// Maps each nameless negative of a named sum to that sum.
 fn opposites(source: &ExprGraph) -> FastMap<NodeId, NodeId> {
     let mut graph = source.clone();
     let mut opposites = FastMap::default();
@@ -101,8 +92,7 @@ fn opposites(source: &ExprGraph) -> FastMap<NodeId, NodeId> {
     opposites
 }
 
-/// Copy of an expression graph in which each named node is replaced by a local symbol with a definition, so that
-/// formulas contain the names of quantities instead of their definitions.
+/// Copy of an expression graph in which named nodes are local symbols.
 pub(super) struct Cut {
     pub graph: ExprGraph,
     /// Nodes of the copy that correspond to the requested nodes of the original graph, in the same order.
@@ -139,11 +129,8 @@ impl Cut {
         let opposites = opposites(source);
         let mut wanted = roots.to_vec();
         // Named nodes that the roots do not reach are included for their names.
-        wanted.extend(
-            (0..source.len())
-                .map(NodeId::new)
-                .filter(|&id| source.name_of(id).is_some()),
-        );
+        let all = (0..source.len()).map(NodeId::new);
+        wanted.extend(all.filter(|&id| source.name_of(id).is_some()));
         for id in source.reachable(&wanted) {
             if let Some(&named) = opposites.get(&id).and_then(|named| images.get(named)) {
                 images.insert(id, cut.graph.neg(named));
@@ -176,8 +163,7 @@ impl Cut {
         cut
     }
 
-    /// Returns copies of the nodes `roots` in which each sum whose square root is a named quantity is replaced by the
-    /// square of that quantity's symbol. Differentiation may have created such sums again.
+    /// Copies `roots`, with the squares of named square roots for their sums.
     pub fn tidy(&mut self, roots: &[NodeId]) -> Vec<NodeId> {
         let source = self.graph.clone();
         let mut images: FastMap<NodeId, NodeId> = FastMap::default();
@@ -192,9 +178,7 @@ impl Cut {
         roots.iter().map(|root| images[root]).collect()
     }
 
-    /// Replaces the repeated subexpressions of a formula by named local symbols if the expression tree of the formula
-    /// has more than [`MAX_FORMULA`] nodes, since the length of a written-out formula can grow exponentially with the
-    /// nesting depth. A smaller formula is returned unchanged.
+    /// Names the repeated subexpressions of a formula beyond [`MAX_FORMULA`] nodes.
     pub fn share_repeated(&mut self, root: NodeId) -> NodeId {
         let order = self.graph.reachable(&[root]);
         let mut uses: FastMap<NodeId, u32> = FastMap::default();
@@ -232,8 +216,7 @@ impl Cut {
         images[&root]
     }
 
-    /// Number of nodes of the expression tree of the node `id`; `sizes` contains these numbers for the operands of the
-    /// node.
+    /// Number of nodes of an expression tree, from those of its operands.
     fn tree_size(&self, id: NodeId, sizes: &FastMap<NodeId, u64>) -> u64 {
         let mut size = 1_u64;
         self.graph
@@ -241,9 +224,7 @@ impl Cut {
         size
     }
 
-    /// Returns a new local symbol with the given definition and the LaTeX name `name`; `facts` are the known properties
-    /// of its value. If the definition is a symbol or a number, or a multiple of a symbol, no local symbol is created,
-    /// and the definition is returned.
+    /// Local symbol with a LaTeX name; the definition itself if it is a multiple of a symbol.
     fn leaf(&mut self, facts: ValueFacts, definition: NodeId, name: String) -> NodeId {
         let inner = self.graph.split_coefficient(definition).1;
         if matches!(self.graph.node(inner), Node::Symbol(_) | Node::Number(_)) {
@@ -264,8 +245,7 @@ impl Cut {
         }
     }
 
-    /// Total derivative of a node with respect to the symbol in the field `by`. The derivatives of the named quantities
-    /// on which the node depends are represented by new local symbols.
+    /// Total derivative of a node by `by`; those of named quantities are local symbols.
     pub fn derivative(&mut self, id: NodeId) -> NodeId {
         let derivative = self.differentiated(id);
         self.tidy(&[derivative])[0]
@@ -290,30 +270,20 @@ impl Cut {
                 leaf
             }
             Node::Symbol(symbol) => self.graph.whole(i64::from(symbol == self.by)),
-            Node::Sum(..) | Node::Product(_) => {
-                let partials = partials::of_expression(&mut self.graph, id);
-                self.chain(partials)
-            }
             _ => {
-                let partials = partials::of_node(&mut self.graph, id);
-                self.chain(partials)
+                let mut terms = Vec::new();
+                for (operand, partial) in partials::of_operation(&mut self.graph, id) {
+                    let inner = self.differentiated(operand);
+                    terms.push((Number::ONE, self.graph.mul(partial, inner)));
+                }
+                self.graph.sum(terms, Number::ZERO)
             }
         };
         self.known.insert(id, derivative);
         derivative
     }
 
-    fn chain(&mut self, partials: Vec<(NodeId, NodeId)>) -> NodeId {
-        let mut terms = Vec::new();
-        for (operand, partial) in partials {
-            let inner = self.differentiated(operand);
-            terms.push((Number::ONE, self.graph.mul(partial, inner)));
-        }
-        self.graph.sum(terms, Number::ZERO)
-    }
-
-    /// Indices of the local symbols that represent derivatives and on which the nodes `roots` depend, in order of
-    /// creation, so that a symbol precedes the symbols whose definitions use it.
+    /// Local symbols of derivatives on which `roots` depend, in order of creation.
     fn mentioned(&self, roots: &[NodeId]) -> Vec<u32> {
         let mut needed: Vec<u32> = Vec::new();
         let mut waiting = roots.to_vec();

@@ -5,13 +5,12 @@ use crate::compile::{Compiled, dense};
 use crate::count::{Count, count};
 use crate::differentiate::{EliminationOrder, LinearizedGraph, share_values};
 use crate::graph::{ExprGraph, Symbol};
-use crate::program::{Function, Program};
+use crate::program::Function;
 use crate::rust;
 use crate::schedule::{Hoisted, Namer, schedule};
 use crate::ssa::{Ssa, build};
 
-/// Generated code of a quantity or derivative: statements that run once per flight, statements that run in every
-/// evaluation, and their operation counts.
+/// Generated code of a quantity or derivative, with operation counts.
 pub(super) struct GeneratedCode {
     pub once: String,
     pub code: String,
@@ -25,8 +24,7 @@ pub(super) struct GeneratedCode {
     pub rows: Vec<u32>,
 }
 
-/// Generates the code of the quantity `found` or, if `by` (a symbol and its name) is given, of the derivative of the
-/// quantity with respect to that symbol.
+/// Generates the code of a quantity, or of its derivative with respect to `by`.
 pub(super) fn generate(found: &FoundQuantity, by: Option<(Symbol, &str)>) -> GeneratedCode {
     let mut compiled = found.compiled.clone();
     let quantities = compiled.lowered.provenance.iter();
@@ -69,9 +67,10 @@ pub(super) fn generate(found: &FoundQuantity, by: Option<(Symbol, &str)>) -> Gen
         &mut compiled.observe_jac,
         &mut compiled.limits,
     ] {
-        other.program = Program::default();
-        other.sections.clear();
-        other.results.clear();
+        *other = Function {
+            name: other.name,
+            ..Function::default()
+        };
     }
     let body = |function: &Function, array: &str, outputs: &[String]| {
         statements(&rust::function_file(&compiled, function), array, outputs)
@@ -86,9 +85,7 @@ pub(super) fn generate(found: &FoundQuantity, by: Option<(Symbol, &str)>) -> Gen
     }
 }
 
-/// Optimised SSA definitions of the derivatives of the components of a quantity with respect to `symbol`, each with its
-/// name and the index of its component. Derivatives that are identically 0 are omitted. `rows` contains the names of
-/// the components, and `wrt` is the name of the symbol.
+/// Derivatives of a quantity's components that are not 0, with names and components.
 fn derivative(
     ssa: &Ssa,
     graph: &mut ExprGraph,
@@ -110,16 +107,12 @@ fn derivative(
     (ssa, names, of)
 }
 
-/// Extracts the statements of the body of a generated function from its source text. Loads from input arrays are
-/// omitted, and stores to the array `array` become assignments to the variables `outputs`.
+/// Statements of a generated function, without loads, with assignments for stores to `array`.
 fn statements(text: &str, array: &str, outputs: &[String]) -> String {
-    let lines = text
-        .lines()
-        .skip_while(|line| !line.starts_with("pub fn"))
-        .skip_while(|line| !line.ends_with('{'))
-        .skip(1)
-        .take_while(|line| *line != "}")
-        .map(|line| line.strip_prefix("    ").unwrap_or(line));
+    let lines = text.lines().skip_while(|line| !line.starts_with("pub fn"));
+    let lines = lines.skip_while(|line| !line.ends_with('{')).skip(1);
+    let lines = lines.take_while(|line| *line != "}");
+    let lines = lines.map(|line| line.strip_prefix("    ").unwrap_or(line));
     let mut body: Vec<String> = Vec::new();
     for line in lines {
         if is_load(line) {

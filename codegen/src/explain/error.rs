@@ -3,8 +3,7 @@
 use model_spec::nearest_name;
 use std::fmt;
 
-/// Reason why a quantity or derivative cannot be explained, that is, shown with its source lines, formulas and
-/// generated code.
+/// Reason why a quantity or derivative cannot be explained.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ExplainError {
     /// No quantity has the requested name.
@@ -16,8 +15,7 @@ pub enum ExplainError {
         /// Names of all quantities of the model for which formulas and generated code can be shown.
         known: Vec<String>,
     },
-    /// No state, parameter or other symbol with respect to which a quantity can be differentiated has the requested
-    /// name.
+    /// No symbol of this name, with respect to which to differentiate.
     Wrt {
         /// Name that the caller requested.
         wanted: String,
@@ -68,8 +66,7 @@ impl fmt::Display for ExplainError {
 
 impl std::error::Error for ExplainError {}
 
-/// Name in `known` that is most similar to the requested name `wanted`: `force wanted`, `moment wanted`, `der(wanted)`
-/// or a name that begins with `wanted`, else the nearest name by edit distance; `None` if no name is similar.
+/// Name most similar to `wanted`: one that contains it as a load, derivative or beginning, else the nearest by edits.
 pub(super) fn nearest(wanted: &str, known: &[String]) -> Option<String> {
     let part = |name: &&String| {
         let starts = wanted.len() >= 3 && name.starts_with(wanted);

@@ -60,12 +60,8 @@ pub(super) fn quantity(model: &Model, wanted: &str) -> Result<FoundQuantity, Exp
     let of_let = |name: &str| {
         let mut start = 0;
         let of_marker = is_of_observation(&changed);
-        for ((quantity, nodes), of_marker) in changed
-            .aux_variables
-            .iter()
-            .zip(&lowered.lets)
-            .zip(of_marker)
-        {
+        let values = changed.aux_variables.iter().zip(&lowered.lets);
+        for ((quantity, nodes), of_marker) in values.zip(of_marker) {
             if quantity.name == name && of_marker {
                 // Marker-dependent variables are not in `quantities`, whose inputs lack a marker.
                 let each = nodes.iter().zip(["x", "y", "z"]);
@@ -84,13 +80,11 @@ pub(super) fn quantity(model: &Model, wanted: &str) -> Result<FoundQuantity, Exp
     };
     let parts: Vec<(String, NodeId)> = match &meaning {
         Meaning::Let(_) | Meaning::Load(..) => of_let(&prefix),
-        Meaning::Component(_, name) => lowered
-            .quantities
-            .iter()
-            .filter(|(known, _)| known == name)
-            .take(1)
-            .cloned()
-            .collect(),
+        Meaning::Component(_, name) => {
+            let mut quantities = lowered.quantities.iter();
+            let found = quantities.find(|(known, _)| known == name);
+            found.cloned().into_iter().collect()
+        }
         Meaning::Rate(k) => vec![(format!("{}_dot", model.states[*k].name), lowered.dx[*k])],
     };
     let (span, end, doc) = match &meaning {
@@ -129,26 +123,17 @@ fn meaning<'a>(model: &'a Model, wanted: &str) -> Result<Meaning<'a>, ExplainErr
     {
         return Ok(Meaning::Rate(k));
     }
-    if let Some(quantity) = model
-        .aux_variables
-        .iter()
-        .find(|quantity| quantity.name == wanted)
-    {
+    let mut variables = model.aux_variables.iter();
+    if let Some(quantity) = variables.find(|quantity| quantity.name == wanted) {
         return Ok(Meaning::Let(quantity));
     }
-    let force = load(
-        &model.forces,
-        wanted.strip_prefix("force ").unwrap_or(wanted),
-    );
-    let moment = load(
-        &model.moments,
-        wanted.strip_prefix("moment ").unwrap_or(wanted),
-    );
+    let bare = |prefix: &str| wanted.strip_prefix(prefix).unwrap_or(wanted);
+    let force = load(&model.forces, bare("force "));
+    let moment = load(&model.moments, bare("moment "));
     match (force, moment) {
         (Some(_), Some(_)) => {
-            return Err(ExplainError::Ambiguous {
-                wanted: wanted.to_string(),
-            });
+            let wanted = wanted.to_string();
+            return Err(ExplainError::Ambiguous { wanted });
         }
         (Some(force), None) => return Ok(Meaning::Load(force, "force")),
         (None, Some(moment)) => return Ok(Meaning::Load(moment, "moment")),
@@ -179,10 +164,8 @@ fn components<'a>(
     alone
         .aux_variables
         .retain(|other| other.name == quantity.name);
-    Layout::new(&alone)
-        .quantities
-        .into_iter()
-        .filter(move |name| *name != quantity.name)
+    let names = Layout::new(&alone).quantities.into_iter();
+    names.filter(move |name| *name != quantity.name)
 }
 
 /// Symbol of the state, parameter, coefficient or input component with the name `wanted`; an error if there is none.
@@ -203,39 +186,30 @@ pub(super) fn symbol(model: &Model, wanted: &str) -> Result<Symbol, ExplainError
     })
 }
 
-/// LaTeX name of a quantity. Components of forces and moments are written with the letters F and M and the name of the
-/// force or moment as subscript.
+/// LaTeX name of a quantity; components of loads are written F and M.
 pub(super) fn symbol_of(model: &Model, name: &str) -> String {
     for (loads, kind, letter) in [
         (&model.forces, "force_", "F"),
         (&model.moments, "moment_", "M"),
     ] {
         for load in loads {
-            let rest = name
-                .strip_prefix(kind)
-                .and_then(|rest| rest.strip_prefix(&load.name));
-            if let Some(axis) = rest.and_then(|rest| rest.strip_prefix('_')) {
-                return format!(
-                    r"{letter}_{{\mathrm{{{}}},{axis}}}",
-                    load.name.replace('_', r"\ ")
-                );
+            let rest = name.strip_prefix(&format!("{kind}{}_", load.name));
+            if let Some(axis) = rest {
+                let words = load.name.replace('_', r"\ ");
+                return format!(r"{letter}_{{\mathrm{{{words}}},{axis}}}");
             }
         }
     }
     latex::name(name, latex::Style::Scalar)
 }
 
-/// Location of the declaration from which the time derivative of a state follows: the equation for the derivative if
-/// the model has one, else the declaration of the body, else the declaration of the state. Returns the spans at the
-/// start and the end of the declaration, and an empty doc comment.
+/// First and last span of the declaration from which a state derivative follows.
 fn rate_place(model: &Model, state: usize) -> (Span, Span, String) {
     if let Some(equation) = model.equations.iter().find(|e| e.state == state) {
         return (equation.span, equation.value.span, String::new());
     }
-    let span = model
-        .body
-        .as_ref()
-        .map_or(model.states[state].span, |body| body.span);
+    let body = model.body.as_ref();
+    let span = body.map_or(model.states[state].span, |body| body.span);
     let mut end = span;
     if model.body.is_some()
         && let Some(source) = model.sources.get(usize::from(span.source))
@@ -259,11 +233,8 @@ fn source(model: &Model, from: Span, to: Span) -> (String, String) {
     } else {
         first
     };
-    let lines: Vec<&str> = text
-        .lines()
-        .skip(first - 1)
-        .take(last - first + 1)
-        .collect();
+    let lines = text.lines().skip(first - 1).take(last - first + 1);
+    let lines: Vec<&str> = lines.collect();
     let file = source.name.rsplit('/').next().unwrap_or(&source.name);
     (format!("{file}:{first}"), lines.join("\n"))
 }

@@ -21,20 +21,17 @@ use std::fmt;
 pub struct Explanation {
     /// Name of the explained quantity: `alpha`, `der(u)`, `force aero`.
     pub quantity: String,
-    /// Name of the state, parameter, coefficient or input component with respect to which the quantity is
-    /// differentiated; `None` if the quantity itself is explained.
+    /// Symbol of the derivative; `None` if the quantity itself is explained.
     pub wrt: Option<String>,
     /// Source file and line of the declaration of the quantity, as in `disc.hyz:58`.
     pub place: String,
-    /// Source lines of the declaration of the quantity. For a time derivative of a state that follows from Newton's or
-    /// Euler's law, these are the source lines of the declaration of the body.
+    /// Source lines of the declaration: that of the body for a derivative that follows from it.
     pub line: String,
     /// Doc comment (`///` lines) of the declaration of the quantity in the model file; may be empty.
     pub doc: String,
     /// LaTeX formula `left = right` of the quantity; one formula per component if there is no vector formula.
     pub latex: Vec<String>,
-    /// LaTeX formula of the derivative, then formulas of the derivatives of the auxiliary variables to which that
-    /// formula refers; empty if the quantity itself is explained.
+    /// LaTeX formulas of the derivative and of those to which it refers.
     pub derivative: Vec<String>,
     /// Generated statements that depend on parameters alone and run once per flight.
     pub once: String,
@@ -46,8 +43,7 @@ pub struct Explanation {
     pub cost: Count,
 }
 
-/// Explains a quantity (an auxiliary variable, a component such as `air_velocity_1`, a force, a moment, `der(u)`), or
-/// its derivative with respect to a state, a parameter, a coefficient or a component of an input.
+/// Explains a quantity, such as `air_velocity_1` or `der(u)`, or its derivative with respect to a symbol.
 pub fn explain(
     model: &Model,
     quantity: &str,

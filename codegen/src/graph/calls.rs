@@ -1,24 +1,22 @@
-//! Construction and simplification of function nodes: sine and cosine of `atan2` become algebraic expressions, square
-//! roots become half powers.
+//! Construction and simplification of function nodes.
 
 use super::{ExprGraph, Node, NodeId};
-use crate::functions::{MathFunction, Parity};
+use crate::functions::{BinaryFunction, MathFunction, Parity};
 use crate::number::Number;
 
 impl ExprGraph {
-    /// Node of `function(x)`, simplified: constants are folded, inverse functions cancelled, and signs moved out of the
-    /// argument by parity.
+    /// Node of `function(x)`, simplified.
     pub fn call(&mut self, function: MathFunction, x: NodeId) -> NodeId {
         if let Some(value) = self.as_number(x).and_then(|x| function.constant_value(x)) {
             return self.number(value);
         }
         match (function, self.node(x).clone()) {
             (MathFunction::Sqrt, _) => return self.sqrt(x),
-            (MathFunction::Sin, Node::Atan2(y, x)) => {
+            (MathFunction::Sin, Node::Call2(BinaryFunction::Atan2, y, x)) => {
                 let radius = self.squares(y, x);
                 return self.product(vec![(y, 2), (radius, -1)]);
             }
-            (MathFunction::Cos, Node::Atan2(y, x)) => {
+            (MathFunction::Cos, Node::Call2(BinaryFunction::Atan2, y, x)) => {
                 // cos 0 = 1 at the origin, where x / radius is defined as 0
                 let radius = self.squares(y, x);
                 let quotient = self.product(vec![(x, 2), (radius, -1)]);
@@ -30,8 +28,8 @@ impl ExprGraph {
             }
             (MathFunction::Sin, Node::Call(MathFunction::Asin, y)) => {
                 let (low, high) = (self.whole(-1), self.whole(1));
-                let held = self.max(y, low);
-                return self.min(held, high);
+                let held = self.call2(BinaryFunction::Max, y, low);
+                return self.call2(BinaryFunction::Min, held, high);
             }
             (MathFunction::Cos, Node::Call(MathFunction::Asin, y)) => {
                 let square = self.power(y, 4);
@@ -124,29 +122,12 @@ impl ExprGraph {
         }
     }
 
-    /// Node of the angle of the point (`x`, `y`) from the x axis, rad; 0 at the origin.
-    pub fn atan2(&mut self, y: NodeId, x: NodeId) -> NodeId {
-        if self.is_zero(y) && self.facts(x).nonneg {
-            return y;
-        }
-        self.intern(Node::Atan2(y, x))
-    }
-
-    /// Node of the minimum of `a` and `b`.
-    pub fn min(&mut self, a: NodeId, b: NodeId) -> NodeId {
-        if a == b {
-            a
-        } else {
-            self.intern(Node::Min(a, b))
-        }
-    }
-
-    /// Node of the maximum of `a` and `b`.
-    pub fn max(&mut self, a: NodeId, b: NodeId) -> NodeId {
-        if a == b {
-            a
-        } else {
-            self.intern(Node::Max(a, b))
+    /// A function of two arguments.
+    pub fn call2(&mut self, function: BinaryFunction, a: NodeId, b: NodeId) -> NodeId {
+        match function {
+            BinaryFunction::Atan2 if self.is_zero(a) && self.facts(b).nonneg => a,
+            BinaryFunction::Min | BinaryFunction::Max if a == b => a,
+            _ => self.intern(Node::Call2(function, a, b)),
         }
     }
 

@@ -12,7 +12,7 @@ mod sum;
 
 pub use hash::FastMap;
 
-use crate::functions::MathFunction;
+use crate::functions::{BinaryFunction, MathFunction};
 use crate::number::Number;
 use crate::table::Tables;
 use std::ops::Range;
@@ -25,8 +25,7 @@ model_spec::index_type!(
 /// Leaf of an expression: a variable or constant whose value is not computed by the graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Symbol {
-    /// Time since release (the start of the flight), s, as given by the time stamps of the measurements. In a model
-    /// with a `clock` statement, it may run at another rate than true time; in other models it equals true time.
+    /// Recorded time since release, s.
     Time,
     /// The constant π.
     Pi,
@@ -36,8 +35,7 @@ pub enum Symbol {
     Parameter(u32),
     /// Body-fixed coordinate, m, of the marker, by its index (0 to 2).
     Marker(u32),
-    /// Local symbol: stands for an intermediate value with its own definition, and is given by its index among the
-    /// local symbols of the graph.
+    /// Local symbol, which stands for an intermediate value, by its index.
     Local(u32),
 }
 
@@ -48,26 +46,19 @@ pub enum Node {
     Number(Number),
     /// Leaf: state, parameter, time or another symbol.
     Symbol(Symbol),
-    /// Sum Σ coefficient · node + constant: the pairs (coefficient, node), ordered by node, and the constant. There is
-    /// at least one pair. If there is only one, the constant is nonzero or the coefficient is not 1.
+    /// Sum Σ coefficient · node + constant, ordered by node; a single term has a coefficient or a constant.
     Sum(Box<[(Number, NodeId)]>, Number),
-    /// Product of (base, *doubled* exponent) pairs, ordered by node; an odd number stands for a half-integer power. A
-    /// factor with a negative exponent has the value 0 where its base is 0.
+    /// Product of (base, doubled exponent) pairs, ordered by node; 0 where a base of negative exponent is 0.
     Product(Box<[(NodeId, i32)]>),
     /// Elementary function of one argument.
     Call(MathFunction, NodeId),
-    /// `atan2(y, x)` with operands y and x: angle of the point (x, y), rad; 0 at the origin.
-    Atan2(NodeId, NodeId),
-    /// Minimum of the two operands.
-    Min(NodeId, NodeId),
-    /// Maximum of the two operands.
-    Max(NodeId, NodeId),
+    /// Function of two arguments.
+    Call2(BinaryFunction, NodeId, NodeId),
     /// Selection: the second operand where the first is 0, else the third operand.
     IfZero(NodeId, NodeId, NodeId),
 }
 
-/// Known properties of the value of an expression: whether it is constant during a flight, nonnegative, nonzero. A
-/// field is `false` if the property is not known to hold.
+/// Properties of a value that are known to hold.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ValueFacts {
     /// Whether the value is constant during a flight, because it depends on constants and parameters only.
@@ -91,12 +82,10 @@ pub struct ExprGraph {
     facts: Vec<ValueFacts>,
     index: FastMap<Node, NodeId>,
     contents: FastMap<NodeId, product::Content>,
-    /// Definition of each local symbol (leaf that stands for an intermediate value), and the known properties of its
-    /// value.
+    /// Definition of each local symbol, and the known properties of its value.
     locals: Vec<(ValueFacts, NodeId)>,
     local_of: FastMap<NodeId, NodeId>,
-    /// For each sum whose square root is defined as a local symbol, the node of that symbol. Powers of the sum are
-    /// written as powers of the symbol.
+    /// Local symbol of the square root of a sum, which replaces powers of the sum.
     root_of: FastMap<NodeId, NodeId>,
     names: FastMap<NodeId, String>,
     has_masks: bool,
@@ -117,7 +106,7 @@ impl ExprGraph {
         }
     }
 
-    /// Tables (functions given by values at knots) that the expressions look up.
+    /// Tables that the expressions look up.
     pub fn tables(&self) -> &Tables {
         &self.tables
     }
@@ -150,8 +139,7 @@ impl ExprGraph {
         self.facts[id.index()]
     }
 
-    /// Assumes that a node and all its factors are nonzero, for example because the model guarantees that a divisor is
-    /// nonzero.
+    /// Assumes that a node and all its factors are nonzero.
     pub fn assume_nonzero(&mut self, id: NodeId) {
         self.facts[id.index()].nonzero = true;
         match self.node(id).clone() {
@@ -165,8 +153,7 @@ impl ExprGraph {
         }
     }
 
-    /// Records that the value of a node is known to be ≥ 0 or nonzero, as stated by `facts.nonneg` and `facts.nonzero`.
-    /// Properties already recorded remain, and `facts.fixed` is ignored.
+    /// Adds `facts.nonneg` and `facts.nonzero` to what is known of a node.
     pub fn know(&mut self, id: NodeId, facts: ValueFacts) {
         self.facts[id.index()].nonneg |= facts.nonneg;
         if facts.nonzero {
@@ -174,8 +161,7 @@ impl ExprGraph {
         }
     }
 
-    /// Gives a node the name `name` unless it already has one. If the node is a sum, its negative is also named, with
-    /// the prefix `minus_`.
+    /// Names a node that has no name, and the negative of a sum.
     pub fn name(&mut self, id: NodeId, name: impl Into<String>) {
         let name = name.into();
         if let Node::Sum(terms, _) = self.node(id)
@@ -195,9 +181,7 @@ impl ExprGraph {
         self.names.get(&id).map(String::as_str)
     }
 
-    /// Creates a local symbol: a leaf with the given definition, which simplification does not expand, so that a value
-    /// used several times is computed once; `facts` are the known properties of this value. Sums equal to the
-    /// definition are replaced by this leaf until the enclosing call of [`scope`](ExprGraph::scope) returns.
+    /// Creates a local symbol, which replaces the sum that defines it until [`scope`](ExprGraph::scope) returns.
     pub fn local(&mut self, facts: ValueFacts, definition: NodeId) -> NodeId {
         self.locals.push((facts, definition));
         let id = self.intern(Node::Symbol(Symbol::Local(self.locals.len() as u32 - 1)));
@@ -207,9 +191,7 @@ impl ExprGraph {
         id
     }
 
-    /// Creates a local symbol for the square root of a sum; `facts` are the known properties of the sum. Until the
-    /// enclosing call of [`scope`](ExprGraph::scope) returns, the sum is replaced by the square of that symbol, so that
-    /// no half-integer powers appear in derivatives.
+    /// Creates a local symbol for the square root of a sum, whose square replaces the sum in the scope.
     pub fn local_root(&mut self, facts: ValueFacts, sum: NodeId) -> NodeId {
         let definition = self.intern(Node::Product(Box::new([(sum, 1)])));
         let root = self.local(
@@ -228,9 +210,7 @@ impl ExprGraph {
         self.locals.len()
     }
 
-    /// Runs `build` and returns its result. Meanwhile each sum that defines a local symbol is replaced by that symbol;
-    /// this applies to the local symbols with indices in `locals` and to those that `build` creates. Afterwards such
-    /// sums are no longer replaced, and the local symbols remain valid.
+    /// Runs `build`, during which the sums of `locals` and of new local symbols are replaced by these symbols.
     pub fn scope<R>(&mut self, locals: Range<usize>, build: impl FnOnce(&mut ExprGraph) -> R) -> R {
         let first = self.locals.len();
         let contents = std::mem::take(&mut self.contents);
@@ -256,8 +236,7 @@ impl ExprGraph {
         result
     }
 
-    /// Sum whose square root is the node `id`; `None` unless `id` is a local symbol that [`ExprGraph::local_root`]
-    /// created for the square root of a sum.
+    /// Sum whose square root is the local symbol `id`.
     pub fn rooted_sum(&self, id: NodeId) -> Option<NodeId> {
         let Node::Symbol(Symbol::Local(k)) = self.node(id) else {
             return None;
@@ -373,15 +352,15 @@ impl ExprGraph {
                 nonneg: function.is_nonneg(),
                 nonzero: function.is_nonzero(of(x).nonzero),
             },
-            Node::Atan2(a, b) => ValueFacts {
-                fixed: of(a).fixed && of(b).fixed,
-                ..ValueFacts::default()
-            },
-            Node::Min(a, b) | Node::Max(a, b) => ValueFacts {
-                fixed: of(a).fixed && of(b).fixed,
-                nonneg: of(a).nonneg && of(b).nonneg,
-                nonzero: of(a).nonzero && of(b).nonzero && of(a).nonneg && of(b).nonneg,
-            },
+            Node::Call2(function, a, b) => {
+                let (a, b) = (of(a), of(b));
+                let nonneg = *function != BinaryFunction::Atan2 && a.nonneg && b.nonneg;
+                ValueFacts {
+                    fixed: a.fixed && b.fixed,
+                    nonneg,
+                    nonzero: nonneg && a.nonzero && b.nonzero,
+                }
+            }
             Node::IfZero(c, a, b) => ValueFacts {
                 fixed: of(c).fixed && of(a).fixed && of(b).fixed,
                 nonneg: of(a).nonneg && of(b).nonneg,
@@ -390,8 +369,7 @@ impl ExprGraph {
         }
     }
 
-    /// Adds the expression `node` of another graph to this graph, simplified anew, and returns the resulting node.
-    /// `image` maps each direct operand of `node` to the node of this graph that takes its place.
+    /// Adds a node of another graph, simplified anew; `image` maps its operands.
     pub fn rebuilt(&mut self, node: &Node, image: &dyn Fn(NodeId) -> NodeId) -> NodeId {
         match *node {
             Node::Number(number) => self.number(number),
@@ -405,9 +383,7 @@ impl ExprGraph {
                 self.product(factors.collect())
             }
             Node::Call(function, x) => self.call(function, image(x)),
-            Node::Atan2(y, x) => self.atan2(image(y), image(x)),
-            Node::Min(a, b) => self.min(image(a), image(b)),
-            Node::Max(a, b) => self.max(image(a), image(b)),
+            Node::Call2(function, a, b) => self.call2(function, image(a), image(b)),
             Node::IfZero(c, a, b) => self.if_zero(image(c), image(a), image(b)),
         }
     }
@@ -419,7 +395,7 @@ impl ExprGraph {
             Node::Sum(terms, _) => terms.iter().for_each(|&(_, t)| visit(t)),
             Node::Product(factors) => factors.iter().for_each(|&(f, _)| visit(f)),
             Node::Call(_, x) => visit(*x),
-            Node::Atan2(a, b) | Node::Min(a, b) | Node::Max(a, b) => {
+            Node::Call2(_, a, b) => {
                 visit(*a);
                 visit(*b);
             }
@@ -431,8 +407,7 @@ impl ExprGraph {
         }
     }
 
-    /// Nodes on which `roots` (the requested outputs) depend, roots included, in order of creation, so that operands
-    /// precede their users.
+    /// Nodes on which `roots` depend, roots included, in order of creation, so that operands precede their users.
     pub fn reachable(&self, roots: &[NodeId]) -> Vec<NodeId> {
         let mut needed = vec![false; self.len()];
         for root in roots {

@@ -19,8 +19,7 @@ impl ExprGraph {
         self.product(vec![(a, 2), (b, 2)])
     }
 
-    /// Node of the product `a b`. If one operand is the constant 1, returns the other operand unchanged, without
-    /// extracting common factors from it.
+    /// Product `a b`; the other operand unchanged if one is 1.
     pub fn times(&mut self, a: NodeId, b: NodeId) -> NodeId {
         match (self.is_one(a), self.is_one(b)) {
             (true, _) => b,
@@ -29,8 +28,7 @@ impl ExprGraph {
         }
     }
 
-    /// Node of the quotient `a / b`; 0 where `b` = 0, unless `b` is known to be nonzero. Returns `a` unchanged if `b`
-    /// is the constant 1.
+    /// Quotient `a / b`; `a` unchanged if `b` is 1.
     pub fn over(&mut self, a: NodeId, b: NodeId) -> NodeId {
         if self.is_one(b) { a } else { self.div(a, b) }
     }
@@ -54,8 +52,7 @@ impl ExprGraph {
         self.product(vec![(root, 2 * doubled)])
     }
 
-    /// Node of the product of (base, doubled exponent) factors: exponent 2 stands for the base, exponent 1 for its
-    /// square root.
+    /// Product of (base, doubled exponent) factors.
     pub fn product(&mut self, factors: Vec<(NodeId, i32)>) -> NodeId {
         let (coefficient, factors) = self.collect(factors);
         if coefficient.is_zero() {
@@ -86,8 +83,7 @@ impl ExprGraph {
         }
     }
 
-    /// Splits the factor `id` with the doubled exponent `exponent` into a constant, by which `coefficient` is
-    /// multiplied, and simpler factors, which are appended to `pending`. Returns false if the factor cannot be split.
+    /// Splits a factor into a constant and simpler factors; false if it cannot be split.
     fn open(
         &mut self,
         id: NodeId,
@@ -153,9 +149,7 @@ impl ExprGraph {
         }
     }
 
-    /// Merges the factors `flat`, which are (base, doubled exponent) pairs, by adding the exponents of equal bases. A
-    /// base whose exponents add up to 0 is omitted if it is known to be nonzero, else replaced by its indicator
-    /// `NonZero(base)`.
+    /// Adds the exponents of equal bases; a base to the power 0 leaves its indicator `NonZero(base)`.
     fn merge(&mut self, mut flat: Vec<(NodeId, i32)>) -> Vec<(NodeId, i32)> {
         flat.sort_unstable();
         let mut merged: Vec<(NodeId, i32)> = Vec::with_capacity(flat.len());
@@ -189,8 +183,7 @@ impl ExprGraph {
         merged
     }
 
-    /// Whether `whole` is a sum of squares, or the square root of a sum of squares, in which the square of `part` is a
-    /// term, so that `part` is 0 wherever `whole` is 0.
+    /// Whether `whole` is a sum of squares, or its root, that contains the square of `part`.
     fn is_component(&self, part: NodeId, whole: NodeId) -> bool {
         let sum = self.rooted_sum(whole).unwrap_or(whole);
         let Node::Sum(terms, _) = self.node(sum) else {
@@ -202,9 +195,8 @@ impl ExprGraph {
             })
     }
 
-    /// Simplifies one sum among the factors `flat` of a product by removing redundant indicators `NonZero(X)` of X ≠ 0
-    /// from its terms. An indicator is redundant if X or `NonZero(X)` is also a factor of the product, which is then 0
-    /// where X = 0. If a sum was simplified, moves all factors to `pending` and returns true; otherwise returns false.
+    /// Removes indicators `NonZero(X)` from one sum in `flat` where X or its indicator is a factor too; if it did,
+    /// moves all factors to `pending` and returns true.
     fn unmask(&mut self, flat: &mut Vec<(NodeId, i32)>, pending: &mut Vec<(NodeId, i32)>) -> bool {
         if !self.has_masks {
             return false;

@@ -6,13 +6,11 @@
 use super::{ExprGraph, Node, NodeId};
 use crate::number::Number;
 
-/// Maximum number of terms of an expanded sum when projections are simplified; a longer expansion is discarded, so that
-/// the sum is left unchanged.
+/// Maximum number of terms of an expanded sum.
 const MAX_TERMS: usize = 48;
 
 impl ExprGraph {
-    /// Simplifies the sum `id` by expanding products that contain sums, so that projections of vectors onto orthonormal
-    /// vectors cancel. Returns the expanded sum if terms cancel or merge, else `id`.
+    /// Expands products of sums, if projections onto orthonormal vectors then cancel.
     pub fn project(&mut self, id: NodeId) -> NodeId {
         let Node::Sum(terms, constant) = self.node(id).clone() else {
             return id;
@@ -51,8 +49,7 @@ impl ExprGraph {
         id
     }
 
-    /// Sums that may be the squared length of a vector: those that are the base of a negative power in a product.
-    /// Searches the node `id` and its operands, at most `depth` levels deep. The result is sorted.
+    /// Sums in negative powers, which may be squared lengths, at most `depth` levels deep; sorted.
     fn lengths(&self, id: NodeId, depth: u32) -> Vec<NodeId> {
         let mut found = Vec::new();
         let mut pending = vec![(id, depth)];
@@ -73,9 +70,7 @@ impl ExprGraph {
         found
     }
 
-    /// Expands the product of the constant `c` and the node `term`, and appends the resulting terms to `open`. Only
-    /// those sums among the factors are expanded in which one of the nodes `components` (the components of a vector)
-    /// occurs as a factor of a term. Nested sums are expanded at most `depth` levels deep.
+    /// Expands `c · term` in sums with a factor of `components`, at most `depth` levels deep.
     fn open_term(
         &mut self,
         c: Number,
@@ -116,9 +111,7 @@ impl ExprGraph {
         }
     }
 
-    /// Whether a node is a sum in which one of the nodes `components` (the components of a vector) occurs as a factor
-    /// of a term. A component may also occur in a nested sum: a factor of a term that is a sum itself. Nested sums are
-    /// searched at most `depth` levels deep.
+    /// Whether a sum has one of `components` as a factor of a term, at most `depth` levels deep.
     fn holds(&self, id: NodeId, components: &[NodeId], depth: u32) -> bool {
         let Node::Sum(terms, _) = self.node(id) else {
             return false;

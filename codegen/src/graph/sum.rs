@@ -110,9 +110,7 @@ impl ExprGraph {
         }
     }
 
-    /// Contracts a sum of terms by one of two identities: sin² + cos² = 1, and Σ s² · P = X · P, where X is the sum Σ
-    /// s² and P is a product that contains a negative power of X. Returns the terms and the constant of the shorter
-    /// sum; `None` if no identity applies.
+    /// Contracts a sum by sin² + cos² = 1, or by Σ s² · P = X · P with X = Σ s² in P.
     fn contract(
         &mut self,
         terms: &[(Number, NodeId)],
@@ -206,8 +204,7 @@ impl ExprGraph {
     }
 }
 
-/// Quotient of the monomials `factors` and `divisor`, each a list of (base, twice the exponent); `None` unless
-/// `factors` contains all factors of the divisor.
+/// Quotient of monomials of (base, doubled exponent); `None` unless it divides.
 pub(super) fn divide(
     factors: &[(NodeId, i32)],
     divisor: &[(NodeId, i32)],
@@ -225,8 +222,7 @@ pub(super) fn divide(
     Some(quotient)
 }
 
-/// Product of two monomials, each a list of (base, twice the exponent), sorted by base. Factors with exponent 0 are not
-/// removed, since the result is only compared with other monomials.
+/// Product of monomials, sorted by base, for comparison with others.
 fn multiply(a: &[(NodeId, i32)], b: &[(NodeId, i32)]) -> Vec<(NodeId, i32)> {
     let mut product = a.to_vec();
     for &(base, exponent) in b {

@@ -26,11 +26,8 @@ pub fn definition(model: &Model, name: &str) -> Option<String> {
 
 /// LaTeX of the left-hand and right-hand side of the definition of the quantity `wanted`; `None` for an unknown name.
 pub(crate) fn sides(model: &Model, wanted: &str) -> Option<(String, String)> {
-    if let Some(quantity) = model
-        .aux_variables
-        .iter()
-        .find(|quantity| quantity.name == wanted)
-    {
+    let mut variables = model.aux_variables.iter();
+    if let Some(quantity) = variables.find(|quantity| quantity.name == wanted) {
         let left = name(&quantity.name, tree::style(&quantity.value));
         return Some((left, expression(model, &quantity.value)));
     }
@@ -55,8 +52,7 @@ pub(crate) fn sides(model: &Model, wanted: &str) -> Option<(String, String)> {
         .or_else(equation)
 }
 
-/// Right-hand side of an equation. If the right-hand side is only a reference to an auxiliary variable whose name
-/// begins with `der_`, the definition of that variable is returned instead.
+/// Right-hand side of an equation, that of its `der_…` variable if it only refers to one.
 fn stated<'a>(model: &'a Model, equation: &'a Equation) -> &'a Expr {
     match equation.value.kind {
         ExprKind::AuxVariable(k) if model.aux_variables[k].name.starts_with("der_") => {
@@ -66,8 +62,7 @@ fn stated<'a>(model: &'a Model, equation: &'a Equation) -> &'a Expr {
     }
 }
 
-/// LaTeX name of a force or moment: the bold letter `letter` (F or M) with the name `load` of the force or moment as
-/// subscript, as in `\mathbf{F}_{\mathrm{weight}}`.
+/// LaTeX name of a load, such as `\mathbf{F}_{\mathrm{weight}}`.
 pub(crate) fn load_name(letter: &str, load: &str) -> String {
     format!(r"\mathbf{{{letter}}}_{{{}}}", words(load))
 }

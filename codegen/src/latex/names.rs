@@ -43,8 +43,7 @@ pub(crate) fn name(name: &str, style: Style) -> String {
     }
 }
 
-/// LaTeX of the time derivative of a state: a dot above the symbol of the state, or two dots if the state is the rate
-/// of an angle, such as `thetadot`.
+/// LaTeX of a state derivative: a dot, or two above the angle of a rate such as `thetadot`.
 pub(crate) fn rate(state: &str) -> String {
     match state.strip_suffix("dot") {
         Some(angle) if is_letter(angle) => dotted(r"\ddot", angle),
@@ -70,8 +69,7 @@ fn is_letter(name: &str) -> bool {
     GREEK.contains(&name) || name.chars().count() == 1
 }
 
-/// Splits the name of a variable into the name of its base symbol and the LaTeX of its subscript, which may be empty:
-/// `v_x` into `v` and the subscript `x`.
+/// Splits a name into base symbol and LaTeX of its subscript: `v_x` into `v` and `x`.
 fn split(name: &str) -> (String, String) {
     let mut parts: Vec<&str> = name.split('_').filter(|part| !part.is_empty()).collect();
     let mut base = String::new();
@@ -106,8 +104,7 @@ fn is_word(base: &str) -> bool {
     base.chars().count() > 1 && !GREEK.contains(&base)
 }
 
-/// LaTeX of one of the comma-separated elements of a subscript. If `coefficient` (the base symbol is the `C` of an
-/// aerodynamic coefficient), an `a` after a capital letter stands for the angle of attack: `La` becomes `L\alpha`.
+/// LaTeX of an element of a subscript; of a `coefficient`, `La` becomes `L\alpha`.
 fn below(part: &str, coefficient: bool) -> String {
     if GREEK.contains(&part) {
         return format!(r"\{part}");

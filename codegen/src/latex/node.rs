@@ -26,9 +26,7 @@ pub(crate) fn piece(
             tree::table(name(table, Style::Scalar) + &primes, of(*x))
         }
         Node::Call(function, x) => tree::call(function.notation(), of(*x)),
-        Node::Atan2(y, x) => Piece::operator("atan2", &[of(*y), of(*x)]),
-        Node::Min(a, b) => Piece::function(r"\min", tree::pair(of(*a), of(*b))),
-        Node::Max(a, b) => Piece::function(r"\max", tree::pair(of(*a), of(*b))),
+        Node::Call2(function, a, b) => tree::call2(*function, of(*a), of(*b)),
         Node::IfZero(c, a, b) => {
             let case = format!("{} = 0", of(*c).text);
             Piece::cases(of(*b), of(*a), &case)
@@ -142,6 +140,7 @@ fn fraction(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::functions::BinaryFunction;
 
     #[test]
     fn nodes_have_the_parentheses_they_need() {
@@ -163,7 +162,10 @@ mod tests {
             ),
             (g.call(MathFunction::Sin, sum), r"\sin(a + b)"),
             (g.call(MathFunction::Abs, a), r"\left|a\right|"),
-            (g.atan2(a, sum), r"\operatorname{atan2}(a,\, a + b)"),
+            (
+                g.call2(BinaryFunction::Atan2, a, sum),
+                r"\operatorname{atan2}(a,\, a + b)",
+            ),
             (
                 g.if_zero(c, a, b),
                 r"\begin{cases} a & c = 0 \\ b & \text{otherwise} \end{cases}",

@@ -200,8 +200,7 @@ fn ends_upright(text: &str) -> bool {
     })
 }
 
-/// Text in parentheses; with `\left(` and `\right)`, which adapt to the height, if the text contains a fraction, a root
-/// or another tall element.
+/// Text in parentheses, which adapt to tall elements.
 pub(crate) fn parentheses(text: &str) -> String {
     let tall = [r"\frac", r"\begin", r"\sqrt", r"\left"];
     if tall.iter().any(|part| text.contains(part)) {
@@ -229,8 +228,7 @@ fn is_symbol(text: &str) -> bool {
     }
 }
 
-/// Splits the LaTeX text of a function call without parentheses into command and argument: `\sin\alpha` into `\sin` and
-/// `\alpha`. `None` if the text is not a single call of this form.
+/// Splits a call without parentheses: `\sin\alpha` into `\sin` and `\alpha`.
 fn split_function(text: &str) -> Option<(&str, &str)> {
     commands_with_exponent().find_map(|command| {
         let argument = text.strip_prefix(command)?;

@@ -2,7 +2,7 @@
 
 use super::names::{Style, name};
 use super::piece::{Bind, Piece};
-use crate::functions::{FunctionLowering, Notation};
+use crate::functions::{BinaryFunction, FunctionLowering, Notation};
 use model_spec::model::{Expr, ExprKind, Function, Model, Shape};
 
 /// LaTeX of an expression. Changes of frame are not written, since they do not change the vector.
@@ -78,9 +78,9 @@ pub(super) fn piece(model: &Model, expr: &Expr) -> Piece {
             table(of_table, of(x))
         }
         E::Call(function, x) => call(FunctionLowering::of(*function).notation(), of(x)),
-        E::Atan2(y, x) => Piece::operator("atan2", &[of(y), of(x)]),
-        E::Min(a, b) => Piece::function(r"\min", pair(of(a), of(b))),
-        E::Max(a, b) => Piece::function(r"\max", pair(of(a), of(b))),
+        E::Atan2(y, x) => call2(BinaryFunction::Atan2, of(y), of(x)),
+        E::Min(a, b) => call2(BinaryFunction::Min, of(a), of(b)),
+        E::Max(a, b) => call2(BinaryFunction::Max, of(a), of(b)),
     }
 }
 
@@ -92,16 +92,23 @@ pub(super) fn style(expr: &Expr) -> Style {
     }
 }
 
-/// LaTeX of the unit vector along coordinate axis `k` (1 to 3) of a frame: the name of the frame in lower case, with
-/// the subscript `k`.
+/// LaTeX of the unit vector along axis `k` of a frame: its name in lower case.
 fn axis(model: &Model, frame: usize, k: u8) -> Piece {
     let frame = model.frames[frame].name.to_lowercase();
     Piece::atom(format!("{}_{k}", name(&frame, Style::Vector)))
 }
 
-/// LaTeX of two arguments, separated by a comma.
-pub(super) fn pair(a: Piece, b: Piece) -> Piece {
-    Piece::new(format!(r"{},\, {}", a.text, b.text), Bind::Sum)
+/// Function of two arguments.
+pub(super) fn call2(function: BinaryFunction, a: Piece, b: Piece) -> Piece {
+    let command = match function {
+        BinaryFunction::Atan2 => return Piece::operator("atan2", &[a, b]),
+        BinaryFunction::Min => r"\min",
+        BinaryFunction::Max => r"\max",
+    };
+    Piece::function(
+        command,
+        Piece::new(format!(r"{},\, {}", a.text, b.text), Bind::Sum),
+    )
 }
 
 /// LaTeX of the lookup of `x` in the table whose LaTeX name is `name`.

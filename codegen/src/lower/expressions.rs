@@ -2,10 +2,11 @@
 
 use super::frames::{self, Vector};
 use super::{Lowering, Value};
-use crate::functions::{FunctionLowering, MathFunction};
-use crate::graph::{NodeId, Symbol};
+use crate::functions::{BinaryFunction, FunctionLowering, MathFunction};
+use crate::graph::{ExprGraph, NodeId, Symbol};
 use crate::number::Number;
-use model_spec::model::{Expr, ExprKind, Function as Named, Shape};
+use model_spec::layout::ParamId;
+use model_spec::model::{Body, Expr, ExprKind, Function as Named, Shape};
 
 impl Lowering<'_> {
     pub(crate) fn scalar(&mut self, expr: &Expr) -> NodeId {
@@ -23,6 +24,10 @@ impl Lowering<'_> {
         }
     }
 
+    fn parameter(&mut self, at: ParamId) -> NodeId {
+        self.graph.symbol(Symbol::Parameter(at.index() as u32))
+    }
+
     fn symbol(&mut self, symbol: Symbol) -> Value {
         Value::Scalar(self.graph.symbol(symbol))
     }
@@ -35,30 +40,17 @@ impl Lowering<'_> {
             }
             E::Pi => self.symbol(Symbol::Pi),
             E::Time => self.symbol(Symbol::Time),
-            E::Param(k) => {
-                let at = self.layout.param(*k);
-                self.symbol(Symbol::Parameter(at.index() as u32))
-            }
-            E::Coefficient(k) => {
-                let at = self.layout.coefficient(*k);
-                self.symbol(Symbol::Parameter(at.index() as u32))
-            }
-            E::Input(k) => {
-                let at = self.layout.input(*k);
-                Value::Vector(at.map(|at| self.graph.symbol(Symbol::Parameter(at.index() as u32))))
-            }
+            E::Param(k) => Value::Scalar(self.parameter(self.layout.param(*k))),
+            E::Coefficient(k) => Value::Scalar(self.parameter(self.layout.coefficient(*k))),
+            E::Input(k) => Value::Vector(self.layout.input(*k).map(|at| self.parameter(at))),
             E::State(k) => self.symbol(Symbol::State(*k as u32)),
             E::AuxVariable(k) => self.lets[*k],
             E::Axis(frame, axis) => {
                 let unit = frames::axis(&mut self.graph, *axis);
                 Value::Vector(self.in_frame(unit, *frame, expr.shape))
             }
-            E::Position => {
-                Value::Vector(self.states(self.model.body.as_ref().map(|body| body.position)))
-            }
-            E::Velocity => {
-                Value::Vector(self.states(self.model.body.as_ref().map(|body| body.velocity)))
-            }
+            E::Position => Value::Vector(self.states(|body| body.position)),
+            E::Velocity => Value::Vector(self.states(|body| body.velocity)),
             E::AngularVelocity => Value::Vector(self.spin()),
             E::SpecificForce => Value::Vector(self.specific_force()),
             E::AngularAcceleration => Value::Vector(self.angular_acceleration()),
@@ -67,22 +59,9 @@ impl Lowering<'_> {
                 let components = [&parts[0], &parts[1], &parts[2]].map(|part| self.scalar(part));
                 Value::Vector(components)
             }
-            E::Neg(a) => match self.evaluate(a) {
-                Value::Scalar(a) => Value::Scalar(self.graph.neg(a)),
-                Value::Vector(a) => Value::Vector(a.map(|component| self.graph.neg(component))),
-            },
-            E::Add(a, b) => match (self.evaluate(a), self.evaluate(b)) {
-                (Value::Vector(a), Value::Vector(b)) => {
-                    Value::Vector(frames::add(&mut self.graph, a, b))
-                }
-                (a, b) => Value::Scalar(self.graph.add(first(a), first(b))),
-            },
-            E::Sub(a, b) => match (self.evaluate(a), self.evaluate(b)) {
-                (Value::Vector(a), Value::Vector(b)) => {
-                    Value::Vector(frames::sub(&mut self.graph, a, b))
-                }
-                (a, b) => Value::Scalar(self.graph.sub(first(a), first(b))),
-            },
+            E::Neg(a) => self.evaluate(a).map(|component| self.graph.neg(component)),
+            E::Add(a, b) => self.termwise(a, b, ExprGraph::add),
+            E::Sub(a, b) => self.termwise(a, b, ExprGraph::sub),
             E::Mul(a, b) => match (self.evaluate(a), self.evaluate(b)) {
                 (Value::Vector(v), Value::Scalar(s)) | (Value::Scalar(s), Value::Vector(v)) => {
                     Value::Vector(frames::scale(&mut self.graph, s, v))
@@ -93,12 +72,7 @@ impl Lowering<'_> {
                 let (a, b) = (self.evaluate(a), self.scalar(b));
                 // the model checker has verified that the divisor is nonzero
                 self.graph.assume_nonzero(b);
-                match a {
-                    Value::Vector(v) => {
-                        Value::Vector(v.map(|component| self.graph.over(component, b)))
-                    }
-                    Value::Scalar(a) => Value::Scalar(self.graph.over(a, b)),
-                }
+                a.map(|component| self.graph.over(component, b))
             }
             E::Ratio(parts) => {
                 let [a, b, otherwise] =
@@ -155,19 +129,29 @@ impl Lowering<'_> {
                 let x = self.scalar(x);
                 Value::Scalar(self.named(*function, x))
             }
-            E::Atan2(y, x) => {
-                let (y, x) = (self.scalar(y), self.scalar(x));
-                Value::Scalar(self.graph.atan2(y, x))
-            }
-            E::Min(a, b) => {
-                let (a, b) = (self.scalar(a), self.scalar(b));
-                Value::Scalar(self.graph.min(a, b))
-            }
-            E::Max(a, b) => {
-                let (a, b) = (self.scalar(a), self.scalar(b));
-                Value::Scalar(self.graph.max(a, b))
-            }
+            E::Atan2(y, x) => self.call2(BinaryFunction::Atan2, y, x),
+            E::Min(a, b) => self.call2(BinaryFunction::Min, a, b),
+            E::Max(a, b) => self.call2(BinaryFunction::Max, a, b),
         }
+    }
+
+    fn termwise(
+        &mut self,
+        a: &Expr,
+        b: &Expr,
+        operation: fn(&mut ExprGraph, NodeId, NodeId) -> NodeId,
+    ) -> Value {
+        match (self.evaluate(a), self.evaluate(b)) {
+            (Value::Vector(a), Value::Vector(b)) => {
+                Value::Vector([0, 1, 2].map(|k| operation(&mut self.graph, a[k], b[k])))
+            }
+            (a, b) => Value::Scalar(operation(&mut self.graph, first(a), first(b))),
+        }
+    }
+
+    fn call2(&mut self, function: BinaryFunction, a: &Expr, b: &Expr) -> Value {
+        let (a, b) = (self.scalar(a), self.scalar(b));
+        Value::Scalar(self.graph.call2(function, a, b))
     }
 
     fn in_frame(&mut self, vector: Vector, from: usize, shape: Shape) -> Vector {
@@ -177,15 +161,14 @@ impl Lowering<'_> {
         }
     }
 
-    fn states(&mut self, states: Option<[usize; 3]>) -> Vector {
-        match states {
-            Some(states) => states.map(|state| self.graph.symbol(Symbol::State(state as u32))),
+    fn states(&mut self, states: fn(&Body) -> [usize; 3]) -> Vector {
+        match &self.model.body {
+            Some(body) => states(body).map(|state| self.graph.symbol(Symbol::State(state as u32))),
             None => frames::zero(&mut self.graph),
         }
     }
 
-    /// Angular velocity of the body relative to the inertial frame, rad/s; components in the frame
-    /// `Rotation::angular_velocity_frame`. Zero if the model has no rotating body.
+    /// Angular velocity of the body, rad/s, in `Rotation::angular_velocity_frame`.
     pub(crate) fn spin(&mut self) -> Vector {
         let model = self.model;
         match model.body.as_ref().and_then(|body| body.rotation.as_ref()) {
@@ -216,7 +199,7 @@ impl Lowering<'_> {
             }
             FunctionLowering::Atan => {
                 let one = graph.whole(1);
-                graph.atan2(x, one)
+                graph.call2(BinaryFunction::Atan2, x, one)
             }
         }
     }

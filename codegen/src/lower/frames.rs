@@ -20,9 +20,10 @@ pub fn sub(graph: &mut ExprGraph, a: Vector, b: Vector) -> Vector {
 
 /// Vector `a` multiplied by the scalar `s`.
 pub fn scale(graph: &mut ExprGraph, s: NodeId, a: Vector) -> Vector {
-    match graph.is_one(s) {
-        true => a,
-        false => a.map(|component| graph.mul(s, component)),
+    if graph.is_one(s) {
+        a
+    } else {
+        a.map(|component| graph.mul(s, component))
     }
 }
 
@@ -51,19 +52,11 @@ pub fn axis(graph: &mut ExprGraph, axis: u8) -> Vector {
     [1, 2, 3].map(|k| graph.whole(i64::from(k == axis)))
 }
 
-/// Index of the parent frame, relative to which the rotation of `frame` is defined; `None` for the inertial frame.
-pub fn parent(model: &Model, frame: usize) -> Option<usize> {
-    match model.frames[frame].kind {
-        FrameKind::Inertial => None,
-        FrameKind::Turned { parent, .. } | FrameKind::Quaternion { parent, .. } => Some(parent),
-    }
-}
-
 /// Indices of the frames from the inertial frame down to `frame`, both included.
 pub fn path(model: &Model, frame: usize) -> Vec<usize> {
     let mut path = vec![frame];
     let mut at = frame;
-    while let Some(above) = parent(model, at) {
+    while let Some(above) = model.frames[at].kind.parent() {
         path.push(above);
         at = above;
     }
@@ -128,8 +121,7 @@ pub fn turn(graph: &mut ExprGraph, model: &Model, v: Vector, frame: usize, up: b
     }
 }
 
-/// Rotation matrix, by row, of a unit quaternion; it transforms components from the rotated frame to its parent.
-/// `states` contains the state indices of the components of the quaternion, scalar first.
+/// Rotation matrix, by row, of a unit quaternion, to the parent frame.
 fn quaternion_matrix(graph: &mut ExprGraph, states: [usize; 4]) -> [Vector; 3] {
     let q = states.map(|state| graph.symbol(Symbol::State(state as u32)));
     let two = Number::whole(2);
@@ -207,9 +199,7 @@ pub fn angular_velocity(graph: &mut ExprGraph, model: &Model, of: usize, within:
     }
 }
 
-/// Angular velocity, rad/s, of a frame relative to its parent, with components in frame `within`: the rotation rate,
-/// which is a state, times the unit vector along the axis of rotation. Zero if the rotation rate of the frame is not a
-/// state of the model.
+/// Angular velocity, rad/s, of a frame relative to its parent, in `within`; zero if its rate is no state.
 fn turning(graph: &mut ExprGraph, model: &Model, frame: usize, within: usize) -> Vector {
     match model.frames[frame].kind {
         FrameKind::Turned {

@@ -10,23 +10,19 @@ use model_spec::model::{FrameKind, Model, Rotation};
 /// Symmetric 3×3 matrix of nodes, by row.
 type Matrix = [Vector; 3];
 
-/// Inertia tensor transformed from the frame in which it is constant, `Rotation::inertia_frame`, to the frame of the
-/// components of the angular velocity, `Rotation::angular_velocity_frame`.
+/// Inertia tensor in the frame of the angular velocity.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Turned {
     /// Complete inertia tensor, kg m², in the frame of the components of the angular velocity.
     pub whole: Matrix,
-    /// Part of the inertia tensor, kg m², that is not symmetric about the rotation axis between the two frames, and
-    /// therefore varies in the frame of the components of the angular velocity; components in the latter frame.
+    /// Part, kg m², that is not symmetric about the axis between the frames, and varies.
     rest: Matrix,
-    /// Angular velocity, rad/s, of the frame in which the inertia tensor is constant, relative to the frame in whose
-    /// components the body's angular velocity is stated; components in the latter frame.
+    /// Angular velocity, rad/s, of the inertia frame relative to that of the angular velocity.
     relative: Vector,
 }
 
 impl Lowering<'_> {
-    /// Transforms the inertia tensor `given`, kg m², from the frame in which it is constant to the frame of the
-    /// components of the angular velocity.
+    /// Transforms the inertia tensor, kg m², to the frame of the angular velocity.
     pub(super) fn turned_inertia(&mut self, rotation: &Rotation, given: Matrix) -> Turned {
         let model = self.model;
         let (from, to) = (rotation.inertia_frame, rotation.angular_velocity_frame);
@@ -64,8 +60,7 @@ impl Lowering<'_> {
     }
 }
 
-/// Index (0 to 2) of the coordinate axis of the rotation between two frames; `None` unless one of the frames is the
-/// parent of the other and is related to it by a single rotation about a coordinate axis.
+/// Axis (0 to 2) of the single rotation between a frame and its parent; `None` for others.
 fn axis_between(model: &Model, a: usize, b: usize) -> Option<usize> {
     let turn = |child: usize, of: usize| match model.frames[child].kind {
         FrameKind::Turned { parent, axis, .. } if parent == of => Some(usize::from(axis) - 1),

@@ -22,8 +22,7 @@ pub struct Provenance {
     pub name: String,
     /// Source span of the declaration in the model text.
     pub span: Span,
-    /// Name of the source text that contains the declaration: the model file, or an effect (named modification) that is
-    /// applied to the model.
+    /// Name of the source text: the model file or an applied effect.
     pub source: String,
     /// Line number in the source, from 1.
     pub line: usize,
@@ -40,14 +39,11 @@ pub struct Lowered {
     pub layout: Layout,
     /// Time derivatives of the states, in the order of `Layout::states`.
     pub dx: Vec<NodeId>,
-    /// Marker position that the measurement equation observes, m, in the inertial frame; `None` if the model has no
-    /// measurement equation.
+    /// Observed position, m, in the inertial frame.
     pub observation: Option<Vector>,
-    /// Name and node of each component of the auxiliary variables, in order of declaration; auxiliary variables that
-    /// depend on the marker, the specific force or the angular acceleration are omitted.
+    /// Name and node of each of [`Layout::quantities`].
     pub quantities: Vec<(String, NodeId)>,
-    /// Left-hand sides of the limits of validity, in order of declaration; the model is valid while each exceeds its
-    /// bound.
+    /// Left-hand sides of the limits of validity, in order.
     pub limits: Vec<NodeId>,
     /// Names and source locations of the named nodes, in the order in which the names were first assigned.
     pub provenance: Vec<Provenance>,
@@ -62,22 +58,29 @@ pub(crate) enum Value {
     Vector(Vector),
 }
 
+impl Value {
+    pub(crate) fn map(self, mut change: impl FnMut(NodeId) -> NodeId) -> Value {
+        match self {
+            Value::Scalar(node) => Value::Scalar(change(node)),
+            Value::Vector(vector) => Value::Vector(vector.map(change)),
+        }
+    }
+}
+
 pub(crate) struct Lowering<'a> {
     pub(crate) model: &'a Model,
     pub(crate) graph: ExprGraph,
     pub(crate) layout: Layout,
     pub(crate) lets: Vec<Value>,
-    /// Two vectors with components in the frame `Rotation::angular_velocity_frame`: the time derivatives, rad/s², of
-    /// the components of the body's angular velocity, and the angular velocity, rad/s, of the frame itself relative to
-    /// the inertial frame. `None` until the rotational equations are lowered.
+    /// In `Rotation::angular_velocity_frame`, once lowered: rates of the components of the angular velocity, rad/s²,
+    /// and the angular velocity of the frame, rad/s.
     pub(crate) component_rates: Option<(Vector, Vector)>,
     pub(crate) provenance: Vec<Provenance>,
     /// Names of the nodes whose source location is already in `provenance`.
     pub(crate) recorded: HashSet<String>,
 }
 
-/// Lowers a model: returns its equations of motion, observation, limits of validity and auxiliary variables as scalar
-/// nodes.
+/// Lowers a model to scalar nodes.
 pub fn lower(model: &Model) -> Lowered {
     let layout = Layout::new(model);
     let mut lowering = Lowering {
@@ -93,10 +96,11 @@ pub fn lower(model: &Model) -> Lowered {
     lowering.assumptions();
     let of_motion = crate::layout::depends_on_accelerations(model);
     for (quantity, of_motion) in model.aux_variables.iter().zip(&of_motion) {
-        let value = match of_motion {
+        let value = if *of_motion {
             // Overwritten once the equations of motion are lowered.
-            true => Value::Scalar(lowering.graph.whole(0)),
-            false => lowering.evaluate(&quantity.value),
+            Value::Scalar(lowering.graph.whole(0))
+        } else {
+            lowering.evaluate(&quantity.value)
         };
         lowering.lets.push(value);
     }
@@ -104,18 +108,10 @@ pub fn lower(model: &Model) -> Lowered {
     let names = lowering.layout.quantities.clone();
     let mut next = names.iter();
     let of_marker = crate::layout::is_of_observation(model);
-    for ((quantity, value), of_marker) in model
-        .aux_variables
-        .iter()
-        .zip(lowering.lets.clone())
-        .zip(of_marker)
-    {
-        // the compiled function `quantities` has no marker argument
-        if of_marker {
-            continue;
-        }
-        let nodes = nodes(value);
-        for node in nodes {
+    let values = model.aux_variables.iter().zip(lowering.lets.clone());
+    // The compiled function `quantities` has no marker argument.
+    for ((quantity, value), _) in values.zip(of_marker).filter(|(_, of_marker)| !of_marker) {
+        for node in nodes(value) {
             if let Some(name) = next.next() {
                 lowering.record(node, name, quantity.span);
                 quantities.push((name.clone(), node));
@@ -130,19 +126,13 @@ pub fn lower(model: &Model) -> Lowered {
     let observation = model.observation.as_ref().map(|observation| {
         let vector = lowering.vector(&observation.value);
         for (k, &component) in vector.iter().enumerate() {
-            lowering.record(
-                component,
-                &format!("{}_{}", observation.name, ["x", "y", "z"][k]),
-                observation.span,
-            );
+            let name = format!("{}_{}", observation.name, ["x", "y", "z"][k]);
+            lowering.record(component, &name, observation.span);
         }
         vector
     });
-    let limits = model
-        .limits
-        .iter()
-        .map(|limit| lowering.scalar(&limit.value))
-        .collect();
+    let limits = model.limits.iter();
+    let limits = limits.map(|limit| lowering.scalar(&limit.value)).collect();
     let lets = lowering.lets.iter().map(|&value| nodes(value)).collect();
     let Lowering {
         graph,
@@ -163,10 +153,7 @@ pub fn lower(model: &Model) -> Lowered {
 }
 
 impl Lowered {
-    /// Returns the nodes of all outputs: state derivatives, limits of validity, observed marker position and auxiliary
-    /// variables. Nodes may occur twice, because two fields contain auxiliary variables:
-    /// [`quantities`](Lowered::quantities) and [`lets`](Lowered::lets). The method changes nothing, but
-    /// needs `&mut self` because it visits the nodes by [`Lowered::replace_nodes`].
+    /// Nodes of all outputs, some twice; changes nothing, but shares [`Lowered::replace_nodes`].
     pub(crate) fn nodes(&mut self) -> Vec<NodeId> {
         let mut nodes = Vec::new();
         self.replace_nodes(|node| {
@@ -196,8 +183,7 @@ fn nodes(value: Value) -> Vec<NodeId> {
 }
 
 impl Lowering<'_> {
-    /// Creates the nodes of states and parameters before all other nodes. The terms of sums are sorted by node index,
-    /// and thereby follow the order of states and parameters in [`Layout`].
+    /// Creates the leaves first: sums are sorted by node index, and so follow [`Layout`].
     fn leaves(&mut self) {
         for k in 0..self.layout.states.len() {
             self.graph.symbol(Symbol::State(k as u32));
@@ -207,9 +193,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// Marks expressions as nonzero, so that division by them needs no guard: the mass of the body, and every
-    /// expression that a limit of validity requires to exceed a bound of at least 0. Expressions that use auxiliary
-    /// variables are not marked.
+    /// Marks the mass, and what limits keep above 0, as nonzero, unless they use auxiliary variables.
     fn assumptions(&mut self) {
         let model = self.model;
         for limit in &model.limits {

@@ -8,9 +8,7 @@ use crate::number::Number;
 use model_spec::model::{Body, FrameKind, Load, Rotation, Shape};
 
 impl Lowering<'_> {
-    /// Time derivatives of all states, one node per state, in state order. In a model with a `clock` statement (true
-    /// seconds per recorded second), they are derivatives with respect to recorded time (the time stamps of the
-    /// measurements, which may run at another rate than true time).
+    /// Derivatives of all states with respect to recorded time.
     pub(crate) fn motion(&mut self) -> Vec<NodeId> {
         let model = self.model;
         let zero = self.graph.whole(0);
@@ -34,23 +32,16 @@ impl Lowering<'_> {
             }
         }
         for (k, &node) in dx.iter().enumerate() {
-            let (name, span) = (
-                format!("{}_dot", model.states[k].name),
-                model.states[k].span,
-            );
-            let span = model
-                .equations
-                .iter()
-                .find(|e| e.state == k)
-                .map_or(span, |e| e.span);
-            self.record(node, &name, span);
+            let state = &model.states[k];
+            let equation = model.equations.iter().find(|e| e.state == k);
+            let span = equation.map_or(state.span, |e| e.span);
+            self.record(node, &format!("{}_dot", state.name), span);
         }
         dx
     }
 
-    /// Lowers the translational equations: `der(x) = v` in the inertial frame, and `m (der(v) + ω × v) = Σ F` in the
-    /// frame of the velocity components (`Body::velocity_frame`), where ω is the angular velocity of that frame. Writes
-    /// the derivatives of position and velocity to `dx`.
+    /// Lowers `der(x) = v` in the inertial frame, and `m (der(v) + ω × v) = Σ F` in the rotating
+    /// `Body::velocity_frame`.
     fn newton(&mut self, body: &Body, dx: &mut [NodeId]) {
         let model = self.model;
         let velocity = body
@@ -63,22 +54,17 @@ impl Lowering<'_> {
         let mass = self.scalar(&body.mass);
         self.graph.assume_nonzero(mass);
         let lightness = self.graph.power(mass, -2);
-        let spin = frames::angular_velocity(
-            &mut self.graph,
-            model,
-            body.velocity_frame,
-            body.velocity_frame,
-        );
+        let frame = body.velocity_frame;
+        let spin = frames::angular_velocity(&mut self.graph, model, frame, frame);
         let carried = frames::cross(&mut self.graph, spin, velocity);
-        let force = self.loads(model.forces.iter(), "force", body.velocity_frame);
+        let force = self.loads(model.forces.iter(), "force", frame);
         for k in 0..3 {
             let pushed = self.graph.distribute(force[k], lightness);
             dx[body.velocity[k]] = self.graph.sub(pushed, carried[k]);
         }
     }
 
-    /// Specific force: sum of all forces except the weight, divided by the mass, m/s²; components in the frame in which
-    /// the model declares the velocity components (`Body::velocity_frame`). Zero if the model has no body.
+    /// Specific force, m/s², in `Body::velocity_frame`; zero without a body.
     pub(crate) fn specific_force(&mut self) -> Vector {
         let model = self.model;
         let Some(body) = &model.body else {
@@ -91,9 +77,7 @@ impl Lowering<'_> {
         force.map(|component| self.graph.distribute(component, lightness))
     }
 
-    /// Derivative of the angular velocity with respect to time in the inertial frame, rad/s²; components in
-    /// `Rotation::angular_velocity_frame`, the frame of the components of the angular velocity. Zero if no rotational
-    /// equations have been lowered.
+    /// Inertial derivative of the angular velocity, rad/s², in `Rotation::angular_velocity_frame`.
     pub(crate) fn angular_acceleration(&mut self) -> Vector {
         let Some((rates, turning)) = self.component_rates else {
             return frames::zero(&mut self.graph);
@@ -118,11 +102,8 @@ impl Lowering<'_> {
             };
             let vector = frames::reexpress(&mut self.graph, self.model, vector, from, frame);
             for (k, &component) in vector.iter().enumerate() {
-                self.record(
-                    component,
-                    &format!("{kind}_{}_{}", load.name, k + 1),
-                    load.span,
-                );
+                let name = format!("{kind}_{}_{}", load.name, k + 1);
+                self.record(component, &name, load.span);
             }
             total = frames::add(&mut self.graph, total, vector);
         }
@@ -214,9 +195,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// Solves for the second derivatives of the rotation angles, rad/s², and writes them to `dx`. `spin` contains the
-    /// components of the body's angular velocity in `Rotation::angular_velocity_frame`, and `acceleration` the time
-    /// derivatives of these components.
+    /// Solves for the second derivatives of the angles, rad/s², from the angular velocity and the rates of its
+    /// components.
     fn rates(
         &mut self,
         rotation: &Rotation,

@@ -6,11 +6,9 @@ use crate::number::Number;
 /// Inverse of a 3×3 matrix of nodes, by cofactors; the determinant is assumed nonzero.
 pub fn inverse(graph: &mut ExprGraph, m: [[NodeId; 3]; 3]) -> [[NodeId; 3]; 3] {
     let mut cofactor = |i: usize, j: usize| {
-        let (r, c) = ([(1, 2), (2, 0), (0, 1)][i], [(1, 2), (2, 0), (0, 1)][j]);
-        let (first, second) = (
-            graph.mul(m[r.0][c.0], m[r.1][c.1]),
-            graph.mul(m[r.0][c.1], m[r.1][c.0]),
-        );
+        let [r, s] = [(i + 1) % 3, (i + 2) % 3];
+        let [c, d] = [(j + 1) % 3, (j + 2) % 3];
+        let (first, second) = (graph.mul(m[r][c], m[s][d]), graph.mul(m[r][d], m[s][c]));
         graph.sub(first, second)
     };
     let cofactors = [0, 1, 2].map(|i| [0, 1, 2].map(|j| cofactor(i, j)));
@@ -36,8 +34,7 @@ fn determinant_has(graph: &ExprGraph, determinant: NodeId, entry: NodeId) -> boo
     }
 }
 
-/// Solves `matrix · unknowns = right` symbolically: first the rows with a single unknown, then the remaining system by
-/// Cramer's rule. `None` if the rows do not determine all unknowns.
+/// Solves a system: rows with a single unknown, then Cramer's rule; `None` if it is singular.
 pub fn solve(
     graph: &mut ExprGraph,
     matrix: Vec<Vec<NodeId>>,
@@ -98,23 +95,10 @@ fn determinant(graph: &mut ExprGraph, m: &[Vec<NodeId>]) -> NodeId {
     }
     let terms = (0..m.len())
         .map(|k| {
-            let minor: Vec<Vec<NodeId>> = m[1..]
-                .iter()
-                .map(|row| {
-                    row.iter()
-                        .enumerate()
-                        .filter(|&(c, _)| c != k)
-                        .map(|(_, &e)| e)
-                        .collect()
-                })
-                .collect();
+            let without = |row: &Vec<NodeId>| [&row[..k], &row[k + 1..]].concat();
+            let minor: Vec<Vec<NodeId>> = m[1..].iter().map(without).collect();
             let inner = determinant(graph, &minor);
-            let sign = if k % 2 == 0 {
-                Number::ONE
-            } else {
-                Number::MINUS_ONE
-            };
-            (sign, graph.distribute(inner, m[0][k]))
+            (Number::sign(k % 2 == 1), graph.distribute(inner, m[0][k]))
         })
         .collect();
     graph.sum(terms, Number::ZERO)

@@ -27,8 +27,7 @@ pub(super) const NAMES: [&str; 16] = [
     "SOURCE_HASH",
 ];
 
-/// Tokens of the Rust constants that describe a model (names, counts, default values, sparsity patterns, …), each with
-/// documentation and the attributes `attributes`.
+/// Tokens of the constants that describe a model, with documentation.
 pub(super) fn items(model: &Model, compiled: &Compiled, attributes: &TokenStream) -> TokenStream {
     let layout = &compiled.layout;
     let bounds: Vec<f64> = model.limits.iter().map(|limit| limit.bound).collect();

@@ -24,8 +24,7 @@ pub(crate) fn file(compiled: &Compiled, function: &Function) -> String {
     print::file(&[HEADER], quote!(#title #tables use lanes::Real; #item))
 }
 
-/// Tokens of the Rust function that is generated for `function`, with its documentation and the attributes
-/// `attributes`.
+/// Tokens of a generated function, with documentation.
 pub(super) fn item(
     compiled: &Compiled,
     function: &Function,
@@ -62,10 +61,8 @@ fn arguments(body: &Body<'_>, scalar: Scalar) -> Vec<TokenStream> {
     let kind = scalar.kind();
     let signature = signature::of(body.function);
     let inputs = signature.inputs.iter().map(|&input| {
-        let name = match body.reads(input) {
-            true => format_ident!("{}", input.name()),
-            false => format_ident!("_{}", input.name()),
-        };
+        let unused = if body.reads(input) { "" } else { "_" };
+        let name = format_ident!("{unused}{}", input.name());
         match signature::input_len(body.compiled, input) {
             None => quote!(#name: #kind),
             Some(len) => {

@@ -1,5 +1,4 @@
-//! Helper functions of generated `f64` code: functions that `f64` lacks, or that need defined values at singular
-//! points.
+//! Helper functions of generated `f64` code, with defined values at singular points.
 
 use super::table_names;
 use proc_macro2::{TokenStream, TokenTree};
@@ -21,8 +20,7 @@ const HELPERS: [(&str, &str); 11] = [
     (table_names::METHOD, table_names::METHOD),
 ];
 
-/// Name of the `f64` helper function that replaces a method of `lanes::Real` in generated code; `None` if `f64` has a
-/// method of equal name and meaning.
+/// Name of the helper function that replaces a method of `lanes::Real`.
 pub(super) fn for_method(method: &str) -> Option<&'static str> {
     let found = HELPERS.iter().find(|(known, _)| *known == method);
     found.map(|(_, helper)| *helper)
@@ -33,8 +31,7 @@ pub(super) fn is_helper(name: &str) -> bool {
     HELPERS.iter().any(|(_, helper)| *helper == name)
 }
 
-/// Tokens that define those `f64` helper functions (replacements of methods of `lanes::Real`) whose names occur in
-/// `tokens`.
+/// Tokens that define those `f64` helper functions whose names occur in `tokens`.
 pub(super) fn used_in(tokens: &TokenStream) -> TokenStream {
     let mut used = BTreeSet::new();
     collect(tokens.clone(), &mut used);

@@ -1,5 +1,4 @@
-//! Source files of the crate `generated`, in which each model is a module, a value of type `Model`, and a type that
-//! implements the trait `Equations`.
+//! Source files of the crate `generated`: each model is a module, a `Model`, and a type with `Equations`.
 
 use super::constants;
 use super::function::HEADER;
@@ -53,8 +52,7 @@ fn documentation(compiled: &Compiled, model: &Model) -> String {
     text
 }
 
-/// Tokens that declare the type of a model, which implements the generated trait `Equations`, and the static `MODEL`, a
-/// value of the generated type `Model`.
+/// Tokens of the type of a model with its `Equations`, and of its `MODEL`.
 fn equations(compiled: &Compiled) -> TokenStream {
     let kind = type_ident(&compiled.name);
     let methods = FUNCTIONS.iter().map(|function| {
@@ -147,8 +145,7 @@ impl Signature {
         quote!(fn(#(#inputs,)* #(#outputs),*))
     }
 
-    /// Tokens of a generated function on `f64` slices that runs the model function with the instruction set that the
-    /// processor supports, selected at run time.
+    /// Tokens of a function on `f64` that dispatches by instruction set.
     fn dispatched(&self) -> TokenStream {
         let name = format_ident!("{}", self.name);
         let call = format_ident!("{}Call", type_ident(self.name));
@@ -197,8 +194,7 @@ impl Signature {
     }
 }
 
-/// Generates the files in `src` that list all models or functions: `lib.rs`, `model.rs`, `scalar.rs`; `names` are the
-/// names of the models.
+/// Files that list all models or functions: `lib.rs`, `model.rs`, `scalar.rs`.
 pub fn library(names: &[String]) -> Vec<SourceFile> {
     let text = [
         ("lib.rs", root(names)),
@@ -354,9 +350,7 @@ fn model(names: &[String]) -> String {
     )
 }
 
-/// Text of `scalar.rs`. For each model function, such as `f_jac`, the file contains a function on `f64` slices that is
-/// generic over the model. The function runs with the instruction set that the processor supports, selected at run
-/// time.
+/// Text of `scalar.rs`: each model function on `f64`, dispatched by instruction set.
 fn scalar() -> String {
     let head = inner_doc(
         "The functions for `f64`, compiled for each instruction set that [`lanes::dispatch_scalar`] selects from.",

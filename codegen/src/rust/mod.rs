@@ -29,13 +29,11 @@ use crate::compile::Compiled;
 use model_spec::model::Model;
 use scalar::Scalar;
 
-/// Backend that generates, for each model, one module of functions on `f64`. The generated code has no dependencies and
-/// no `unsafe`.
+/// Backend of one module per model, on `f64`, without dependencies.
 #[derive(Clone, Copy, Debug)]
 pub struct PlainRust;
 
-/// Backend that generates, for each model, one module of functions that are generic over [`lanes::Real`], so that they
-/// run on `f64` or on SIMD vectors.
+/// Backend of one module per model, generic over [`lanes::Real`].
 #[derive(Clone, Copy, Debug)]
 pub struct LanesRust;
 
@@ -67,8 +65,7 @@ impl Backend for LanesRust {
     }
 }
 
-/// Generates the source files of one model in the crate `generated`, with paths relative to its `src`: `disc/mod.rs`,
-/// `disc/f.rs`, …
+/// Source files of one model in the crate `generated`: `disc/mod.rs`, `disc/f.rs`, …
 pub fn emit(compiled: &Compiled, model: &Model) -> Vec<SourceFile> {
     let folder = names::file_stem(&compiled.name);
     let mut files = vec![SourceFile {
@@ -88,8 +85,7 @@ pub fn emit(compiled: &Compiled, model: &Model) -> Vec<SourceFile> {
     files
 }
 
-/// Hash (64-bit FNV-1a) of all source texts of a model. Generated code stores the hash of the model from which it was
-/// generated.
+/// Hash (64-bit FNV-1a) of all source texts of a model.
 pub fn source_hash(model: &Model) -> u64 {
     let texts = model.sources.iter();
     let bytes = texts.flat_map(|source| source.text.bytes().chain([0xff]));

@@ -4,9 +4,8 @@ use super::ident::ident;
 use super::{constants, helpers, signature, table_names};
 use proc_macro2::Ident;
 
-/// Whether a name cannot be a local variable of a generated function, because it is not a Rust identifier, or because
-/// it is the name of an argument or of another item in scope. A `let` with the name of a constant would be a pattern
-/// that matches the constant; one with the name of a function would shadow the function.
+/// Whether a name cannot be a local variable: no identifier, or that of an argument or item, which a `let` would match
+/// or shadow.
 pub(super) fn is_reserved(name: &str) -> bool {
     syn::parse_str::<Ident>(name).is_err()
         || signature::is_argument(name)
@@ -23,9 +22,7 @@ pub(super) fn module_ident(model: &str) -> Ident {
         .unwrap_or_else(|_| ident(&format!("{stem}_")))
 }
 
-/// File stem of a model's module: the model's name, with underscores in place of all characters other than letters and
-/// digits. An underscore is prepended if the stem would not start with a letter or underscore, and `_model` is appended
-/// to a stem that cannot be a raw identifier, such as `self`.
+/// File stem of a model's module: its name as an identifier, raw if need be.
 pub(super) fn file_stem(model: &str) -> String {
     let letters = model.chars();
     let mut stem: String = letters

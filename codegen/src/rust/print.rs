@@ -12,11 +12,9 @@ const WIDTH: usize = 100;
 
 /// Text of a marker comment in generated code; [`finish`] replaces the comment by a blank line.
 const BLANK: &str = "@blank";
-/// Prefix of a marker comment in generated code; [`finish`] moves the text after the prefix to the end of the following
-/// statement.
+/// Prefix of a comment that [`finish`] moves behind the next statement.
 const TRAILING: &str = "@trailing ";
-/// Text of a marker comment before an array in generated code; [`finish`] prints this array with several elements per
-/// line.
+/// Comment before an array whose lines [`finish`] fills.
 const FILL: &str = "@fill";
 
 /// Tokens of a comment line before an item or a statement.
@@ -30,8 +28,7 @@ pub(super) fn blank_line() -> TokenStream {
     quote!(#[comment = #BLANK])
 }
 
-/// Tokens of a comment at the end of the following statement; if the statement is too long for the comment, the comment
-/// is printed on the line before.
+/// Comment at the end of the following statement, or before it if the line is long.
 pub(super) fn trailing_comment(text: &str) -> TokenStream {
     let text = format!("{TRAILING}{text}");
     quote!(#[comment = #text])
@@ -82,8 +79,7 @@ pub(super) fn file(header: &[impl AsRef<str>], tokens: TokenStream) -> String {
     text
 }
 
-/// Replaces the marker comments (text that starts with `@`) in printed code by blank lines, trailing comments and
-/// filled arrays, and inserts blank lines between items.
+/// Carries out the marker comments of printed code, and separates items by blank lines.
 fn finish(printed: &str) -> String {
     let mut lines: Vec<String> = Vec::new();
     let mut trailing: Option<String> = None;
@@ -147,8 +143,7 @@ fn push_noted(lines: &mut Vec<String>, line: &str, note: &str) {
     }
 }
 
-/// Whether `line`, a line of printed Rust code, is the last line of an item of the file or of a method of an `impl`
-/// block.
+/// Whether a line of code ends an item or a method.
 fn ends_item(line: &str) -> bool {
     let indent = line.len() - line.trim_start().len();
     match indent {
@@ -158,8 +153,7 @@ fn ends_item(line: &str) -> bool {
     }
 }
 
-/// Whether a blank line is printed between `last` and `line`, two successive lines of printed Rust code: after inner
-/// doc comments, and between two items unless both belong to one list of `mod` or `use` declarations.
+/// Whether a blank line separates two lines: after inner docs, and between items.
 fn separate(last: &str, line: &str) -> bool {
     const LISTS: [&str; 4] = ["mod ", "use ", "pub mod ", "pub use "];
     let indent = |line: &str| line.len() - line.trim_start().len();
@@ -176,8 +170,7 @@ fn separate(last: &str, line: &str) -> bool {
     after_inner_docs || (ends_item(last) && indent(last) == indent(line) && starts_item && !in_list)
 }
 
-/// Lines of text that contain the elements of an array, as many per line as fit. If the elements are (row, column)
-/// pairs, the pairs of each row start on a new line.
+/// Elements of an array in filled lines; each row of pairs starts a new one.
 fn filled(elements: &[&str]) -> Vec<String> {
     let row = |element: &str| {
         let inside = element.strip_prefix('(')?;

@@ -66,8 +66,7 @@ impl Scalar {
         }
     }
 
-    /// Expression of the multiply-add `a * b + c` or one of its sign variants; fused for lanes, separate operations for
-    /// `f64`.
+    /// A multiply-add: fused for lanes, separate operations for `f64`.
     pub fn fused(self, fused: Fused, a: Expr, b: Expr, c: Expr) -> Expr {
         if self == Scalar::Lanes {
             let method = match fused {
@@ -128,8 +127,7 @@ impl Scalar {
         self.call("if_zero", condition, &[then, otherwise])
     }
 
-    /// Expression of a call of the `lanes::Real` method `name` on `first`, with the arguments `rest`; for `f64`, a call
-    /// of the helper function that replaces the method, if there is one.
+    /// A call of a `lanes::Real` method; for `f64`, of its helper function if there is one.
     pub fn call(self, name: &str, first: Expr, rest: &[Expr]) -> Expr {
         let helper = match self {
             Scalar::F64 => helpers::for_method(name),

@@ -10,8 +10,7 @@ use std::collections::BTreeSet;
 /// Name of the function that looks up a table: a method of `lanes::Real`, and a helper function in `f64` code.
 pub(super) const METHOD: &str = "piecewise_cubic";
 
-/// Suffixes of the names of the two constants that are generated for a table, one for its knots and one for its cubics.
-/// For a derivative of the table, `_` and the order of the derivative are appended to the suffix for the cubics.
+/// Suffixes of the constants of a table; the cubics of a derivative add its order.
 const ENDS: [&str; 2] = ["_KNOTS", "_CUBICS"];
 
 /// Whether a name contains a suffix that is reserved for the generated constants of tables.
@@ -19,8 +18,7 @@ pub(super) fn is_constant(name: &str) -> bool {
     ENDS.iter().any(|end| name.contains(end))
 }
 
-/// Names of the two generated constants that describe a table or one of its derivatives: the knots, and the
-/// coefficients of the cubics.
+/// Names of the constants of a table or its derivative: knots and cubics.
 pub(super) fn names(tables: &Tables, function: TableFunction) -> [Ident; 2] {
     let table = &tables.table(function.table()).name;
     let [knots, cubics] = ENDS;
@@ -44,16 +42,15 @@ pub(super) fn used_by(function: &Function) -> BTreeSet<TableFunction> {
     used.collect()
 }
 
-/// Tokens of the declaration that imports the constants of the tables that a function looks up; the constants are in
-/// the generated module `tables`. Empty if the function looks up no table.
+/// Import of the constants of the tables that a function looks up.
 pub(super) fn import(function: &Function) -> TokenStream {
     let tables = &function.program.tables;
     let used = used_by(function).into_iter();
     let names: BTreeSet<Ident> = used.flat_map(|f| names(tables, f)).collect();
-    match names.is_empty() {
-        true => TokenStream::new(),
-        false => quote!(use super::tables::{#(#names),*};),
+    if names.is_empty() {
+        return TokenStream::new();
     }
+    quote!(use super::tables::{#(#names),*};)
 }
 
 /// Tokens of the `f64` function that looks up a table.

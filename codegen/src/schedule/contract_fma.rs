@@ -2,12 +2,10 @@
 
 use crate::program::{Binary, Fused, Op, Operand, Program};
 
-/// Contracts products and sums to fused multiply-adds. The operation count is unchanged, since a fused operation counts
-/// as two.
+/// Contracts products and sums to fused multiply-adds.
 pub(super) fn contract_fma(mut program: Program) -> Program {
     let mut uses = vec![0_u32; program.statements.len()];
-    let operands = program.statements.iter().flat_map(|s| s.op.operands());
-    for operand in operands.chain(program.outputs.iter().copied()) {
+    for operand in program.operands() {
         if let Operand::Temp(t) = operand {
             uses[t as usize] += 1;
         }
@@ -46,8 +44,7 @@ pub(super) fn contract_fma(mut program: Program) -> Program {
     without(program, &fused)
 }
 
-/// The two factors of `operand`, if it is a product that can be fused into a multiply-add: its result is used only once
-/// and is not an auxiliary variable of the model. `None` for other operands.
+/// Factors of a product that is used once and is no auxiliary variable.
 fn product(program: &Program, uses: &[u32], operand: Operand) -> Option<(Operand, Operand)> {
     let Operand::Temp(t) = operand else {
         return None;

@@ -1,5 +1,4 @@
-//! Invariant hoisting: moves expressions that depend only on parameters from all functions of a model to `prepare`,
-//! which runs once per flight.
+//! Invariant hoisting: moves expressions of parameters to `prepare`, which runs once per flight.
 
 use super::{Namer, schedule};
 use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol};
@@ -7,8 +6,7 @@ use crate::program::{Operand, Program};
 use crate::ssa::{DefId, Ssa, build};
 use std::collections::BTreeSet;
 
-/// Expressions of a model that depend on parameters only and are therefore hoisted from all functions to `prepare`. The
-/// slot of an expression is its index among the results of `prepare`.
+/// Hoisted expressions; a slot is an index among the results of `prepare`.
 #[derive(Clone, Debug, Default)]
 pub struct Hoisted {
     slots: Vec<NodeId>,
@@ -18,8 +16,7 @@ pub struct Hoisted {
     parameters: Vec<String>,
 }
 
-/// For each hoisted definition of one function (a definition that depends on parameters only and is computed in
-/// `prepare` instead), the graph node that expresses its value in terms of parameters.
+/// For each hoisted definition of one function, the graph node that expresses its value in terms of parameters.
 pub(super) type HoistedNodes = FastMap<DefId, NodeId>;
 
 impl Hoisted {
@@ -36,9 +33,7 @@ impl Hoisted {
         &self.names
     }
 
-    /// Returns an operand with the value of a hoisted definition or, if `minus`, of the negative of that definition. A
-    /// constant or a parameter is returned as such; any other value becomes a result of `prepare`, unless it is one
-    /// already.
+    /// Operand of a hoisted definition or its negative: a constant, a parameter or a slot.
     pub(super) fn operand(
         &mut self,
         ssa: &Ssa,

@@ -9,12 +9,10 @@ use std::collections::HashMap;
 /// Issue width of the processor model: maximum number of operations started per clock cycle.
 const WIDTH: u32 = 2;
 
-/// Register pressure limit: if at least this many values are live, the statement that frees the most registers is
-/// issued first, and latency breaks ties. Processors have only 16 or 32 registers.
+/// From this many live values, statements that free registers are issued first.
 const LIVE_VALUES_LIMIT: usize = 20;
 
-/// Reorders the statements by list scheduling: of the ready statements, issues the one with the longest latency path to
-/// a result.
+/// List scheduling: issues the ready statement with the longest latency path to a result.
 pub(super) fn list_schedule(program: Program) -> Program {
     let sequence = Order::new(&program).sequence();
     permuted(program, &sequence)
@@ -27,14 +25,11 @@ struct Order<'a> {
     users: Vec<Vec<usize>>,
     /// Latency of the longest path from each statement to a result, in clock cycles.
     height: Vec<u32>,
-    /// Clock cycle in which the operands of each statement are available; `None` while unknown, and after the statement
-    /// is issued.
+    /// Clock cycle in which the operands are available; `None` while unknown, and once issued.
     ready: Vec<Option<u32>>,
-    /// Indices of the statements that are not yet issued and for which the clock cycle in which their operands are
-    /// available is known.
+    /// Statements to be issued whose clock cycle is known.
     waiting: Vec<usize>,
-    /// For each angle of which both sine and cosine are computed, the indices (sine, cosine) of the two statements,
-    /// stored under both indices.
+    /// For each statement of such a pair, the sine and cosine of one angle.
     pairs: HashMap<usize, (usize, usize)>,
     end: Vec<u32>,
     /// Number of pending uses of each statement's result.
@@ -111,8 +106,7 @@ impl<'a> Order<'a> {
         last.count() as i64 - i64::from(!self.users[k].is_empty())
     }
 
-    /// Cosine statement of the same angle if `k` is a sine statement, and vice versa; `None` if there is none or it
-    /// cannot be issued yet.
+    /// Statement of the same sine and cosine pair, if it can be issued.
     fn partner(&self, k: usize) -> Option<usize> {
         let &(sin, cos) = self.pairs.get(&k)?;
         let partner = if k == sin { cos } else { sin };

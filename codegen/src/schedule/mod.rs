@@ -9,7 +9,7 @@ pub(crate) mod pairs;
 pub use hoist::Hoisted;
 pub use names::Namer;
 
-use crate::functions::MathFunction;
+use crate::functions::{BinaryFunction, MathFunction};
 use crate::graph::{ExprGraph, FastMap, Symbol};
 use crate::program::{About, Binary, Op, Operand, Program, Statement, Unary};
 use crate::ssa::{DefId, Signed, Ssa, SsaDef};
@@ -17,7 +17,7 @@ use hoist::HoistedNodes;
 use model_spec::index::IndexVec;
 use std::f64::consts::PI;
 
-/// Orders the SSA definitions on which the roots (requested results) depend as the statements of a program.
+/// Orders the SSA definitions on which the roots depend as the statements of a program.
 ///
 /// `results` contains names of the roots in order, and may be empty. If `hoisted` is given, expressions that depend
 /// only on parameters are hoisted: they become results of `prepare`, which the program reads as inputs. If `None`, the
@@ -63,7 +63,10 @@ pub fn schedule(
 fn takes_long(def: &SsaDef) -> bool {
     matches!(
         def,
-        SsaDef::Call(..) | SsaDef::Atan2(..) | SsaDef::Root(_) | SsaDef::Recip(_)
+        SsaDef::Call(..)
+            | SsaDef::Call2(BinaryFunction::Atan2, ..)
+            | SsaDef::Root(_)
+            | SsaDef::Recip(_)
     )
 }
 
@@ -77,8 +80,7 @@ struct Uses {
 }
 
 impl Uses {
-    /// Counts the uses of each definition. If `hoisting`, uses by definitions that depend on parameters only are not
-    /// counted, since these definitions are computed in `prepare`.
+    /// Counts the uses of each definition, without those in hoisted definitions.
     fn of(ssa: &Ssa, order: &[DefId], hoisting: bool) -> Uses {
         let mut uses = Uses {
             count: ssa.side_table(0),
@@ -123,8 +125,7 @@ struct Schedule<'a> {
 }
 
 impl Schedule<'_> {
-    /// Emits statements for the definitions in the order `order`, and sets the roots (requested results) as outputs of
-    /// the program; `results` contains the names of the roots.
+    /// Emits the definitions, and the roots, named `results`, as outputs.
     fn emit_roots(&mut self, order: &[DefId], results: &[String]) {
         let mut outputs: IndexVec<DefId, Vec<usize>> = self.ssa.side_table(Vec::new());
         for (k, &(_, root)) in self.ssa.roots.iter().enumerate() {
@@ -142,8 +143,7 @@ impl Schedule<'_> {
         assert_eq!(self.program.outputs.len(), self.ssa.roots.len());
     }
 
-    /// Returns the operand for the value of `signed`, a definition that depends on parameters only and is therefore
-    /// computed by `prepare`; `None` if no definitions are moved to `prepare` (hoisting is off).
+    /// Operand of a hoisted definition; `None` if nothing is hoisted.
     fn hoist(&mut self, signed: Signed) -> Option<Operand> {
         let hoisted = self.hoisted.as_deref_mut()?;
         let operand = hoisted.operand(self.ssa, self.graph, &mut self.hoisted_nodes, signed);
@@ -193,9 +193,10 @@ impl Schedule<'_> {
             }
             SsaDef::Recip(x) => self.unary(Unary::RecipOrZero, (false, *x), id),
             SsaDef::Call(function, x) => self.unary(Unary::Call(*function), *x, id),
-            SsaDef::Atan2(a, b) => self.binary(Binary::Atan2, *a, *b, id),
-            SsaDef::Min(a, b) => self.binary(Binary::Min, *a, *b, id),
-            SsaDef::Max(a, b) => self.binary(Binary::Max, *a, *b, id),
+            SsaDef::Call2(function, a, b) => {
+                let op = Op::Binary((*function).into(), self.signed(*a), self.signed(*b));
+                self.finish(op, id)
+            }
             SsaDef::IfZero(c, a, b) => {
                 let (c, a, b) = (self.value(*c), self.signed(*a), self.signed(*b));
                 self.finish(Op::IfZero(c, a, b), id)
@@ -203,8 +204,7 @@ impl Schedule<'_> {
         }
     }
 
-    /// Whether the reciprocal `id` is emitted as a division: its argument is nonzero, and its only use is in a product.
-    /// False for other definitions.
+    /// Whether a reciprocal is emitted as a division: nonzero, and used by one product.
     fn divides(&self, id: DefId) -> bool {
         let SsaDef::Recip(x) = self.ssa.defs[id] else {
             return false;
@@ -223,32 +223,26 @@ impl Schedule<'_> {
     }
 
     fn push(&mut self, op: Op) -> Operand {
-        self.program.statements.push(Statement {
-            op,
-            name: None,
-            about: None,
-        });
+        self.push_named(op, None, None)
+    }
+
+    fn push_named(&mut self, op: Op, name: Option<String>, about: Option<About>) -> Operand {
+        self.program.statements.push(Statement { op, name, about });
         Operand::Temp(self.program.statements.len() as u32 - 1)
     }
 
     /// Emits the last operation of a definition and gives its statement the name of the definition.
     fn finish(&mut self, op: Op, id: DefId) -> Operand {
-        let value = self.push(op);
-        let about: Option<About> = self.namer.about(self.ssa, self.graph, id);
-        let named = self.namer.has_own_name(self.ssa, self.graph, id);
-        let last = self.program.statements.len() - 1;
-        self.program.statements[last].about = about;
-        if named
-            || self.uses.count[id] > 1
-            || !matches!(
-                op,
-                Op::Binary(Binary::Add | Binary::Sub | Binary::Mul | Binary::Div, ..)
-            )
-        {
-            let name = self.namer.name(self.ssa, self.graph, id);
-            self.program.statements[last].name = Some(name);
-        }
-        value
+        let (ssa, graph) = (self.ssa, &*self.graph);
+        let is_arithmetic = matches!(
+            op,
+            Op::Binary(Binary::Add | Binary::Sub | Binary::Mul | Binary::Div, ..)
+        );
+        let named = self.namer.has_own_name(ssa, graph, id);
+        let about = self.namer.about(ssa, graph, id);
+        let name = (named || self.uses.count[id] > 1 || !is_arithmetic)
+            .then(|| self.namer.name(ssa, graph, id));
+        self.push_named(op, name, about)
     }
 
     fn signed(&mut self, (minus, id): Signed) -> Operand {
@@ -265,11 +259,9 @@ impl Schedule<'_> {
                 if let Some(&known) = self.negated.get(&id) {
                     return known;
                 }
-                let negated = self.push(Op::Unary(Unary::Neg, value));
-                self.negated.insert(id, negated);
                 let name = self.namer.negated(self.ssa, self.graph, id);
-                let last = self.program.statements.len() - 1;
-                self.program.statements[last].name = Some(name);
+                let negated = self.push_named(Op::Unary(Unary::Neg, value), Some(name), None);
+                self.negated.insert(id, negated);
                 negated
             }
         }
@@ -283,11 +275,6 @@ impl Schedule<'_> {
             negation.name = Some(self.namer.rename(negation.name.take(), name));
         }
         value
-    }
-
-    fn binary(&mut self, binary: Binary, a: Signed, b: Signed, id: DefId) -> Operand {
-        let (a, b) = (self.signed(a), self.signed(b));
-        self.finish(Op::Binary(binary, a, b), id)
     }
 
     fn unary(&mut self, unary: Unary, x: Signed, id: DefId) -> Operand {
@@ -359,8 +346,7 @@ impl Schedule<'_> {
         self.in_turn(start, steps, id)
     }
 
-    /// Emits statements that apply the operations `steps`, each with its right operand, to `value`, one after the
-    /// other; the last statement computes the definition `id`. Returns its result.
+    /// Applies operations in turn to `value`; the last one computes the definition `id`.
     fn in_turn(&mut self, mut value: Operand, steps: Vec<(Binary, Operand)>, id: DefId) -> Operand {
         let many = steps.len();
         for (k, (binary, operand)) in steps.into_iter().enumerate() {

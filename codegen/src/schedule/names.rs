@@ -1,5 +1,6 @@
 //! Names of statements: the variable names of the model, else names derived from the expressions.
 
+use crate::functions::BinaryFunction;
 use crate::graph::{ExprGraph, FastMap, Symbol, opposite_name};
 use crate::program::About;
 use crate::ssa::{DefId, Ssa, SsaDef};
@@ -35,13 +36,12 @@ pub struct Namer {
     given: FastMap<DefId, String>,
     states: Vec<String>,
     parameters: Vec<String>,
-    /// Index of each named value of the model in `Lowered::provenance` (the list of their source locations), by name.
+    /// Index of each named value of the model in `Lowered::provenance`, by name.
     origins: FastMap<String, usize>,
 }
 
 impl Namer {
-    /// Creates a namer for one function of a model with the given names of states and parameters. `origins` contains
-    /// the names in `Lowered::provenance` (the list of named values with their source locations), in the same order.
+    /// Namer of one function; `origins` are the names in `Lowered::provenance`.
     pub fn new(states: &[String], parameters: &[String], origins: &[String]) -> Namer {
         let taken = ARGUMENTS.iter().map(|&name| name.to_string());
         let taken = taken
@@ -76,8 +76,7 @@ impl Namer {
         })
     }
 
-    /// Whether a definition has a name in the graph: it is a named variable of the model, or a named derivative or
-    /// negative of such a variable.
+    /// Whether a definition has a name in the graph.
     pub fn has_own_name(&self, ssa: &Ssa, graph: &ExprGraph, id: DefId) -> bool {
         self.own(ssa, graph, id).is_some()
     }
@@ -103,8 +102,7 @@ impl Namer {
         name
     }
 
-    /// Gives a definition the name `name` of the function output that it computes. Leaves, constants, function calls
-    /// and definitions that already have a name are not renamed.
+    /// Names a definition after the output that it computes, if it has no name.
     pub fn suggest(&mut self, ssa: &Ssa, graph: &ExprGraph, id: DefId, name: &str) {
         let leaf = matches!(
             ssa.defs[id],
@@ -122,8 +120,7 @@ impl Namer {
         self.given.insert(id, name.to_string());
     }
 
-    /// Makes the name `old`, if any, available again. Returns `name`, with a numeric suffix if that name is already
-    /// used.
+    /// Frees the name `old`; returns `name`, numbered if it is taken.
     pub fn rename(&mut self, old: Option<String>, name: &str) -> String {
         if let Some(old) = old {
             self.taken.remove(&old);
@@ -152,8 +149,7 @@ impl Namer {
         name
     }
 
-    /// Returns a name for a hoisted invariant, derived from its expression in terms of parameters; not necessarily
-    /// unique.
+    /// Name of a hoisted invariant after its expression; not necessarily unique.
     pub fn constant_name(parameters: &[String], ssa: &Ssa, graph: &ExprGraph, id: DefId) -> String {
         let namer = Namer {
             taken: BTreeSet::new(),
@@ -238,9 +234,14 @@ impl Namer {
                 let sign = if *minus { "minus_" } else { "" };
                 format!("{}_{sign}{}", graph.function_name(*function), inner(*x))
             }
-            SsaDef::Atan2((_, y), (_, x)) => format!("angle_{}_{}", inner(*y), inner(*x)),
-            SsaDef::Min((_, a), (_, b)) => format!("min_{}_{}", inner(*a), inner(*b)),
-            SsaDef::Max((_, a), (_, b)) => format!("max_{}_{}", inner(*a), inner(*b)),
+            SsaDef::Call2(function, (_, a), (_, b)) => {
+                let word = match function {
+                    BinaryFunction::Atan2 => "angle",
+                    BinaryFunction::Min => "min",
+                    BinaryFunction::Max => "max",
+                };
+                format!("{word}_{}_{}", inner(*a), inner(*b))
+            }
             SsaDef::IfZero(c, ..) => format!("unless_{}", inner(*c)),
         };
         if name.len() <= MAX_NAME_LENGTH {
@@ -250,9 +251,8 @@ impl Namer {
         }
     }
 
-    /// Name of a sum of squares (`V_sq`, `air_velocity_12_sq`) or of the square root of a sum of squares
-    /// (`air_velocity_12`), derived from the name of the square root or from the names of the squared values; `None`
-    /// for other definitions. `depth` is the maximum number of nested operations that a derived name may spell out.
+    /// Name of a sum of squares (`V_sq`, `air_velocity_12_sq`) or its square root, after its root or its components,
+    /// spelled out up to `depth`.
     fn norm(&self, ssa: &Ssa, graph: &ExprGraph, id: DefId, depth: u32) -> Option<String> {
         match &ssa.defs[id] {
             SsaDef::Root(x) => {

@@ -7,8 +7,7 @@ use crate::functions::MathFunction;
 use crate::program::{Op, Operand, Program, Unary};
 use std::collections::HashMap;
 
-/// Hashable key of an operand: the number of the operand's kind, and the operand's index (for a constant, the bits of
-/// its value).
+/// Hashable key of an operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct OperandKey(u8, u64);
 
@@ -26,8 +25,7 @@ impl From<Operand> for OperandKey {
     }
 }
 
-/// For each angle of which both sine and cosine are computed, the indices (sine, cosine) of the two statements. Each
-/// pair is stored under both indices.
+/// For each statement of such a pair, the sine and cosine of one angle.
 pub(crate) fn sin_cos_pairs(program: &Program) -> HashMap<usize, (usize, usize)> {
     #[derive(Default)]
     struct SineAndCosine {

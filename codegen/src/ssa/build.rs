@@ -1,12 +1,11 @@
-//! Translation of graph nodes to SSA: powers become repeated factors, coefficients become factors, signs move
-//! outward.
+//! Translation of graph nodes to SSA.
 
 use super::{DefId, Signed, Ssa, SsaDef, sort_terms};
-use crate::functions::MathFunction;
+use crate::functions::{BinaryFunction, MathFunction};
 use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol, ValueFacts};
 use crate::number::Number;
 
-/// Translates the graph nodes on which `roots` (the requested outputs) depend into SSA definitions.
+/// Translates the graph nodes on which `roots` depend into SSA definitions.
 pub fn build(graph: &ExprGraph, roots: &[NodeId]) -> Ssa {
     let mut builder = Builder {
         graph,
@@ -29,7 +28,7 @@ pub fn build(graph: &ExprGraph, roots: &[NodeId]) -> Ssa {
             }
             // the argument of a function sets the sign of a sum
             Node::Call(_, x) => builder.orient(*x),
-            Node::Atan2(y, x) => {
+            Node::Call2(BinaryFunction::Atan2, y, x) => {
                 builder.orient(*y);
                 builder.orient(*x);
             }
@@ -55,8 +54,7 @@ struct Builder<'a> {
 }
 
 impl Builder<'_> {
-    /// Nodes on which the nodes `roots` (requested outputs) depend, including the definitions of local symbols (leaves
-    /// that stand for shared subexpressions); operands precede the nodes that use them.
+    /// What `roots` depend on, definitions of local symbols included, operands first.
     fn needed(&self, roots: &[NodeId]) -> Vec<NodeId> {
         let mut order = Vec::new();
         let mut seen = vec![false; self.graph.len()];
@@ -134,36 +132,20 @@ impl Builder<'_> {
                 if *function == MathFunction::NonZero && self.rooted[base.index()] {
                     // test the norm for 0, whose reciprocal is used, instead of the square of the norm
                     let root = self.graph.root_node(*base).map(|node| (false, node));
-                    x = (
-                        false,
-                        self.ssa
-                            .define(SsaDef::Root(x.1), self.graph.facts(*base), root),
-                    );
+                    let facts = self.graph.facts(*base);
+                    x = (false, self.ssa.define(SsaDef::Root(x.1), facts, root));
                 }
-                (
-                    false,
-                    self.ssa.define(SsaDef::Call(*function, x), facts, origin),
-                )
+                let def = SsaDef::Call(*function, x);
+                (false, self.ssa.define(def, facts, origin))
             }
-            Node::Atan2(y, x) => {
-                let (y, x) = (self.signed(*y), self.signed(*x));
-                (false, self.ssa.define(SsaDef::Atan2(y, x), facts, origin))
-            }
-            Node::Min(a, b) => {
-                let (a, b) = (self.signed(*a), self.signed(*b));
-                (false, self.ssa.define(SsaDef::Min(a, b), facts, origin))
-            }
-            Node::Max(a, b) => {
-                let (a, b) = (self.signed(*a), self.signed(*b));
-                (false, self.ssa.define(SsaDef::Max(a, b), facts, origin))
+            Node::Call2(function, a, b) => {
+                let def = SsaDef::Call2(*function, self.signed(*a), self.signed(*b));
+                (false, self.ssa.define(def, facts, origin))
             }
             Node::IfZero(condition, a, b) => {
-                let (condition, a, b) = (self.signed(*condition), self.signed(*a), self.signed(*b));
-                (
-                    false,
-                    self.ssa
-                        .define(SsaDef::IfZero(condition.1, a, b), facts, origin),
-                )
+                let condition = self.signed(*condition).1;
+                let def = SsaDef::IfZero(condition, self.signed(*a), self.signed(*b));
+                (false, self.ssa.define(def, facts, origin))
             }
         }
     }
@@ -185,11 +167,8 @@ impl Builder<'_> {
             signed.push((constant.is_negative(), self.constant(constant.abs())));
         }
         sort_terms(&mut signed);
-        (
-            false,
-            self.ssa
-                .define(SsaDef::Sum(signed), self.graph.facts(id), Some((false, id))),
-        )
+        let (facts, origin) = (self.graph.facts(id), Some((false, id)));
+        (false, self.ssa.define(SsaDef::Sum(signed), facts, origin))
     }
 
     fn term(&mut self, coefficient: Number, id: NodeId) -> Signed {
@@ -220,11 +199,8 @@ impl Builder<'_> {
             let facts = self.graph.facts(base);
             let times = exponent.unsigned_abs() as usize;
             let root = |ssa: &mut Ssa| {
-                ssa.define(
-                    SsaDef::Root(def),
-                    facts,
-                    self.graph.root_node(base).map(|n| (false, n)),
-                )
+                let origin = self.graph.root_node(base).map(|node| (false, node));
+                ssa.define(SsaDef::Root(def), facts, origin)
             };
             if exponent < 0 {
                 let (x, times) = if self.rooted[base.index()] {

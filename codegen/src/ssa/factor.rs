@@ -4,8 +4,7 @@ use super::{DefId, Signed, Ssa, SsaDef, cancel};
 use crate::number::Number;
 use model_spec::index::IndexVec;
 
-/// Extracts common factors from all sums on which a requested result depends, including the inner sums that factoring
-/// creates.
+/// Extracts common factors from all used sums, those that factoring creates included.
 pub fn factor(ssa: &mut Ssa) {
     let mut uses = ssa.uses();
     let mut k = 0;
@@ -37,7 +36,7 @@ fn factor_once(ssa: &mut Ssa, id: DefId, uses: &mut IndexVec<DefId, u32>) -> boo
     candidates.retain(|&factor| ssa.defs[factor] != SsaDef::Constant(Number::ONE));
     candidates.sort_unstable();
     candidates.dedup();
-    let mut best: Option<(i64, DefId)> = None;
+    let mut best: Option<(i64, Vec<usize>, Vec<DefId>)> = None;
     for candidate in candidates {
         let with: Vec<usize> = (0..terms.len())
             .filter(|&t| lists[t].contains(&candidate))
@@ -70,22 +69,18 @@ fn factor_once(ssa: &mut Ssa, id: DefId, uses: &mut IndexVec<DefId, u32>) -> boo
         outside.push(id);
         let after = inside + runtime(&outside) - if all_fixed { with.len() as i64 - 1 } else { 0 };
         let saved = before - after;
-        if saved > 0 && best.is_none_or(|(most, _)| saved > most) {
-            best = Some((saved, candidate));
+        if saved > 0 && best.as_ref().is_none_or(|(most, ..)| saved > *most) {
+            best = Some((saved, with, common));
         }
     }
-    let Some((_, chosen)) = best else {
+    let Some((_, with, common)) = best else {
         return false;
     };
-    let with: Vec<usize> = (0..terms.len())
-        .filter(|&t| lists[t].contains(&chosen))
-        .collect();
-    let common = common(&lists, &with);
     let mut inner: Vec<Signed> = Vec::new();
     for &t in &with {
         let rest = without(&lists[t], &common);
         let rest = if rest.is_empty() {
-            one(ssa)
+            constant(ssa, Number::ONE)
         } else {
             ssa.product(rest)
         };
@@ -119,8 +114,7 @@ fn factor_once(ssa: &mut Ssa, id: DefId, uses: &mut IndexVec<DefId, u32>) -> boo
     true
 }
 
-/// Redefines `id` as the sum of `terms`, and updates the use counts `uses` of the definitions on which the old and the
-/// new sum depend.
+/// Redefines `id` as the sum of `terms`, and updates the use counts.
 fn replace(ssa: &mut Ssa, id: DefId, mut terms: Vec<Signed>, uses: &mut IndexVec<DefId, u32>) {
     cancel(&mut terms);
     let new = match terms.as_slice() {
@@ -164,10 +158,6 @@ fn number(ssa: &Ssa, terms: &[Signed]) -> Option<Number> {
         sum = sum.plus(if minus { number.opposite() } else { number });
     }
     Some(sum)
-}
-
-fn one(ssa: &mut Ssa) -> DefId {
-    constant(ssa, Number::ONE)
 }
 
 /// Returns the definition of the positive constant `number`, which is added if missing.

@@ -11,7 +11,7 @@ mod signs;
 
 pub use build::build;
 
-use crate::functions::MathFunction;
+use crate::functions::{BinaryFunction, MathFunction};
 use crate::graph::{ExprGraph, FastMap, NodeId, Symbol, ValueFacts};
 use crate::number::Number;
 use model_spec::index::IndexVec;
@@ -41,12 +41,8 @@ pub enum SsaDef {
     Recip(DefId),
     /// Elementary function of a signed operand.
     Call(MathFunction, Signed),
-    /// `atan2(y, x)` with operands y and x: angle of the point (x, y), rad.
-    Atan2(Signed, Signed),
-    /// Minimum of the two operands.
-    Min(Signed, Signed),
-    /// Maximum of the two operands.
-    Max(Signed, Signed),
+    /// Function of two signed operands.
+    Call2(BinaryFunction, Signed, Signed),
     /// Selection: the second operand where the first is 0, else the third operand.
     IfZero(DefId, Signed, Signed),
 }
@@ -59,9 +55,7 @@ impl SsaDef {
             SsaDef::Sum(terms) => terms.iter().for_each(|&(_, id)| visit(id)),
             SsaDef::Product(factors) => factors.iter().for_each(|&id| visit(id)),
             SsaDef::Root(x) | SsaDef::Recip(x) | SsaDef::Call(_, (_, x)) => visit(*x),
-            SsaDef::Atan2((_, a), (_, b))
-            | SsaDef::Min((_, a), (_, b))
-            | SsaDef::Max((_, a), (_, b)) => {
+            SsaDef::Call2(_, (_, a), (_, b)) => {
                 visit(*a);
                 visit(*b);
             }
@@ -81,15 +75,14 @@ impl SsaDef {
     }
 }
 
-/// SSA program: the definitions, and the roots (requested results).
+/// SSA program: the definitions, and the roots.
 #[derive(Clone, Debug, Default)]
 pub struct Ssa {
     /// Definitions by index; operands may have larger indices than their users.
     pub defs: IndexVec<DefId, SsaDef>,
     /// Value facts of each definition: constant during a flight, nonnegative, nonzero.
     pub facts: IndexVec<DefId, ValueFacts>,
-    /// For each definition, the graph node with the same value, and whether the definition is the negative of that
-    /// node; `None` for definitions that correspond to no graph node.
+    /// Graph node with the value of each definition, and whether it is negated.
     pub origin: IndexVec<DefId, Option<(bool, NodeId)>>,
     /// Results to compute, with signs, in the requested order.
     pub roots: Vec<Signed>,
@@ -97,8 +90,7 @@ pub struct Ssa {
 }
 
 impl Ssa {
-    /// Returns the index of the definition `def`, which is added if missing; `facts` and `origin` apply to a new
-    /// definition only.
+    /// Index of a definition; `facts` and `origin` are those of a new one.
     pub fn define(
         &mut self,
         def: SsaDef,
@@ -176,14 +168,9 @@ impl Ssa {
             SsaDef::Leaf(symbol) => graph.symbol(*symbol),
             SsaDef::Constant(number) => graph.number(*number),
             SsaDef::Sum(terms) => {
-                let sign = |minus| {
-                    if minus {
-                        Number::MINUS_ONE
-                    } else {
-                        Number::ONE
-                    }
-                };
-                let terms = terms.iter().map(|&(minus, term)| (sign(minus), of(term)));
+                let terms = terms
+                    .iter()
+                    .map(|&(minus, term)| (Number::sign(minus), of(term)));
                 graph.sum(terms.collect(), Number::ZERO)
             }
             SsaDef::Product(factors) => {
@@ -201,17 +188,9 @@ impl Ssa {
                 let x = signed(graph, *x);
                 graph.call(*function, x)
             }
-            SsaDef::Atan2(y, x) => {
-                let (y, x) = (signed(graph, *y), signed(graph, *x));
-                graph.atan2(y, x)
-            }
-            SsaDef::Min(a, b) => {
+            SsaDef::Call2(function, a, b) => {
                 let (a, b) = (signed(graph, *a), signed(graph, *b));
-                graph.min(a, b)
-            }
-            SsaDef::Max(a, b) => {
-                let (a, b) = (signed(graph, *a), signed(graph, *b));
-                graph.max(a, b)
+                graph.call2(*function, a, b)
             }
             SsaDef::IfZero(condition, a, b) => {
                 let (a, b) = (signed(graph, *a), signed(graph, *b));
@@ -220,7 +199,7 @@ impl Ssa {
         }
     }
 
-    /// Number of uses of each definition by reachable definitions and by roots (requested results); 0 if unreachable.
+    /// Number of uses of each definition by reachable definitions and by roots; 0 if unreachable.
     pub fn uses(&self) -> IndexVec<DefId, u32> {
         let mut uses = self.side_table(0);
         let mut live = self.side_table(false);
@@ -241,8 +220,7 @@ impl Ssa {
         uses
     }
 
-    /// Approximate cost in tenths of an operation: 10 per operation that runs in each evaluation, 1 per operation on
-    /// parameters only, which runs once per flight.
+    /// Cost in tenths of an operation; an operation on parameters only costs one tenth.
     pub fn cost(&self) -> usize {
         let tenths = |id: DefId| {
             let operations = match &self.defs[id] {
@@ -258,8 +236,7 @@ impl Ssa {
         10 * negated + self.order().into_iter().map(tenths).sum::<usize>()
     }
 
-    /// Optimises the program: runs factoring and common-subexpression elimination until nothing changes, at most 4
-    /// times, then changes the signs of sums to reduce the number of negations.
+    /// Factors and shares until nothing changes, at most 4 times, then settles signs.
     pub fn optimise(&mut self) {
         for _ in 0..4 {
             let before = self.defs.clone();
@@ -273,7 +250,7 @@ impl Ssa {
         signs::settle(self);
     }
 
-    /// Definitions on which the roots (requested results) depend, in depth-first order, operands before users.
+    /// Definitions on which the roots depend, in depth-first order, operands before users.
     pub fn order(&self) -> Vec<DefId> {
         let mut order = Vec::new();
         let mut state = self.side_table(0_u8);
@@ -300,8 +277,7 @@ impl Ssa {
 }
 
 impl Ssa {
-    /// Replaces each reference to a definition `id` by a reference to `target[id]`, following chains of targets up to a
-    /// definition that is its own target.
+    /// Replaces references to `id` by `target[id]`, along chains of targets.
     fn redirect(&mut self, target: &IndexVec<DefId, DefId>) {
         let end = |mut id: DefId| {
             while target[id] != id {
@@ -324,9 +300,7 @@ impl Ssa {
                     factors.sort_unstable();
                 }
                 SsaDef::Root(x) | SsaDef::Recip(x) | SsaDef::Call(_, (_, x)) => *x = end(*x),
-                SsaDef::Atan2((_, a), (_, b))
-                | SsaDef::Min((_, a), (_, b))
-                | SsaDef::Max((_, a), (_, b)) => {
+                SsaDef::Call2(_, (_, a), (_, b)) => {
                     *a = end(*a);
                     *b = end(*b);
                 }

@@ -6,8 +6,7 @@
 use super::{DefId, Ssa, SsaDef};
 use model_spec::index::IndexVec;
 
-/// Negates sums and changes signs in the definitions that use them, so that the results are unchanged, as long as the
-/// total number of negations decreases.
+/// Negates sums and the signs of their users while the number of negations decreases.
 pub fn settle(ssa: &mut Ssa) {
     absorb_fixed(ssa);
     let mut users = users(ssa);
@@ -45,8 +44,7 @@ pub fn settle(ssa: &mut Ssa) {
 enum SignLocation {
     /// Signs of all terms of a sum.
     Terms(DefId),
-    /// Sign of the value of a product or reciprocal. Such a definition stores no sign; instead, the sign of each
-    /// reference to it in other definitions is changed.
+    /// Sign of a product or reciprocal, which is stored at its users.
     Through(DefId),
     /// Sign of the operand with this index in a definition: a term of a sum or an argument of a function.
     Operand(DefId, usize),
@@ -79,9 +77,7 @@ fn users(ssa: &Ssa) -> Users {
     users
 }
 
-/// Negates a sum, and changes signs in the definitions that use the sum so that their values do not change; appends
-/// each changed sign to `touched`. Returns false if the sum cannot be negated; the caller must then undo the changes in
-/// `touched`.
+/// Negates a sum and the signs of its users; false if that is impossible, with `touched` to undo.
 fn turn(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<SignLocation>) -> bool {
     if ssa.facts[id].nonneg {
         return false;
@@ -126,9 +122,7 @@ fn pass(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<SignLocation>
     true
 }
 
-/// Passes the changed sign of a product or reciprocal on to the definitions that use it, so that their values do not
-/// change; appends each changed sign to `touched`. Returns false if that is not possible; the caller must then undo the
-/// changes in `touched`.
+/// Passes a sign on to the users of a product or reciprocal; false if that is impossible.
 fn through(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<SignLocation>) -> bool {
     if ssa.facts[id].nonneg {
         return false;
@@ -161,7 +155,7 @@ fn flip(ssa: &mut Ssa, place: SignLocation) {
         SignLocation::Operand(id, k) => match &mut ssa.defs[id] {
             SsaDef::Sum(terms) => terms[k].0 = !terms[k].0,
             SsaDef::Call(_, (minus, _)) => *minus = !*minus,
-            SsaDef::Atan2(a, b) | SsaDef::Min(a, b) | SsaDef::Max(a, b) => {
+            SsaDef::Call2(_, a, b) => {
                 let part = if k == 0 { a } else { b };
                 part.0 = !part.0;
             }
@@ -182,9 +176,7 @@ fn distinct(touched: &[SignLocation]) -> Vec<SignLocation> {
     places
 }
 
-/// Number of negations, 0 or 1, that the signs at the location `place` require: 1 for a sum that has neither a positive
-/// term nor a constant to begin with, and for a negated function argument or requested result; else 0. The negation of
-/// a result that depends on parameters only is not counted.
+/// Negations, 0 or 1, that the signs at a location require in each evaluation.
 fn price(ssa: &Ssa, place: SignLocation) -> i64 {
     let sum = |terms: &[(bool, DefId)]| -> i64 {
         let plus = terms
@@ -202,9 +194,7 @@ fn price(ssa: &Ssa, place: SignLocation) -> i64 {
         SignLocation::Operand(id, k) => match &ssa.defs[id] {
             SsaDef::Sum(terms) => sum(terms),
             SsaDef::Call(_, (minus, _)) => i64::from(*minus),
-            SsaDef::Atan2(a, b) | SsaDef::Min(a, b) | SsaDef::Max(a, b) => {
-                i64::from(if k == 0 { a.0 } else { b.0 })
-            }
+            SsaDef::Call2(_, a, b) => i64::from(if k == 0 { a.0 } else { b.0 }),
             SsaDef::IfZero(_, a, b) => i64::from(if k == 1 { a.0 } else { b.0 }),
             _ => 0,
         },
@@ -215,8 +205,7 @@ fn is_leaf(ssa: &Ssa, id: DefId) -> bool {
     matches!(ssa.defs[id], SsaDef::Constant(_))
 }
 
-/// Moves the minus sign of a negative result, or of a sum with only negative terms, into a factor that depends on
-/// parameters only.
+/// Moves the sign of a negative result or sum into a factor of parameters only.
 fn absorb_fixed(ssa: &mut Ssa) {
     let uses = ssa.uses();
     for k in 0..ssa.roots.len() {

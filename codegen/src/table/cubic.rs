@@ -11,9 +11,7 @@ pub struct PiecewiseCubic {
 }
 
 impl PiecewiseCubic {
-    /// Builds a piecewise cubic function from its knots, in increasing order, and its cubics, of which there must be
-    /// one more than knots. Each cubic is given by the coefficients of the powers 0 to 3 of the distance from the knot
-    /// at the lower end of its interval; the first cubic applies below the first knot and has that knot as origin.
+    /// A piecewise cubic of increasing knots and one cubic more, see [`PiecewiseCubic::cubics`].
     pub fn new(knots: Vec<f64>, cubics: Vec<[f64; 4]>) -> PiecewiseCubic {
         PiecewiseCubic { knots, cubics }
     }
@@ -32,8 +30,7 @@ impl PiecewiseCubic {
         &self.knots
     }
 
-    /// Coefficients of the powers 0 to 3 of the distance from the knot at the lower end of each interval. There is one
-    /// cubic more than knots: the first applies below the first knot, with the (negative) distance from that knot.
+    /// Coefficients of powers 0 to 3 of the distance from the knot below, first below the first knot.
     pub fn cubics(&self) -> &[[f64; 4]] {
         &self.cubics
     }
@@ -47,8 +44,7 @@ impl PiecewiseCubic {
         }
     }
 
-    /// Returns the cubic that applies at `x`: its origin, which is the argument of a knot, and the coefficients of the
-    /// powers 0 to 3 of the distance from that origin.
+    /// Origin and coefficients of the cubic that applies at `x`.
     pub fn piece(&self, x: f64) -> (f64, [f64; 4]) {
         let below = self.knots.partition_point(|&knot| knot <= x);
         (self.knots[below.saturating_sub(1)], self.cubics[below])
@@ -61,8 +57,7 @@ impl PiecewiseCubic {
     }
 }
 
-/// Cubic spline, computed from its second derivatives at the knots. At both end knots the slope is 0 if `is_flat`, else
-/// the second derivative is 0.
+/// Cubic spline; at the ends the slope is 0 if `is_flat`, else the second derivative is.
 fn spline(knots: &[(f64, f64)], is_flat: bool) -> PiecewiseCubic {
     let n = knots.len();
     let width = |k: usize| knots[k + 1].0 - knots[k].0;
@@ -113,8 +108,7 @@ fn spline(knots: &[(f64, f64)], is_flat: bool) -> PiecewiseCubic {
     continued(knots, (0..n - 1).map(cubic).collect(), end_slope, is_flat)
 }
 
-/// Piecewise cubic whose slopes at the knots make the curve monotone between knots with monotone values (Fritsch and
-/// Butland 1984). At both end knots the slope is 0 if `is_flat`, else it is given by a limited three-point formula.
+/// Monotone cubic (Fritsch and Butland 1984); at the ends the slope is 0 if `is_flat`.
 fn monotone(knots: &[(f64, f64)], is_flat: bool) -> PiecewiseCubic {
     let n = knots.len();
     let width = |k: usize| knots[k + 1].0 - knots[k].0;
@@ -154,9 +148,7 @@ fn monotone(knots: &[(f64, f64)], is_flat: bool) -> PiecewiseCubic {
     )
 }
 
-/// Adds straight lines below the first knot and above the last knot to the cubics `inner` between the knots. The lines
-/// are horizontal if `is_flat`; else they have the slopes of the curve at the end knots. `end_slope` is the slope of
-/// the curve at the last knot.
+/// Adds straight lines beyond the knots, horizontal if `is_flat`.
 fn continued(
     knots: &[(f64, f64)],
     inner: Vec<[f64; 4]>,

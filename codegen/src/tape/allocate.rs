@@ -4,8 +4,7 @@ use super::steps::{Step, Steps, Value};
 use super::{Instruction, Run, Tape};
 use crate::program::{Operand, Program};
 
-/// Step index that is recorded as the last use of each input, constant and program output, so that these values keep
-/// their registers after the last step: greater than every step index.
+/// Last use of inputs, constants and outputs: after every step.
 const END: usize = usize::MAX;
 
 /// Compiles a program to a tape.
@@ -41,8 +40,7 @@ pub(super) fn tape(program: &Program) -> Tape {
     }
 }
 
-/// For each value, the index of the last step that reads it. For inputs, constants and program outputs it is [`END`],
-/// so that they keep their registers for the whole evaluation.
+/// For each value, the last step that reads it, or [`END`].
 fn last_uses(steps: &Steps) -> Vec<usize> {
     let mut last = vec![0; steps.statements];
     last.resize(steps.values(), END);

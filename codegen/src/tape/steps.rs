@@ -10,8 +10,7 @@ use crate::schedule::pairs::{OperandKey, sin_cos_pairs};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, HashMap, VecDeque};
 
-/// Index of a value in an evaluation: the result of statement k has the index k; inputs and constants have the indices
-/// after those of the statements.
+/// Index of a value: statements first, then inputs and constants.
 pub(super) type Value = usize;
 
 /// Instruction before register allocation: its operands and results are indices of values.
@@ -119,9 +118,7 @@ fn in_program_order(program: &Program, values: &mut Values) -> Vec<Step> {
     steps
 }
 
-/// Indices of the steps, reordered into runs with one operation code each. A step is ready if its operands have been
-/// computed. The next run has the operation code of the ready step after which the operation code must still change
-/// most often; it ends when no step with this code is ready.
+/// Steps in runs of one operation code: next the code that must be followed by most changes, as long as one is ready.
 fn order_in_runs(steps: &[Step], values: usize) -> Vec<usize> {
     let readers = Readers::new(steps, values);
     let mut changes = vec![0_usize; steps.len()];
@@ -196,13 +193,11 @@ impl Readers {
     }
 }
 
-/// Steps with one operation code that are ready (their operands have been computed), in the order in which they became
-/// ready.
+/// Steps with one operation code that are ready, in the order in which they became ready.
 #[derive(Default)]
 struct Ready {
     steps: VecDeque<usize>,
-    /// Number of changes of operation code that must follow a step in `steps`; the maximum over the steps added since
-    /// `steps` was last empty.
+    /// Most changes of operation code that must follow one of the steps.
     changes: usize,
 }
 
@@ -221,9 +216,7 @@ impl Ready {
     }
 }
 
-/// Operation code of the steps to execute next: the code whose ready steps must be followed by the most changes of
-/// operation code ([`Ready::changes`]). Ties are resolved in favour of the code with more ready steps, then of the
-/// smallest code. `None` if no step is ready.
+/// Operation code that must be followed by most changes, then that of most steps.
 fn next(ready: &BTreeMap<Opcode, Ready>) -> Option<Opcode> {
     let any = ready.iter().filter(|(_, ready)| !ready.steps.is_empty());
     let next =

@@ -50,8 +50,7 @@ struct Case {
 }
 
 fn cases(folder: &Path) -> Vec<Case> {
-    let zoo =
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../codegen/tests/integration/zoo/zoo.hyz");
+    let zoo = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/integration/zoo/zoo.hyz");
     let clashing = folder.join("yield.hyz");
     std::fs::write(&clashing, CLASHING).unwrap();
     let path = |path: &Path| path.to_str().unwrap().to_string();
@@ -241,7 +240,7 @@ fn plain_modules_agree_with_the_tape() {
 #[test]
 fn modules_over_lanes_compile() {
     let folder = tempfile::tempdir().unwrap();
-    let lanes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../lanes/src/lib.rs");
+    let lanes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/lanes/src/lib.rs");
     let mut config = Config::new();
     let mut library = String::from("#![deny(warnings)]\n");
     for Case { source, stem } in cases(folder.path()) {

@@ -85,7 +85,8 @@ fn every_backend_writes_each_model_once_and_always_the_same() {
 #[test]
 fn committed_code_is_what_would_be_generated() {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/generated/src");
-    let differences = generate::check(&source, &all()).expect("a readable folder");
+    let committed = ["ball", "disc"].map(model);
+    let differences = generate::check(&source, &committed).expect("a readable folder");
     let text: Vec<String> = differences.iter().map(ToString::to_string).collect();
     assert!(text.is_empty(), "{}", text.join("\n"));
 }

@@ -1,7 +1,7 @@
 //! What the constructors of the graph make of an expression, one line each.
 
 use crate::support::print::show;
-use codegen::functions::MathFunction;
+use codegen::functions::{BinaryFunction, MathFunction};
 use codegen::graph::{ExprGraph, NodeId, Symbol};
 use codegen::number::Number;
 
@@ -71,11 +71,11 @@ table! {
         let n = b.norm(&[x, y]); let (u, v) = (b.g.div(x, n), b.g.div(y, n));
         let (p, q) = (b.g.mul(x, u), b.g.mul(y, v)); b.g.add(p, q)
     } => "(a^2 + b^2)^(1/2)";
-    sin_of_atan2: |b, [y, x, ..]| { let t = b.g.atan2(y, x); b.g.call(MathFunction::Sin, t) } => "a*(a^2 + b^2)^(-1/2)";
-    cos_of_atan2_is_one_at_the_origin: |b, [y, x, ..]| { let t = b.g.atan2(y, x); b.g.call(MathFunction::Cos, t) }
+    sin_of_atan2: |b, [y, x, ..]| { let t = b.g.call2(BinaryFunction::Atan2, y, x); b.g.call(MathFunction::Sin, t) } => "a*(a^2 + b^2)^(-1/2)";
+    cos_of_atan2_is_one_at_the_origin: |b, [y, x, ..]| { let t = b.g.call2(BinaryFunction::Atan2, y, x); b.g.call(MathFunction::Cos, t) }
         => "b*(a^2 + b^2)^(-1/2) - nonzero(a^2 + b^2) + 1";
     cos_of_atan2_times_the_radius: |b, [y, x, ..]| {
-        let t = b.g.atan2(y, x); let c = b.g.call(MathFunction::Cos, t); let n = b.norm(&[x, y]); b.g.mul(c, n)
+        let t = b.g.call2(BinaryFunction::Atan2, y, x); let c = b.g.call(MathFunction::Cos, t); let n = b.norm(&[x, y]); b.g.mul(c, n)
     } => "b";
     sin_squared_plus_cos_squared: |b, [x, y, ..]| {
         let (s, c) = (b.g.call(MathFunction::Sin, x), b.g.call(MathFunction::Cos, x));

@@ -6,10 +6,7 @@ use crate::layout::{depends, depends_on_accelerations, is_acceleration};
 use crate::model::Expr;
 
 impl Checker<'_> {
-    /// Reports forces, moments, equations `der(STATE) = …`, validity limits, clock rates (rates of true time relative
-    /// to recorded time) and statements of the `claim` block that depend on the specific force or the angular
-    /// acceleration. Such a dependency is not permitted, because these two quantities are computed from the forces and
-    /// moments.
+    /// Reports expressions that depend on the specific force or the angular acceleration, but precede the motion.
     pub fn after_motion(&mut self) {
         let model = &self.model;
         let known = depends_on_accelerations(model);

@@ -43,36 +43,28 @@ impl Checker<'_> {
             return;
         };
         for &step in &chain[..steps] {
-            let symmetric = match self.model.frames[step].kind {
-                FrameKind::Turned { axis, .. } => is_symmetric(inertia, axis),
-                _ => false,
+            let about = match self.model.frames[step].kind {
+                FrameKind::Turned { axis, .. } if is_symmetric(inertia, axis) => continue,
+                FrameKind::Turned { axis, .. } => format!(
+                    "the body turns in it about axis {axis}, about which these moments are not symmetric"
+                ),
+                _ => "the body turns in it".to_owned(),
             };
-            if !symmetric {
-                let about = match self.model.frames[step].kind {
-                    FrameKind::Turned { axis, .. } => format!(
-                        "the body turns in it about axis {axis}, about which these moments are not symmetric"
-                    ),
-                    _ => "the body turns in it".to_owned(),
-                };
-                let message = format!(
-                    "moments of inertia in {} would change with time: {about}",
-                    name(frame)
-                );
-                let fault = Diagnostic::new(Kind::Frame, span, message).label(
-                    self.model.frames[step].span,
-                    format!("{} turns here", name(step)),
-                );
-                let help = format!("give them in {}, the frame fixed in the body", name(body));
-                self.report(fault.help(help));
-                return;
-            }
+            let message = format!(
+                "moments of inertia in {} would change with time: {about}",
+                name(frame)
+            );
+            let turns = format!("{} turns here", name(step));
+            let fault = Diagnostic::new(Kind::Frame, span, message)
+                .label(self.model.frames[step].span, turns);
+            let help = format!("give them in {}, the frame fixed in the body", name(body));
+            self.report(fault.help(help));
+            return;
         }
     }
 
-    /// Checks how the attitude of the body is described. The path from the inertial to the body-fixed frame must
-    /// consist of three rotations, successive ones about different axes, or of one quaternion, and every frame must be
-    /// on this path. With a quaternion, the body must declare `angular velocity` states in the body-fixed frame; with
-    /// three rotations, it must not. Reports an error otherwise.
+    /// Checks that three rotations about different axes, or one quaternion, lead to the body, through every frame. With
+    /// a quaternion, the body must have states of its angular velocity.
     pub fn attitude(&mut self, body: &ast::Body, parts: &Parts<'_>) {
         let Some(rotation) = self.model.body.as_ref().and_then(|b| b.rotation.as_ref()) else {
             return;
@@ -87,21 +79,15 @@ impl Checker<'_> {
                 name(0),
                 name(body_frame)
             );
-            self.report(Diagnostic::new(
-                Kind::Frame,
-                self.model.frames[loose].span,
-                message,
-            ));
+            let place = self.model.frames[loose].span;
+            self.report(Diagnostic::new(Kind::Frame, place, message));
             return;
         }
-        let axes: Vec<Option<u8>> = chain
-            .iter()
-            .rev()
-            .map(|&f| match self.model.frames[f].kind {
-                FrameKind::Turned { axis, .. } => Some(axis),
-                _ => None,
-            })
-            .collect();
+        let axis = |&f: &usize| match self.model.frames[f].kind {
+            FrameKind::Turned { axis, .. } => Some(axis),
+            _ => None,
+        };
+        let axes: Vec<Option<u8>> = chain.iter().rev().map(axis).collect();
         match axes[..] {
             [None] => {
                 let fixed = parts.fixed.map_or(body.name.span, |f| f.span);
@@ -135,10 +121,8 @@ impl Checker<'_> {
                     self.report(Diagnostic::new(Kind::Frame, place, message).help(help));
                 } else if let Some((names, _)) = parts.angular {
                     let message = "where the attitude is by angles their rates are states, and the angular velocity follows from them";
-                    self.report(
-                        Diagnostic::new(Kind::Duplicate, names[0].span, message)
-                            .help("remove `angular velocity`"),
-                    );
+                    let fault = Diagnostic::new(Kind::Duplicate, names[0].span, message);
+                    self.report(fault.help("remove `angular velocity`"));
                 }
             }
             _ => {
@@ -159,8 +143,7 @@ impl Checker<'_> {
     }
 }
 
-/// Whether an inertia tensor is that of a body of revolution about axis `axis` (1, 2 or 3): diagonal, with equal
-/// moments about the other two axes.
+/// Whether an inertia tensor is diagonal, with equal moments about the axes other than `axis`.
 pub(super) fn is_symmetric(inertia: &[[Expr; 3]; 3], axis: u8) -> bool {
     let k = usize::from(axis) - 1;
     let (i, j) = ((k + 1) % 3, (k + 2) % 3);

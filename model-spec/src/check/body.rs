@@ -7,9 +7,8 @@ use crate::model::{self, Expr, ExprKind, Shape};
 use crate::syntax::ast::{self, BodyClass, BodyPartKind, Name};
 use crate::unit::Unit;
 
-/// The statements in a block `body NAME { … }` or `point NAME { … }`, one field per kind of statement. Each kind occurs
-/// at most once; `None` if the block does not contain it.
-#[derive(Default)]
+/// Statements in the block of a body, each at most once.
+#[derive(Clone, Default)]
 pub(super) struct Parts<'a> {
     mass: Option<&'a ast::Expr>,
     inertia: Option<(&'a ast::Inertia, Span)>,
@@ -21,11 +20,11 @@ pub(super) struct Parts<'a> {
 }
 
 impl<'a> Checker<'a> {
-    /// Declares a body's states: position, velocity, attitude and angular velocity. The expressions of mass and inertia
-    /// are resolved later, by [`Checker::body`].
+    /// Declares the states of a body; [`Checker::body`] resolves mass and inertia.
     pub fn body_states(&mut self, body: &'a ast::Body) {
-        let parts = self.parts(body, true);
+        let parts = self.parts(body);
         self.missing_parts(body, &parts);
+        self.parts_of_body = parts.clone();
         let rigid = body.class == BodyClass::Rigid;
         let triple = |c: &mut Self, names: &[Name; 3], unit| {
             names
@@ -34,10 +33,7 @@ impl<'a> Checker<'a> {
         };
         let position = parts.position.map(|(names, frame)| {
             if let Some(other) = self.frame_of(frame).filter(|&f| f != 0) {
-                let (first, other) = (
-                    self.model.frames[0].name.clone(),
-                    self.model.frames[other].name.clone(),
-                );
+                let [first, other] = [0, other].map(|i| self.model.frames[i].name.clone());
                 let message = format!(
                     "the position must be given in the inertial frame {first}, not in {other}"
                 );
@@ -106,10 +102,8 @@ impl<'a> Checker<'a> {
                     "a point does not turn: nothing determines how the frame `{}` moves",
                     frame.name.text
                 );
-                self.report(
-                    Diagnostic::new(Kind::Missing, frame.name.span, message)
-                        .help("declare a `body` with moments of inertia"),
-                );
+                let fault = Diagnostic::new(Kind::Missing, frame.name.span, message);
+                self.report(fault.help("declare a `body` with moments of inertia"));
             }
             None
         };
@@ -129,7 +123,7 @@ impl<'a> Checker<'a> {
         });
     }
 
-    fn parts(&mut self, body: &'a ast::Body, report: bool) -> Parts<'a> {
+    fn parts(&mut self, body: &'a ast::Body) -> Parts<'a> {
         let mut parts = Parts::default();
         let mut seen: Vec<(&str, Span)> = Vec::new();
         for part in &body.parts {
@@ -143,19 +137,15 @@ impl<'a> Checker<'a> {
                 BodyPartKind::AngularVelocityIn(_) => "angular velocity in",
             };
             if let Some(&(_, first)) = seen.iter().find(|s| s.0 == word) {
-                if report {
-                    self.second(word, first, part.span);
-                }
+                self.second(word, first, part.span);
                 continue;
             }
             seen.push((word, part.span));
             let turning = !matches!(word, "mass" | "position" | "velocity");
             if turning && body.class == BodyClass::Point {
-                if report {
-                    let message = format!("a point has no `{word}`");
-                    let fault = Diagnostic::new(Kind::Shape, part.span, message);
-                    self.report(fault.help("declare it as `body`, not as `point`, if it turns"));
-                }
+                let message = format!("a point has no `{word}`");
+                let fault = Diagnostic::new(Kind::Shape, part.span, message);
+                self.report(fault.help("declare it as `body`, not as `point`, if it turns"));
                 continue;
             }
             match &part.kind {
@@ -175,12 +165,10 @@ impl<'a> Checker<'a> {
 
     fn missing_parts(&mut self, body: &ast::Body, parts: &Parts<'_>) {
         let rigid = body.class == BodyClass::Rigid;
+        let inertia = "inertia diag(…, …, …) in …;";
         let needed = [
             ("mass …;", parts.mass.is_none()),
-            (
-                "inertia diag(…, …, …) in …;",
-                rigid && parts.inertia.is_none(),
-            ),
+            (inertia, rigid && parts.inertia.is_none()),
             ("fixed in …;", rigid && parts.fixed.is_none()),
             ("position (x, y, z) in N;", parts.position.is_none()),
             ("velocity (u, v, w) in …;", parts.velocity.is_none()),
@@ -188,9 +176,8 @@ impl<'a> Checker<'a> {
         self.lacking("the body", "the body", &body.name, &needed);
     }
 
-    /// Reports the required statements that are missing from the block `name`, which declares the body or is a `claim`
-    /// block. `needed` pairs each required statement with whether it is missing. In the message, `what` precedes the
-    /// name (as in "the body"), and `owner` denotes the block to which the statements must be added.
+    /// Reports missing statements of the block `name`; in the message, `what` precedes the name, and `owner` is to have
+    /// them.
     pub fn lacking(&mut self, what: &str, owner: &str, name: &Name, needed: &[(&str, bool)]) {
         let missing: Vec<&str> = needed.iter().filter(|n| n.1).map(|n| n.0).collect();
         if missing.is_empty() {
@@ -207,7 +194,7 @@ impl<'a> Checker<'a> {
         let Some(body) = self.declared_body else {
             return;
         };
-        let parts = self.parts(body, false);
+        let parts = self.parts_of_body.clone();
         if let Some(mass) = parts.mass {
             let expr = self.constant_of_body(mass, Unit::KILOGRAM, "the mass", false);
             if let (Some(expr), Some(made)) = (expr, self.model.body.as_mut()) {
@@ -223,9 +210,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Resolves an expression for the mass or for an entry of the inertia tensor; `what` describes it in messages.
-    /// `None`, with an error reported, if the expression is invalid or can change during a flight. Unless `signed`, an
-    /// expression that is not positive at the default parameter values is also reported.
+    /// Resolves a mass or an inertia entry, which messages call `what`; reports one that can vary or, unless `signed`,
+    /// is not positive.
     pub fn constant_of_body(
         &mut self,
         e: &ast::Expr,
@@ -241,11 +227,10 @@ impl<'a> Checker<'a> {
                 "{what} must not change during a flight, but `{}` does",
                 self.text(culprit)
             );
-            self.report(
+            return self.refuse(
                 Diagnostic::new(Kind::Value, e.span, message)
                     .help("use parameters and coefficients only"),
             );
-            return None;
         }
         if !signed
             && let Some(value) = self.value(&typed.expr)
@@ -286,8 +271,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Evaluates an expression with default parameter values, SI; `None` if it contains anything but literals,
-    /// parameters and + − * /.
+    /// Value at the default parameters, SI; `None` for operations other than + − * /.
     fn value(&self, e: &Expr) -> Option<f64> {
         Some(match &e.kind {
             ExprKind::Number { value, .. } => *value,
@@ -303,17 +287,9 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// Literal 0 with a provisional unit: placeholder for a mass, or for an entry of the inertia tensor, that the model
-/// file does not specify.
+/// Literal 0 in place of an entry that the file does not specify.
 pub(super) fn zero(span: Span) -> Expr {
-    let mut expr = node(
-        ExprKind::Number {
-            value: 0.0,
-            exact: Some((0, 1)),
-        },
-        Shape::Scalar,
-        span,
-    );
-    expr.unit = Unit::ONE;
-    expr
+    let exact = Some((0, 1));
+    let value = 0.0;
+    node(ExprKind::Number { value, exact }, Shape::Scalar, span)
 }

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::quantity::Measure;
 use super::scope::Symbol;
-use super::term::{Fraction, Term};
+use super::term::Term;
 use super::{Checker, Definition, UnitOf};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{CheckCase, Expectation, Observable, Shape, Target};
@@ -12,7 +12,7 @@ use crate::syntax::ast::{self, CheckPart, ItemKind, Name, Number, UnitExpr};
 use crate::unit::Unit;
 
 impl Checker<'_> {
-    /// Checks every `check` block (test case of the model file) and adds it to the model's check cases.
+    /// Checks every `check` block and adds it to the model's check cases.
     pub fn cases(&mut self) {
         let file = self.file;
         let mut titles: HashMap<&str, Span> = HashMap::new();
@@ -47,9 +47,10 @@ impl Checker<'_> {
                         within,
                         span,
                     } => {
-                        let observable = match derivative {
-                            true => self.expected_derivative(name),
-                            false => self.expected_quantity(name),
+                        let observable = if *derivative {
+                            self.expected_derivative(name)
+                        } else {
+                            self.expected_quantity(name)
                         };
                         let expectation = observable
                             .and_then(|o| self.expectation(o, name, value, within, *span));
@@ -66,8 +67,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Checks `set NAME = value;`. Returns pairs of target and SI value: one pair, or three for the components of an
-    /// input or of the marker. `None`, with an error reported, if the name or its value is invalid.
+    /// Checks `set NAME = value;`; returns pairs of target and SI value, one per component.
     fn setting(
         &mut self,
         name: &Name,
@@ -77,23 +77,19 @@ impl Checker<'_> {
     ) -> Option<Vec<(Target, f64)>> {
         let (targets, expected) = self.targets(name)?;
         if targets.len() != value.len() {
-            self.report(wrong_shape(&name.text, targets.len() == 1, span));
-            return None;
+            return self.refuse(wrong_shape(&name.text, targets.len() == 1, span));
         }
         let measure = self.measure_or_one(unit)?;
         let is_bare_zero = unit.is_none() && value.iter().all(|n| measure.of(n).0 == 0.0);
         if !is_bare_zero {
-            let declared = self.scope.place(&name.text).unwrap_or(span);
-            self.agrees(&name.text, &measure, &expected, span, |is| {
-                (declared, format!("`{}` is {is}", name.text))
-            });
+            let label = |is: &str| format!("`{}` is {is}", name.text);
+            self.agrees(name, &name.text, &measure, &expected, span, label);
         }
         let values = value.iter().map(|number| measure.of(number).0);
         Some(targets.into_iter().zip(values).collect())
     }
 
-    /// Scalars, such as a state or the components of an input, to which the name in `set NAME` refers, with their
-    /// common unit; `None`, with an error reported, if the name cannot be set.
+    /// Scalars that the name in `set NAME` refers to, and their unit; reports a name that cannot be set.
     fn targets(&mut self, name: &Name) -> Option<(Vec<Target>, Term)> {
         let Some(symbol) = self.scope.find(&name.text) else {
             self.nothing_named(name, "parameter, coefficient, input, state or marker");
@@ -111,10 +107,9 @@ impl Checker<'_> {
                 let declared = self.scope.place(&name.text).unwrap_or(name.span);
                 let fault = Diagnostic::new(Kind::Name, name.span, message)
                     .label(declared, "declared here");
-                self.report(
+                return self.refuse(
                     fault.help("set parameters, coefficients, inputs, states and the marker"),
                 );
-                return None;
             }
         };
         match self.unit_of_symbol(symbol)? {
@@ -123,23 +118,20 @@ impl Checker<'_> {
         }
     }
 
-    /// Resolves the state derivative in `expect der(NAME) = …`; `None`, with an error reported, if `NAME` is not a
-    /// state.
+    /// Resolves the state derivative in `expect der(NAME) = …`.
     fn expected_derivative(&mut self, name: &Name) -> Option<Expected> {
         let Some(Symbol::State(i)) = self.scope.find(&name.text) else {
             self.no_state(name);
             return None;
         };
-        let inverse = Fraction::new(-1, 1)?;
         Some(Expected {
             observable: Observable::Derivative(i),
-            unit: self.states[i].times_power(&Term::known(Unit::SECOND), inverse)?,
+            unit: self.unit_of_rate(i)?,
             text: format!("der({})", name.text),
         })
     }
 
-    /// Resolves the scalar auxiliary variable in `expect NAME = …`; `None`, with an error reported, if `NAME` is not a
-    /// scalar auxiliary variable.
+    /// Resolves the scalar auxiliary variable in `expect NAME = …`.
     fn expected_quantity(&mut self, name: &Name) -> Option<Expected> {
         let (message, help) = match self.scope.find(&name.text) {
             Some(Symbol::Let(i)) => match self.definitions.get(i)?.clone() {
@@ -151,13 +143,12 @@ impl Checker<'_> {
                     });
                 }
                 Definition::Done(_, Shape::Vector(_), _) => {
-                    let message = format!(
-                        "`{}` is a vector; what is expected must be a number",
-                        name.text
-                    );
+                    let text = &name.text;
+                    let message =
+                        format!("`{text}` is a vector; what is expected must be a number");
                     let help = format!("name a component: `let {0}_1 = {0}.1;`", name.text);
-                    self.report(Diagnostic::new(Kind::Shape, name.span, message).help(help));
-                    return None;
+                    return self
+                        .refuse(Diagnostic::new(Kind::Shape, name.span, message).help(help));
                 }
                 Definition::Done(..) | Definition::Missing => return None,
             },
@@ -174,12 +165,10 @@ impl Checker<'_> {
                 return None;
             }
         };
-        self.report(Diagnostic::new(Kind::Name, name.span, message).help(help));
-        None
+        self.refuse(Diagnostic::new(Kind::Name, name.span, message).help(help))
     }
 
-    /// Checks `expect … = value within tolerance;`. A tolerance without a unit has the unit of the value. `None` if a
-    /// unit or the tolerance is invalid, with an error reported.
+    /// Checks `expect … = value within tolerance;`; the tolerance may omit the unit of the value.
     fn expectation(
         &mut self,
         expected: Expected,
@@ -202,17 +191,15 @@ impl Checker<'_> {
         if within.unit.is_some() {
             stated.push((&tolerance, within.span));
         }
-        let declared = self.scope.place(&name.text).unwrap_or(name.span);
+        let label = |_: &str| format!("`{}` is declared here", name.text);
         for (measure, span) in stated {
-            let label = |_: &str| (declared, format!("`{}` is declared here", name.text));
-            if !self.agrees(&expected.text, measure, &expected.unit, span, label) {
+            if !self.agrees(name, &expected.text, measure, &expected.unit, span, label) {
                 return None;
             }
         }
         if allowed < 0.0 {
             let message = "the greatest difference cannot be negative";
-            self.report(Diagnostic::new(Kind::Value, within.span, message));
-            return None;
+            return self.refuse(Diagnostic::new(Kind::Value, within.span, message));
         }
         Some(Expectation {
             what: expected.observable,
@@ -222,8 +209,7 @@ impl Checker<'_> {
         })
     }
 
-    /// SI unit and conversion factor of a unit expression; dimensionless if `unit` is `None`. Returns `None`, with an
-    /// error reported, if the expression is invalid.
+    /// [`Checker::measure`], dimensionless without a unit.
     pub fn measure_or_one(&mut self, unit: Option<&UnitExpr>) -> Option<Measure> {
         match unit {
             Some(unit) => self.measure(unit),
@@ -231,16 +217,16 @@ impl Checker<'_> {
         }
     }
 
-    /// Whether the unit `measure` of a literal agrees with the unit `expected` of `quantity`; reports an error if not.
-    /// A unit that is still unknown agrees with any unit. `label` returns a source span and its annotation for the
-    /// error, given a description of the expected unit.
+    /// Whether the unit of a literal agrees with that of `quantity`, if it is known; else reports an error with a `label` at
+    /// the declaration of `name`.
     fn agrees(
         &mut self,
+        name: &Name,
         quantity: &str,
         measure: &Measure,
         expected: &Term,
         span: Span,
-        label: impl Fn(&str) -> (Span, String),
+        label: impl Fn(&str) -> String,
     ) -> bool {
         let expected = self.units.resolve(expected);
         let Some(unit) = expected.unit() else {
@@ -252,8 +238,8 @@ impl Checker<'_> {
         let is = self.described(&expected);
         let found = self.described(&Term::known(measure.unit));
         let message = format!("`{quantity}` is {is}, but this is {found}");
-        let (declared, text) = label(&is);
-        let fault = Diagnostic::new(Kind::Unit, span, message).label(declared, text);
+        let declared = self.scope.place(&name.text).unwrap_or(name.span);
+        let fault = Diagnostic::new(Kind::Unit, span, message).label(declared, label(&is));
         let help = match unit.tidy() {
             Unit::ONE => "write the number without a unit".to_owned(),
             unit => format!("give the number the unit `{unit}`"),

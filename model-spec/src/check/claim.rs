@@ -1,5 +1,4 @@
-//! Semantic checks of a claim: units and frames of the claimed quantities, which must not be computed from the stated
-//! equations.
+//! Semantic checks of a claim.
 
 use super::body::zero;
 use super::order::uses;
@@ -9,18 +8,14 @@ use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::layout::depends;
 use crate::model::{self, ClaimedAttitude, ClaimedRotation, Expr, ExprKind};
 use crate::syntax::ast::{self, BodyClass, ClaimPart, ClaimPartKind, ItemKind};
+use crate::syntax::of_kind;
 use crate::unit::Unit;
 
 impl<'a> Checker<'a> {
-    /// Checks the `claim` block of the file and adds it to the model. The block declares which expressions are the
-    /// mass, motion and loads of a body in a model that writes its equations `der(STATE) = …` explicitly. Reports a
-    /// second such block, and a `claim` block in a model that declares a body.
+    /// Checks the `claim` block and adds it to the model.
     pub fn claim(&mut self) {
         let file = self.file;
-        let mut claims = file.items.iter().filter_map(|item| match &item.kind {
-            ItemKind::Claim(claim) => Some(claim),
-            _ => None,
-        });
+        let mut claims = of_kind!(file.items.iter(), ItemKind::Claim);
         let Some(claim) = claims.next() else { return };
         for other in claims {
             self.second("claim", claim.name.span, other.name.span);
@@ -37,13 +32,12 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Whether a `claim` block has every statement that is required for its class of body (rigid or point mass), each
-    /// once and without `der(…)`; reports each violation.
+    /// Whether a `claim` block has each required statement once, without `der(…)`; reports violations.
     fn claimed_parts(&mut self, claim: &'a ast::Claim) -> bool {
         let before = self.diagnostics.len();
         let mut seen: Vec<(&str, Span)> = Vec::new();
         for part in &claim.parts {
-            let word = part.kind.words();
+            let word = part.words;
             if let Some(&(_, first)) = seen.iter().find(|s| s.0 == word) {
                 self.second(word, first, part.span);
             }
@@ -58,16 +52,14 @@ impl<'a> Checker<'a> {
         }
         let has = |word: &str| seen.iter().any(|s| s.0 == word);
         let rigid = claim.class == BodyClass::Rigid;
+        let attitude = has("fixed in") || has("axis");
         let needed = [
             ("mass …;", !has("mass")),
             ("position …;", !has("position")),
             ("velocity …;", !has("velocity")),
             ("force …;", !has("force")),
             ("inertia diag(…, …, …) in …;", rigid && !has("inertia")),
-            (
-                "fixed in …; (or axis …;)",
-                rigid && !has("fixed in") && !has("axis"),
-            ),
+            ("fixed in …; (or axis …;)", rigid && !attitude),
             ("angular velocity …;", rigid && !has("angular velocity")),
             ("moment …;", rigid && !has("moment")),
         ];
@@ -82,12 +74,10 @@ impl<'a> Checker<'a> {
         self.diagnostics.len() == before
     }
 
-    /// Reports a use of `der(…)` in a statement of the `claim` block, which declares the physical meaning of the
-    /// model's equations. With `der(…)`, the declaration would hold for any equations, because the value of `der(…)` is
-    /// computed from them.
+    /// Reports `der(…)` in a claim, which would then hold for any equations.
     fn without_derivatives(&mut self, part: &'a ClaimPart) {
         let mut found: Option<(&str, Span)> = None;
-        for e in part.kind.expressions() {
+        for e in part.expressions() {
             uses(e, &mut |name, is_derivative, span| {
                 if is_derivative {
                     found.get_or_insert((name, span));
@@ -107,8 +97,7 @@ impl<'a> Checker<'a> {
         self.report(fault.help("state the quantity by the states and parameters"));
     }
 
-    /// Whether `e`, an expression in the `claim` block, uses an auxiliary variable that depends on `der(…)`. If so,
-    /// reports an error, because the claimed equations of motion would then hold for any equations of the model.
+    /// Whether `e` uses a variable that depends on `der(…)`; if so, reports it.
     fn is_circular(&mut self, e: &Expr) -> bool {
         let of_equations: Vec<usize> = { self.derivatives.values() }
             .filter_map(|&definition| match self.definitions.get(definition) {
@@ -136,10 +125,10 @@ impl<'a> Checker<'a> {
     }
 
     fn claimed(&mut self, claim: &'a ast::Claim) -> Option<model::Claim> {
-        let part = |word: &str| claim.parts.iter().find(|p| p.kind.words() == word);
+        let part = |word: &str| claim.parts.iter().find(|p| p.words == word);
         let mass = self.claimed_mass(part("mass")?);
         let mut vector = |word: &str, what: &str, unit: Unit| {
-            let [e] = part(word)?.kind.expressions()[..] else {
+            let [e] = part(word)?.expressions()[..] else {
                 return None;
             };
             self.claimed_vector(e, what, unit)
@@ -177,7 +166,7 @@ impl<'a> Checker<'a> {
 
     fn claimed_mass(&mut self, part: &'a ClaimPart) -> Option<Expr> {
         match &part.kind {
-            ClaimPartKind::Mass(mass) => {
+            ClaimPartKind::Value(mass) => {
                 self.constant_of_body(mass, Unit::KILOGRAM, "the mass", false)
             }
             _ => None,
@@ -212,12 +201,11 @@ impl<'a> Checker<'a> {
                 self.steady_inertia(inertia, frame, inertia_frame, part.span);
                 Some(ClaimedAttitude::Frame(frame))
             }
-            ClaimPartKind::Axis(e) => {
+            ClaimPartKind::Value(e) => {
                 let (typed, _) = self.vector(e, "the axis of the claim")?;
                 let ExprKind::Axis(frame, axis) = typed.expr.kind else {
                     let message = "the axis of a claim is an axis of a frame, such as `B.3`";
-                    self.report(Diagnostic::new(Kind::Shape, e.span, message));
-                    return None;
+                    return self.refuse(Diagnostic::new(Kind::Shape, e.span, message));
                 };
                 if frame != inertia_frame || !super::attitude::is_symmetric(inertia, axis) {
                     let name = self.model.frames[frame].name.clone();
@@ -225,17 +213,16 @@ impl<'a> Checker<'a> {
                         "a body with `axis {name}.{axis}` is one of revolution about it: its moments of inertia are given in {name} and are equal about the other two axes"
                     );
                     let fault = Diagnostic::new(Kind::Frame, part.span, message);
-                    self.report(fault.help("else state the frame that is `fixed in` the body"));
-                    return None;
+                    return self
+                        .refuse(fault.help("else state the frame that is `fixed in` the body"));
                 }
                 Some(ClaimedAttitude::Axis(frame, axis))
             }
-            _ => None,
+            ClaimPartKind::Inertia(_) => None,
         }
     }
 
-    /// Entries of an inertia tensor, kg m²; `None`, with an error reported, if an entry is invalid or changes during a
-    /// flight, or the tensor is not symmetric.
+    /// Entries of an inertia tensor, kg m²; reports entries that are invalid or not symmetric.
     pub fn inertia_entries(
         &mut self,
         inertia: &ast::Inertia,
@@ -244,11 +231,10 @@ impl<'a> Checker<'a> {
         let mut rows: [[Option<Expr>; 3]; 3] = Default::default();
         for (i, row) in inertia.rows.iter().enumerate() {
             for (j, entry) in row.iter().enumerate() {
+                let what = "a moment of inertia";
                 rows[i][j] = match entry {
                     None => Some(zero(span)),
-                    Some(e) => {
-                        self.constant_of_body(e, Unit::INERTIA, "a moment of inertia", i != j)
-                    }
+                    Some(e) => self.constant_of_body(e, Unit::INERTIA, what, i != j),
                 };
             }
         }
@@ -271,8 +257,7 @@ impl<'a> Checker<'a> {
                     j + 1,
                     i + 1
                 );
-                self.report(Diagnostic::new(Kind::Value, span, message));
-                return None;
+                return self.refuse(Diagnostic::new(Kind::Value, span, message));
             }
         }
         Some(matrix)

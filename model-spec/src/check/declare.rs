@@ -5,8 +5,9 @@ use super::scope::Symbol;
 use super::term::Term;
 use super::{Checker, Definition};
 use crate::diagnostic::{Diagnostic, Kind, Span};
-use crate::model::{self, Model};
+use crate::model;
 use crate::syntax::ast::{self, Item, ItemKind, Name, ParameterClass, UnitExpr};
+use crate::syntax::of_kind;
 use crate::unit::Unit;
 
 impl<'a> Checker<'a> {
@@ -42,22 +43,11 @@ impl<'a> Checker<'a> {
 
     /// Checks the statements `model NAME;` and `reference NAME;`: each may occur at most once, and `model` is required.
     fn headings(&mut self) {
-        let (mut model, mut reference): (Option<&Name>, Option<&Name>) = (None, None);
         let file = self.file;
-        for item in &file.items {
-            let (slot, name, word) = match &item.kind {
-                ItemKind::Model(name) => (&mut model, name, "model"),
-                ItemKind::Reference(name) => (&mut reference, name, "reference"),
-                _ => continue,
-            };
-            match slot {
-                None => *slot = Some(name),
-                Some(first) => {
-                    let first = first.span;
-                    self.second(word, first, name.span);
-                }
-            }
-        }
+        let models = of_kind!(file.items.iter(), ItemKind::Model);
+        let model = self.first_of("model", models);
+        let references = of_kind!(file.items.iter(), ItemKind::Reference);
+        let reference = self.first_of("reference", references);
         self.model.reference = reference.map(|n| n.text.clone());
         match model {
             Some(name) => self.model.name.clone_from(&name.text),
@@ -67,18 +57,27 @@ impl<'a> Checker<'a> {
                     start: 0,
                     source: file.end.source,
                 };
-                let fault = Diagnostic::new(
-                    Kind::Missing,
-                    start,
-                    "the file does not say which model it is",
-                );
+                let message = "the file does not say which model it is";
+                let fault = Diagnostic::new(Kind::Missing, start, message);
                 self.report(fault.help("begin with `model NAME;`"));
             }
         }
     }
 
-    /// Reports a second occurrence of a statement that may occur only once, with the source spans of both occurrences.
-    /// `what` names the statement in the message.
+    /// First name of a statement that may occur only once; reports the others.
+    fn first_of(
+        &mut self,
+        word: &str,
+        mut names: impl Iterator<Item = &'a Name>,
+    ) -> Option<&'a Name> {
+        let first = names.next()?;
+        for other in names {
+            self.second(word, first.span, other.span);
+        }
+        Some(first)
+    }
+
+    /// Reports that the statement `what` occurs a second time.
     pub fn second(&mut self, what: &str, first: Span, again: Span) {
         self.report(
             Diagnostic::new(Kind::Duplicate, again, format!("`{what}` is stated twice"))
@@ -88,9 +87,8 @@ impl<'a> Checker<'a> {
         );
     }
 
-    /// Unit of the declared quantity `name`: as SI unit with conversion factor ([`Measure`]), and as term for unit
-    /// inference ([`Term`]). The `bool` is `true` if the written unit is `[?]` or invalid; the term is then a new
-    /// unknown. Without a written unit, the term is 1, or an unknown if this run of the checker infers missing units.
+    /// Declared unit with its conversion factor, and as term; `true` if it is a new unknown, for `[?]` or an invalid
+    /// unit.
     fn declared_unit(&mut self, name: &Name, unit: Option<&UnitExpr>) -> (Measure, Term, bool) {
         let Some(unit) = unit else {
             let term = self.unitless.term(name.span);
@@ -127,8 +125,7 @@ impl<'a> Checker<'a> {
                     constant.name.text
                 );
                 let fault = Diagnostic::new(Kind::Value, least.span.to(greatest.span), message);
-                self.report(fault.help(format!("write `in {greatest} .. {least}`")));
-                return None;
+                return self.refuse(fault.help(format!("write `in {greatest} .. {least}`")));
             }
             if value < least_value || value > greatest_value {
                 let message = format!(
@@ -153,34 +150,20 @@ impl<'a> Checker<'a> {
             bounds,
             span: constant.name.span,
         };
-        let Checker {
-            model:
-                Model {
-                    params,
-                    coefficients,
-                    ..
-                },
-            params: p,
-            coefficients: c,
-            ..
-        } = self;
         let (made_in, terms) = match constant.class {
-            ParameterClass::Param => (params, p),
-            ParameterClass::Coefficient => (coefficients, c),
+            ParameterClass::Param => (&mut self.model.params, &mut self.params),
+            ParameterClass::Coefficient => (&mut self.model.coefficients, &mut self.coefficients),
         };
-        let index = made_in.len();
+        let symbol = match constant.class {
+            ParameterClass::Param => Symbol::Param(made_in.len()),
+            ParameterClass::Coefficient => Symbol::Coefficient(made_in.len()),
+        };
         made_in.push(made);
         terms.push(term);
-        let symbol = match constant.class {
-            ParameterClass::Param => Symbol::Param(index),
-            ParameterClass::Coefficient => Symbol::Coefficient(index),
-        };
         self.define(&constant.name, symbol);
     }
 
-    /// SI value of a parameter's lower or upper bound. A bound without a unit has the unit `of` of the default value. A
-    /// bound with a unit of another dimension is an error. If the parameter's unit is to be inferred (`inferred`), any
-    /// unit of the bound is an error. On an error, reports it and returns `None`.
+    /// SI value of a bound; without a unit it has that of the default value, with one it must fit.
     fn bound(&mut self, bound: &ast::Quantity, of: &Measure, inferred: bool) -> Option<f64> {
         let Some(unit) = &bound.unit else {
             return Some(of.of(&bound.number).0);
@@ -198,8 +181,7 @@ impl<'a> Checker<'a> {
                 "this bound must have {should}, but it has {}",
                 own.unit.explained()
             );
-            self.report(Diagnostic::new(Kind::Unit, bound.span, message));
-            return None;
+            return self.refuse(Diagnostic::new(Kind::Unit, bound.span, message));
         }
         Some(own.of(&bound.number).0)
     }
@@ -226,45 +208,36 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Adds a state with a known unit and a default initial value, SI, to the model; returns its index in the state
-    /// vector.
+    /// Adds a state with a known unit and a default value, SI; returns its index.
     pub fn state(&mut self, name: &str, span: Span, unit: Unit, value: f64) -> usize {
-        let index = self.model.states.len();
-        self.model.states.push(model::State {
+        let state = model::State {
             name: name.to_owned(),
             unit,
             unit_text: unit.to_string(),
             value,
             span,
-        });
-        self.states.push(Term::known(unit));
-        self.define_as(name, span, Symbol::State(index));
+        };
+        self.add_state(state, Term::known(unit))
+    }
+
+    fn add_state(&mut self, state: model::State, unit: Term) -> usize {
+        let index = self.model.states.len();
+        self.define_as(&state.name, state.span, Symbol::State(index));
+        self.model.states.push(state);
+        self.states.push(unit);
         index
     }
 
     /// Declares all states: states of the body first, then `state` statements in order.
     fn declare_states(&mut self) {
         let file = self.file;
-        let mut bodies: Vec<&'a ast::Body> = Vec::new();
-        let mut stated: Vec<&'a ast::State> = Vec::new();
-        for item in &file.items {
-            match &item.kind {
-                ItemKind::Body(body) => bodies.push(body),
-                ItemKind::State(state) => stated.push(state),
-                _ => {}
-            }
-        }
+        let bodies: Vec<&ast::Body> = of_kind!(file.items.iter(), ItemKind::Body).collect();
+        let stated: Vec<&ast::State> = of_kind!(file.items.iter(), ItemKind::State).collect();
         if let [first, second, ..] = bodies[..] {
             let (a, b) = (first.name.span, second.name.span);
-            self.report(
-                Diagnostic::new(
-                    Kind::Duplicate,
-                    b,
-                    "a model has one body, but here is a second",
-                )
-                .label(a, "the first")
-                .label(b, "the second"),
-            );
+            let message = "a model has one body, but here is a second";
+            let fault = Diagnostic::new(Kind::Duplicate, b, message);
+            self.report(fault.label(a, "the first").label(b, "the second"));
         }
         if let Some(body) = bodies.first() {
             self.body_states(body);
@@ -272,16 +245,14 @@ impl<'a> Checker<'a> {
         }
         for state in &stated {
             let (measure, term, _) = self.declared_unit(&state.name, state.value.unit.as_ref());
-            let index = self.model.states.len();
-            self.model.states.push(model::State {
+            let state = model::State {
                 name: state.name.text.clone(),
                 unit: measure.unit,
                 value: measure.of(&state.value.number).0,
                 unit_text: measure.text,
                 span: state.name.span,
-            });
-            self.states.push(term);
-            self.define(&state.name, Symbol::State(index));
+            };
+            self.add_state(state, term);
         }
         if stated.is_empty() && bodies.is_empty() {
             let message = "the model has no body and no states";
@@ -292,8 +263,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Source span for errors about missing statements: the name in `model NAME;`, or the end of the file if this
-    /// statement is missing too.
+    /// Place of errors about missing statements: the model's name, else the end of the file.
     pub fn heading(&self) -> Span {
         self.file.model().map_or(self.file.end, |name| name.span)
     }

@@ -1,12 +1,11 @@
-//! Semantic checks of applied effects: their coefficients and states, with null values and smallest effect sizes of
-//! interest.
+//! Semantic checks of applied effects.
 
 use super::quantity::Measure;
 use super::scope::Symbol;
 use super::{Checker, Definition};
 use crate::diagnostic::{Diagnostic, Kind};
 use crate::model::{AppliedEffect, EffectUnknown, Shape};
-use crate::syntax::ast::{Applied, ItemKind, Name, Need};
+use crate::syntax::ast::{Applied, Name, Need};
 use crate::unit::Unit;
 
 impl Checker<'_> {
@@ -19,10 +18,8 @@ impl Checker<'_> {
             }
             let (mut coefficients, mut states) = (Vec::new(), Vec::new());
             for item in file.items.iter().filter(|item| item.effect == Some(i)) {
-                let name = match &item.kind {
-                    ItemKind::Parameter(parameter) => &parameter.name,
-                    ItemKind::State(state) => &state.name,
-                    _ => continue,
+                let Some(name) = item.kind.declared() else {
+                    continue;
                 };
                 let (unknowns, index, null_value, unit) = match self.scope.find(&name.text) {
                     Some(Symbol::Coefficient(i)) => {
@@ -56,8 +53,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Reports a quantity that an effect needs, if its kind (scalar or vector) or unit in the model differs from the
-    /// kind or unit that the effect requires.
+    /// Reports a needed quantity whose kind or unit in the model is another.
     fn needed(&mut self, effect: &Name, need: &Need) {
         let (is_vector, unit) = match self.scope.find(&need.name.text) {
             Some(Symbol::Param(i)) => (false, self.model.params[i].unit),
@@ -97,8 +93,7 @@ impl Checker<'_> {
         self.report(fault);
     }
 
-    /// Smallest effect size of interest (difference from the null value that matters in practice), SI, of a coefficient
-    /// or state `name` of an effect, as stated by `negligible NAME …;`; `None` if not stated.
+    /// Smallest effect size of interest, SI, as stated by `negligible NAME …;`.
     fn smallest_effect_of_interest(
         &mut self,
         applied: &Applied,

@@ -7,8 +7,7 @@ use crate::model::{Expr, ExprKind, Shape};
 use crate::syntax::ast::{self, BinaryOp};
 use crate::unit::{Unit, symbol};
 
-/// Maximum magnitude of twice the exponent of a power in an expression: `x^64` is the largest power, and larger
-/// exponents are reported as an error.
+/// Maximum magnitude of twice the exponent of a power: `x^64` is the largest.
 const MAX_DOUBLED_EXPONENT: f64 = 128.0;
 
 /// Creates an expression node with the provisional unit 1; [`Checker::finish`] assigns the final unit.
@@ -37,8 +36,7 @@ impl UnitOf {
 }
 
 impl Checker<'_> {
-    /// Resolves the names of an expression and determines its shape, frame and unit. `None`, with an error reported, on
-    /// any error other than a unit error.
+    /// Resolves names, shape, frame and unit of an expression; `None` on any error but a unit error.
     pub fn elaborate(&mut self, e: &ast::Expr) -> Option<Typed> {
         match &e.kind {
             ast::ExprKind::Number(q) => self.literal(q, e.span),
@@ -49,13 +47,8 @@ impl Checker<'_> {
             ast::ExprKind::Neg(of) => {
                 let of = self.elaborate(of)?;
                 let shape = of.expr.shape;
-                let unit = of.unit.clone();
-                Some(Typed::new(
-                    ExprKind::Neg(Box::new(of.expr)),
-                    shape,
-                    e.span,
-                    unit,
-                ))
+                let kind = ExprKind::Neg(Box::new(of.expr));
+                Some(Typed::new(kind, shape, e.span, of.unit))
             }
             ast::ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, ..) => self.sum(e),
             ast::ExprKind::Binary(op, a, b) => {
@@ -72,39 +65,28 @@ impl Checker<'_> {
         }
     }
 
-    /// Elaborates (resolves and type-checks) an expression that must be a scalar, described by `what` in messages.
-    /// `None`, with an error reported, if it is a vector or invalid.
+    /// Elaborates an expression that must be a scalar; messages call it `what`.
     pub fn scalar(&mut self, e: &ast::Expr, what: &str) -> Option<Typed> {
         let typed = self.elaborate(e)?;
         if typed.expr.shape == Shape::Scalar {
             return Some(typed);
         }
-        let fault = Diagnostic::new(
-            Kind::Shape,
-            e.span,
-            format!("{what} must be a number, but this is a vector"),
-        );
-        self.report(fault.help(
+        let message = format!("{what} must be a number, but this is a vector");
+        let fault = Diagnostic::new(Kind::Shape, e.span, message);
+        self.refuse(fault.help(
             "take its length `norm(…)`, one component `….1`, or its part along an axis `dot(…, …)`",
-        ));
-        None
+        ))
     }
 
-    /// Elaborates (resolves and type-checks) an expression that must be a vector, described by `what` in messages.
-    /// Returns it with the index of the frame of its components; `None`, with an error reported, if it is a scalar or
-    /// invalid.
+    /// Elaborates an expression that must be a vector, with its frame; messages call it `what`.
     pub fn vector(&mut self, e: &ast::Expr, what: &str) -> Option<(Typed, usize)> {
         let typed = self.elaborate(e)?;
         if let Shape::Vector(frame) = typed.expr.shape {
             return Some((typed, frame));
         }
-        let fault = Diagnostic::new(
-            Kind::Shape,
-            e.span,
-            format!("{what} must be a vector, but this is a number"),
-        );
-        self.report(fault.help("multiply it by a direction, such as `N.3`"));
-        None
+        let message = format!("{what} must be a vector, but this is a number");
+        let fault = Diagnostic::new(Kind::Shape, e.span, message);
+        self.refuse(fault.help("multiply it by a direction, such as `N.3`"))
     }
 
     fn literal(&mut self, q: &ast::Quantity, span: Span) -> Option<Typed> {
@@ -119,8 +101,7 @@ impl Checker<'_> {
         Some(Typed { expr, unit })
     }
 
-    /// Elaborates (resolves and type-checks) `(a, b, c) in F`: a vector with three components of equal unit in the
-    /// frame F.
+    /// Elaborates `(a, b, c) in F`: a vector with three components of equal unit in the frame F.
     fn components(
         &mut self,
         parts: &[ast::Expr; 3],
@@ -132,19 +113,11 @@ impl Checker<'_> {
             .each_ref()
             .map(|p| self.scalar(p, "a component of a vector"));
         let present: Vec<Typed> = typed.iter().flatten().cloned().collect();
-        let unit = self.same_unit(
-            &present,
-            span,
-            "the components of a vector must have one unit",
-        );
+        let rule = "the components of a vector must have one unit";
+        let unit = self.same_unit(&present, span, rule);
         let [a, b, c] = typed;
-        let parts = Box::new([a?.expr, b?.expr, c?.expr]);
-        Some(Typed::new(
-            ExprKind::Components(parts),
-            Shape::Vector(frame?),
-            span,
-            unit,
-        ))
+        let kind = ExprKind::Components(Box::new([a?.expr, b?.expr, c?.expr]));
+        Some(Typed::new(kind, Shape::Vector(frame?), span, unit))
     }
 
     fn product(&mut self, op: BinaryOp, a: &ast::Expr, b: &ast::Expr, span: Span) -> Option<Typed> {
@@ -160,8 +133,7 @@ impl Checker<'_> {
                     .label(a.expr.span, "a vector")
                     .label(b.expr.span, "a vector")
                     .help(format!("write `dot({ta}, {tb})` or `cross({ta}, {tb})`"));
-                self.report(fault);
-                return None;
+                return self.refuse(fault);
             }
             _ => {}
         }
@@ -178,7 +150,7 @@ impl Checker<'_> {
     fn quotient(&mut self, a: &ast::Expr, b: &ast::Expr, span: Span) -> Option<Typed> {
         let (a, b) = (self.elaborate(a), self.scalar(b, "a divisor"));
         let (a, b) = (a?, b?);
-        let unit = self.multiplied(&a.unit, &b.unit, Fraction::new(-1, 1)?, span);
+        let unit = self.multiplied(&a.unit, &b.unit, Fraction::MINUS_ONE, span);
         let shape = a.expr.shape;
         let kind = ExprKind::Div(Box::new(a.expr), Box::new(b.expr));
         Some(Typed::new(kind, shape, span, unit))
@@ -193,9 +165,7 @@ impl Checker<'_> {
         self.in_range(a.times_power(&b, power), span)
     }
 
-    /// Converts the computed unit `term` to [`UnitOf::Term`]. If an exponent is out of range or `term` is `None` (an
-    /// exponent or the number of unknowns exceeded its limit in the computation), reports an error and returns
-    /// [`UnitOf::Faulty`].
+    /// Converts a computed unit; reports an exponent that is out of range.
     pub fn in_range(&mut self, term: Option<Term>, span: Span) -> UnitOf {
         match term {
             Some(term) if term.has_unknowns() || term.unit().is_some() => UnitOf::Term(term),
@@ -218,11 +188,10 @@ impl Checker<'_> {
             );
             let fault = Diagnostic::new(Kind::Value, exponent.span, message);
             let base = self.text(base.span);
-            self.report(fault.help(format!(
+            return self.refuse(fault.help(format!(
                 "write `exp({}*log({base}))`",
                 self.text(exponent.span)
             )));
-            return None;
         };
         let doubled = value * 2.0;
         if doubled.fract() != 0.0 || doubled.abs() > MAX_DOUBLED_EXPONENT || !doubled.is_finite() {
@@ -231,15 +200,15 @@ impl Checker<'_> {
                 self.text(exponent.span)
             );
             let fault = Diagnostic::new(Kind::Value, exponent.span, message);
-            self.report(fault.note("exponents are whole or half numbers between -64 and 64"));
-            return None;
+            return self
+                .refuse(fault.note("exponents are whole or half numbers between -64 and 64"));
         }
         let typed = typed?;
         if typed.expr.shape != Shape::Scalar {
             let text = self.text(base.span);
             let fault = Diagnostic::new(Kind::Shape, span, "a vector has no powers");
-            self.report(fault.help(format!("write `dot({text}, {text})` or `norm({text})^2`")));
-            return None;
+            return self
+                .refuse(fault.help(format!("write `dot({text}, {text})` or `norm({text})^2`")));
         }
         let doubled = doubled as i32;
         let unit = match typed.unit.factor() {
@@ -250,11 +219,10 @@ impl Checker<'_> {
             None => UnitOf::Faulty,
         };
         let kind = ExprKind::Pow(Box::new(typed.expr), doubled);
-        Some(Typed::new(kind, Shape::Scalar, span, unit))
+        Some(Typed::scalar(kind, span, unit))
     }
 
-    /// Reports an expression such as `5 m/s`, which parses as `(5 m)/s`, if no variable `s` is declared. Returns
-    /// whether an error was reported.
+    /// Reports `5 m/s`, which parses as `(5 m)/s`, if `s` is no variable; returns whether it did.
     fn unit_in_pieces(&mut self, e: &ast::Expr) -> bool {
         if self.literal_with_units(e) != Some(true) {
             return false;
@@ -271,8 +239,7 @@ impl Checker<'_> {
         true
     }
 
-    /// For a literal that is multiplied or divided by names of units, such as `5 m/s`, returns whether at least one of
-    /// these names is not declared as a variable. `None` for other expressions.
+    /// For a literal times names of units, such as `5 m/s`, whether one of them is no variable.
     fn literal_with_units(&self, e: &ast::Expr) -> Option<bool> {
         match &e.kind {
             ast::ExprKind::Number(q) => q.unit.as_ref().map(|_| false),

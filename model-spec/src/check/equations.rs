@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use super::order::{Defining, uses};
 use super::scope::Symbol;
-use super::term::{Fraction, Term};
+use super::term::Term;
 use super::{Checker, Definition, UnitOf};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model;
@@ -12,8 +12,7 @@ use crate::syntax::ast::{self, ItemKind, LoadClass};
 use crate::unit::Unit;
 
 impl<'a> Checker<'a> {
-    /// Checks all `let` definitions, and the equations that expressions reference as `der(STATE)`, in topological order
-    /// of their uses.
+    /// Checks the `let` definitions and the equations used as `der(STATE)`, in order of their uses.
     pub fn definitions(&mut self) {
         let file = self.file;
         let mut definitions: Vec<Defining<'a>> = Vec::new();
@@ -38,8 +37,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Appends to `definitions` each equation `der(STATE) = …` whose left-hand side also occurs in an expression of the
-    /// file. The value of the derivative is then available to that expression.
+    /// Appends to `definitions` each equation whose derivative an expression uses.
     fn used_derivatives(&mut self, definitions: &mut Vec<Defining<'a>>) {
         let file = self.file;
         let mut used: HashSet<usize> = HashSet::new();
@@ -76,9 +74,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Index into [`Checker::definitions`] of the definition of `der(STATE)`, where `state` is the index of the state.
-    /// `None` if no expression uses this derivative, or if the state has no equation (an error that
-    /// [`Checker::equations`] reports).
+    /// Index into [`Checker::definitions`] of `der(STATE)`; `None` if no expression uses it.
     pub fn derivative_definition(&self, state: usize) -> Option<usize> {
         self.derivatives.get(&state).copied()
     }
@@ -131,22 +127,17 @@ impl<'a> Checker<'a> {
     }
 
     fn is_derivative(&mut self, typed: &super::Typed, state: usize) {
-        let Some(power) = Fraction::new(-1, 1) else {
+        let Some(unit) = self.unit_of_rate(state) else {
             return;
         };
-        let Some(unit) = self.states[state].times_power(&Term::known(Unit::SECOND), power) else {
-            return;
-        };
-        let name = self.model.states[state].name.clone();
+        let model::State { name, span, .. } = self.model.states[state].clone();
         let rule = format!("`der({name})` is {}", self.described(&unit));
         if !self.must_be(typed, &unit, &rule) {
-            let name = self.model.states[state].span;
-            self.suspect_declaration(typed.expr.span, name);
+            self.suspect_declaration(typed.expr.span, span);
         }
     }
 
-    /// Checks all forces, moments, equations `der(STATE) = …`, the clock rate (seconds of true time per second of
-    /// recorded time) and the measurement equation, and adds them to the model.
+    /// Checks loads, equations, clock and measurement equation, and adds them to the model.
     pub fn equations(&mut self) {
         let file = self.file;
         let mut loads: HashMap<(bool, &str), Span> = HashMap::new();
@@ -170,33 +161,23 @@ impl<'a> Checker<'a> {
                 _ => {}
             }
         }
-        let missing: Vec<String> = equations
-            .iter()
-            .enumerate()
-            .skip(self.of_body)
-            .filter(|e| e.1.is_none())
-            .map(|(i, _)| self.model.states[i].name.clone())
-            .collect();
+        let states = self.model.states.iter().zip(&equations).skip(self.of_body);
+        let missing = states.filter(|(_, equation)| equation.is_none());
+        let missing: Vec<&model::State> = missing.map(|(state, _)| state).collect();
         if let Some(first) = missing.first() {
-            let place = { self.model.states.iter() }
-                .find(|s| s.name == *first)
-                .map_or(self.heading(), |s| s.span);
-            let (verb, equations) = if missing.len() > 1 {
-                ("have", "equations")
+            let have = if missing.len() > 1 {
+                "have no equations"
             } else {
-                ("has", "equation")
+                "has no equation"
             };
-            let message = format!("{} {verb} no {equations}", super::scope::listed(&missing));
-            self.report(
-                Diagnostic::new(Kind::Missing, place, message)
-                    .help(format!("state `der({first}) = …;`")),
-            );
+            let names: Vec<&str> = missing.iter().map(|state| state.name.as_str()).collect();
+            let message = format!("{} {have}", super::scope::listed(&names));
+            let fault = Diagnostic::new(Kind::Missing, first.span, message);
+            let fault = fault.help(format!("state `der({}) = …;`", first.name));
+            self.report(fault);
         }
-        self.model.equations = equations
-            .into_iter()
-            .flatten()
-            .filter_map(|e| e.1)
-            .collect();
+        let equations = equations.into_iter().flatten();
+        self.model.equations = equations.filter_map(|e| e.1).collect();
     }
 
     fn load(&mut self, load: &'a ast::Load, effect: Option<usize>) {
@@ -204,12 +185,10 @@ impl<'a> Checker<'a> {
         let word = load.class.keyword();
         let Some(body) = self.declared_body else {
             let message = format!("this {word} acts on nothing: the model has no body");
-            self.report(
-                Diagnostic::new(Kind::Missing, load.name.span, message).help(format!(
-                    "declare a `body`, or name the vector with `let {} = …;`",
-                    load.name.text
-                )),
-            );
+            let fault = Diagnostic::new(Kind::Missing, load.name.span, message);
+            let name = &load.name.text;
+            let help = format!("declare a `body`, or name the vector with `let {name} = …;`");
+            self.report(fault.help(help));
             return;
         };
         if !force && body.class == ast::BodyClass::Point {
@@ -280,12 +259,13 @@ impl<'a> Checker<'a> {
                 }
                 Definition::Missing => None,
             },
-            None => self
-                .scalar(&equation.value, "the derivative of a state")
-                .map(|typed| {
+            None => {
+                let typed = self.scalar(&equation.value, "the derivative of a state");
+                typed.map(|typed| {
                     self.is_derivative(&typed, state);
                     typed.expr
-                }),
+                })
+            }
         };
         let made = value.map(|value| model::Equation {
             state,

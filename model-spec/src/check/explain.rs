@@ -9,8 +9,7 @@ use crate::unit::Unit;
 /// Maximum number of declarations that the message of one unit error shows with an annotation.
 const MAX_LABELS: usize = 8;
 
-/// Maximum number of operands (names and literals) of an expression that the message of a unit error takes into
-/// account; further operands are ignored.
+/// Maximum number of operands that the message of a unit error considers.
 const MAX_LEAVES: usize = 64;
 
 /// An operand of an expression: a name or a literal with a unit.
@@ -19,8 +18,7 @@ struct Leaf {
     term: Term,
     /// Source span of the name's declaration, or of the literal.
     span: Span,
-    /// Whether the operand is a name that is declared in the file, so that a message can label the declaration; `false`
-    /// for literals and predefined quantities such as `velocity`.
+    /// Whether the operand is declared in the file; `false` for literals and predefined names.
     declared: bool,
 }
 
@@ -61,8 +59,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Creates the error for expressions that must have equal units but differ. Each element of `groups` holds the
-    /// indices into `terms` of expressions with equal units. `rule` begins the message.
+    /// Error for expressions of unequal units; a group has the indices of those with one unit.
     pub fn mismatch(
         &mut self,
         terms: &[Typed],
@@ -97,8 +94,7 @@ impl Checker<'_> {
         fault.help_if(advice)
     }
 
-    /// Requires an expression to have the unit `expected`; returns `false` after reporting an error if it does not.
-    /// `rule` begins the message, as in "the argument of `exp` must be a pure number".
+    /// Requires the unit `expected`, else reports an error that begins with `rule`; returns whether it fits.
     pub fn must_be(&mut self, typed: &Typed, expected: &Term, rule: &str) -> bool {
         let UnitOf::Term(found) = &typed.unit else {
             return !matches!(typed.unit, UnitOf::Faulty);
@@ -122,8 +118,7 @@ impl Checker<'_> {
         false
     }
 
-    /// Adds to the unit error `fault` the units of the operands of each inconsistent expression in `sides`, and the
-    /// source spans of the declarations of these operands.
+    /// Adds to a unit error the units and declarations of the operands of each side.
     fn origins(&mut self, mut fault: Diagnostic, sides: &[&Typed]) -> Diagnostic {
         self.suspect_unitless(fault.span, sides);
         let mut shown: Vec<Span> = Vec::new();
@@ -165,8 +160,7 @@ impl Checker<'_> {
         fault
     }
 
-    /// If `leaf` is a literal with unit, such as `2 g`, and a variable `g` is declared, adds to the error `fault` the
-    /// note that `2 g` means two grams and not a product with `g`.
+    /// Notes at a literal such as `2 g`, where a variable `g` is declared, that it means two grams.
     fn unit_or_name(&self, fault: Diagnostic, leaf: &Leaf) -> Diagnostic {
         match leaf.name.split_once(' ') {
             Some((number, symbol)) if self.scope.find(symbol).is_some() => fault
@@ -233,9 +227,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Suggests a factor that makes the units of the expressions `terms` equal. Each element of `groups` holds the
-    /// indices into `terms` of expressions with equal units. The factor is suggested for an expression of the smaller
-    /// of two groups. `None` if no declared quantity is such a factor, or if there are not exactly two groups.
+    /// Suggests a factor that makes two groups of expressions agree in unit.
     fn advice(&self, terms: &[Typed], groups: &[Vec<usize>]) -> Option<String> {
         let [a, b] = groups else { return None };
         // The unit of the group with more terms is assumed to be the expected one.
@@ -244,9 +236,7 @@ impl Checker<'_> {
         self.missing_factor(&terms[odd[0]], unit(odd[0])?, unit(even[0])?)
     }
 
-    /// Suggests a change of the expression `typed`, which has the unit `found`, so that its unit becomes `expected`: to
-    /// remove a declared quantity from the expression, or to divide or multiply the expression by a declared quantity.
-    /// `None` if no declared quantity has the required unit.
+    /// Suggests a declared quantity that converts the unit `found` of an expression to `expected`.
     fn missing_factor(&self, typed: &Typed, found: Unit, expected: Unit) -> Option<String> {
         let text = self.text(typed.expr.span);
         let excess = found.checked_div(expected)?;

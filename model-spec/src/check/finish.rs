@@ -35,8 +35,7 @@ impl Checker<'_> {
         self.applied();
     }
 
-    /// Reports declared names whose unit could not be inferred. Reports nothing if there are other errors, which may be
-    /// the cause.
+    /// Reports units that could not be inferred, unless other errors may be the cause.
     fn undetermined(&mut self) {
         if !self.diagnostics.is_empty() {
             return;
@@ -53,25 +52,19 @@ impl Checker<'_> {
             }
             let name = self.units.name(unknown as u32).to_owned();
             let declared = self.scope.place(&name).unwrap_or(file.end);
-            let mut fault = if term.has_unknowns() {
-                let message =
-                    format!("the unit of `{name}` cannot be inferred from how it is used");
-                Diagnostic::new(Kind::Unit, declared, message)
+            let message = if term.has_unknowns() {
+                format!("the unit of `{name}` cannot be inferred from how it is used")
             } else {
-                let message = format!(
-                    "the unit of `{name}` comes out as a power that is neither whole nor half"
-                );
-                Diagnostic::new(Kind::Unit, declared, message)
+                format!("the unit of `{name}` comes out as a power that is neither whole nor half")
             };
-            fault = fault
+            let fault = Diagnostic::new(Kind::Unit, declared, message)
                 .label(declared, "to be inferred, by `[?]`")
                 .label(used, "used here");
             self.report(fault.help("write its unit behind the number where it is declared"));
         }
     }
 
-    /// Computes the unit of every expression of the model from the units of its operands, and stores it in the
-    /// expression.
+    /// Stores the unit of every expression, computed from its operands.
     fn assign(&mut self) {
         let model = &mut self.model;
         let mut tables = Tables {
@@ -102,9 +95,7 @@ fn bare_zero(e: &Expr) -> bool {
     matches!(e.kind, ExprKind::Number { value: 0.0, .. }) && e.unit == Unit::ONE
 }
 
-/// Units of the parameters (known constants), coefficients, inputs, states, tables and auxiliary variables of a model.
-/// The indices are those of the vectors of the same names in [`crate::model::Model`]; `lets` corresponds to
-/// `aux_variables`.
+/// Units of what a model declares, indexed as its vectors.
 struct Tables {
     params: Vec<Unit>,
     coefficients: Vec<Unit>,

@@ -88,8 +88,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Sets the orientation of each frame in the model; the angles and quaternion components must already be declared
-    /// as states.
+    /// Sets the orientation of each frame, once the states are declared.
     pub fn frame_kinds(&mut self) {
         for frame in self.declared_frames() {
             let Some(index) = self.scope.frame(&frame.name.text) else {
@@ -135,8 +134,7 @@ impl<'a> Checker<'a> {
         })
     }
 
-    /// Index of the state `name`, which is the rotation angle or a quaternion component of a frame; `None` if there is
-    /// no state of this name. Reports an error if the unit of the state is neither that of an angle nor dimensionless.
+    /// Index of the state `name`, an angle or quaternion component; reports a wrong unit.
     fn frame_state(&mut self, name: &Name) -> Option<usize> {
         let Some(Symbol::State(index)) = self.scope.find(&name.text) else {
             // If there is a body, the errors of its statements have already been reported.
@@ -154,10 +152,8 @@ impl<'a> Checker<'a> {
                 self.described(&self.states[index])
             );
             let declared = self.model.states[index].span;
-            self.report(
-                Diagnostic::new(Kind::Unit, name.span, message)
-                    .label(declared, format!("in {}", unit.explained())),
-            );
+            let fault = Diagnostic::new(Kind::Unit, name.span, message);
+            self.report(fault.label(declared, format!("in {}", unit.explained())));
         }
         Some(index)
     }
@@ -189,18 +185,14 @@ impl<'a> Checker<'a> {
         self.report(fault);
     }
 
-    /// Indices of the frames on the path from the frame `from` to the inertial frame, starting with `from`; the
-    /// inertial frame is omitted.
+    /// Frames on the path from `from`, included, to the inertial frame, omitted.
     pub fn chain(&self, from: usize) -> Vec<usize> {
         let mut chain = Vec::new();
         let mut at = from;
         // Parents precede children, but a faulty file may contain a cycle.
         while at != 0 && chain.len() <= self.model.frames.len() {
             chain.push(at);
-            at = match self.model.frames[at].kind {
-                FrameKind::Inertial => 0,
-                FrameKind::Turned { parent, .. } | FrameKind::Quaternion { parent, .. } => parent,
-            };
+            at = self.model.frames[at].kind.parent().unwrap_or(0);
         }
         chain
     }

@@ -8,17 +8,14 @@ use crate::model::{self, Expr, ExprKind, FrameKind, Function, Shape};
 use crate::syntax::ast::ItemKind;
 use crate::unit::Unit;
 
-/// Lower bound, dimensionless, of the cosine (or sine) of the second of the three attitude angles. It keeps the
-/// attitude away from gimbal lock, where that cosine (or sine) is 0.
+/// Lower bound of the cosine or sine of the second attitude angle, which is 0 at gimbal lock.
 const GIMBAL_LIMIT: f64 = 0.01;
 
-/// Maximum number of validity limits that a model states; a further limit is reported as an error. It bounds the run
-/// time, because every divisor is compared with each limit.
+/// Maximum number of validity limits, which bounds the run time: every divisor is compared with each.
 const MAX_LIMITS: usize = 100;
 
 impl Checker<'_> {
-    /// Checks the validity limits that the model file states. If three angles describe the attitude, also adds the
-    /// limit that avoids gimbal lock.
+    /// Checks the stated validity limits, and adds the one that avoids gimbal lock.
     pub fn limits(&mut self) {
         let file = self.file;
         for item in &file.items {
@@ -46,10 +43,8 @@ impl Checker<'_> {
                     .is_err()
             {
                 let text = self.text(limit.value.span);
-                let (is, other) = (
-                    self.described(found),
-                    self.described(&Term::known(measure.unit)),
-                );
+                let is = self.described(found);
+                let other = self.described(&Term::known(measure.unit));
                 let message = format!("`{text}` is {is}, but its bound is {other}");
                 let fault =
                     Diagnostic::new(Kind::Unit, limit.value.span.to(limit.bound.span), message)
@@ -68,9 +63,7 @@ impl Checker<'_> {
         self.attitude_limit();
     }
 
-    /// Adds the validity limit that avoids gimbal lock, if the attitude is given by three angles and the model does not
-    /// already contain such a limit. It is a lower bound of the cosine of the second angle. If the first and third
-    /// rotations are about axes of the same number, as in the sequence 3-1-3, it is a lower bound of the sine instead.
+    /// Adds the limit that avoids gimbal lock: of the sine for sequences such as 3-1-3, else of the cosine.
     fn attitude_limit(&mut self) {
         let Some(rotation) = self.model.body.as_ref().and_then(|b| b.rotation.as_ref()) else {
             return;
@@ -91,17 +84,10 @@ impl Checker<'_> {
         let span = self.model.frames[second].span;
         let mut angle = node(ExprKind::State(b), Shape::Scalar, span);
         angle.unit = Unit::RADIAN;
-        let value = node(
-            ExprKind::Call(function, Box::new(angle)),
-            Shape::Scalar,
-            span,
-        );
-        if self
-            .model
-            .limits
-            .iter()
-            .any(|l| l.bound >= 0.0 && l.value.same(&value))
-        {
+        let call = ExprKind::Call(function, Box::new(angle));
+        let value = node(call, Shape::Scalar, span);
+        let mut limits = self.model.limits.iter();
+        if limits.any(|limit| limit.bound >= 0.0 && limit.value.same(&value)) {
             return;
         }
         let name = |i: usize| self.model.states[i].name.clone();

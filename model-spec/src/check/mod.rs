@@ -34,6 +34,7 @@ use std::sync::Arc;
 use crate::diagnostic::{self, Diagnostic, Kind, Span};
 use crate::model::{self, Model, Source};
 use crate::syntax::ast;
+use body::Parts;
 use scope::Scope;
 use term::{Term, Units};
 use unitless::Unitless;
@@ -105,8 +106,7 @@ enum UnitOf {
     Faulty,
 }
 
-/// Expression with resolved names, shape and frame, and its unit, which may contain units that are still to be
-/// inferred.
+/// Expression with resolved names, shape and frame, and its unit.
 #[derive(Clone, Debug)]
 struct Typed {
     expr: model::Expr,
@@ -114,6 +114,10 @@ struct Typed {
 }
 
 impl Typed {
+    fn scalar(kind: model::ExprKind, span: Span, unit: UnitOf) -> Typed {
+        Typed::new(kind, model::Shape::Scalar, span, unit)
+    }
+
     fn new(kind: model::ExprKind, shape: model::Shape, span: Span, unit: UnitOf) -> Typed {
         let expr = elaborate::node(kind, shape, span);
         Typed { expr, unit }
@@ -129,8 +133,7 @@ enum Definition {
     Done(usize, model::Shape, UnitOf),
 }
 
-/// State of the semantic analysis: syntax tree, symbol table, inferred units, diagnostics, and the model under
-/// construction.
+/// State of the semantic analysis.
 struct Checker<'a> {
     file: &'a ast::File,
     sources: &'a [Source],
@@ -138,8 +141,7 @@ struct Checker<'a> {
     units: Units,
     scope: Scope,
     model: Model,
-    /// Units of the parameters (known constants), by index into [`Model::params`]. A unit to be inferred (`[?]`) is a
-    /// term with one unknown, for which the unit inference solves.
+    /// Units of the parameters; a unit to be inferred is a term with one unknown.
     params: Vec<Term>,
     coefficients: Vec<Term>,
     inputs: Vec<Term>,
@@ -148,19 +150,17 @@ struct Checker<'a> {
     let_units: Vec<UnitOf>,
     /// Whether each auxiliary variable changes during a flight, by index into [`Model::aux_variables`].
     varies: Vec<bool>,
-    /// Results of checking definitions: of each `let` in order of declaration, then of each equation whose derivative
-    /// `der(…)` an expression uses.
+    /// Checked definitions: each `let` in order, then each equation whose derivative is used.
     definitions: Vec<Definition>,
-    /// Source span of the first use of each declared name whose unit is to be inferred, by index of the unknown unit;
-    /// `None` if the name is not yet used.
+    /// First use of each name whose unit is to be inferred, by index of the unknown.
     first_uses: Vec<Option<Span>>,
     /// Maps the index of each state whose `der(…)` an expression uses to an index into [`Checker::definitions`].
     derivatives: HashMap<usize, usize>,
     /// Number of states of the body, which precede the states declared with `state`.
     of_body: usize,
-    /// Declaration of the body in the syntax tree, stored even if the declaration has errors; `None` if the file
-    /// declares no body.
+    /// Declaration of the body, even if it has errors.
     declared_body: Option<&'a ast::Body>,
+    parts_of_body: Parts<'a>,
     /// Declarations without a unit, and the unit errors that they may cause.
     unitless: Unitless,
 }
@@ -185,6 +185,7 @@ impl<'a> Checker<'a> {
             derivatives: HashMap::new(),
             of_body: 0,
             declared_body: file.body(),
+            parts_of_body: Parts::default(),
             unitless,
         }
     }
@@ -208,6 +209,12 @@ impl<'a> Checker<'a> {
 
     fn report(&mut self, fault: Diagnostic) {
         self.diagnostics.push(fault);
+    }
+
+    /// Reports an error; returns `None`.
+    fn refuse<T>(&mut self, fault: Diagnostic) -> Option<T> {
+        self.report(fault);
+        None
     }
 
     /// Whether no error other than unit errors has been found so far.

@@ -13,7 +13,7 @@ use crate::unit::{Unit, symbol};
 impl Checker<'_> {
     /// Resolves a name to an expression; `None`, with an error reported, if it is undefined.
     pub fn name(&mut self, name: &str, span: Span) -> Option<Typed> {
-        let scalar = |kind, term| Typed::new(kind, Shape::Scalar, span, UnitOf::Term(term));
+        let scalar = |kind, term| Typed::scalar(kind, span, UnitOf::Term(term));
         if let Some(symbol) = self.scope.find(name) {
             let input_shape = |i: usize| Shape::Vector(self.model.inputs[i].frame);
             let (kind, shape) = match symbol {
@@ -45,11 +45,7 @@ impl Checker<'_> {
         match name {
             "pi" => Some(scalar(ExprKind::Pi, Term::one())),
             "time" => Some(scalar(ExprKind::Time, Term::known(Unit::SECOND))),
-            "position"
-            | "velocity"
-            | "angular_velocity"
-            | "specific_force"
-            | "angular_acceleration" => self.of_body(name, span),
+            _ if super::OF_BODY.contains(&name) => self.of_body(name, span),
             _ => self.unknown_name(name, span),
         }
     }
@@ -70,16 +66,14 @@ impl Checker<'_> {
         Some(UnitOf::Term(term.clone()))
     }
 
-    /// Resolves a predefined vector of the body, such as `velocity` or `specific_force`; `None`, with an error
-    /// reported, if the body is missing or has no such vector.
+    /// Resolves a predefined vector of the body, such as `velocity`.
     fn of_body(&mut self, name: &str, span: Span) -> Option<Typed> {
         if self.declared_body.is_none() {
             let message = format!("there is no body whose `{name}` this could be");
             let fault = Diagnostic::new(Kind::Name, span, message);
-            self.report(fault.help(format!(
+            return self.refuse(fault.help(format!(
                 "declare a body, or name the vector: `let {name} = (…, …, …) in N;`"
             )));
-            return None;
         }
         // `None` if the body has an error, which has been reported.
         let body = self.model.body.as_ref()?;
@@ -107,8 +101,7 @@ impl Checker<'_> {
                     let message = format!("a point has no {words}");
                     let fault = Diagnostic::new(Kind::Name, span, message);
                     let help = "declare a `body` with moments of inertia, or an `input`";
-                    self.report(fault.help(help));
-                    return None;
+                    return self.refuse(fault.help(help));
                 }
             },
         };
@@ -139,12 +132,16 @@ impl Checker<'_> {
             fault = fault
                 .note("names are declared with `param`, `coefficient`, `input`, `state` or `let`");
         }
-        self.report(fault);
-        None
+        self.refuse(fault)
     }
 
-    /// Records `span` as the source span of the first use of each unknown unit in `term`, unless a first use is already
-    /// recorded for it, and returns the term. Error messages show this span.
+    /// Unit of the derivative of a state.
+    pub fn unit_of_rate(&self, state: usize) -> Option<Term> {
+        let second = Term::known(Unit::SECOND);
+        self.states[state].times_power(&second, Fraction::MINUS_ONE)
+    }
+
+    /// Records the first use of each unknown unit in `term`, and returns the term.
     fn used(&mut self, term: Term, span: Span) -> Term {
         for unknown in term.unknowns() {
             let place = &mut self.first_uses[unknown as usize];
@@ -153,8 +150,7 @@ impl Checker<'_> {
         term
     }
 
-    /// Resolves `F.k` (unit vector along axis k of frame F) or `v.k` (component k of vector v); `None`, with an error
-    /// reported, if there is no such frame or vector.
+    /// Resolves an axis `F.k` of a frame, or a component `v.k` of a vector.
     pub fn part(&mut self, of: &ast::Expr, part: u8, span: Span) -> Option<Typed> {
         if let ast::ExprKind::Name(name) = &of.kind
             && let Some(frame) = self.scope.frame(name)
@@ -172,21 +168,18 @@ impl Checker<'_> {
             let fault = Diagnostic::new(Kind::Name, of.span, message)
                 .did_you_mean(name, self.declared_names())
                 .did_you_mean(name, frames);
-            self.report(fault);
-            return None;
+            return self.refuse(fault);
         }
         let of_typed = self.elaborate(of)?;
         if of_typed.expr.shape == Shape::Scalar {
             let message = format!("`{}` is a number and has no components", self.text(of.span));
-            self.report(Diagnostic::new(Kind::Shape, span, message));
-            return None;
+            return self.refuse(Diagnostic::new(Kind::Shape, span, message));
         }
         let kind = ExprKind::Component(Box::new(of_typed.expr), part);
-        Some(Typed::new(kind, Shape::Scalar, span, of_typed.unit))
+        Some(Typed::scalar(kind, span, of_typed.unit))
     }
 
-    /// Resolves `der(STATE)` in an expression to the right-hand side of the equation `der(STATE) = …`; `None`, with an
-    /// error reported, if the file contains no such equation.
+    /// Resolves `der(STATE)` in an expression to the right-hand side of its equation.
     pub fn derivative(&mut self, state: &ast::Name, span: Span) -> Option<Typed> {
         let found = self.scope.find(&state.text);
         let derived = match found {
@@ -198,8 +191,7 @@ impl Checker<'_> {
                 "`der({})` follows from the forces and cannot be used here",
                 state.text
             );
-            self.report(Diagnostic::new(Kind::Cycle, span, message));
-            return None;
+            return self.refuse(Diagnostic::new(Kind::Cycle, span, message));
         }
         let Some(Symbol::State(i)) = found else {
             self.no_state(state);
@@ -207,17 +199,13 @@ impl Checker<'_> {
         };
         let definition = self.derivative_definition(i)?;
         // The unit follows from that of the state, even if the equation has an error.
-        let per_second =
-            self.states[i].times_power(&Term::known(Unit::SECOND), Fraction::new(-1, 1)?);
-        let unit = per_second.map_or(UnitOf::Faulty, UnitOf::Term);
+        let unit = self.unit_of_rate(i).map_or(UnitOf::Faulty, UnitOf::Term);
         match self.definitions.get(definition)? {
             Definition::Missing => None,
-            Definition::Done(index, shape, _) => Some(Typed::new(
-                ExprKind::AuxVariable(*index),
-                *shape,
-                span,
-                unit,
-            )),
+            Definition::Done(index, shape, _) => {
+                let kind = ExprKind::AuxVariable(*index);
+                Some(Typed::new(kind, *shape, span, unit))
+            }
         }
     }
 }

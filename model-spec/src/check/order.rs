@@ -27,8 +27,7 @@ pub(super) struct Defining<'a> {
     pub span: Span,
 }
 
-/// Calls `visit` for each name in the expression `e`. The arguments of `visit` are the name, whether the name is the
-/// state in a `der(STATE)`, and the source span of the name or of the whole `der(STATE)`.
+/// Calls `visit` with each name, whether it is the state of a `der(…)`, and its span.
 pub(super) fn uses<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e str, bool, Span)) {
     match &e.kind {
         ExprKind::Name(name) => visit(name, false, e.span),
@@ -38,8 +37,7 @@ pub(super) fn uses<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e str, bool, Span)) 
 }
 
 impl Checker<'_> {
-    /// Dependency graph: for each definition, the indices of the definitions that it uses, with the source span of each
-    /// use.
+    /// For each definition, the definitions that it uses, with the span of each use.
     fn dependencies(&self, definitions: &[Defining<'_>]) -> Vec<Vec<(usize, Span)>> {
         let derivatives = definitions.iter().enumerate();
         let of_state: HashMap<usize, usize> = derivatives
@@ -60,8 +58,7 @@ impl Checker<'_> {
         definitions.iter().map(used_by).collect()
     }
 
-    /// Indices of the definitions in topological order, by depth-first search: dependencies first, otherwise in source
-    /// order. Definitions on a cycle are omitted, and up to [`MAX_CYCLES`] cycles are reported.
+    /// Topological order of the definitions; omits and reports up to [`MAX_CYCLES`] cycles.
     pub fn ordered(&mut self, definitions: &[Defining<'_>]) -> Vec<usize> {
         let edges = self.dependencies(definitions);
         let mut cycles = 0;
@@ -91,10 +88,9 @@ impl Checker<'_> {
                     }
                     Mark::Open => {
                         let start = path.iter().position(|p| p.0 == to).unwrap_or(0);
-                        let cycle: Vec<(usize, Span)> = path[start..]
-                            .iter()
-                            .map(|&(i, next)| (i, edges[i][next - 1].1))
-                            .collect();
+                        let cycle = path[start..].iter();
+                        let cycle: Vec<(usize, Span)> =
+                            cycle.map(|&(i, next)| (i, edges[i][next - 1].1)).collect();
                         for &(i, _) in &cycle {
                             mark[i] = Mark::Cyclic;
                         }

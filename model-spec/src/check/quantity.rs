@@ -27,8 +27,7 @@ impl Measure {
         }
     }
 
-    /// SI value of a literal in this unit, and its exact value as (numerator, denominator). The exact value is `None`
-    /// if it is irrational, or if numerator or denominator exceeds `i64`.
+    /// SI value of a literal in this unit, and its exact (numerator, denominator) if they fit `i64`.
     pub fn of(&self, number: &Number) -> (f64, Option<(i64, i64)>) {
         let decimal = number.text.parse::<f64>().unwrap_or(0.0);
         let exact = self.exact.and_then(|(above, below)| {
@@ -88,8 +87,7 @@ pub(crate) fn si_value(number: &Number, unit: &UnitExpr) -> Option<f64> {
 }
 
 impl Checker<'_> {
-    /// SI unit and conversion factor of a unit expression; `None`, with an error reported, if a symbol is unknown or a
-    /// power or factor is out of range.
+    /// SI unit and conversion factor of a unit expression; reports an invalid one.
     pub fn measure(&mut self, unit: &UnitExpr) -> Option<Measure> {
         let mut out = Measure::one();
         for factor in &unit.factors {
@@ -104,8 +102,8 @@ impl Checker<'_> {
             let Some(product) = product else {
                 let message = format!("the unit `{unit}` has a power out of range");
                 let fault = Diagnostic::new(Kind::Value, unit.span, message);
-                self.report(fault.note("powers of units are whole or half numbers up to 63"));
-                return None;
+                return self
+                    .refuse(fault.note("powers of units are whole or half numbers up to 63"));
             };
             out.unit = product;
             if factor.doubled % 2 == 0 {
@@ -135,8 +133,7 @@ impl Checker<'_> {
         }
         if out.factor == 0.0 || !out.factor.is_finite() {
             let message = format!("the unit `{unit}` is too small or too large for a number");
-            self.report(Diagnostic::new(Kind::Value, unit.span, message));
-            return None;
+            return self.refuse(Diagnostic::new(Kind::Value, unit.span, message));
         }
         out.text = if out.factor == 1.0 {
             unit.to_string()

@@ -46,8 +46,7 @@ pub(crate) const OF_BODY: [&str; 5] = [
     "angular_acceleration",
 ];
 
-/// Names of the built-in functions that are not variants of [`Function`], because they do not map one scalar to one
-/// scalar.
+/// Built-in functions other than those of one scalar.
 const OTHER_FUNCTIONS: [&str; 11] = [
     "atan2",
     "min",
@@ -64,10 +63,8 @@ const OTHER_FUNCTIONS: [&str; 11] = [
 
 /// Names of the built-in functions of the model language.
 pub(super) fn function_names() -> impl Iterator<Item = &'static str> {
-    Function::NAMES
-        .into_iter()
-        .map(|(name, _)| name)
-        .chain(OTHER_FUNCTIONS)
+    let names = Function::NAMES.into_iter().map(|(name, _)| name);
+    names.chain(OTHER_FUNCTIONS)
 }
 
 impl Scope {
@@ -89,8 +86,7 @@ impl Scope {
 }
 
 impl Checker<'_> {
-    /// Adds a name to the symbol table; returns `false`, with an error reported, if the name is already declared or
-    /// reserved.
+    /// Declares a name; `false`, with an error reported, if it is taken.
     pub fn define(&mut self, name: &Name, symbol: Symbol) -> bool {
         self.define_as(&name.text, name.span, symbol)
     }
@@ -108,9 +104,8 @@ impl Checker<'_> {
             None
         };
         if let Some(message) = reserved {
-            self.report(
-                Diagnostic::new(Kind::Duplicate, span, message).help("choose another name"),
-            );
+            let fault = Diagnostic::new(Kind::Duplicate, span, message);
+            self.report(fault.help("choose another name"));
             return false;
         }
         if let Some(&(_, first)) = self.scope.values.get(name) {
@@ -128,14 +123,12 @@ impl Checker<'_> {
             self.report(declared_twice(&what, first, name.span));
             return false;
         }
-        self.scope
-            .frames
-            .insert(name.text.clone(), (index, name.span));
+        let frames = &mut self.scope.frames;
+        frames.insert(name.text.clone(), (index, name.span));
         true
     }
 
-    /// Declares a table's name as that of a function that expressions can call; reports an error if a built-in function
-    /// or another table already has this name.
+    /// Declares a table, which expressions call as a function.
     pub fn define_table(&mut self, name: &Name, index: usize) {
         let (text, span) = (&name.text, name.span);
         let fault = if function_names().any(|known| known == text) || text.starts_with("in_") {
@@ -167,12 +160,10 @@ impl Checker<'_> {
         };
         let message = format!("there is no frame `{name}`");
         let fault = Diagnostic::new(Kind::Name, span, message).did_you_mean(name, names);
-        self.report(fault.note(note));
-        None
+        self.refuse(fault.note(note))
     }
 
-    /// Names of quantities that an error message may suggest in place of a misspelt one; none if so many errors were
-    /// found that further ones are not shown.
+    /// Names that an error message may suggest; none for errors beyond those shown.
     pub fn declared_names(&self) -> impl Iterator<Item = &str> {
         let is_shown = self.diagnostics.len() < MAX_SHOWN;
         let count = if is_shown { usize::MAX } else { 0 };
@@ -194,8 +185,7 @@ fn declared_twice(what: &str, first: Span, again: Span) -> Diagnostic {
 /// Maximum number of names that a message lists; further names are only counted.
 const MAX_LISTED: usize = 8;
 
-/// Formats names as a quoted list for a sentence, such as "`a`, `b` and `c`". If there are more than `MAX_LISTED`
-/// names, the list ends with the number of further names, as in "and 3 more".
+/// Quoted list of names for a sentence: "`a`, `b` and `c`", or "… and 3 more".
 pub(super) fn listed(names: &[impl AsRef<str>]) -> String {
     let quoted: Vec<String> = names
         .iter()

@@ -1,12 +1,10 @@
-//! Analysis of singular points: divisors that may be zero, and guarded functions, which have a defined value at their
-//! singular points.
+//! Singular points: divisors that may be zero, and guarded functions.
 
 use super::Checker;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{Expr, ExprKind, Function, Model};
 
-/// A subexpression that is not differentiable at some point (zero of a norm, kink, jump), with its defined behaviour
-/// there.
+/// A subexpression that is not differentiable at some point, with its defined behaviour there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SingularPoint {
     /// Source span of the subexpression that is not differentiable at the point.
@@ -129,8 +127,7 @@ impl<'m> Signs<'m> {
         }
     }
 
-    /// Range (minimum, maximum) of an expression, SI, by interval arithmetic over the bounds of parameters; `None` if a
-    /// bound is missing or the expression has operations other than + − *.
+    /// Range of an expression, SI, by interval arithmetic over the bounds of parameters.
     fn range(&self, e: &Expr) -> Option<(f64, f64)> {
         use ExprKind as K;
         match &e.kind {
@@ -157,8 +154,7 @@ impl<'m> Signs<'m> {
         }
     }
 
-    /// Factor of the divisor `e` that may be zero, so that the error message can name this factor; `e` itself if no
-    /// single such factor is identified.
+    /// Factor of the divisor `e` that may be zero; `e` itself if no single one is found.
     fn culprit<'e>(&self, e: &'e Expr) -> &'e Expr {
         match &e.kind {
             ExprKind::Mul(a, b) if !self.of(a).never_zero() && self.of(b).never_zero() => {
@@ -218,9 +214,9 @@ impl Checker<'_> {
                         let text = self.text(angle.span);
                         let message =
                             format!("`{}` is infinite where cos({text}) = 0", self.text(e.span));
-                        faults.push(Diagnostic::new(Kind::Singular, e.span, message).help(
-                            format!("say where the model ends: `limit cos({text}) > 0.01 \"…\";`"),
-                        ));
+                        let fault = Diagnostic::new(Kind::Singular, e.span, message);
+                        let limit = format!("limit cos({text}) > 0.01 \"…\";");
+                        faults.push(fault.help(format!("say where the model ends: `{limit}`")));
                     }
                 }
             });
@@ -237,10 +233,8 @@ impl Checker<'_> {
                 "a divisor is made of numbers, constants, sums that bounds keep away from 0, exp(…) and what a `limit` keeps above 0",
             );
         if let ExprKind::AuxVariable(i) = culprit.kind {
-            fault = fault.label(
-                self.model.aux_variables[i].span,
-                format!("`{what}` is defined here"),
-            );
+            let place = self.model.aux_variables[i].span;
+            fault = fault.label(place, format!("`{what}` is defined here"));
         }
         fault = match &e.kind {
             ExprKind::Div(a, b) => fault.help(format!(
@@ -253,8 +247,7 @@ impl Checker<'_> {
         fault
     }
 
-    /// Creates the error for a divisor with a parameter or coefficient as factor whose default is 0; `None` if there is
-    /// no such factor.
+    /// Error for a divisor with a constant factor whose default is 0.
     fn zero_default(&self, divisor: &Expr) -> Option<Diagnostic> {
         let mut found = None;
         factors(divisor, &mut |factor| {
@@ -277,8 +270,7 @@ impl Checker<'_> {
     }
 }
 
-/// Calls `visit` on each factor of a product. For a negated factor or a power, `visit` gets the expression without the
-/// sign or the exponent. An expression other than a product is its only factor.
+/// Calls `visit` on each factor of a product, without signs and exponents.
 fn factors<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e Expr)) {
     match &e.kind {
         ExprKind::Mul(a, b) => {
@@ -292,67 +284,45 @@ fn factors<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e Expr)) {
 
 /// Returns the singular points of a model with their defined behaviour, in the order of their source spans.
 pub fn singular_points(model: &Model) -> Vec<SingularPoint> {
+    use ExprKind as K;
     let signs = Signs::new(model);
-    let text = |span: Span| crate::syntax::token::clip(&model.text(span));
+    let text = |e: &Expr| crate::syntax::token::clip(&model.text(e.span));
+    let may_vanish = |e: &Expr| signs.of(e) != Sign::Positive;
+    let of_root = |e: &Expr| format!("0 with derivative 0 where `{}` is 0 or less", text(e));
     let mut points: Vec<SingularPoint> = Vec::new();
     for root in model.expressions() {
         root.walk(&mut |e| {
             let what = match &e.kind {
-                ExprKind::Norm(a) => {
-                    format!("0 with derivative 0 where `{}` is zero", text(a.span))
+                K::Norm(a) => format!("0 with derivative 0 where `{}` is zero", text(a)),
+                K::Direction(a, Some(other)) => {
+                    format!("`{}` where `{}` is zero", text(other), text(a))
                 }
-                ExprKind::Direction(a, otherwise) => match otherwise {
-                    Some(other) => {
-                        format!("`{}` where `{}` is zero", text(other.span), text(a.span))
-                    }
-                    None => format!("the zero vector where `{}` is zero", text(a.span)),
-                },
-                ExprKind::Atan2(y, x) => {
-                    format!(
-                        "0 with derivative 0 where `{}` and `{}` are both 0",
-                        text(y.span),
-                        text(x.span)
-                    )
+                K::Direction(a, None) => format!("the zero vector where `{}` is zero", text(a)),
+                K::Atan2(y, x) => {
+                    let (y, x) = (text(y), text(x));
+                    format!("0 with derivative 0 where `{y}` and `{x}` are both 0")
                 }
-                ExprKind::Ratio(parts) => {
-                    format!(
-                        "`{}` where `{}` is 0",
-                        text(parts[2].span),
-                        text(parts[1].span)
-                    )
+                K::Ratio(parts) => {
+                    format!("`{}` where `{}` is 0", text(&parts[2]), text(&parts[1]))
                 }
-                ExprKind::Call(Function::Sqrt, a) if signs.of(a) != Sign::Positive => {
-                    format!("0 with derivative 0 where `{}` is 0 or less", text(a.span))
+                K::Call(Function::Sqrt | Function::Log, a) if may_vanish(a) => of_root(a),
+                K::Pow(a, doubled) if doubled % 2 != 0 && may_vanish(a) => of_root(a),
+                K::Call(Function::Asin | Function::Acos, a) => {
+                    let a = text(a);
+                    format!("`{a}` is held within -1 .. 1, with derivative 0 beyond")
                 }
-                ExprKind::Pow(a, doubled) if doubled % 2 != 0 && signs.of(a) != Sign::Positive => {
-                    format!("0 with derivative 0 where `{}` is 0 or less", text(a.span))
+                K::Call(Function::Abs, a) => format!("derivative 0 where `{}` is 0", text(a)),
+                K::Call(Function::Sign | Function::Step, a) => {
+                    format!("jumps, with derivative 0, where `{}` passes 0", text(a))
                 }
-                ExprKind::Call(Function::Log, a) if signs.of(a) != Sign::Positive => {
-                    format!("0 with derivative 0 where `{}` is 0 or less", text(a.span))
-                }
-                ExprKind::Call(Function::Asin | Function::Acos, a) => {
-                    format!(
-                        "`{}` is held within -1 .. 1, with derivative 0 beyond",
-                        text(a.span)
-                    )
-                }
-                ExprKind::Call(Function::Abs, a) => {
-                    format!("derivative 0 where `{}` is 0", text(a.span))
-                }
-                ExprKind::Call(Function::Sign | Function::Step, a) => {
-                    format!(
-                        "jumps, with derivative 0, where `{}` passes 0",
-                        text(a.span)
-                    )
-                }
-                ExprKind::Min(a, b) | ExprKind::Max(a, b) => {
-                    format!("a kink where `{}` equals `{}`", text(a.span), text(b.span))
+                K::Min(a, b) | K::Max(a, b) => {
+                    format!("a kink where `{}` equals `{}`", text(a), text(b))
                 }
                 _ => return,
             };
             points.push(SingularPoint {
                 span: e.span,
-                text: text(e.span),
+                text: text(e),
                 what,
             });
         });

@@ -1,21 +1,17 @@
-//! Bounds on the size of a compiled model. A short text can define a huge expression: thirty lines `let a = b*b;`
-//! define a power of 2³⁰. Sizes are estimated on the checked tree, with names replaced by their definitions where the
-//! compiler does so: nested sums become one sum, and nested products one product.
+//! Bounds on the size of a compiled model: thirty lines `let a = b*b;` define a power of 2³⁰. Nested sums are one sum,
+//! and nested products one product, as the compiler makes them.
 
 use super::Checker;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{Expr, ExprKind, Function, Shape};
 
-/// Maximum number of factors of a product, where a power counts as repeated factors; more are reported as an error. It
-/// bounds the size of the compiled model.
+/// Maximum number of factors of a product, powers counted as repeated factors.
 pub(crate) const MAX_FACTORS: u64 = 1_000;
 
-/// Maximum number of scalar operations of a model, counted before differentiation; more are reported as an error. It
-/// bounds the size of the compiled model.
+/// Maximum number of scalar operations of a model, before differentiation.
 pub(crate) const MAX_OPERATIONS: u64 = 10_000;
 
-/// Estimated size of an expression in the compiled model, where nested sums form one sum and nested products one
-/// product.
+/// Estimated size of an expression in the compiled model.
 #[derive(Clone, Copy)]
 struct Size {
     /// Number of terms in each component after nested sums are merged; 1 for an expression that is not a sum.
@@ -81,9 +77,7 @@ impl Checker<'_> {
 }
 
 impl Sizes {
-    /// Error if the statement `name` has more than [`MAX_FACTORS`] factors, or if the model has more than
-    /// [`MAX_OPERATIONS`] operations up to and including this statement; `None` otherwise. `size` is the size of the
-    /// statement.
+    /// Error if the statement `name`, of the given size, exceeds a bound.
     fn fault(&self, size: Size, name: &str, span: Span) -> Option<Diagnostic> {
         let help =
             "a name that is used twice in the definition of the next doubles the size each time";
@@ -111,114 +105,58 @@ impl Sizes {
             Shape::Scalar => 1,
             Shape::Vector(_) => 3,
         };
-        match &e.kind {
-            K::Number { .. } => Size { factors: 0, ..ATOM },
-            K::Pi
-            | K::Time
-            | K::Param(_)
-            | K::Coefficient(_)
-            | K::Input(_)
-            | K::State(_)
-            | K::Position
-            | K::Velocity
-            | K::AngularVelocity
-            | K::SpecificForce
-            | K::AngularAcceleration
-            | K::Marker => ATOM,
-            K::Axis(..) => Size {
-                factors: self.frames,
-                ..ATOM
-            },
-            K::AuxVariable(i) => self.variables.get(*i).copied().unwrap_or(ATOM),
-            K::Neg(a) | K::Component(a, _) => self.of(a),
-            K::Add(a, b) | K::Sub(a, b) => {
-                let sizes = [self.merged(a, each), self.merged(b, each)];
-                self.count(each);
-                Size {
-                    terms: sizes[0].terms.saturating_add(sizes[1].terms),
-                    // A common factor of all terms may become a factor of the sum.
-                    factors: sizes[0].factors.max(sizes[1].factors),
-                }
+        let merges = matches!(e.kind, K::Add(..) | K::Sub(..) | K::Mul(..) | K::Div(..));
+        let (mut sizes, mut next) = ([ATOM; 3], 0);
+        e.children(&mut |child| {
+            sizes[next] = self.of(child);
+            if merges && matches!(child.kind, K::AuxVariable(_)) {
+                let parts = sizes[next].terms.max(sizes[next].factors);
+                self.count(parts.saturating_sub(1).saturating_mul(each));
             }
-            K::Mul(a, b) | K::Div(a, b) => {
-                let sizes = [self.merged(a, each), self.merged(b, each)];
-                self.count(each);
-                product(sizes[0], sizes[1])
+            next += 1;
+        });
+        let [a, b, c] = sizes;
+        let (operations, size) = match &e.kind {
+            K::Number { .. } => (0, Size { factors: 0, ..ATOM }),
+            K::Axis(..) => {
+                let factors = self.frames;
+                (0, Size { factors, ..ATOM })
             }
-            K::Dot(a, b) | K::Cross(a, b) => {
-                let sizes = [self.of(a), self.of(b)];
-                self.count(if each == 1 { 5 } else { 9 });
-                Size {
-                    terms: 3,
-                    ..product(sizes[0], sizes[1])
-                }
+            K::AuxVariable(i) => (0, self.variables.get(*i).copied().unwrap_or(ATOM)),
+            K::Neg(_) | K::Component(..) => (0, a),
+            K::Add(..) | K::Sub(..) => {
+                // A common factor of all terms may become a factor of the sum.
+                let factors = a.factors.max(b.factors);
+                let terms = a.terms.saturating_add(b.terms);
+                (each, Size { terms, factors })
             }
-            K::Ratio(parts) => {
-                let sizes = [self.of(&parts[0]), self.of(&parts[1])];
-                self.of(&parts[2]);
-                self.count(each);
-                product(sizes[0], sizes[1])
+            K::Mul(..) | K::Div(..) | K::Ratio(_) => (each, product(a, b)),
+            K::Dot(..) | K::Cross(..) => {
+                let operations = if each == 1 { 5 } else { 9 };
+                let factors = product(a, b).factors;
+                (operations, Size { terms: 3, factors })
             }
-            K::Pow(a, doubled) => {
+            K::Pow(_, doubled) => {
                 let times = u64::from(doubled.unsigned_abs()).div_ceil(2).max(1);
-                let size = self.of(a);
-                self.count(each);
-                Size {
-                    terms: 1,
-                    factors: size.factors.max(1).saturating_mul(times),
-                }
+                let factors = a.factors.max(1).saturating_mul(times);
+                (each, Size { terms: 1, factors })
             }
-            K::Norm(v) => {
-                let size = self.of(v);
-                self.count(6);
-                Size { terms: 1, ..size }
+            K::Norm(_) => (6, Size { terms: 1, ..a }),
+            K::Direction(..) => (9, product(a, a)),
+            K::Reexpress(_) => {
+                let factors = a.factors.saturating_add(self.frames);
+                (self.frames.saturating_mul(4), Size { terms: 3, factors })
             }
-            K::Direction(v, otherwise) => {
-                let size = self.of(v);
-                if let Some(otherwise) = otherwise {
-                    self.of(otherwise);
-                }
-                self.count(9);
-                product(size, size)
+            K::Call(Function::Abs | Function::Sqrt, _) => (1, Size { terms: 1, ..a }),
+            K::Components(_) => {
+                let terms = a.terms.max(b.terms).max(c.terms).max(1);
+                let factors = a.factors.max(b.factors).max(c.factors).max(1);
+                (0, Size { terms, factors })
             }
-            K::Reexpress(v) => {
-                let size = self.of(v);
-                self.count(self.frames.saturating_mul(4));
-                Size {
-                    terms: 3,
-                    factors: size.factors.saturating_add(self.frames),
-                }
-            }
-            K::Call(Function::Abs | Function::Sqrt, a) => {
-                let size = self.of(a);
-                self.count(1);
-                Size { terms: 1, ..size }
-            }
-            K::Components(_) | K::Atan2(..) | K::Min(..) | K::Max(..) | K::Call(..) => {
-                let mut largest = ATOM;
-                let is_vector = matches!(e.kind, K::Components(_));
-                e.children(&mut |child| {
-                    let size = self.of(child);
-                    if is_vector {
-                        largest.terms = largest.terms.max(size.terms);
-                        largest.factors = largest.factors.max(size.factors);
-                    }
-                });
-                self.count(u64::from(!is_vector));
-                largest
-            }
-        }
-    }
-
-    /// Size of an operand `e` of a sum or product; `each` is the number of components of the operand (1 for a scalar, 3
-    /// for a vector). If `e` is an auxiliary variable, the compiler copies its definition into the sum or product. The
-    /// operations of the copy are therefore added to the total of the model.
-    fn merged(&mut self, e: &Expr, each: u64) -> Size {
-        let size = self.of(e);
-        if matches!(e.kind, ExprKind::AuxVariable(_)) {
-            let parts = size.terms.max(size.factors).saturating_sub(1);
-            self.count(parts.saturating_mul(each));
-        }
+            K::Atan2(..) | K::Min(..) | K::Max(..) | K::Call(..) => (1, ATOM),
+            _ => (0, ATOM),
+        };
+        self.count(operations);
         size
     }
 

@@ -7,8 +7,7 @@ use crate::model::{ExprKind, Shape};
 use crate::syntax::ast::{self, BinaryOp};
 
 impl Checker<'_> {
-    /// Elaborates (resolves and type-checks) `a + b - c …` as one n-ary sum, so that one inconsistent term causes only
-    /// one error message.
+    /// Elaborates `a + b - c …` as one n-ary sum, so that one inconsistent term causes only one error message.
     pub fn sum(&mut self, e: &ast::Expr) -> Option<Typed> {
         // Terms from the left, each with its operator and the source span of the partial sum.
         let mut terms: Vec<(BinaryOp, &ast::Expr, Span)> = Vec::new();
@@ -23,11 +22,8 @@ impl Checker<'_> {
         let typed: Vec<Option<Typed>> = terms.iter().map(|t| self.elaborate(t.1)).collect();
         let present: Vec<Typed> = typed.iter().flatten().cloned().collect();
         let shape = self.same_shape(&present, e.span)?;
-        let unit = self.same_unit(
-            &present,
-            e.span,
-            "quantities of different units cannot be added",
-        );
+        let rule = "quantities of different units cannot be added";
+        let unit = self.same_unit(&present, e.span, rule);
 
         let mut sum: Option<crate::model::Expr> = None;
         for ((op, _, span), term) in terms.iter().zip(typed) {
@@ -57,25 +53,20 @@ impl Checker<'_> {
         let (a, b) = (self.text(first.expr.span), self.text(other.expr.span));
         let fault = match (first.expr.shape, other.expr.shape) {
             (Shape::Vector(f), Shape::Vector(g)) => self.different_frames(first, f, other, g, span),
-            (Shape::Scalar, _) => {
-                let message = format!(
-                    "a number and a vector cannot be added: `{a}` is a number, `{b}` a vector"
-                );
+            (one, _) => {
+                let [c, d] = if one == Shape::Scalar {
+                    ["number", "vector"]
+                } else {
+                    ["vector", "number"]
+                };
+                let message =
+                    format!("a {c} and a {d} cannot be added: `{a}` is a {c}, `{b}` a {d}");
                 Diagnostic::new(Kind::Shape, span, message)
-                    .label(first.expr.span, "a number")
-                    .label(other.expr.span, "a vector")
-            }
-            (_, Shape::Scalar) => {
-                let message = format!(
-                    "a vector and a number cannot be added: `{a}` is a vector, `{b}` a number"
-                );
-                Diagnostic::new(Kind::Shape, span, message)
-                    .label(first.expr.span, "a vector")
-                    .label(other.expr.span, "a number")
+                    .label(first.expr.span, format!("a {c}"))
+                    .label(other.expr.span, format!("a {d}"))
             }
         };
-        self.report(fault);
-        None
+        self.refuse(fault)
     }
 
     /// Creates the error for two vectors `a` and `b` whose components are in different frames, `f` and `g`.
@@ -101,8 +92,7 @@ impl Checker<'_> {
             ))
     }
 
-    /// Common unit of the expressions `terms`; [`UnitOf::Faulty`], with a single error reported, if their units differ.
-    /// `rule` begins the error message.
+    /// Common unit of `terms`; reports one error, which begins with `rule`, if they differ.
     pub fn same_unit(&mut self, terms: &[Typed], span: Span, rule: &str) -> UnitOf {
         let mut groups: Vec<Vec<usize>> = Vec::new();
         let mut faulty = false;

@@ -4,7 +4,7 @@ use super::quantity::Measure;
 use super::term::Term;
 use super::{Checker, Typed, UnitOf};
 use crate::diagnostic::{Diagnostic, Kind, Span};
-use crate::model::{self, ExprKind, Function, Shape};
+use crate::model::{self, ExprKind, Function};
 use crate::syntax::ast::{self, Item, Quantity};
 
 /// Minimum number of knots of a table; two knots would define only a straight line.
@@ -13,11 +13,9 @@ const MIN_KNOTS: usize = 3;
 const MAX_KNOTS: usize = 500;
 /// Maximum number of tables of a model; a further table is reported as an error.
 const MAX_TABLES: usize = 100;
-/// Minimum difference between the arguments of adjacent knots, as a fraction of the range from the first to the last
-/// argument; knots closer than this are reported as an error.
+/// Minimum width between adjacent knots, as a fraction of the whole range.
 const MIN_WIDTH: f64 = 1e-9;
-/// Decimal exponent that limits the numbers of a table: an absolute value above 10^60, or an interval between adjacent
-/// knots of at most 10^-60, SI, is reported as an error.
+/// Numbers above 10^60 and widths of at most 10^-60, SI, are errors.
 const MAX_EXPONENT: f64 = 60.0;
 
 impl Checker<'_> {
@@ -38,10 +36,8 @@ impl Checker<'_> {
         };
         let mut knots = Vec::with_capacity(table.knots.len());
         for (argument, value) in &table.knots {
-            let (x, y) = (
-                self.of_table(argument, &of_argument),
-                self.of_table(value, &of_value),
-            );
+            let x = self.of_table(argument, &of_argument);
+            let y = self.of_table(value, &of_value);
             knots.extend(x.zip(y));
         }
         if knots.len() == table.knots.len() {
@@ -72,9 +68,7 @@ impl Checker<'_> {
         }
     }
 
-    /// SI value of `number`, the argument or the value of one knot. A number without a unit has the unit `column` that
-    /// is declared for all arguments or values of the table. `None`, with an error reported, if the number states a
-    /// unit that is not compatible with `column`.
+    /// SI value of a number of the table; without a unit it has that of its column.
     fn of_table(&mut self, number: &Quantity, column: &Measure) -> Option<f64> {
         let Some(unit) = &number.unit else {
             return Some(column.of(&number.number).0);
@@ -86,15 +80,12 @@ impl Checker<'_> {
                 column.unit.explained(),
                 own.unit.explained()
             );
-            self.report(Diagnostic::new(Kind::Unit, number.span, message));
-            return None;
+            return self.refuse(Diagnostic::new(Kind::Unit, number.span, message));
         }
         Some(own.of(&number.number).0)
     }
 
-    /// Checks the knots of a table, as pairs of argument and value, SI, and reports the first violation: number of
-    /// knots from [`MIN_KNOTS`] to [`MAX_KNOTS`], arguments increasing and not too close together ([`MIN_WIDTH`]), and
-    /// no number beyond the limits of [`MAX_EXPONENT`].
+    /// Checks number, order and size of the knots, SI; reports the first violation.
     fn knots(&mut self, table: &ast::Table, knots: &[(f64, f64)]) {
         let name = &table.name.text;
         if !(MIN_KNOTS..=MAX_KNOTS).contains(&knots.len()) {
@@ -131,16 +122,13 @@ impl Checker<'_> {
                     "the arguments of the table `{name}` must increase, but {here} follows {before}"
                 )
             };
-            self.report(
-                Diagnostic::new(Kind::Value, here.span, message)
-                    .label(before.span, "the knot before"),
-            );
+            let fault = Diagnostic::new(Kind::Value, here.span, message);
+            self.report(fault.label(before.span, "the knot before"));
             return;
         }
     }
 
-    /// Elaborates (resolves and type-checks) the call of a table, by its index in the model, and checks the unit of the
-    /// argument.
+    /// Elaborates the call of a table, by its index in the model, and checks the unit of the argument.
     pub fn call_of_table(&mut self, index: usize, argument: Typed, span: Span) -> Typed {
         let table = &self.model.tables[index];
         let (unit, expected) = (table.unit, Term::known(table.argument_unit));
@@ -151,10 +139,11 @@ impl Checker<'_> {
             self.must_be(&argument, &expected, &format!("{what} must be {should}"));
         }
         let kind = ExprKind::Call(Function::Table(index), Box::new(argument.expr));
-        let unit = match is_sound {
-            true => UnitOf::of(unit),
-            false => UnitOf::Faulty,
+        let unit = if is_sound {
+            UnitOf::of(unit)
+        } else {
+            UnitOf::Faulty
         };
-        Typed::new(kind, Shape::Scalar, span, unit)
+        Typed::scalar(kind, span, unit)
     }
 }

@@ -8,12 +8,10 @@ use std::cell::RefCell;
 use crate::diagnostic::Span;
 use crate::unit::Unit;
 
-/// Maximum number of different unknown units (units to be inferred) in one [`Term`]; a unit with more unknowns is an
-/// error.
+/// Maximum number of different unknown units in one [`Term`]; a unit with more unknowns is an error.
 const MAX_UNKNOWNS: usize = 32;
 
-/// Maximum magnitude of numerator and denominator of a unit exponent, so that sums of such fractions stay within `i64`.
-/// A unit with a greater numerator or denominator is an error.
+/// Maximum numerator and denominator of a unit exponent, so that sums stay within `i64`.
 const MAX_PART: i32 = 4096;
 
 /// Rational exponent in lowest terms, with positive denominator.
@@ -26,6 +24,10 @@ pub(super) struct Fraction {
 impl Fraction {
     const ZERO: Fraction = Fraction { above: 0, below: 1 };
     pub const ONE: Fraction = Fraction { above: 1, below: 1 };
+    pub const MINUS_ONE: Fraction = Fraction {
+        above: -1,
+        below: 1,
+    };
 
     pub fn new(above: i64, below: i64) -> Option<Fraction> {
         if below == 0 {
@@ -77,19 +79,9 @@ impl Term {
     }
 
     pub fn known(unit: Unit) -> Term {
-        let base = unit.doubled.map(|d| {
-            let d = i32::from(d);
-            if d % 2 == 0 {
-                Fraction {
-                    above: d / 2,
-                    below: 1,
-                }
-            } else {
-                Fraction { above: d, below: 2 }
-            }
-        });
+        let half = |d: i8| Fraction::new(d.into(), 2).unwrap_or(Fraction::ZERO);
         Term {
-            base,
+            base: unit.doubled.map(half),
             unknowns: Vec::new(),
         }
     }
@@ -101,8 +93,7 @@ impl Term {
         }
     }
 
-    /// Computes the unit `self` · `other`^`power`; `None` if an exponent is out of range or there are too many
-    /// unknowns.
+    /// `self` · `other`^`power`; `None` if an exponent or the number of unknowns is out of range.
     pub fn times_power(&self, other: &Term, power: Fraction) -> Option<Term> {
         let mut base = self.base;
         for (b, o) in base.iter_mut().zip(other.base) {
@@ -129,8 +120,7 @@ impl Term {
         Term::one().times_power(self, power)
     }
 
-    /// Converts the product to a unit; `None` if it contains unknown units, or an exponent that is out of range or not
-    /// a multiple of 1/2.
+    /// The product as a unit; `None` with unknowns, or exponents that no unit has.
     pub fn unit(&self) -> Option<Unit> {
         if !self.unknowns.is_empty() {
             return None;
@@ -173,8 +163,7 @@ struct Unknown {
     at: Option<Span>,
 }
 
-/// The unknown units of a model, which are to be inferred, and their values as far as unit inference has determined
-/// them.
+/// The unknown units of a model, and their values as far as they are determined.
 #[derive(Default)]
 pub(super) struct Units {
     unknowns: Vec<Unknown>,
@@ -221,8 +210,7 @@ impl Units {
         term.is_some_and(|term| term.unknowns().any(|u| self.is_solved(u)))
     }
 
-    /// Replaces each solved unknown unit in `term` by its stored solution. Unknown units inside these solutions are not
-    /// replaced. `None` if an exponent is out of range.
+    /// Replaces solved unknowns in `term` by their stored solutions, once.
     fn substituted(&self, term: &Term) -> Option<Term> {
         let mut result = term.known_part();
         for &(index, power) in &term.unknowns {
@@ -234,8 +222,7 @@ impl Units {
         Some(result)
     }
 
-    /// In the stored solution of the unknown unit with index `unknown`, replaces solved unknown units by their
-    /// solutions, recursively, so that only undetermined unknown units remain (path compression).
+    /// Path compression: leaves only undetermined unknowns in the stored solution.
     fn compress(&self, unknown: u32) {
         let mut path = vec![unknown];
         while let Some(&last) = path.last() {
@@ -256,26 +243,14 @@ impl Units {
         }
     }
 
-    /// Makes two units equal by solving for at most one unknown unit; returns [`Differ`] if that is impossible. `at` is
-    /// the source span of the expression that requires equality.
+    /// Makes two units equal, solving for at most one unknown; `at` requires it.
     pub fn equate(&mut self, a: &Term, b: &Term, at: Span) -> Result<(), Differ> {
         let (a, b) = (self.resolve(a), self.resolve(b));
-        let Some(ratio) = a.times_power(
-            &b,
-            Fraction {
-                above: -1,
-                below: 1,
-            },
-        ) else {
-            return Err(Differ);
-        };
+        let ratio = a.times_power(&b, Fraction::MINUS_ONE).ok_or(Differ)?;
         // Solving for the unknown that was created last prevents cyclic solutions.
         let Some(&(index, exponent)) = ratio.unknowns.last() else {
-            return if ratio.base[..7].iter().all(|e| e.is_zero()) {
-                Ok(())
-            } else {
-                Err(Differ)
-            };
+            let agrees = ratio.base[..7].iter().all(|e| e.is_zero());
+            return agrees.then_some(()).ok_or(Differ);
         };
         let mut rest = ratio.clone();
         rest.unknowns.retain(|u| u.0 != index);
@@ -287,8 +262,7 @@ impl Units {
         Ok(())
     }
 
-    /// Solution of the unknown unit with index `unknown`: a product without solved unknown units. If the unknown unit
-    /// is itself undetermined, the product consists of that unknown unit alone.
+    /// Solution of an unknown unit, without solved unknowns.
     pub fn solution(&self, unknown: u32) -> Term {
         self.resolve(&Term::unknown(unknown))
     }

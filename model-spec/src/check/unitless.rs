@@ -18,17 +18,14 @@ const MAX_SUGGESTED: usize = 3;
 pub(super) struct Unitless {
     /// Whether the unit of a declaration without a unit is an unknown to be inferred (`true`) or 1 (`false`).
     infers: bool,
-    /// Unit assumed for each declaration without a unit: 1, or an unknown unit if missing units are to be inferred. The
-    /// key is the source span of the declared name.
+    /// Unit assumed for each declaration, by the span of its name: 1, or an unknown.
     terms: HashMap<Span, Term>,
-    /// For each unit error, its source span and the declarations without a unit on which the inconsistent expressions
-    /// depend. A declaration is identified by the source span of its name.
+    /// For each unit error, its span and the declarations that may have caused it.
     suspects: Vec<(Span, Vec<Span>)>,
 }
 
 impl Unitless {
-    /// Creates an empty record of declarations without a unit, for a checker that infers the units of these
-    /// declarations.
+    /// Record for a checker that infers missing units.
     pub fn inferred() -> Unitless {
         Unitless {
             infers: true,
@@ -36,8 +33,7 @@ impl Unitless {
         }
     }
 
-    /// Unit that the checker assumes for a declaration without a unit: 1, or an unknown unit if missing units are to be
-    /// inferred. `name` is the source span of the declared name.
+    /// Unit assumed for the declaration of `name`.
     pub fn term(&self, name: Span) -> Term {
         self.terms.get(&name).cloned().unwrap_or_else(Term::one)
     }
@@ -49,9 +45,8 @@ impl Unitless {
 }
 
 impl<'a> Checker<'a> {
-    /// Records the declarations without a unit. If units are inferred, creates an unknown unit for each. This must
-    /// happen before the unknown units of declarations with `[?]` are created: of two unknowns, `Units::equate` solves
-    /// for the one created later, and the units written as `[?]` are to be determined first.
+    /// Records the declarations without a unit. Their unknowns come before those of `[?]`: `Units::equate` solves for
+    /// the later of two, and `[?]` is to be determined first.
     pub fn declare_unitless(&mut self) {
         let file = self.file;
         for item in &file.items {
@@ -67,9 +62,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Records possible causes of a unit error for [`Checker::suggest_units`]: the declarations without a unit on which
-    /// the inconsistent expressions `sides` depend, directly or through auxiliary variables. `fault` is the source span
-    /// of the error.
+    /// Records the declarations without a unit on which the sides of a unit error depend.
     pub fn suspect_unitless(&mut self, fault: Span, sides: &[&Typed]) {
         if self.unitless.suspects.len() >= MAX_SHOWN || self.unitless.terms.is_empty() {
             return;
@@ -91,8 +84,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Records the declaration whose name has the source span `name` as a possible cause of the unit error at `fault`,
-    /// if that declaration states no unit.
+    /// Records the declaration of `name` as a possible cause of a unit error.
     pub fn suspect_declaration(&mut self, fault: Span, name: Span) {
         if !self.unitless.terms.contains_key(&name) {
             return;
@@ -103,9 +95,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Collects the operands of an expression. Appends to `names` the source span of the declared name of each
-    /// declaration without a unit that the expression uses directly, and to `variables` the index into
-    /// `Model::aux_variables` of each auxiliary variable that it uses directly.
+    /// Collects the declarations without a unit and the variables that an expression uses.
     fn unitless_operands(&self, e: &Expr, variables: &mut Vec<usize>, names: &mut Vec<Span>) {
         let model = &self.model;
         let name = match &e.kind {
@@ -127,9 +117,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Adds to each unit error, as labels and help text, the declarations without a unit that may have caused it, with
-    /// the units that they would need. `inferring` is a second checker, which has checked the same model and inferred
-    /// these units; an error that it reports too is left unchanged.
+    /// Adds to unit errors the declarations that may have caused them, with the units inferred by `inferring`, unless
+    /// it reports them too.
     pub fn suggest_units(&mut self, inferring: &Checker<'_>) {
         let remaining: Vec<Span> = inferring
             .diagnostics
@@ -177,8 +166,7 @@ impl<'a> Checker<'a> {
         { declared }.find(|d| d.name.span == name)
     }
 
-    /// Sentence that proposes units for declarations without a unit: the pairs of declaration and unit in `needed`, of
-    /// which only the first [`MAX_SUGGESTED`] are used. `None` if `needed` is empty.
+    /// Sentence that proposes units for up to [`MAX_SUGGESTED`] declarations.
     fn suggestion(&self, needed: &[(Declared<'_>, Unit)]) -> Option<String> {
         let listed = |texts: Vec<String>| texts.join(" and ");
         let shown = &needed[..needed.len().min(MAX_SUGGESTED)];
@@ -237,21 +225,18 @@ impl<'a> Declared<'a> {
     }
 }
 
-/// Unit expression for model files: the symbol of the unit if it has one, such as `N`, otherwise a product of powers of
-/// the base units.
+/// Unit expression for model files, by symbol if the unit has one, such as `N`.
 fn written(unit: Unit) -> UnitExpr {
     let span = Span::default();
-    let factor = |symbol: &str, doubled: i8| UnitFactor {
-        symbol: symbol.to_owned(),
-        doubled: doubled.into(),
-        span,
-    };
-    let factors = match unit.named() {
-        Some(symbol) if symbol.chars().all(char::is_alphabetic) => vec![factor(symbol, 2)],
-        _ => unit
-            .powers()
-            .map(|(symbol, doubled)| factor(symbol, doubled))
-            .collect(),
-    };
-    UnitExpr { factors, span }
+    match unit.named() {
+        Some(symbol) if symbol.chars().all(char::is_alphabetic) => UnitExpr {
+            factors: vec![UnitFactor {
+                symbol: symbol.to_owned(),
+                doubled: 2,
+                span,
+            }],
+            span,
+        },
+        _ => UnitExpr::of(unit, span),
+    }
 }

@@ -19,11 +19,9 @@ const ANGULAR_VELOCITY: &str = "angular_velocity";
 const SPECIFIC_FORCE: &str = "specific_force";
 const ANGULAR_ACCELERATION: &str = "angular_acceleration";
 
-/// Message text for the unmet requirement if a model has no body, but an effect adds a force or moment, or uses the
-/// mass, position, velocity or specific force.
+/// Named in messages where a model lacks one.
 const BODY: &str = "a body or a point";
-/// Message text for the unmet requirement if a model has no rotating body, but an effect adds a moment, or uses moments
-/// of inertia, the angular velocity or acceleration, or the body-fixed frame.
+/// Named in messages where a model lacks one.
 const TURNING: &str = "a body that turns";
 
 /// Reason why an effect cannot be applied to a model: a requirement of the effect that the model does not meet.
@@ -41,15 +39,14 @@ pub enum Unmet {
         /// Description of the missing quantity, frame or body, such as ``a vector `wind` in m/s``.
         what: String,
     },
-    /// A quantity of the model differs in kind (scalar or vector) or unit from the quantity of the same name that the
-    /// effect needs.
+    /// A quantity of the model differs in kind or unit from the quantity of the same name that the effect needs.
     #[error("it needs {what}; here `{name}` is {found}")]
     Differs {
         /// Name of the quantity, which is the same in the model and in the effect.
         name: String,
         /// Description of the needed quantity, such as ``a vector `wind` in m/s``.
         what: String,
-        /// Kind (vector or number) and unit of the model's quantity, such as `a vector in m/s`.
+        /// Kind and unit of the model's quantity, such as `a vector in m/s`.
         found: String,
     },
     /// The effect contains a `replace` statement, but the model has no corresponding statement to be replaced.
@@ -66,8 +63,7 @@ pub enum Unmet {
     },
 }
 
-/// Names that a model declares, with kinds (scalar or vector) and units, against which the requirements of effects are
-/// tested.
+/// Names that a model declares, with kinds and units, against which the requirements of effects are tested.
 #[derive(Clone, Debug)]
 pub struct Binding {
     file: Arc<File>,
@@ -78,7 +74,7 @@ pub struct Binding {
 }
 
 impl Binding {
-    /// Collects the names that a checked model declares, with their kinds (scalar or vector) and units.
+    /// Collects the names that a checked model declares, with their kinds and units.
     pub fn new(model: &Model) -> Binding {
         let mut values = BTreeMap::new();
         let mut add = |name: &str, is_vector: bool, unit: Unit| {
@@ -198,8 +194,7 @@ impl Binding {
         Ok(())
     }
 
-    /// Tests whether the model has a quantity that an effect needs. Returns `Some(())` if it has, `None` if it lacks
-    /// the quantity and a fallback expression replaces the quantity, or an error in any other case.
+    /// Tests for a needed quantity; `None` if a fallback replaces it.
     fn needed(&self, need: &Need) -> Result<Option<()>, Unmet> {
         let name = &need.name.text;
         let unit = need.unit.as_ref().map_or(Some(Unit::ONE), si_unit);
@@ -219,15 +214,9 @@ impl Binding {
         }
     }
 
-    /// Tests whether a statement that an effect adds is compatible with the model. Returns the name of the parameter,
-    /// state, auxiliary variable or input that the statement declares, or `None` if it declares something else, such as
-    /// a force. Returns an error if the model already declares the name, or lacks the frame of an input or the body on
-    /// which a load acts.
+    /// Tests a statement that an effect adds; returns the name that it declares, if any.
     fn declared<'e>(&self, item: &'e ItemKind) -> Result<Option<&'e str>, Unmet> {
-        let name = match item {
-            ItemKind::Parameter(own) => &own.name,
-            ItemKind::State(own) => &own.name,
-            ItemKind::Let(own) => &own.name,
+        match item {
             // Several effects may declare the same input.
             ItemKind::Input(own) => {
                 self.frame(&own.frame.text)?;
@@ -247,7 +236,10 @@ impl Binding {
                 }
                 return Ok(None);
             }
-            _ => return Ok(None),
+            _ => {}
+        }
+        let Some(name) = item.declared() else {
+            return Ok(None);
         };
         let is_other = name.text != MASS && !INERTIA.contains(&name.text.as_str());
         if is_other && self.values.contains_key(&name.text) {
@@ -265,17 +257,17 @@ impl Binding {
     }
 
     fn frame(&self, frame: &str) -> Result<(), Unmet> {
-        match self.frames.contains(frame) {
-            true => Ok(()),
-            false if frame == FRAMES[1] => Err(lacking(TURNING)),
-            false => Err(lacking(format!("a frame `{frame}`"))),
+        if self.frames.contains(frame) {
+            Ok(())
+        } else if frame == FRAMES[1] {
+            Err(lacking(TURNING))
+        } else {
+            Err(lacking(format!("a frame `{frame}`")))
         }
     }
 }
 
-/// Names that the expressions of an effect may use. These are the names that the model or the effect declares, and
-/// names in the `needs` statement of the effect that the model lacks but for which the statement contains a fallback
-/// expression.
+/// Names that the expressions of an effect may use.
 struct Uses<'a> {
     binding: &'a Binding,
     own: BTreeSet<&'a str>,
@@ -351,15 +343,14 @@ fn kind(is_vector: bool) -> &'static str {
     if is_vector { "vector" } else { "number" }
 }
 
-/// Text that describes a quantity that an effect needs: kind (scalar or vector), name and unit.
+/// Text that describes a quantity that an effect needs: kind, name and unit.
 fn described(need: &Need) -> String {
     let unit = need.unit.as_ref().map(|unit| format!(" in {unit}"));
     let (kind, name) = (kind(need.is_vector), &need.name.text);
     format!("a {kind} `{name}`{}", unit.unwrap_or_default())
 }
 
-/// Unit of a unit expression in SI base units, without the conversion factor; `None` if a symbol is unknown or an
-/// exponent is out of range.
+/// SI unit of a unit expression, without factor; `None` if it is invalid.
 fn si_unit(expression: &UnitExpr) -> Option<Unit> {
     let power = |factor: &UnitFactor| {
         let symbol = symbol::find(&factor.symbol)?;

@@ -68,8 +68,7 @@ impl EffectTree {
         EffectTree::parse(path, &read(path)?)
     }
 
-    /// Built-in effect of the given name, from [`EFFECTS`] or [`GENERAL_EFFECTS`]; `None` if there is none. All are
-    /// parsed on the first call.
+    /// Built-in effect of the given name, specific or general.
     pub(super) fn built_in(name: &str) -> Option<&'static EffectTree> {
         static BUILT_IN: LazyLock<Vec<EffectTree>> = LazyLock::new(|| {
             let all = EFFECTS.iter().chain(GENERAL_EFFECTS);
@@ -80,8 +79,7 @@ impl EffectTree {
         BUILT_IN.iter().find(|effect| effect.name() == name)
     }
 
-    /// Names in the `generalises` statement: effects of which this effect is the general form, each made for a narrower
-    /// family of models.
+    /// More specific effects, of which this one is the general form.
     pub fn generalises(&self) -> impl Iterator<Item = &str> {
         self.tree.parts.iter().flat_map(|part| match part {
             EffectPart::Generalises(names) => names.iter().map(|name| name.text.as_str()).collect(),
@@ -131,8 +129,7 @@ impl EffectTree {
         }
     }
 
-    /// Quantities that a model must have for the effect to be applicable (`needs` statement), without those for which
-    /// the `needs` statement contains a fallback expression.
+    /// Quantities that a model must have: those needed without a fallback.
     pub fn needs(&self) -> impl Iterator<Item = &Need> {
         let all = self.tree.parts.iter().flat_map(|part| match part {
             EffectPart::Needs(needs) => needs.as_slice(),
@@ -141,8 +138,7 @@ impl EffectTree {
         all.filter(|need| need.otherwise.is_none())
     }
 
-    /// Instruments whose measured quantities the effect needs, without those for which the `needs` statement of the
-    /// effect contains a fallback expression.
+    /// Instruments whose measured quantities the effect needs.
     pub(crate) fn instruments(&self) -> Vec<Instrument> {
         let is_needed = |instrument: &Instrument| {
             let mut needs = self.needs();
@@ -161,8 +157,7 @@ impl EffectTree {
         &self.tree
     }
 
-    /// Source text of a span of the tree; empty if the effect is declared in a model file, because it then has no
-    /// separate source text.
+    /// Source text of a span; empty for an effect of a model file.
     pub(crate) fn text(&self, span: Span) -> &str {
         let source = self.source.as_ref();
         source
@@ -170,8 +165,7 @@ impl EffectTree {
             .unwrap_or_default()
     }
 
-    /// Copy of the effect's syntax tree with spans that refer to `sources`. Appends the effect's text to `sources`
-    /// unless it is already present.
+    /// Copy of the tree with spans that refer to `sources`, to which its text is added.
     pub(super) fn in_sources(&self, sources: &mut Vec<Source>) -> Effect {
         let mut tree = self.tree.clone();
         if let Some(own) = &self.source {

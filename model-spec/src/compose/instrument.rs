@@ -17,8 +17,7 @@ impl Instrument {
     /// All instruments.
     pub const ALL: [Self; 3] = [Self::Gyroscope, Self::Accelerometer, Self::Speed];
 
-    /// Name of the auxiliary variable by which a model predicts the measured value; datasets use the same name for
-    /// measurements of this instrument.
+    /// Name of the predicting variable in models, and of the measurement in datasets.
     pub fn name(self) -> &'static str {
         match self {
             Self::Gyroscope => "gyroscope",
@@ -35,9 +34,7 @@ impl Instrument {
         }
     }
 
-    /// Default definition of the quantity that the instrument measures, as a `let` statement. `frame` is the name of
-    /// the frame of the measured components, and `marker` is the name of the vector from the centre of mass to the
-    /// instrument.
+    /// Default `let` of the measured quantity, in `frame`, at the vector `marker` from the centre of mass.
     pub(super) fn definition(self, frame: &str, marker: &str) -> String {
         match self {
             Self::Gyroscope => format!("let gyroscope = in_{frame}(angular_velocity);"),

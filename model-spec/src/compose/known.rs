@@ -1,5 +1,4 @@
-//! Enumeration of all effects known for a model, each with the reason, if any, why it is not a candidate for a missing
-//! effect.
+//! The effects known for a model, and why some are not candidates.
 
 use thiserror::Error;
 
@@ -17,13 +16,11 @@ pub enum Origin {
     Specific,
     /// A built-in effect that is written for models of any kind.
     General,
-    /// The effect is not written in any file: it is created from an equation `der(STATE) = …` of the model, and adds a
-    /// term to the right-hand side of this equation.
+    /// Created from an equation `der(STATE) = …` of the model, to which it adds a term.
     Equation,
 }
 
-/// Reason why a diagnosis (the search for effects that a model lacks, given measured flights) does not consider an
-/// effect, that is, a named change to the model.
+/// Reason why a diagnosis does not consider an effect, that is, a named change to the model.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Refused {
     /// The model does not meet a requirement of the effect.
@@ -32,8 +29,7 @@ pub enum Refused {
     /// The effect is already applied to the model.
     #[error("it is switched on")]
     Applied,
-    /// The effect is the general form of a more specific effect that is applicable to the model; a diagnosis considers
-    /// only the specific effect.
+    /// A more specific effect is applicable to the model.
     #[error("`{by}` says it of this model")]
     Covered {
         /// Name of the more specific effect, which a diagnosis considers in place of the general one.
@@ -41,17 +37,14 @@ pub enum Refused {
     },
 }
 
-/// An effect that can be found by name for a model, and whether a diagnosis (the search for effects that the model
-/// lacks, given measured flights) considers the effect.
+/// An effect that can be found by name for a model, and whether a diagnosis considers the effect.
 #[derive(Clone, Debug)]
 pub struct KnownEffect {
     /// Syntax tree of the effect.
     pub effect: EffectTree,
-    /// Where the effect is defined: in the model's file, in the built-in library, or nowhere, because it is created
-    /// from an equation of the model.
+    /// Where the effect is defined.
     pub origin: Origin,
-    /// Reason why a diagnosis does not consider the effect as possibly missing from the model; `None` if the diagnosis
-    /// considers the effect.
+    /// Why a diagnosis does not consider the effect; `None` if it does.
     pub refused: Option<Refused>,
 }
 
@@ -70,9 +63,10 @@ pub fn known_effects(model: &Model) -> Vec<KnownEffect> {
             return;
         }
         let is_applied = model.effects.iter().any(|own| own.name == effect.name());
-        let refused = match is_applied {
-            true => Some(Refused::Applied),
-            false => binding.unmet(&effect).map(Refused::Unmet),
+        let refused = if is_applied {
+            Some(Refused::Applied)
+        } else {
+            binding.unmet(&effect).map(Refused::Unmet)
         };
         known.push(KnownEffect {
             effect,

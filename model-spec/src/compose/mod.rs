@@ -175,8 +175,7 @@ impl ModelTree {
         Ok(extended)
     }
 
-    /// Applies an effect in place. The tree is unchanged if there are errors, but the effect's text is appended to the
-    /// sources in any case.
+    /// Applies an effect in place; its text joins the sources even if it has errors.
     pub(crate) fn apply(&mut self, effect: &EffectTree) -> Result<(), Vec<Diagnostic>> {
         let tree = effect.in_sources(&mut self.sources);
         self.file = Arc::new(effect::apply(&self.file, &tree)?);
@@ -197,8 +196,7 @@ impl ModelTree {
         }
     }
 
-    /// Checks the model. Returns all errors, and the checked model; the latter is `None` if there is any error other
-    /// than a unit error.
+    /// Checks the model, which is `None` if there is any error but a unit error.
     pub(crate) fn check_with_faults(&self) -> Checked {
         let mut checked = check::check(&self.file, &self.sources);
         if checked.diagnostics.is_empty() {
@@ -207,8 +205,7 @@ impl ModelTree {
         checked
     }
 
-    /// Prints the model as `.hyz` text with the applied effects merged into its statements; the declarations of applied
-    /// effects are omitted. `note` becomes the last paragraph of the file's documentation.
+    /// Text of the model with the applied effects merged; `note` ends its documentation.
     pub fn to_text(&self, note: &str) -> String {
         let mut file = File::clone(&self.file);
         let is_applied = |name: &str| self.file.applied.iter().any(|a| a.name.text == name);

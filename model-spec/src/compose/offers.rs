@@ -7,12 +7,10 @@ use crate::diagnostic::{self, Diagnostic, Kind, Source};
 use crate::effect;
 use crate::syntax::ast::File;
 
-/// Maximum number of effects in a model file that are checked, since each requires a check of the whole model; further
-/// effects are not checked.
+/// Maximum number of checked effects of a file, as each checks the whole model.
 const MAX_CHECKED_OFFERS: usize = 50;
 
-/// Returns the errors of the effects that a model file declares. To find them, each effect alone is applied to a copy
-/// of the model, and this copy is checked.
+/// Errors of the effects of a file, each applied alone to a copy of the model.
 pub(super) fn faults(file: &File, sources: &[Source]) -> Vec<Diagnostic> {
     let model = file.model().map_or("", |name| &name.text);
     let mut diagnostics = Vec::new();

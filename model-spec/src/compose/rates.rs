@@ -1,19 +1,16 @@
-//! Effects generated for models that state their equations: a term that is missing from a derivative, either constant,
-//! proportional to time, or proportional to the state.
+//! Effects generated for models that state their equations: terms missing from a derivative.
 
 use std::collections::BTreeSet;
 
 use super::EffectTree;
 use crate::source::Span;
 use crate::syntax::ast::{Equation, ExprKind, File, ItemKind, State, UnitExpr, UnitFactor};
+use crate::syntax::of_kind;
 
-/// Maximum number of explicitly written equations `der(STATE) = …` per model for which [`rate_effects`] creates effects
-/// (additional terms that a model may lack); further equations are skipped.
+/// Maximum number of equations per model for which effects are created.
 const MAX_EQUATIONS: usize = 24;
 
-/// Creates three effects for each explicitly written equation `der(STATE) = …` of a model without a body. Each effect
-/// adds a term to the derivative: a constant, a multiple of time, or a multiple of the state. Equations whose
-/// right-hand side is only the name of a state are skipped. For a model with a body, the result is empty.
+/// Creates three effects for each equation of a model without a body, except those that only name a state.
 pub(super) fn rate_effects(file: &File) -> Vec<EffectTree> {
     if file.body().is_some() {
         return Vec::new();
@@ -37,20 +34,12 @@ pub(super) fn rate_effects(file: &File) -> Vec<EffectTree> {
 /// States that the file itself declares, in the order of declaration; states that applied effects added are omitted.
 fn states(file: &File) -> Vec<&State> {
     let own = file.items.iter().filter(|item| item.effect.is_none());
-    own.filter_map(|item| match &item.kind {
-        ItemKind::State(state) => Some(state),
-        _ => None,
-    })
-    .collect()
+    of_kind!(own, ItemKind::State).collect()
 }
 
-/// All equations `der(STATE) = …` of a file. If an applied effect has replaced an equation, only the replacement is
-/// included.
+/// All equations of a file, as replaced by applied effects.
 fn equations(file: &File) -> impl Iterator<Item = &Equation> {
-    file.items.iter().filter_map(|item| match &item.kind {
-        ItemKind::Equation(equation) => Some(equation),
-        _ => None,
-    })
+    of_kind!(file.items.iter(), ItemKind::Equation)
 }
 
 /// Whether the right-hand side of an equation is only the name of a state, as in `der(phi) = phidot`.
@@ -58,9 +47,7 @@ fn is_state(equation: &Equation, states: &BTreeSet<&str>) -> bool {
     matches!(&equation.value.kind, ExprKind::Name(name) if states.contains(name.as_str()))
 }
 
-/// Creates three effects for the equation of one state. Each adds one term with a new coefficient to the derivative of
-/// the state: a constant, a multiple of time, or a multiple of the state. For each coefficient, the smallest departure
-/// from 0 that matters in practice is set to 0.001 in the unit of the coefficient.
+/// Effects that add a constant, a multiple of time or a multiple of the state to its derivative.
 fn of_equation(state: &State) -> impl Iterator<Item = EffectTree> {
     let name = &state.name.text;
     let per = |seconds: i32| format!("[{}]", per_second(state.value.unit.as_ref(), seconds));

@@ -1,13 +1,12 @@
-//! Auxiliary variables that predict the readings of instruments on a body: `gyroscope`, `accelerometer` and `speed`. A
-//! model may declare them by `let`; otherwise default definitions are added.
+//! Auxiliary variables that predict the readings of instruments: declared by `let`, else by default.
 
 use std::sync::Arc;
 
 use crate::error::LoadError;
 use crate::model::Model;
 use crate::source::Span;
-use crate::syntax;
 use crate::syntax::ast::{FrameKind, ItemKind};
+use crate::syntax::{self, of_kind};
 
 use super::ModelTree;
 use super::instrument::Instrument;
@@ -30,19 +29,12 @@ impl ModelTree {
     }
 
     fn declares(&self, name: &str) -> bool {
-        self.file
-            .items
-            .iter()
-            .any(|item| matches!(&item.kind, ItemKind::Let(own) if own.name.text == name))
+        of_kind!(self.file.items.iter(), ItemKind::Let).any(|own| own.name.text == name)
     }
 
     fn define(&mut self, instrument: Instrument) -> Result<(), LoadError> {
-        let marker = self.file.items.iter().find_map(|item| match &item.kind {
-            ItemKind::Marker(marker) => {
-                Some((marker.frame.text.as_str(), marker.name.text.as_str()))
-            }
-            _ => None,
-        });
+        let marker = of_kind!(self.file.items.iter(), ItemKind::Marker).next();
+        let marker = marker.map(|marker| (marker.frame.text.as_str(), marker.name.text.as_str()));
         let inertial = { self.file.frames() }.find(|frame| frame.kind == FrameKind::Inertial);
         let inertial = inertial.map_or("N", |frame| &frame.name.text);
         let (frame, marker) = marker.unwrap_or((inertial, "position"));
@@ -73,9 +65,7 @@ impl Model {
         ModelTree::of(self).with_instruments(instruments)?.check()
     }
 
-    /// Returns the model with an auxiliary variable for each instrument. If the model does not declare this variable, a
-    /// default definition of it is added; an instrument whose default definition is invalid for the model is omitted. A
-    /// point mass gets a default definition only for [`Instrument::Speed`].
+    /// Returns the model with a variable for each instrument whose definition is valid for it.
     pub fn with_every_instrument(&self) -> Model {
         let all = Instrument::ALL.into_iter();
         all.fold(self.clone(), |model, instrument| {

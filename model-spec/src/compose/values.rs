@@ -10,7 +10,7 @@ use crate::source::Span;
 use crate::syntax::ast::{
     Check, CheckPart, File, Input, ItemKind, Name, Number, Parameter, Quantity, UnitExpr,
 };
-use crate::syntax::{self, Parsed};
+
 use crate::unit::Unit;
 
 /// Error of [`ModelTree::with_values`], which replaces default values of parameters, coefficients and inputs.
@@ -94,8 +94,7 @@ struct Default {
     unit: Option<UnitExpr>,
 }
 
-/// Replaces the default value of the parameter, coefficient or input component `name` by `value`, SI. Returns `None` if
-/// the model declares no such name, `Some(None)` if the value is unchanged, else the previous default.
+/// Replaces a default by `value`, SI. Returns the previous one if it differs, `None` for an unknown name.
 fn replace(file: &mut File, model: &Model, name: &str, value: f64) -> Option<Option<Default>> {
     file.items.iter_mut().find_map(|item| match &mut item.kind {
         ItemKind::Parameter(parameter) if parameter.name.text == name => {
@@ -104,9 +103,10 @@ fn replace(file: &mut File, model: &Model, name: &str, value: f64) -> Option<Opt
             let before = Default {
                 name: parameter.name.clone(),
                 literals: vec![parameter.value.number.clone()],
-                unit: match declared.inferred {
-                    true => unit_expr(declared.unit, parameter.value.span),
-                    false => parameter.value.unit.clone(),
+                unit: if declared.inferred {
+                    Some(UnitExpr::of(declared.unit, parameter.value.span))
+                } else {
+                    parameter.value.unit.clone()
                 },
             };
             let current = si_value(&parameter.value.number, parameter.value.unit.as_ref());
@@ -126,7 +126,7 @@ fn replace(file: &mut File, model: &Model, name: &str, value: f64) -> Option<Opt
                 unit: input
                     .unit
                     .clone()
-                    .or_else(|| unit_expr(declared.unit, input.name.span)),
+                    .or_else(|| Some(UnitExpr::of(declared.unit, input.name.span))),
             };
             let mut si = input
                 .value
@@ -154,7 +154,7 @@ fn set_parameter(parameter: &mut Parameter, declared: &crate::model::Parameter, 
                 bound.unit = bound.unit.take().or_else(|| old.clone());
             }
             number.text = shortest(value);
-            *unit = unit_expr(declared.unit, at);
+            *unit = Some(UnitExpr::of(declared.unit, at));
         }
     }
     let within = |(low, high): (f64, f64)| low <= value && value <= high;
@@ -168,7 +168,7 @@ fn set_input(input: &mut Input, unit: Unit, si: [f64; 3]) {
     let texts = match texts {
         [Some(x), Some(y), Some(z)] => [x, y, z],
         _ => {
-            input.unit = unit_expr(unit, input.name.span);
+            input.unit = Some(UnitExpr::of(unit, input.name.span));
             si.map(shortest)
         }
     };
@@ -177,8 +177,7 @@ fn set_input(input: &mut Input, unit: Unit, si: [f64; 3]) {
     }
 }
 
-/// Adds to a check case a `set` statement for each default value in `earlier` that the case does not set, so that the
-/// expected results of the case remain valid after the defaults have been replaced.
+/// Sets in a check case the earlier defaults that it relies on.
 fn keep_defaults(case: &mut Check, earlier: &[Default]) {
     let is_set = |case: &Check, default: &Default| {
         case.parts.iter().any(|part| match part {
@@ -239,21 +238,6 @@ fn si_value(number: &Number, unit: Option<&UnitExpr>) -> f64 {
         Some(value) => value,
         None => number.text.parse().unwrap_or(f64::NAN),
     }
-}
-
-/// Converts a unit to a unit expression of SI symbols, in which every node has the source span `span`. `None` if the
-/// text of the unit cannot be parsed as a unit.
-fn unit_expr(unit: Unit, span: Span) -> Option<UnitExpr> {
-    let Parsed { file, .. } = syntax::parse("unit", &format!("param x = 1 [{unit}];"));
-    let ItemKind::Parameter(parameter) = &file.items.first()?.kind else {
-        return None;
-    };
-    let mut unit = parameter.value.unit.clone()?;
-    unit.span = span;
-    for factor in &mut unit.factors {
-        factor.span = span;
-    }
-    Some(unit)
 }
 
 #[cfg(test)]

@@ -16,14 +16,12 @@ pub const SITES: [&str; 15] = [
     "clock", "marker", "inertia", "noise", "unknown",
 ];
 
-/// Permitted names in `variables NAME, …;`, the statement by which an effect names the kinds of variables on which its
-/// magnitude depends; `none` if it depends on no variable.
+/// Permitted names in `variables NAME, …;`; `none` if the effect depends on no variable.
 pub const VARIABLES: [&str; 9] = [
     "alpha", "spin", "speed", "rates", "height", "time", "position", "attitude", "none",
 ];
 
-/// Maximum number of statements in an effect; more are reported as an error. It bounds the run time, because the whole
-/// model is searched for each statement.
+/// Maximum number of statements in an effect: for each, the whole model is searched.
 const MAX_STATEMENTS: usize = 500;
 
 /// Returns a copy of `file` with `effect` applied, or the errors. The statements that the effect adds come last.
@@ -41,9 +39,7 @@ pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
     change.is_for_this_model(effect);
     if effect.parts.len() > MAX_STATEMENTS {
         let message = format!("an effect has at most {MAX_STATEMENTS} statements");
-        change
-            .diagnostics
-            .push(Diagnostic::new(Kind::Limit, effect.name.span, message));
+        change.report(Diagnostic::new(Kind::Limit, effect.name.span, message));
     }
     if !change.diagnostics.is_empty() {
         return Err(change.diagnostics);
@@ -97,8 +93,7 @@ pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
         );
         let fault = Diagnostic::new(Kind::Missing, effect.name.span, message);
         change
-            .diagnostics
-            .push(fault.help("add `site drag;`, or another of lift, side, roll, pitch, spin, …"));
+            .report(fault.help("add `site drag;`, or another of lift, side, roll, pitch, spin, …"));
     }
     if change.diagnostics.is_empty() {
         change.file.applied.push(applied);
@@ -113,20 +108,22 @@ struct Change<'a> {
     file: File,
     index: usize,
     name: &'a Name,
-    /// Each statement of the model that the effect has replaced so far: description, such as `the clock`, and source
-    /// span of the replacement.
+    /// Statements replaced so far: description, and span of the replacement.
     replaced: Vec<(String, Span)>,
     diagnostics: Vec<Diagnostic>,
 }
 
 impl Change<'_> {
+    fn report(&mut self, fault: Diagnostic) {
+        self.diagnostics.push(fault);
+    }
+
     fn is_for_this_model(&mut self, effect: &Effect) {
         let mut applied = self.file.applied.iter();
         if let Some(other) = applied.find(|a| a.name.text == effect.name.text) {
             let message = format!("the effect `{}` is switched on twice", effect.name.text);
             let fault = Diagnostic::new(Kind::Duplicate, effect.name.span, message);
-            self.diagnostics
-                .push(fault.label(other.name.span, "switched on already"));
+            self.report(fault.label(other.name.span, "switched on already"));
         }
         let Some(model) = self.file.model() else {
             return;
@@ -140,19 +137,17 @@ impl Change<'_> {
                 model.text
             );
             let place = effect.on[0].span.to(effect.on[effect.on.len() - 1].span);
-            self.diagnostics
-                .push(Diagnostic::new(Kind::Name, place, message).help(format!(
-                    "add `{}` to this list if it fits that model too",
-                    model.text
-                )));
+            self.report(Diagnostic::new(Kind::Name, place, message).help(format!(
+                "add `{}` to this list if it fits that model too",
+                model.text
+            )));
         }
     }
 
     fn known_site(&mut self, name: &Name, before: Option<Span>) {
         if let Some(first) = before {
             let fault = Diagnostic::new(Kind::Duplicate, name.span, "an effect acts at one site");
-            self.diagnostics
-                .push(fault.label(first, "stated here already"));
+            self.report(fault.label(first, "stated here already"));
         }
         if !SITES.contains(&name.text.as_str()) {
             let fault = Diagnostic::new(
@@ -161,7 +156,7 @@ impl Change<'_> {
                 format!("there is no site `{}`", name.text),
             )
             .note(format!("the sites are {}", SITES.join(", ")));
-            self.diagnostics.push(fault.did_you_mean(&name.text, SITES));
+            self.report(fault.did_you_mean(&name.text, SITES));
         }
     }
 
@@ -169,31 +164,26 @@ impl Change<'_> {
         if let Some(first) = before {
             let message = "what an effect depends on is stated once";
             let fault = Diagnostic::new(Kind::Duplicate, span, message);
-            self.diagnostics
-                .push(fault.label(first, "stated here already"));
+            self.report(fault.label(first, "stated here already"));
         }
         for (i, name) in names.iter().enumerate() {
             if let Some(first) = names[..i].iter().find(|n| n.text == name.text) {
                 let message = format!("`{}` is named twice", name.text);
                 let fault = Diagnostic::new(Kind::Duplicate, name.span, message);
-                self.diagnostics
-                    .push(fault.label(first.span, "named here already"));
+                self.report(fault.label(first.span, "named here already"));
             } else if !VARIABLES.contains(&name.text.as_str()) {
                 let message = format!("there is no variable `{}`", name.text);
                 let fault = Diagnostic::new(Kind::Name, name.span, message)
                     .note(format!("the variables are {}", VARIABLES.join(", ")));
-                self.diagnostics
-                    .push(fault.did_you_mean(&name.text, VARIABLES));
+                self.report(fault.did_you_mean(&name.text, VARIABLES));
             } else if name.text == "none" && names.len() > 1 {
                 let message = "an effect that depends on nothing depends on nothing else";
-                self.diagnostics
-                    .push(Diagnostic::new(Kind::Value, name.span, message).help("remove `none`"));
+                self.report(Diagnostic::new(Kind::Value, name.span, message).help("remove `none`"));
             }
         }
     }
 
-    /// Whether `item` is the declaration of an input that the model or a previously applied effect has already declared
-    /// identically, so that `item` need not be added.
+    /// Whether `item` is an input that is already declared identically.
     fn has_input(&self, item: &Item) -> bool {
         let ItemKind::Input(wanted) = &item.kind else {
             return false;
@@ -205,22 +195,18 @@ impl Change<'_> {
     }
 
     fn own_coefficient(&mut self, effect: &Effect, name: &Name) {
-        let own = effect.parts.iter().filter_map(|p| match p {
-            EffectPart::Add(item) => match &item.kind {
-                ItemKind::Parameter(c) => Some(c.name.text.as_str()),
-                ItemKind::State(s) => Some(s.name.text.as_str()),
-                _ => None,
-            },
+        let own = effect.added().filter_map(|item| match &item.kind {
+            ItemKind::Parameter(_) | ItemKind::State(_) => item.kind.declared(),
             _ => None,
         });
-        let own: Vec<&str> = own.collect();
+        let own: Vec<&str> = own.map(|name| name.text.as_str()).collect();
         if !own.contains(&name.text.as_str()) {
             let message = format!(
                 "the effect `{}` has no coefficient and no state `{}`",
                 effect.name.text, name.text
             );
             let fault = Diagnostic::new(Kind::Name, name.span, message);
-            self.diagnostics.push(fault.did_you_mean(&name.text, own));
+            self.report(fault.did_you_mean(&name.text, own));
         }
     }
 }

@@ -3,11 +3,11 @@
 use super::Change;
 use crate::check::PREVIOUS;
 use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
-use crate::syntax;
+use crate::syntax::{self, of_kind};
+
 use crate::syntax::ast::{Body, BodyPart, BodyPartKind, Expr, ExprKind, Inertia, Item, ItemKind};
 
-/// Maximum number of syntax-tree nodes of a definition after `previous` has been substituted; a longer definition is
-/// reported as an error. It bounds the growth of a definition that many effects replace in turn.
+/// Maximum number of nodes of a definition that many effects replace in turn.
 const MAX_NODES: usize = 20_000;
 
 impl Change<'_> {
@@ -31,13 +31,11 @@ impl Change<'_> {
             if let ItemKind::Let(wanted) = &item.kind
                 && self.diagnostics.len() < MAX_SHOWN
             {
-                let names = self.file.items.iter().filter_map(|i| match &i.kind {
-                    ItemKind::Let(l) => Some(l.name.text.as_str()),
-                    _ => None,
-                });
+                let names = of_kind!(self.file.items.iter(), ItemKind::Let);
+                let names = names.map(|own| own.name.text.as_str());
                 fault = fault.did_you_mean(&wanted.name.text, names);
             }
-            self.diagnostics.push(fault);
+            self.report(fault);
             return;
         };
         if let Some((_, first)) = self.replaced.iter().find(|r| r.0 == key) {
@@ -46,8 +44,7 @@ impl Change<'_> {
                 span,
                 format!("this effect replaces {key} twice"),
             );
-            self.diagnostics
-                .push(fault.label(*first, "replaced here already"));
+            self.report(fault.label(*first, "replaced here already"));
             return;
         }
         self.replaced.push((key.clone(), span));
@@ -65,8 +62,7 @@ impl Change<'_> {
             put_in(expr, before, &mut nodes, &mut uses_old);
             if nodes > MAX_NODES || (uses_old && height(expr) > syntax::MAX_HEIGHT) {
                 let message = format!("this replacement makes {key} too long");
-                self.diagnostics
-                    .push(Diagnostic::new(Kind::Limit, span, message));
+                self.report(Diagnostic::new(Kind::Limit, span, message));
                 return;
             }
         }
@@ -82,7 +78,7 @@ impl Change<'_> {
                     "switch `{}` on first, or let it use the quantity as it was: `replace X = previous + …;`",
                     self.name.text
                 ));
-            self.diagnostics.push(fault);
+            self.report(fault);
             return;
         }
         match (&old.kind, &mut new.kind) {
@@ -95,8 +91,7 @@ impl Change<'_> {
         self.file.items[at] = new;
     }
 
-    /// Adds the statement `clock 1;` (true time runs at the rate of recorded time) to a model without a clock rate, so
-    /// that an effect can replace it.
+    /// Adds the statement `clock 1;` to a model without a clock rate, so that an effect can replace it.
     fn own_clock(&mut self, span: Span) {
         let items = &mut self.file.items;
         if items.iter().any(|i| matches!(i.kind, ItemKind::Clock(_))) {
@@ -106,9 +101,8 @@ impl Change<'_> {
         items.push(Item::new(rate, "", span));
     }
 
-    /// Replaces the body's inertia tensor; `previous` in an entry refers to the same entry of the replaced tensor. The
-    /// two tensors may refer to different frames: each frame differs from the body-fixed frame at most by rotations
-    /// about an axis of symmetry, so the entries are equal in all of these frames.
+    /// Replaces the inertia tensor; `previous` is the same entry before. Entries are equal in both frames, which differ
+    /// by rotations about axes of symmetry.
     pub(super) fn replace_inertia(&mut self, mut inertia: Box<Inertia>, span: Span) {
         let lacking = |message| Diagnostic::new(Kind::Missing, span, message);
         let body = self.file.items.iter_mut().find_map(|i| match &mut i.kind {
@@ -117,7 +111,7 @@ impl Change<'_> {
         });
         let Some(Body { parts, .. }) = body else {
             let message = "the model has no body with moments of inertia";
-            self.diagnostics.push(lacking(message));
+            self.report(lacking(message));
             return;
         };
         let old = parts.iter().enumerate().find_map(|(i, p)| match &p.kind {
@@ -126,7 +120,7 @@ impl Change<'_> {
         });
         let Some((at, old)) = old else {
             let message = "the body has no moments of inertia to replace";
-            self.diagnostics.push(lacking(message));
+            self.report(lacking(message));
             return;
         };
         let rows = inertia.rows.iter_mut().flatten();
@@ -151,8 +145,7 @@ impl Change<'_> {
     }
 }
 
-/// Substitutes `old` for each name `previous` in `e`, and sets `found` if there is such a name. Adds the number of
-/// visited and inserted nodes to `nodes`, and stops if `nodes` exceeds [`MAX_NODES`].
+/// Substitutes `old` for `previous` in `e`; counts nodes up to [`MAX_NODES`].
 fn put_in(e: &mut Expr, old: &Expr, nodes: &mut usize, found: &mut bool) {
     *nodes += 1;
     if *nodes > MAX_NODES {
@@ -194,9 +187,7 @@ pub(crate) fn description(kind: &ItemKind) -> String {
     }
 }
 
-/// Whether a `replace` statement of an effect, with the replacement `new`, replaces the statement `old` of a model.
-/// Both must be of the same kind and have the same name: for an equation, that of the state; a clock has none, and an
-/// observation without a name replaces any observation.
+/// Whether `new` replaces the statement `old` of the same kind and name; an observation without a name replaces any.
 pub(crate) fn replaces(new: &ItemKind, old: &ItemKind) -> bool {
     match (new, old) {
         (ItemKind::Let(a), ItemKind::Let(b)) => a.name.text == b.name.text,

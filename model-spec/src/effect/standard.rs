@@ -1,6 +1,5 @@
-//! Standard names with which an effect can refer to any model: mass and moments of inertia of the body, the inertial
-//! and the body-fixed frame, and needed quantities with a fallback. They are replaced by the model's own names and
-//! expressions before the effect is applied.
+//! Standard names of mass, inertia and frames of any model, and needed quantities with a fallback, which are replaced
+//! by the model's own.
 
 use std::collections::{HashMap, HashSet};
 
@@ -13,15 +12,13 @@ use crate::syntax::ast::{
 /// Standard name by which an effect can refer to the mass of any model's body.
 pub(crate) const MASS: &str = "mass";
 
-/// Standard names by which an effect can refer to the moments of inertia of any model's body, about axes 1, 2 and 3 of
-/// the frame of the inertia tensor.
+/// Standard names of the moments of inertia about axes 1, 2 and 3 of the inertia frame.
 pub(crate) const INERTIA: [&str; 3] = ["inertia_11", "inertia_22", "inertia_33"];
 
 /// Standard names by which an effect can refer to the inertial frame and to the body-fixed frame of any model.
 pub(crate) const FRAMES: [&str; 2] = ["inertial", "body"];
 
-/// Replacements of the standard names by which effects refer to any model: expressions for [`MASS`] and [`INERTIA`],
-/// frame names for [`FRAMES`].
+/// Replacements of the standard names: expressions and frames.
 #[derive(Default)]
 struct Standard {
     values: HashMap<String, Expr>,
@@ -185,8 +182,7 @@ fn replace_names(e: &mut Expr, by: &HashMap<String, Expr>) {
     e.children_mut(&mut |child| replace_names(child, by));
 }
 
-/// Mutable references to the right-hand sides of all statements in an effect that add or replace something in a model,
-/// and to the entries of the inertia tensor in the effect's `replace inertia` statement.
+/// Right-hand sides and inertia entries of an effect.
 fn expressions(effect: &mut Effect) -> impl Iterator<Item = &mut Expr> {
     effect.parts.iter_mut().flat_map(|part| match part {
         EffectPart::Replace(item) | EffectPart::Add(item) => {
@@ -201,53 +197,29 @@ fn expressions(effect: &mut Effect) -> impl Iterator<Item = &mut Expr> {
 
 /// Names of the parameters, inputs, states and auxiliary variables that an effect declares.
 fn declared_by(effect: &Effect) -> impl Iterator<Item = &str> {
-    effect.parts.iter().filter_map(|part| match part {
-        EffectPart::Add(item) => match &item.kind {
-            ItemKind::Parameter(own) => Some(own.name.text.as_str()),
-            ItemKind::Input(own) => Some(own.name.text.as_str()),
-            ItemKind::State(own) => Some(own.name.text.as_str()),
-            ItemKind::Let(own) => Some(own.name.text.as_str()),
-            _ => None,
-        },
-        _ => None,
-    })
+    let declared = effect.added().filter_map(|item| item.kind.declared());
+    declared.map(|name| name.text.as_str())
 }
 
-/// Names of all parameters, inputs, input components, states, auxiliary variables and markers that a file declares. The
-/// states that the declarations of frames and of the body introduce are included.
+/// Names of all quantities that a file declares, by its frames and its body too.
 fn declared(file: &File) -> HashSet<String> {
     let mut names = HashSet::new();
-    let mut add = |name: &str| names.insert(name.to_owned());
     for item in &file.items {
+        names.extend(item.kind.declared().map(|name| name.text.clone()));
         match &item.kind {
-            ItemKind::Parameter(own) => {
-                add(&own.name.text);
-            }
             ItemKind::Input(own) => {
-                add(&own.name.text);
-                for axis in ["x", "y", "z"] {
-                    add(&format!("{}_{axis}", own.name.text));
-                }
-            }
-            ItemKind::State(own) => {
-                add(&own.name.text);
-            }
-            ItemKind::Let(own) => {
-                add(&own.name.text);
+                names.extend(["x", "y", "z"].map(|axis| format!("{}_{axis}", own.name.text)));
             }
             ItemKind::Marker(own) => {
-                add(&own.name.text);
+                names.insert(own.name.text.clone());
             }
             ItemKind::Frame(frame) => match &frame.kind {
                 FrameKind::Inertial => {}
                 FrameKind::Turned { angle, .. } => {
-                    add(&angle.text);
-                    add(&format!("{}dot", angle.text));
+                    names.extend([angle.text.clone(), format!("{}dot", angle.text)]);
                 }
                 FrameKind::Quaternion { states, .. } => {
-                    states.iter().for_each(|state| {
-                        add(&state.text);
-                    });
+                    names.extend(states.each_ref().map(|state| state.text.clone()));
                 }
             },
             ItemKind::Body(body) => {
@@ -256,9 +228,7 @@ fn declared(file: &File) -> HashSet<String> {
                     | BodyPartKind::Velocity(states, _)
                     | BodyPartKind::AngularVelocity(states, _) = &part.kind
                     {
-                        states.iter().for_each(|state| {
-                            add(&state.text);
-                        });
+                        names.extend(states.each_ref().map(|state| state.text.clone()));
                     }
                 }
             }

@@ -1,12 +1,10 @@
-//! Claim of a model: which expressions are the mass, motion and loads of a body, if the model file writes the
-//! differential equations explicitly.
+//! Claim of a model: the body that its stated equations describe.
 
 use super::Expr;
 use crate::source::Span;
 
-/// Physical meaning that a model file declares, in a `claim` block, for its explicitly written equations `der(STATE) =
-/// …`: expressions for the mass, motion and loads of a body. It does not change the equations; `hyzer verify` checks
-/// whether they agree with it.
+/// Mass, motion and loads of a body that a `claim` block declares for the stated equations; `hyzer verify` checks
+/// whether they agree.
 #[derive(Clone, Debug)]
 pub struct Claim {
     /// Name of the body that the equations of the model are declared to describe.
@@ -25,17 +23,15 @@ pub struct Claim {
     pub span: Span,
 }
 
-/// Rotational motion of the rigid body that a model's explicitly written equations are declared to describe, see
-/// [`Claim`].
+/// Rotational motion of a claimed body.
 #[derive(Clone, Debug)]
 pub struct ClaimedRotation {
     /// Body-fixed frame, or axis of revolution, that gives the orientation of the body.
     pub attitude: ClaimedAttitude,
     /// Index into [`Model::frames`](super::Model::frames) of the frame in which the inertia tensor is constant.
     pub inertia_frame: usize,
-    /// Inertia tensor about the centre of mass, kg m², symmetric, with components in
-    /// [`ClaimedRotation::inertia_frame`]. Off-diagonal entries are those of the tensor, such as -∫ x y dm. All entries
-    /// depend on parameters and coefficients alone.
+    /// Inertia tensor about the centre of mass, kg m², in [`ClaimedRotation::inertia_frame`], see
+    /// [`Rotation`](super::Rotation).
     pub inertia: [[Expr; 3]; 3],
     /// Angular velocity of the body relative to the inertial frame, a vector in any frame, rad/s.
     pub angular_velocity: Expr,
@@ -48,34 +44,32 @@ pub struct ClaimedRotation {
 pub enum ClaimedAttitude {
     /// The body-fixed frame, by index into [`Model::frames`](super::Model::frames).
     Frame(usize),
-    /// The axis of revolution of the body, given as an axis of a frame that does not spin with the body: index into
-    /// [`Model::frames`](super::Model::frames) of that frame, and number of the axis (1 to 3).
+    /// The axis of revolution: frame, which does not spin with the body, and number of its axis (1 to 3).
     Axis(usize, u8),
+}
+
+/// Function body of [`Claim::expressions`] and [`Claim::expressions_mut`], which differ only in the kind of reference.
+macro_rules! expressions {
+    ($claim:expr, $iter:ident $(, $mutable:tt)?) => {{
+        let Claim { mass, position, velocity, force, rotation, .. } = $claim;
+        let mut all = vec![mass, position, velocity, force];
+        for rotation in rotation.$iter() {
+            all.extend(rotation.inertia.$iter().flatten());
+            all.push(&$($mutable)? rotation.angular_velocity);
+            all.push(&$($mutable)? rotation.moment);
+        }
+        all
+    }};
 }
 
 impl Claim {
     /// References to all expressions of the `claim` block.
     pub fn expressions(&self) -> Vec<&Expr> {
-        let mut all = vec![&self.mass, &self.position, &self.velocity, &self.force];
-        if let Some(rotation) = &self.rotation {
-            all.extend(rotation.inertia.iter().flatten());
-            all.extend([&rotation.angular_velocity, &rotation.moment]);
-        }
-        all
+        expressions!(self, iter)
     }
 
     /// Mutable references to all expressions of the `claim` block.
     pub fn expressions_mut(&mut self) -> Vec<&mut Expr> {
-        let mut all = vec![
-            &mut self.mass,
-            &mut self.position,
-            &mut self.velocity,
-            &mut self.force,
-        ];
-        if let Some(rotation) = &mut self.rotation {
-            all.extend(rotation.inertia.iter_mut().flatten());
-            all.extend([&mut rotation.angular_velocity, &mut rotation.moment]);
-        }
-        all
+        expressions!(self, iter_mut, mut)
     }
 }

@@ -4,7 +4,7 @@
 use crate::model::Model;
 use crate::source::Span;
 
-/// An effect (a named change to a model, such as an additional force) that has been applied to a model.
+/// An effect that has been applied to a model.
 #[derive(Clone, Debug)]
 pub struct AppliedEffect {
     /// Name of the effect, words separated by underscores, such as `added_mass`.
@@ -13,28 +13,23 @@ pub struct AppliedEffect {
     pub doc: String,
     /// Component of the model that the effect changes: one of [`SITES`](crate::SITES).
     pub site: String,
-    /// Kinds of variables on which the magnitude of the effect depends, from [`VARIABLES`](crate::VARIABLES); empty if
-    /// none are stated.
+    /// Kinds of variables on which the effect depends, from [`VARIABLES`](crate::VARIABLES); may be empty.
     pub variables: Vec<String>,
     /// Literature reference of the effect, from its `source` statement; empty if there is none.
     pub citation: String,
-    /// Sentence that describes the effect if its first coefficient exceeds its null value, from the statement
-    /// `increases "…"`; empty if not stated.
+    /// Sentence for a first coefficient beyond its null value, from the statement of this name; may be empty.
     pub increases: String,
-    /// Sentence that describes the effect if its first coefficient is below its null value, from the statement
-    /// `decreases "…"`; empty if not stated.
+    /// Sentence for a first coefficient beyond its null value, from the statement of this name; may be empty.
     pub decreases: String,
     /// Coefficients that the effect adds; [`EffectUnknown::index`] refers to [`Model::coefficients`].
     pub coefficients: Vec<EffectUnknown>,
-    /// States that the effect adds; [`EffectUnknown::index`] refers to [`Model::states`]. The initial value of such a
-    /// state is estimated separately for each flight.
+    /// States that the effect adds, with an initial value for each flight; indices into [`Model::states`].
     pub states: Vec<EffectUnknown>,
 }
 
 impl AppliedEffect {
-    /// Sentence that describes the effect for `departure`, the value of the first coefficient minus its null value:
-    /// [`AppliedEffect::increases`] if `departure` is positive, [`AppliedEffect::decreases`] if it is negative. Returns
-    /// the documentation of the effect if `departure` is 0 or the selected sentence is empty.
+    /// Sentence for a first coefficient that exceeds its null value by `departure`; the documentation if none is
+    /// stated.
     pub fn sentence(&self, departure: f64) -> &str {
         let stated = if departure > 0.0 {
             &self.increases
@@ -47,8 +42,7 @@ impl AppliedEffect {
     }
 }
 
-/// An effect (a named change to a model, such as an additional force) declared in a model's file. It can be applied by
-/// its name.
+/// An effect declared in a model's file. It can be applied by its name.
 #[derive(Clone, Debug)]
 pub struct OfferedEffect {
     /// Name of the effect, words separated by underscores.
@@ -59,15 +53,13 @@ pub struct OfferedEffect {
     pub span: Span,
 }
 
-/// An unknown quantity that an effect adds: a coefficient, or the initial value of a state. The effect is absent if the
-/// quantity has its null value.
+/// A coefficient or initial state that an effect adds; at its null value, the effect is absent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EffectUnknown {
     /// Index into [`Model::coefficients`] for a coefficient, or into [`Model::states`] for a state.
     pub index: usize,
     /// Null value: value at which the effect is absent, SI; equal to the default value of the coefficient or state.
     pub null_value: f64,
-    /// Smallest difference from [`EffectUnknown::null_value`] that matters in practice (smallest effect size of
-    /// interest), SI; `None` if not stated.
+    /// Smallest difference from [`EffectUnknown::null_value`] that matters in practice, SI; `None` if not stated.
     pub smallest_effect_of_interest: Option<f64>,
 }

@@ -1,7 +1,6 @@
 //! The functions of one scalar, with their names in the model language.
 
-/// A function of one scalar. It is defined for every argument, and has a defined derivative at singular points, such as
-/// derivative 0 of the absolute value at 0.
+/// A function of one scalar, defined with its derivative for every argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Function {
     /// Sine.
@@ -30,7 +29,7 @@ pub enum Function {
     Step,
     /// Hyperbolic tangent.
     Tanh,
-    /// A table (function given by its values at knots), by index into [`Model::tables`](super::Model::tables).
+    /// A table, by index into [`Model::tables`](super::Model::tables).
     Table(usize),
 }
 

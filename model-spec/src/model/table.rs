@@ -37,8 +37,7 @@ pub struct Table {
     pub continuation: Continuation,
     /// Source span of the name in the declaration.
     pub span: Span,
-    /// Index into [`Model::effects`](super::Model::effects) of the effect that added the table; `None` for a table of
-    /// the model's file.
+    /// Index into [`Model::effects`](super::Model::effects) of the effect that added the table.
     pub effect: Option<usize>,
 }
 

@@ -1,13 +1,9 @@
 //! Traversal of expressions, all those of a model included; queries about states and source texts of a model.
 
-use super::{
-    AuxVariable, Body, Clock, Equation, Expr, ExprKind, FrameKind, Load, Model, Observation,
-    Rotation, ValidityLimit,
-};
+use super::{Expr, ExprKind, FrameKind, Model, ValidityLimit};
 use crate::source::Span;
 
-/// Visits the direct subexpressions of an expression: function body of [`Expr::children`] and [`Expr::children_mut`],
-/// which differ only in the kind of reference (shared or mutable).
+/// Function body of [`Expr::children`] and [`Expr::children_mut`].
 macro_rules! visit_children {
     ($kind:expr, $visit:expr, $iter:ident) => {{
         use ExprKind as K;
@@ -56,43 +52,24 @@ macro_rules! visit_children {
     }};
 }
 
-/// Collects references to the expressions of a model: function body of [`Model::expressions`] and
-/// [`Model::expressions_mut`], which differ only in the kind of reference (shared or mutable).
+/// Function body of [`Model::expressions`] and [`Model::expressions_mut`].
 macro_rules! collect_expressions {
-    ($model:expr, $iter:ident, $claimed:ident) => {{
+    ($model:expr, $iter:ident, $claimed:ident $(, $mutable:tt)?) => {{
         let model = $model;
-        let mut all = Vec::new();
-        all.extend(
-            model
-                .aux_variables
-                .$iter()
-                .map(|AuxVariable { value, .. }| value),
-        );
-        for Body { mass, rotation, .. } in model.body.$iter() {
-            all.push(mass);
-            all.extend(
-                rotation
-                    .$iter()
-                    .flat_map(|Rotation { inertia, .. }| inertia.$iter().flatten()),
-            );
+        let aux_variables = model.aux_variables.$iter();
+        let mut all: Vec<_> = aux_variables.map(|own| &$($mutable)? own.value).collect();
+        for body in model.body.$iter() {
+            all.push(&$($mutable)? body.mass);
+            let rotation = body.rotation.$iter();
+            all.extend(rotation.flat_map(|own| own.inertia.$iter().flatten()));
         }
-        all.extend(model.forces.$iter().map(|Load { value, .. }| value));
-        all.extend(model.moments.$iter().map(|Load { value, .. }| value));
-        all.extend(model.equations.$iter().map(|Equation { value, .. }| value));
+        let loads = model.forces.$iter().chain(model.moments.$iter());
+        all.extend(loads.map(|own| &$($mutable)? own.value));
+        all.extend(model.equations.$iter().map(|own| &$($mutable)? own.value));
         all.extend(model.claim.$iter().flat_map(|claim| claim.$claimed()));
-        all.extend(
-            model
-                .observation
-                .$iter()
-                .map(|Observation { value, .. }| value),
-        );
-        all.extend(model.clock.$iter().map(|Clock { value, .. }| value));
-        all.extend(
-            model
-                .limits
-                .$iter()
-                .map(|ValidityLimit { value, .. }| value),
-        );
+        all.extend(model.observation.$iter().map(|own| &$($mutable)? own.value));
+        all.extend(model.clock.$iter().map(|own| &$($mutable)? own.value));
+        all.extend(model.limits.$iter().map(|own| &$($mutable)? own.value));
         all
     }};
 }
@@ -149,10 +126,9 @@ impl Model {
         collect_expressions!(self, iter, expressions)
     }
 
-    /// Mutable references to all expressions that are not part of another expression, in the order of
-    /// [`Model::expressions`].
+    /// Mutable [`Model::expressions`].
     pub fn expressions_mut(&mut self) -> Vec<&mut Expr> {
-        collect_expressions!(self, iter_mut, expressions_mut)
+        collect_expressions!(self, iter_mut, expressions_mut, mut)
     }
 
     /// Source text of a span, with each run of whitespace replaced by one space; empty if the span is invalid.
@@ -162,9 +138,8 @@ impl Model {
         raw.split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
-    /// Indices of the states whose initial values the data of a flight may omit; the default value of the state is then
-    /// used. In a model with a body, these are all states except position, velocity, attitude and angular velocity of
-    /// the body. In a model without a body, these are the states that effects add.
+    /// States whose initial values the data of a flight may omit: with a body, all but those of its motion, otherwise
+    /// those that effects add.
     pub fn added_states(&self) -> Vec<usize> {
         let of_effects = |state: &usize| {
             self.effects
@@ -177,8 +152,7 @@ impl Model {
             .collect()
     }
 
-    /// Iterates over the frames that are oriented by a quaternion. Each item holds the indices into [`Model::states`]
-    /// of the four quaternion components, scalar part first; the quaternion has norm 1.
+    /// Indices into [`Model::states`] of each quaternion of norm 1 that orients a frame, scalar part first.
     pub fn quaternions(&self) -> impl Iterator<Item = [usize; 4]> {
         self.frames.iter().filter_map(|frame| match frame.kind {
             FrameKind::Quaternion { states, .. } => Some(states),

@@ -8,6 +8,7 @@ mod effect;
 mod table;
 
 use crate::source::Span;
+use crate::unit::Unit;
 pub use body::{Body, BodyClass, BodyPart, BodyPartKind, Inertia};
 pub use claim::{Claim, ClaimPart, ClaimPartKind};
 pub use effect::{Effect, EffectPart, Need};
@@ -26,8 +27,7 @@ pub struct File {
     pub end: Span,
 }
 
-/// Record of an effect that has been applied to a syntax tree. The statements of the effect are part of [`File::items`]
-/// and are not repeated here.
+/// Record of an applied effect, whose statements are in [`File::items`].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Applied {
     /// Name of the applied effect, words separated by underscores.
@@ -36,8 +36,7 @@ pub struct Applied {
     pub doc: String,
     /// Name of the component of the model that the effect changes, such as `drag`.
     pub site: String,
-    /// Kinds of variables on which the magnitude of the effect depends, from [`VARIABLES`](crate::VARIABLES), such as
-    /// `alpha`.
+    /// Kinds of variables on which the effect depends, from [`VARIABLES`](crate::VARIABLES).
     pub variables: Vec<String>,
     /// Literature reference of the effect; empty if none is stated.
     pub citation: String,
@@ -45,9 +44,7 @@ pub struct Applied {
     pub increases: String,
     /// Sentence that describes the effect if its first coefficient is below its null value; empty if none is stated.
     pub decreases: String,
-    /// Smallest effect sizes of interest, as stated by `negligible`: name of a coefficient or state of the effect, and
-    /// the smallest difference from its null value that matters in practice. A difference without a unit is
-    /// dimensionless.
+    /// Smallest effect sizes of interest by coefficient or state, as stated by `negligible`.
     pub negligible: Vec<(Name, Quantity)>,
     /// Quantities of the model that the effect needs, without quantities that a fallback expression replaces.
     pub needs: Vec<Need>,
@@ -62,8 +59,7 @@ pub struct Item {
     pub doc: String,
     /// Source span from the first word of the statement to its end.
     pub span: Span,
-    /// Index into [`File::applied`] of the effect that added this statement or replaced it; `None` for an unchanged
-    /// statement of the model's file.
+    /// Index into [`File::applied`] of the effect that added or replaced the statement, if any.
     pub effect: Option<usize>,
 }
 
@@ -112,10 +108,9 @@ pub enum ItemKind {
     Clock(Expr),
     /// Validity limit: `limit … > bound "reason";`
     Limit(Limit),
-    /// Check case (test case with values to set and expected results): `check "title" { … }`
+    /// Check case: `check "title" { … }`
     Check(Check),
-    /// Declared physical meaning of the explicitly written equations: `claim body NAME { … }` or `claim point NAME { …
-    /// }`
+    /// The body that the stated equations describe: `claim body NAME { … }` or `claim point NAME { … }`
     Claim(Claim),
     /// Declaration of an effect: `effect NAME { … }`
     Effect(Effect),
@@ -161,8 +156,7 @@ pub struct Quantity {
 }
 
 impl Quantity {
-    /// Creates a literal from the text of its number, in a form that `f64::from_str` accepts. Number and quantity have
-    /// the source span `span`.
+    /// Creates a literal from a text that `f64::from_str` accepts.
     pub fn new(text: impl Into<String>, unit: Option<UnitExpr>, span: Span) -> Quantity {
         Quantity {
             number: Number {
@@ -175,8 +169,7 @@ impl Quantity {
     }
 }
 
-/// Unit expression: a product of powers of unit symbols; without factors it is the unit `1`. A single factor `?`
-/// ([`UnitExpr::INFERRED`]) requests inference of the unit from the uses of the declared name.
+/// Unit expression: a product of powers of unit symbols, or [`UnitExpr::INFERRED`] alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UnitExpr {
     /// Powers of unit symbols whose product is the unit.
@@ -186,6 +179,19 @@ pub struct UnitExpr {
 }
 
 impl UnitExpr {
+    /// A unit as product of powers of the base units.
+    pub(crate) fn of(unit: Unit, span: Span) -> UnitExpr {
+        let factors = unit.powers().map(|(symbol, doubled)| UnitFactor {
+            symbol: symbol.to_owned(),
+            doubled: doubled.into(),
+            span,
+        });
+        UnitExpr {
+            factors: factors.collect(),
+            span,
+        }
+    }
+
     /// Symbol `?` of a unit to be inferred, as in the declaration `param k = 2 [?];`.
     pub const INFERRED: &str = "?";
 
@@ -241,8 +247,7 @@ pub struct Input {
     pub unit: Option<UnitExpr>,
 }
 
-/// Declaration `state NAME = value;` of a state. States that the declarations of frames and of the body introduce have
-/// no such statement.
+/// Declaration `state NAME = value;` of a state that neither frames nor a body declare.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
     /// Name of the state.
@@ -380,8 +385,7 @@ pub enum CheckPart {
         name: Name,
         /// One literal, or three literals for the components of an input or of the marker.
         value: Vec<Number>,
-        /// Unit of the literals. `None` if none is written: the literals are then dimensionless, but zeros are valid
-        /// for every unit.
+        /// Unit of the literals; zeros need none.
         unit: Option<UnitExpr>,
         /// Source span of the statement.
         span: Span,

@@ -9,13 +9,12 @@ use super::token::Token;
 impl Parser<'_> {
     /// Parses `body NAME { … }` or `point NAME { … }`.
     pub fn body(&mut self) -> Read<ItemKind> {
-        let class = match self.raw() {
-            "body" => BodyClass::Rigid,
-            _ => BodyClass::Point,
+        let (word, name) = self.keyword_and_name()?;
+        let class = if word == "body" {
+            BodyClass::Rigid
+        } else {
+            BodyClass::Point
         };
-        let word = class.keyword();
-        self.advance();
-        let name = self.name(&format!("a name after `{word}`"))?;
         let parts = self.braces(&format!("`{word} {}`", name.text), Self::body_part)?;
         Ok(ItemKind::Body(Body { class, name, parts }))
     }
@@ -68,14 +67,8 @@ impl Parser<'_> {
     }
 
     fn triple_of_names(&mut self) -> Read<[Name; 3]> {
-        self.need(Token::Open, "`(` and the names of three states")?;
-        let a = self.name("the name of a state")?;
-        self.need(Token::Comma, "`,` and the second name")?;
-        let b = self.name("the name of a state")?;
-        self.need(Token::Comma, "`,` and the third name")?;
-        let c = self.name("the name of a state")?;
-        self.need(Token::Close, "`)` after three names")?;
-        Ok([a, b, c])
+        let open = "`(` and the names of three states";
+        self.tuple(open, "name", "names", |p| p.name("the name of a state"))
     }
 
     /// Parses an inertia tensor: `diag(a, b, c) in FRAME` or `((a, b, c), (d, e, f), (g, h, i)) in FRAME`.
@@ -88,14 +81,8 @@ impl Parser<'_> {
                 [None, None, Some(c)],
             ]
         } else if self.peek() == Token::Open {
-            self.advance();
-            let a = self.triple()?;
-            self.need(Token::Comma, "`,` and the second row")?;
-            let b = self.triple()?;
-            self.need(Token::Comma, "`,` and the third row")?;
-            let c = self.triple()?;
-            self.need(Token::Close, "`)` after three rows")?;
-            [a.map(Some), b.map(Some), c.map(Some)]
+            let rows: [[Expr; 3]; 3] = self.tuple("`(`", "row", "rows", Self::triple)?;
+            rows.map(|row| row.map(Some))
         } else {
             return self.expected("`diag(a, b, c)` or three rows `((…), (…), (…))`");
         };
@@ -104,14 +91,8 @@ impl Parser<'_> {
     }
 
     fn triple(&mut self) -> Read<[Expr; 3]> {
-        self.need(Token::Open, "`(` and three moments of inertia")?;
-        let a = self.expr()?;
-        self.need(Token::Comma, "`,` and the second of three")?;
-        let b = self.expr()?;
-        self.need(Token::Comma, "`,` and the third of three")?;
-        let c = self.expr()?;
-        self.need(Token::Close, "`)` after three of them")?;
-        Ok([a, b, c])
+        let open = "`(` and three moments of inertia";
+        self.tuple(open, "of three", "of them", Self::expr)
     }
 
     /// Parses `check "title" { … }`.

@@ -23,35 +23,28 @@ impl Parser<'_> {
 
     fn claim_part(&mut self) -> Read<ClaimPart> {
         let start = self.here();
-        let word = self.raw();
-        const WORDS: [&str; 9] = [
+        const FIRST: [&str; 9] = [
             "mass", "inertia", "fixed", "axis", "position", "velocity", "angular", "force",
             "moment",
         ];
-        if !WORDS.contains(&word) {
+        let word = self.raw();
+        let words = ClaimPart::WORDS.into_iter();
+        let Some(words) = { words }.find(|words| words.split(' ').next() == Some(word)) else {
             let what = "`mass`, `position`, `velocity`, `force`, `inertia`, `fixed in`, `axis`, `angular velocity` or `moment`";
-            return self.expected_word(what, &WORDS);
-        }
+            return self.expected_word(what, &FIRST);
+        };
         self.advance();
+        if word == "angular" {
+            self.need_word("velocity", "`angular`")?;
+        }
         let kind = match word {
-            "mass" => ClaimPartKind::Mass(self.expr()?),
             "inertia" => ClaimPartKind::Inertia(Box::new(self.inertia()?)),
             "fixed" => ClaimPartKind::Fixed(self.in_frame("`fixed`")?),
-            "axis" => ClaimPartKind::Axis(self.expr()?),
-            "position" => ClaimPartKind::Position(self.expr()?),
-            "velocity" => ClaimPartKind::Velocity(self.expr()?),
-            "force" => ClaimPartKind::Force(self.expr()?),
-            "moment" => ClaimPartKind::Moment(self.expr()?),
-            _ => {
-                self.need_word("velocity", "`angular`")?;
-                ClaimPartKind::AngularVelocity(self.expr()?)
-            }
+            _ => ClaimPartKind::Value(self.expr()?),
         };
         self.semicolon("this statement")?;
-        Ok(ClaimPart {
-            kind,
-            span: start.to(self.behind()),
-        })
+        let span = start.to(self.behind());
+        Ok(ClaimPart { words, kind, span })
     }
 }
 
@@ -59,25 +52,19 @@ impl Display for Claim {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         writeln!(f, "claim {} {} {{", self.class.keyword(), self.name.text)?;
         for part in &self.parts {
-            writeln!(f, "  {};", part.kind)?;
+            writeln!(f, "  {part};")?;
         }
         f.write_char('}')
     }
 }
 
-impl Display for ClaimPartKind {
+impl Display for ClaimPart {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        write!(f, "{} ", self.words())?;
-        match self {
+        write!(f, "{} ", self.words)?;
+        match &self.kind {
             ClaimPartKind::Inertia(inertia) => write!(f, "{inertia}"),
             ClaimPartKind::Fixed(frame) => f.write_str(&frame.text),
-            ClaimPartKind::Mass(e)
-            | ClaimPartKind::Axis(e)
-            | ClaimPartKind::Position(e)
-            | ClaimPartKind::Velocity(e)
-            | ClaimPartKind::AngularVelocity(e)
-            | ClaimPartKind::Force(e)
-            | ClaimPartKind::Moment(e) => write!(f, "{e}"),
+            ClaimPartKind::Value(e) => write!(f, "{e}"),
         }
     }
 }

@@ -3,15 +3,16 @@
 use super::ast::{Effect, EffectPart, Item, ItemKind, Name, Need, Observe};
 use super::parser::{Parser, Read};
 use super::token::Token;
+use crate::source::Span;
 
 impl Parser<'_> {
     /// Parses `effect NAME on MODEL, MODEL { … }`; `doc` is the documentation of the effect.
     pub fn effect(&mut self, doc: String) -> Read<ItemKind> {
-        self.advance();
-        let name = self.name("a name after `effect`")?;
-        let on = match self.eat_word("on") {
-            true => self.list(|parser| parser.name("the name of a model after `on`"))?,
-            false => Vec::new(),
+        let (_, name) = self.keyword_and_name()?;
+        let on = if self.eat_word("on") {
+            self.list(|parser| parser.name("the name of a model after `on`"))?
+        } else {
+            Vec::new()
         };
         let parts = self.braces(&format!("`effect {}`", name.text), Self::effect_part)?;
         Ok(ItemKind::Effect(Effect {
@@ -25,56 +26,27 @@ impl Parser<'_> {
     fn effect_part(&mut self) -> Read<EffectPart> {
         let doc = self.doc();
         let start = self.here();
-        let kind = match self.raw() {
-            "source" => {
-                self.advance();
-                let text = self.quoted("where the effect is described")?;
-                self.semicolon("this `source`")?;
-                return Ok(EffectPart::Citation(text, start.to(self.behind())));
+        let word = self.raw();
+        const STATED: [&str; 8] = [
+            "source",
+            "needs",
+            "generalises",
+            "increases",
+            "decreases",
+            "site",
+            "variables",
+            "negligible",
+        ];
+        if STATED.contains(&word) {
+            self.advance();
+            let part = self.stated_part(word, start)?;
+            return match word {
+                "increases" | "decreases" => self.semicolon("this sentence"),
+                _ => self.semicolon(&format!("this `{word}`")),
             }
-            "needs" => {
-                self.advance();
-                let needs = self.list(Self::needed_quantity)?;
-                self.semicolon("this `needs`")?;
-                return Ok(EffectPart::Needs(needs));
-            }
-            "generalises" => {
-                self.advance();
-                let names = self.list(|parser| parser.name("the name of an effect"))?;
-                self.semicolon("this `generalises`")?;
-                return Ok(EffectPart::Generalises(names));
-            }
-            word @ ("increases" | "decreases") => {
-                self.advance();
-                let text = self.quoted("what the effect does then")?;
-                self.semicolon("this sentence")?;
-                let span = start.to(self.behind());
-                return Ok(match word {
-                    "increases" => EffectPart::Increases(text, span),
-                    _ => EffectPart::Decreases(text, span),
-                });
-            }
-            "site" => {
-                self.advance();
-                let name = self.name("where the effect acts, such as `drag`")?;
-                self.semicolon("this `site`")?;
-                return Ok(EffectPart::Site(name));
-            }
-            "variables" => {
-                self.advance();
-                let what = "what the effect depends on, such as `alpha`";
-                let names = self.list(|parser| parser.name(what))?;
-                self.semicolon("this `variables`")?;
-                return Ok(EffectPart::Variables(names, start.to(self.behind())));
-            }
-            "negligible" => {
-                self.advance();
-                let name = self.name("the name of a coefficient or a state of this effect")?;
-                self.eat(Token::Equals);
-                let value = self.quantity("a number")?;
-                self.semicolon("this `negligible`")?;
-                return Ok(EffectPart::Negligible(name, value));
-            }
+            .map(|()| part);
+        }
+        let kind = match word {
             "replace" => {
                 self.advance();
                 return self.replacement(doc);
@@ -115,8 +87,40 @@ impl Parser<'_> {
         Ok(EffectPart::Add(Box::new(item)))
     }
 
-    /// Parses a quantity that an effect needs: `NAME`, `NAME: UNIT` or `vector NAME: UNIT`, each optionally followed by
-    /// the fallback `or EXPR`.
+    /// Parses a statement about the effect itself, between its keyword and its `;`.
+    fn stated_part(&mut self, word: &str, start: Span) -> Read<EffectPart> {
+        Ok(match word {
+            "source" => {
+                let text = self.quoted("where the effect is described")?;
+                EffectPart::Citation(text, start.to(self.here()))
+            }
+            "needs" => EffectPart::Needs(self.list(Self::needed_quantity)?),
+            "generalises" => {
+                EffectPart::Generalises(self.list(|parser| parser.name("the name of an effect"))?)
+            }
+            "increases" => {
+                let text = self.quoted("what the effect does then")?;
+                EffectPart::Increases(text, start.to(self.here()))
+            }
+            "decreases" => {
+                let text = self.quoted("what the effect does then")?;
+                EffectPart::Decreases(text, start.to(self.here()))
+            }
+            "site" => EffectPart::Site(self.name("where the effect acts, such as `drag`")?),
+            "variables" => {
+                let what = "what the effect depends on, such as `alpha`";
+                let names = self.list(|parser| parser.name(what))?;
+                EffectPart::Variables(names, start.to(self.here()))
+            }
+            _ => {
+                let name = self.name("the name of a coefficient or a state of this effect")?;
+                self.eat(Token::Equals);
+                EffectPart::Negligible(name, self.quantity("a number")?)
+            }
+        })
+    }
+
+    /// Parses a needed quantity: `NAME`, `NAME: UNIT` or `vector NAME: UNIT`, with an optional `or EXPR`.
     fn needed_quantity(&mut self) -> Read<Need> {
         let is_vector = self.at_word("vector") && self.peek_at(1) == Token::Name;
         if is_vector {
@@ -124,9 +128,10 @@ impl Parser<'_> {
         }
         let name = self.name("the name of a quantity that the effect needs")?;
         let unit = self.unit_behind_colon()?;
-        let otherwise = match self.eat_word("or") {
-            true => Some(self.expr()?),
-            false => None,
+        let otherwise = if self.eat_word("or") {
+            Some(self.expr()?)
+        } else {
+            None
         };
         Ok(Need {
             name,

@@ -6,8 +6,7 @@ use super::quantity::superscript_value;
 use super::token::Token;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 
-/// Maximum height of an expression's syntax tree, in nodes from root to leaf; a higher tree is a syntax error. It
-/// bounds the recursion depth of later passes.
+/// Maximum height of an expression in nodes, which bounds the recursion of later passes.
 pub(crate) const MAX_HEIGHT: u32 = 200;
 
 const SIGN: u8 = 25;
@@ -69,14 +68,12 @@ impl Parser<'_> {
         Ok(left)
     }
 
-    /// Creates a tree node whose highest subtree has height `below`; reports an error if the result would exceed
-    /// [`MAX_HEIGHT`].
+    /// Creates a node above subtrees of height `below`; reports a tree beyond [`MAX_HEIGHT`].
     fn grown(&mut self, kind: ExprKind, span: Span, below: u32) -> Read<Tree> {
         if below + 1 > MAX_HEIGHT {
             let message = format!("this expression has more than {MAX_HEIGHT} operations in a row");
             let fault = Diagnostic::new(Kind::Limit, self.behind(), message);
-            self.report(fault.help("give parts of it names with `let`"));
-            return Err(Reported);
+            return self.refuse(fault.help("give parts of it names with `let`"));
         }
         Ok(Tree {
             expr: Expr { kind, span },
@@ -120,8 +117,7 @@ impl Parser<'_> {
         Ok(tree)
     }
 
-    /// Parses the number of an axis or component and returns it: 1, 2 or 3. `what` describes the expected number in
-    /// error messages.
+    /// Parses the number of an axis or component, 1 to 3; messages call it `what`.
     pub fn axis(&mut self, what: &str) -> Read<u8> {
         match (self.peek(), self.raw()) {
             (Token::Number, raw @ ("1" | "2" | "3")) => {
@@ -150,8 +146,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Parses a numeric literal, optionally followed by one unit symbol with its exponent or by a unit in square
-    /// brackets.
+    /// Parses a literal with an optional unit symbol, or a unit in square brackets.
     fn literal(&mut self) -> Read<Tree> {
         let number = self.digits("a number")?;
         let unit = match self.peek() {
@@ -207,8 +202,7 @@ impl Parser<'_> {
                 "write `{} in B`, with the name of a frame for `B`",
                 self.slice(triple)
             ));
-            self.report(fault);
-            return Err(Reported);
+            return self.refuse(fault);
         }
         let frame = self.name("the name of a frame after `in`")?;
         let span = start.to(frame.span);

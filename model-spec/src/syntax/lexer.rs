@@ -19,8 +19,7 @@ pub(super) struct Lexeme {
 pub(super) struct Lexed {
     /// Tokens without comments; the last is [`Token::End`].
     pub tokens: Vec<Lexeme>,
-    /// `///` lines of the source text without the leading `///`, each with the index in `tokens` of the token that
-    /// follows it.
+    /// `///` lines, each with the index of the token that follows.
     pub docs: Vec<(usize, String)>,
     /// The `//!` lines of the file without the leading `//!`, joined by newlines.
     pub file_doc: String,
@@ -28,9 +27,8 @@ pub(super) struct Lexed {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Splits a text into tokens, documentation lines and errors; other comments are dropped. Each run of invalid
-/// characters becomes one [`Token::Bad`], and is reported unless an error on the same line has been reported before.
-/// `source` is the `Span::source` of the spans of the errors.
+/// Splits a text into tokens, documentation and errors, with spans in `source`. A run of invalid characters is one
+/// [`Token::Bad`], and a line has at most one such error.
 pub(super) fn lex(text: &str, source: u16) -> Lexed {
     let mut lexer = Lexer {
         text,

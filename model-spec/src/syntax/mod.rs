@@ -19,6 +19,8 @@ mod table;
 pub(crate) mod token;
 mod walk;
 
+pub(crate) use walk::of_kind;
+
 pub(crate) use expr::MAX_HEIGHT;
 
 use crate::diagnostic::{Diagnostic, Kind};
@@ -38,14 +40,12 @@ pub struct Parsed {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Parses the text of a model file; messages refer to the text as `name`. All spans of the tree have [`Span::source`]
-/// 0.
+/// Parses the text of a model file, which messages call `name`.
 pub fn parse(name: &str, text: &str) -> Parsed {
     parse_as(name, text, 0)
 }
 
-/// Parses the text of a model file; messages refer to the text as `name`. All spans of the tree have the
-/// [`Span::source`] `source`.
+/// Parses the text of a model file with this [`Span::source`].
 pub fn parse_as(name: &str, text: &str, source: u16) -> Parsed {
     let text = text.strip_prefix('\u{FEFF}').unwrap_or(text);
     if text.len() > MAX_SOURCE_BYTES {
@@ -64,8 +64,7 @@ pub fn parse_as(name: &str, text: &str, source: u16) -> Parsed {
     }
 }
 
-/// Result of parsing a text of `length` bytes, which exceeds [`MAX_SOURCE_BYTES`]: an empty tree, and one error that
-/// states the length.
+/// Result for a text that exceeds [`MAX_SOURCE_BYTES`].
 pub(crate) fn too_long(name: &str, length: usize, source: u16) -> Parsed {
     let span = Span {
         source,

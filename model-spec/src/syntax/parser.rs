@@ -1,14 +1,13 @@
 //! Parser state shared by all grammar rules, with token access, error messages and error recovery.
 
-use super::ast::{File, Name};
+use super::ast::{Expr, File, Name};
 use super::lexer::{self, Lexed, Lexeme};
 use super::spelling;
 use super::token::Token;
 use crate::diagnostic::{self, Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::suggest;
 
-/// Maximum nesting depth of brackets, calls, signs and powers; deeper nesting is a syntax error. It bounds the
-/// recursion depth of the parser.
+/// Maximum nesting depth of an expression, which bounds the recursion of the parser.
 const MAX_DEPTH: u32 = 64;
 
 /// Keywords that begin a statement.
@@ -187,6 +186,41 @@ impl<'a> Parser<'a> {
         Ok(items)
     }
 
+    /// Parses `(a, b, …)` with `N` items; for messages, `open` describes the start, `one` and `many` the items.
+    pub fn tuple<T, const N: usize>(
+        &mut self,
+        open: &str,
+        one: &str,
+        many: &str,
+        mut item: impl FnMut(&mut Self) -> Read<T>,
+    ) -> Read<[T; N]> {
+        self.need(Token::Open, open)?;
+        let mut items = vec![item(self)?];
+        for ordinal in ["second", "third", "fourth"].iter().take(N - 1) {
+            self.need(Token::Comma, &format!("`,` and the {ordinal} {one}"))?;
+            items.push(item(self)?);
+        }
+        let count = if N == 3 { "three" } else { "four" };
+        self.need(Token::Close, &format!("`)` after {count} {many}"))?;
+        items.try_into().map_err(|_| Reported)
+    }
+
+    /// Parses `= EXPR;` after `name`, and reports the end of `statement`.
+    pub fn definition(&mut self, name: &str, statement: &str) -> Read<Expr> {
+        self.need(Token::Equals, &format!("`=` after `{name}`"))?;
+        let value = self.expr()?;
+        self.semicolon(statement)?;
+        Ok(value)
+    }
+
+    /// Parses the keyword of a statement and the name after it.
+    pub fn keyword_and_name(&mut self) -> Read<(&'a str, Name)> {
+        let word = self.raw();
+        self.advance();
+        let name = self.name(&format!("a name after `{word}`"))?;
+        Ok((word, name))
+    }
+
     pub fn at_word(&self, word: &str) -> bool {
         self.peek() == Token::Name && self.raw() == word
     }
@@ -203,13 +237,18 @@ impl<'a> Parser<'a> {
         self.lexed.diagnostics.push(fault);
     }
 
+    /// Reports an error; returns `Err`.
+    pub fn refuse<T>(&mut self, fault: Diagnostic) -> Read<T> {
+        self.report(fault);
+        Err(Reported)
+    }
+
     /// Whether the next token is one that the lexer has already reported as an error.
     pub fn reported_by_lexer(&self) -> bool {
         matches!(self.peek(), Token::Bad | Token::OpenText)
     }
 
-    /// Reports "expected `what`, found …" at the next token, unless the lexer has reported that token. Always returns
-    /// `Err`.
+    /// Reports "expected `what`, found …" unless the lexer has reported the token; returns `Err`.
     pub fn expected<T>(&mut self, what: &str) -> Read<T> {
         self.expected_help(what, None)
     }
@@ -224,15 +263,13 @@ impl<'a> Parser<'a> {
         Err(Reported)
     }
 
-    /// Names that an error message may suggest in place of a misspelt one: `words`, or none if so many errors were
-    /// found that further ones are not shown.
+    /// `words` to suggest in an error message; none for errors beyond those shown.
     pub fn suggestions<'w>(&self, words: &'w [&'w str]) -> impl Iterator<Item = &'w str> + use<'w> {
         let is_shown = self.lexed.diagnostics.len() < MAX_SHOWN;
         words.iter().copied().filter(move |_| is_shown)
     }
 
-    /// Reports at the next token that `what` was expected. If that token is a name, suggests the keyword in `words`
-    /// with the most similar spelling, if one is similar. Always returns `Err`.
+    /// Reports that `what` was expected, and suggests the nearest of `words`; returns `Err`.
     pub fn expected_word<T>(&mut self, what: &str, words: &[&str]) -> Read<T> {
         let near = match self.peek() {
             Token::Name => suggest::nearest(self.raw(), self.suggestions(words)),
@@ -257,8 +294,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Consumes the `;` that ends a statement, or reports that it is missing. `after` describes the statement in the
-    /// message.
+    /// Consumes the `;` of the statement `after`, or reports that it is missing.
     pub fn semicolon(&mut self, after: &str) -> Read<()> {
         if self.eat(Token::Semicolon) {
             return Ok(());
@@ -278,7 +314,7 @@ impl<'a> Parser<'a> {
                         .map_or(0, char::len_utf8) as u32,
                 ..end
             };
-            self.report(
+            return self.refuse(
                 Diagnostic::new(
                     Kind::Grammar,
                     place,
@@ -286,7 +322,6 @@ impl<'a> Parser<'a> {
                 )
                 .help("end the statement with `;`"),
             );
-            return Err(Reported);
         }
         let help = match self.peek() {
             Token::Name | Token::Number | Token::Open => {
@@ -336,8 +371,7 @@ impl<'a> Parser<'a> {
         if self.depth >= MAX_DEPTH {
             let message = format!("this is nested more than {MAX_DEPTH} levels deep");
             let fault = Diagnostic::new(Kind::Limit, self.here(), message);
-            self.report(fault.help("give parts of it names with `let`"));
-            return Err(Reported);
+            return self.refuse(fault.help("give parts of it names with `let`"));
         }
         self.depth += 1;
         let result = read(self);
@@ -345,9 +379,8 @@ impl<'a> Parser<'a> {
         result
     }
 
-    /// Recovers from an error in the statement that starts at token index `started`: skips tokens until the next
-    /// statement can be parsed. Skipping ends after a `;` or a complete `{ … }` block of this nesting level, before a
-    /// `}` that closes the enclosing block, or before a line that begins with a statement keyword.
+    /// Recovers from an error in the statement that `started`: skips its `;` or block, or up to a closing `}` or a line
+    /// with a keyword.
     pub fn recover(&mut self, started: usize) {
         let mut open = 0_u32;
         loop {
@@ -381,8 +414,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Parses `{ statement… }` with the grammar rule `read` for each statement, and recovers from errors inside the
-    /// block. `what` describes the owner of the block in error messages.
+    /// Parses `{ statement… }` of `what` with `read`, and recovers from errors inside.
     pub fn braces<T>(
         &mut self,
         what: &str,

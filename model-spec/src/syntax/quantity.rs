@@ -1,15 +1,14 @@
 //! Parser for literals with units.
 
 use super::ast::{Number, Quantity, UnitExpr, UnitFactor};
-use super::parser::{Parser, Read, Reported};
+use super::parser::{Parser, Read};
 use super::token::Token;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 
 /// Keywords that may follow a literal and must not be parsed as units.
 const FOLLOWING: [&str; 4] = ["in", "within", "about", "on"];
 
-/// Maximum magnitude of twice the exponent of a unit symbol: `m^63` is the largest power, and larger exponents are
-/// reported as an error.
+/// Maximum magnitude of twice the exponent of a unit: `m^63` is the largest power.
 const MAX_DOUBLED_EXPONENT: i32 = 126;
 
 impl Parser<'_> {
@@ -54,8 +53,7 @@ impl Parser<'_> {
         })
     }
 
-    /// Parses a numeric literal with an optional unit, such as `0.175 kg` or `2.4 /rad`; `what` describes it in error
-    /// messages.
+    /// Parses a literal with an optional unit; messages call it `what`.
     pub fn quantity(&mut self, what: &str) -> Read<Quantity> {
         let number = self.number(what)?;
         let unit = self.optional_unit()?;
@@ -93,9 +91,10 @@ impl Parser<'_> {
 
     /// Parses the unit that a declaration may state after the name, as in `: m/s`; `Ok(None)` if there is no colon.
     pub fn unit_behind_colon(&mut self) -> Read<Option<UnitExpr>> {
-        match self.eat(Token::Colon) {
-            true => self.unit().map(Some),
-            false => Ok(None),
+        if self.eat(Token::Colon) {
+            self.unit().map(Some)
+        } else {
+            Ok(None)
         }
     }
 
@@ -214,8 +213,7 @@ impl Parser<'_> {
             _ => {
                 let message = format!("a unit cannot have the power `{}`", self.slice(span));
                 let fault = Diagnostic::new(Kind::Value, span, message);
-                self.report(fault.note("powers of units are whole or half numbers up to 63"));
-                Err(Reported)
+                self.refuse(fault.note("powers of units are whole or half numbers up to 63"))
             }
         }
     }

@@ -45,8 +45,7 @@ impl Effect {
 }
 
 impl Item {
-    /// Calls `change` on every source span of the statement. In a statement of a kind that effects cannot contain, such
-    /// as a frame or a body, the spans inside the statement are not visited.
+    /// Calls `change` on every span of a statement of a kind that effects contain.
     pub(crate) fn change_spans(&mut self, change: Change<'_>) {
         change(&mut self.span);
         match &mut self.kind {

@@ -1,78 +1,42 @@
 //! ASCII spelling of names written with Greek letters, dots and accents.
 
-/// Greek letters with their ASCII spelling.
-const GREEK: [(char, &str); 52] = [
-    ('α', "alpha"),
-    ('β', "beta"),
-    ('γ', "gamma"),
-    ('δ', "delta"),
-    ('ε', "epsilon"),
-    ('ϵ', "epsilon"),
-    ('ζ', "zeta"),
-    ('η', "eta"),
-    ('θ', "theta"),
-    ('ϑ', "theta"),
-    ('ι', "iota"),
-    ('κ', "kappa"),
-    ('λ', "lambda"),
-    ('μ', "mu"),
-    ('µ', "mu"),
-    ('ν', "nu"),
-    ('ξ', "xi"),
-    ('ο', "omicron"),
-    ('π', "pi"),
-    ('ρ', "rho"),
-    ('σ', "sigma"),
-    ('ς', "sigma"),
-    ('τ', "tau"),
-    ('υ', "upsilon"),
-    ('φ', "phi"),
-    ('ϕ', "phi"),
-    ('χ', "chi"),
-    ('ψ', "psi"),
-    ('ω', "omega"),
-    ('Α', "Alpha"),
-    ('Β', "Beta"),
-    ('Γ', "Gamma"),
-    ('Δ', "Delta"),
-    ('Ε', "Epsilon"),
-    ('Ζ', "Zeta"),
-    ('Η', "Eta"),
-    ('Θ', "Theta"),
-    ('Ι', "Iota"),
-    ('Κ', "Kappa"),
-    ('Λ', "Lambda"),
-    ('Μ', "Mu"),
-    ('Ν', "Nu"),
-    ('Ξ', "Xi"),
-    ('Π', "Pi"),
-    ('Ρ', "Rho"),
-    ('Σ', "Sigma"),
-    ('Τ', "Tau"),
-    ('Υ', "Upsilon"),
-    ('Φ', "Phi"),
-    ('Χ', "Chi"),
-    ('Ψ', "Psi"),
-    ('Ω', "Omega"),
+/// Names of the Greek letters from α to ω, final sigma included.
+const GREEK: [&str; 25] = [
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa",
+    "lambda", "mu", "nu", "xi", "omicron", "pi", "rho", "sigma", "sigma", "tau", "upsilon", "phi",
+    "chi", "psi", "omega",
 ];
 
-/// Precomposed letters with a dot above, and their ASCII spelling.
-const DOTTED: [(char, &str); 14] = [
-    ('ẋ', "xdot"),
-    ('ẏ', "ydot"),
-    ('ż', "zdot"),
-    ('ẇ', "wdot"),
-    ('ṗ', "pdot"),
-    ('ṙ', "rdot"),
-    ('ḋ', "ddot"),
-    ('ḟ', "fdot"),
-    ('ġ', "gdot"),
-    ('ḣ', "hdot"),
-    ('ṁ', "mdot"),
-    ('ṅ', "ndot"),
-    ('ṡ', "sdot"),
-    ('ṫ', "tdot"),
+/// Letters with a dot above that are one character.
+const DOTTED: [char; 14] = [
+    'ẋ', 'ẏ', 'ż', 'ẇ', 'ṗ', 'ṙ', 'ḋ', 'ḟ', 'ġ', 'ḣ', 'ṁ', 'ṅ', 'ṡ', 'ṫ',
 ];
+
+/// The letters below the dots of [`DOTTED`].
+const UNDOTTED: [char; 14] = [
+    'x', 'y', 'z', 'w', 'p', 'r', 'd', 'f', 'g', 'h', 'm', 'n', 's', 't',
+];
+
+/// Name of a Greek letter, with a capital for a capital; `None` for other characters.
+fn greek(c: char) -> Option<String> {
+    let c = match c {
+        'ϵ' => 'ε',
+        'ϑ' => 'θ',
+        'µ' => 'μ',
+        'ϕ' => 'φ',
+        _ => c,
+    };
+    let name = |c: char, first: char| GREEK[c as usize - first as usize];
+    match c {
+        'α'..='ω' => Some(name(c, 'α').to_owned()),
+        'Ο' => None,
+        'Α'..='Ω' => {
+            let (capital, rest) = name(c, 'Α').split_at(1);
+            Some(capital.to_uppercase() + rest)
+        }
+        _ => None,
+    }
+}
 
 /// ASCII spelling of a name: `φ̇` becomes `phidot`, `ρ` becomes `rho`.
 pub fn plain(raw: &str) -> String {
@@ -84,10 +48,17 @@ pub fn plain(raw: &str) -> String {
         match c {
             '\u{307}' => out.push_str("dot"),
             '\u{308}' => out.push_str("ddot"),
-            _ => match GREEK.iter().chain(&DOTTED).find(|(symbol, _)| *symbol == c) {
-                Some((_, name)) => out.push_str(name),
-                None => out.push(c),
-            },
+            _ => {
+                let dotted = || DOTTED.iter().position(|dotted| *dotted == c);
+                if let Some(name) = greek(c) {
+                    out.push_str(&name);
+                } else if let Some(k) = dotted() {
+                    out.push(UNDOTTED[k]);
+                    out.push_str("dot");
+                } else {
+                    out.push(c);
+                }
+            }
         }
     }
     out

@@ -2,9 +2,9 @@
 
 use super::ast::{
     Equation, Frame, FrameKind, Input, Item, ItemKind, Let, Limit, Load, LoadClass, Marker, Name,
-    Observe, Parameter, ParameterClass, State,
+    Number, Observe, Parameter, ParameterClass, State,
 };
-use super::parser::{Parser, Read, Reported, STATEMENTS};
+use super::parser::{Parser, Read, STATEMENTS};
 use super::token::Token;
 use crate::diagnostic::{Diagnostic, Kind};
 
@@ -18,8 +18,8 @@ impl Parser<'_> {
         }
         let word = self.raw();
         let kind = match word {
-            "model" => self.named("model", ItemKind::Model)?,
-            "reference" => self.named("reference", ItemKind::Reference)?,
+            "model" => self.named(ItemKind::Model)?,
+            "reference" => self.named(ItemKind::Reference)?,
             "param" | "coefficient" => self.constant()?,
             "input" => self.input()?,
             "state" => self.state()?,
@@ -67,30 +67,25 @@ impl Parser<'_> {
             fault = fault.help_if(is_definition.then_some(definition));
             fault = fault.did_you_mean(word, self.suggestions(&STATEMENTS));
         }
-        self.report(fault);
-        Err(Reported)
+        self.refuse(fault)
     }
 
-    fn named(&mut self, word: &str, make: impl Fn(Name) -> ItemKind) -> Read<ItemKind> {
-        self.advance();
-        let name = self.name(&format!("a name after `{word}`"))?;
+    fn named(&mut self, make: impl Fn(Name) -> ItemKind) -> Read<ItemKind> {
+        let (word, name) = self.keyword_and_name()?;
         self.semicolon(&format!("this `{word}`"))?;
         Ok(make(name))
     }
 
     /// Parses `param NAME = value unit in lo .. hi;` or `coefficient …`.
     pub fn constant(&mut self) -> Read<ItemKind> {
-        let class = match self.raw() {
-            "param" => ParameterClass::Param,
-            _ => ParameterClass::Coefficient,
+        let (word, name) = self.keyword_and_name()?;
+        let class = if word == "param" {
+            ParameterClass::Param
+        } else {
+            ParameterClass::Coefficient
         };
-        let word = self.raw();
-        self.advance();
-        let name = self.name(&format!("a name after `{word}`"))?;
-        self.need(
-            Token::Equals,
-            &format!("`=` and the default of `{}`", name.text),
-        )?;
+        let what = format!("`=` and the default of `{}`", name.text);
+        self.need(Token::Equals, &what)?;
         let value = self.quantity("a number")?;
         let bounds = if self.eat_word("in") {
             let least = self.quantity("the least value")?;
@@ -114,13 +109,8 @@ impl Parser<'_> {
 
     /// Parses `input NAME in FRAME = (a, b, c) unit;`.
     pub fn input(&mut self) -> Read<ItemKind> {
-        self.advance();
-        let name = self.name("a name after `input`")?;
-        self.need_word(
-            "in",
-            "the name of the input, with the frame of its components",
-        )?;
-        let frame = self.name("the name of a frame after `in`")?;
+        let (_, name) = self.keyword_and_name()?;
+        let frame = self.in_frame("the name of the input, with the frame of its components")?;
         self.need(Token::Equals, "`=` and the default components")?;
         let value = self.triple_of_numbers()?;
         let unit = self.optional_unit()?;
@@ -134,21 +124,14 @@ impl Parser<'_> {
     }
 
     /// Parses three literals in parentheses, such as `(1, 2, 3)`.
-    pub fn triple_of_numbers(&mut self) -> Read<[super::ast::Number; 3]> {
-        self.need(Token::Open, "`(` and three numbers")?;
-        let a = self.number("a number")?;
-        self.need(Token::Comma, "`,` and the second component")?;
-        let b = self.number("a number")?;
-        self.need(Token::Comma, "`,` and the third component")?;
-        let c = self.number("a number")?;
-        self.need(Token::Close, "`)` after three components")?;
-        Ok([a, b, c])
+    pub fn triple_of_numbers(&mut self) -> Read<[Number; 3]> {
+        let open = "`(` and three numbers";
+        self.tuple(open, "component", "components", |p| p.number("a number"))
     }
 
     /// Parses `state NAME = value unit;`.
     pub fn state(&mut self) -> Read<ItemKind> {
-        self.advance();
-        let name = self.name("a name after `state`")?;
+        let (_, name) = self.keyword_and_name()?;
         let what = format!("`=` and the value of `{}` at the start", name.text);
         self.need(Token::Equals, &what)?;
         let value = self.quantity("a number")?;
@@ -158,8 +141,7 @@ impl Parser<'_> {
 
     /// Parses `frame N;`, `frame A = N turned ANGLE about AXIS;`, `frame C = N by quaternion (a, b, c, d);`.
     fn frame(&mut self) -> Read<ItemKind> {
-        self.advance();
-        let name = self.name("a name after `frame`")?;
+        let (_, name) = self.keyword_and_name()?;
         if self.eat(Token::Semicolon) {
             return Ok(ItemKind::Frame(Frame {
                 name,
@@ -179,22 +161,10 @@ impl Parser<'_> {
             }
         } else if self.eat_word("by") {
             self.need_word("quaternion", "`by`")?;
-            self.need(
-                Token::Open,
-                "`(` and the four components, scalar part first",
-            )?;
-            let a = self.name("the name of a state")?;
-            self.need(Token::Comma, "`,` and the second component")?;
-            let b = self.name("the name of a state")?;
-            self.need(Token::Comma, "`,` and the third component")?;
-            let c = self.name("the name of a state")?;
-            self.need(Token::Comma, "`,` and the fourth component")?;
-            let d = self.name("the name of a state")?;
-            self.need(Token::Close, "`)` after four components")?;
-            FrameKind::Quaternion {
-                parent,
-                states: [a, b, c, d],
-            }
+            let open = "`(` and the four components, scalar part first";
+            let state = |p: &mut Self| p.name("the name of a state");
+            let states = self.tuple(open, "component", "components", state)?;
+            FrameKind::Quaternion { parent, states }
         } else {
             return self.expected("`turned ANGLE about AXIS` or `by quaternion (…)`");
         };
@@ -204,32 +174,27 @@ impl Parser<'_> {
 
     /// Parses `let NAME: unit = …;`.
     pub fn binding(&mut self) -> Read<ItemKind> {
-        self.advance();
-        let name = self.name("a name after `let`")?;
+        let (_, name) = self.keyword_and_name()?;
         self.binding_rest(name).map(ItemKind::Let)
     }
 
     /// Parses the rest of a `let` statement after its name: `: unit = …;`, where `: unit` is optional.
     pub fn binding_rest(&mut self, name: Name) -> Read<Let> {
         let unit = self.unit_behind_colon()?;
-        self.need(Token::Equals, &format!("`=` after `{}`", name.text))?;
-        let value = self.expr()?;
-        self.semicolon(&format!("the definition of `{}`", name.text))?;
+        let statement = format!("the definition of `{}`", name.text);
+        let value = self.definition(&name.text, &statement)?;
         Ok(Let { name, unit, value })
     }
 
     /// Parses `force NAME = …;` or `moment NAME = …;`.
     pub fn load(&mut self) -> Read<ItemKind> {
-        let class = match self.raw() {
-            "force" => LoadClass::Force,
-            _ => LoadClass::Moment,
+        let (word, name) = self.keyword_and_name()?;
+        let class = if word == "force" {
+            LoadClass::Force
+        } else {
+            LoadClass::Moment
         };
-        let word = self.raw();
-        self.advance();
-        let name = self.name(&format!("a name after `{word}`"))?;
-        self.need(Token::Equals, &format!("`=` after `{}`", name.text))?;
-        let value = self.expr()?;
-        self.semicolon(&format!("this `{word}`"))?;
+        let value = self.definition(&name.text, &format!("this `{word}`"))?;
         Ok(ItemKind::Load(Load { class, name, value }))
     }
 
@@ -239,32 +204,22 @@ impl Parser<'_> {
         self.need(Token::Open, "`(` after `der`")?;
         let state = self.name("the name of a state")?;
         self.need(Token::Close, "`)` after the state")?;
-        self.need(Token::Equals, &format!("`=` after `der({})`", state.text))?;
-        let value = self.expr()?;
-        self.semicolon("this equation")?;
+        let value = self.definition(&format!("der({})", state.text), "this equation")?;
         Ok(ItemKind::Equation(Equation { state, value }))
     }
 
     /// Parses `marker NAME in FRAME;`.
     fn marker(&mut self) -> Read<ItemKind> {
-        self.advance();
-        let name = self.name("a name after `marker`")?;
-        self.need_word(
-            "in",
-            "the name of the marker, with the frame it is fixed in",
-        )?;
-        let frame = self.name("the name of a frame after `in`")?;
+        let (_, name) = self.keyword_and_name()?;
+        let frame = self.in_frame("the name of the marker, with the frame it is fixed in")?;
         self.semicolon("this `marker`")?;
         Ok(ItemKind::Marker(Marker { name, frame }))
     }
 
     /// Parses `observe NAME = …;`.
     pub fn observe(&mut self) -> Read<ItemKind> {
-        self.advance();
-        let name = self.name("a name after `observe`")?;
-        self.need(Token::Equals, &format!("`=` after `{}`", name.text))?;
-        let value = self.expr()?;
-        self.semicolon("this `observe`")?;
+        let (_, name) = self.keyword_and_name()?;
+        let value = self.definition(&name.text, "this `observe`")?;
         Ok(ItemKind::Observe(Observe { name, value }))
     }
 

@@ -7,12 +7,9 @@ use super::token::Token;
 impl Parser<'_> {
     /// Parses `table NAME(ARGUMENT: UNIT): UNIT = { argument: value, … } monotone, constant;`.
     pub fn table(&mut self) -> Read<ItemKind> {
-        self.advance();
-        let name = self.name("a name after `table`")?;
-        self.need(
-            Token::Open,
-            &format!("`(` and the argument of `{}`", name.text),
-        )?;
+        let (_, name) = self.keyword_and_name()?;
+        let open = format!("`(` and the argument of `{}`", name.text);
+        self.need(Token::Open, &open)?;
         let argument = self.name("the name of the argument")?;
         let argument_unit = self.unit_behind_colon()?;
         self.need(Token::Close, "`)` after the argument")?;
@@ -67,8 +64,7 @@ impl Parser<'_> {
         Ok(knots)
     }
 
-    /// Skips tokens up to and including the next `}`, after an error in a block of knots; stops at `;` or the end of
-    /// the text.
+    /// After an error, skips to the end of a block of knots.
     fn leave_braces(&mut self) {
         while !matches!(
             self.peek(),

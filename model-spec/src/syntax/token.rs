@@ -76,15 +76,13 @@ fn is_space(c: char) -> bool {
     )
 }
 
-/// Whether a name may begin with a character: a Latin or Greek letter, a unit sign such as `°`, a letter with a dot
-/// above, or an underscore.
+/// Whether a name may begin with a character.
 fn begins_name(c: char) -> bool {
     c.is_ascii_alphabetic()
         || matches!(c, '_' | '°' | 'µ' | 'ż' | 'ġ' | '\u{0370}'..='\u{03FF}' | '\u{1E00}'..='\u{1EFF}')
 }
 
-/// Whether a character may occur in a name after the first character: any character with which a name may begin except
-/// `°`, a digit 0 to 9, or a combining dot or pair of dots above.
+/// Whether a character may continue a name.
 fn continues_name(c: char) -> bool {
     c != '°' && begins_name(c) || c.is_ascii_digit() || matches!(c, '\u{0307}' | '\u{0308}')
 }
@@ -103,8 +101,7 @@ fn prefix_length(text: &str, condition: impl Fn(char) -> bool) -> usize {
     text.find(|c| !condition(c)).unwrap_or(text.len())
 }
 
-/// The longest token that a text begins with, and its length in bytes; `None` where no token begins with the first
-/// character. The text does not begin with space.
+/// The longest token that a text begins with, and its length in bytes.
 pub(super) fn first_token(text: &str) -> Option<(Token, usize)> {
     let first = text.chars().next()?;
     if text.starts_with("//") {
@@ -123,9 +120,10 @@ pub(super) fn first_token(text: &str) -> Option<(Token, usize)> {
     if first == '"' {
         let inside = prefix_length(&text[1..], |c| !matches!(c, '"' | '\n'));
         let is_closed = text[1 + inside..].starts_with('"');
-        return Some(match is_closed {
-            true => (Token::Text, inside + 2),
-            false => (Token::OpenText, inside + 1),
+        return Some(if is_closed {
+            (Token::Text, inside + 2)
+        } else {
+            (Token::OpenText, inside + 1)
         });
     }
     let sign = prefix_length(text, |c| matches!(c, '⁺' | '⁻')).min('⁺'.len_utf8());
@@ -138,8 +136,7 @@ pub(super) fn first_token(text: &str) -> Option<(Token, usize)> {
     Some((*token, spelling.len()))
 }
 
-/// Length in bytes of the decimal number that a text begins with; the first character of the text must be a digit. A
-/// decimal point must be followed by a digit, so that `0..1` is a range; an exponent must have digits.
+/// Length of the number that a text begins with; a point or exponent needs digits, so that `0..1` is a range.
 fn number(text: &str) -> usize {
     let digits = |text: &str| prefix_length(text, |c| c.is_ascii_digit());
     let mut end = digits(text);

@@ -1,13 +1,12 @@
 //! Generation of a term library for a model that is compatible with no built-in library, from the model's quantities
 //! and their units.
 //!
-//! For a body, the channels (quantities to which terms can be added) are the forces along, upward across and leftward
-//! across the relative wind, divided by the weight on Earth, and the moments about the axes of the inertia frame,
-//! divided by ten times the moments of inertia per s². For a model without a body, the channels are the derivatives in
-//! its equations `der(STATE) = …`, divided by the state's unit per second. The variables are: for a body, its speed,
-//! height, angular rates and the direction of the relative wind, otherwise the states; scalar auxiliary variables that
-//! vary during a flight and depend on no coefficient; and time. Each variable is divided by a typical magnitude of its
-//! unit.
+//! For a body, the channels are the forces along, upward across and leftward across the relative wind, divided by the
+//! weight on Earth, and the moments about the axes of the inertia frame, divided by ten times the moments of inertia
+//! per s². For a model without a body, the channels are the derivatives in its equations `der(STATE) = …`, divided by
+//! the state's unit per second. The variables are: for a body, its speed, height, angular rates and the direction of
+//! the relative wind, otherwise the states; scalar auxiliary variables that vary during a flight and depend on no
+//! coefficient; and time. Each variable is divided by a typical magnitude of its unit.
 
 use std::fmt::Write;
 
@@ -16,33 +15,25 @@ use crate::layout::depending_on;
 use crate::model::{Body, Expr, ExprKind, Model, Shape};
 use crate::unit::Unit;
 
-/// Number of variables, in order of priority, that a generated library of candidate terms combines in products of two
-/// (squares included). Further variables occur in no product of two.
+/// Number of variables, in order of priority, that occur in products of two.
 const MAX_IN_PRODUCTS: usize = 4;
 
-/// Maximum number of auxiliary variables of a model that become variables of its generated term library (library of
-/// terms that the model may lack).
+/// Maximum number of auxiliary variables of a model that become variables of its generated term library.
 const MAX_NAMED: usize = 3;
 
-/// Maximum number of states of a model without a body that become variables of its generated term library (library of
-/// terms that the model may lack).
+/// Maximum number of states of a model without a body that become variables of its generated term library.
 const MAX_STATES: usize = 6;
 
-/// Maximum number of explicitly written equations `der(STATE) = …` of a model to which the generated library of
-/// candidate terms can add a term; further equations are skipped.
+/// Maximum number of equations to which a generated library adds terms.
 const MAX_EQUATIONS: usize = 8;
 
-/// `needs` statement of every generated effect (addition of one candidate term to a model) that uses `air_velocity`,
-/// the velocity of the body relative to the air. In a model without `air_velocity`, the velocity of the body replaces
-/// it.
+/// `needs` statement of effects that use `air_velocity`, with the body's velocity as fallback.
 const NEEDS_AIR_VELOCITY: &str = "needs vector air_velocity: m/s or velocity;";
 const DOWNSTREAM: &str = "unit(in_inertial(air_velocity))";
 const LEFTWARD: &str = "unit(cross(inertial.3, in_inertial(air_velocity)))";
 const WEIGHT: &str = "mass*(9.80665 [m/s^2])";
 
-/// A variable of the generated term library, with its definition. `rank` is its priority, from 0 (highest) to 4:
-/// variables are sorted by ascending rank, and products of two are formed only of the first [`MAX_IN_PRODUCTS`]
-/// variables.
+/// A variable with its definition and its priority, from 0 (highest) to 4.
 struct Variable {
     name: String,
     definition: String,
@@ -54,11 +45,12 @@ fn sort_by_rank(variables: &mut [Variable]) {
     variables.sort_by_key(|variable| variable.rank);
 }
 
-/// Generates a library of candidate terms for a model. `None` if there is nothing to which a term can be added. This is
-/// the case if the model has no body, and each equation in the model file only equates a derivative with a state, as in
-/// `der(phi) = phidot`.
+/// Generates a library; `None` if no equation can take a term.
 pub(super) fn library(model: &Model) -> Option<LibraryFile> {
-    let (mut loads, channels) = match &model.body {
+    let Channels {
+        mut loads,
+        entries: channels,
+    } = match &model.body {
         Some(body) => channels_of_body(model, body),
         None => channels_of_equations(model)?,
     };
@@ -96,8 +88,7 @@ pub(super) fn library(model: &Model) -> Option<LibraryFile> {
     })
 }
 
-/// Products that a generated term library contains, each as the list of its factors: an empty list for the constant 1,
-/// each of the variables `names` alone, and each pair of the first [`MAX_IN_PRODUCTS`] variables (squares included).
+/// Products by their factors: none, each variable, and pairs of the first [`MAX_IN_PRODUCTS`].
 fn products(names: &[String]) -> Vec<Vec<String>> {
     let mut products = vec![Vec::new()];
     products.extend(names.iter().map(|name| vec![name.clone()]));
@@ -108,57 +99,50 @@ fn products(names: &[String]) -> Vec<Vec<String>> {
     products
 }
 
-fn channel(name: &str, term: String) -> ChannelEntry {
-    ChannelEntry {
-        coefficient: coefficient(name),
-        name: name.to_owned(),
-        term,
+/// Channels of a library, and the statements that add a constant term to each.
+struct Channels {
+    loads: String,
+    entries: Vec<ChannelEntry>,
+}
+
+impl Channels {
+    /// Adds a channel by the statement of a term with `NAME` and `TERM`, and what the effect needs.
+    fn add(&mut self, name: &str, site: &str, needs: &str, statement: &str) {
+        let coefficient = format!("X_{}", name.replace('-', "_"));
+        let constant = statement.replacen("NAME =", &format!("{name}_of_no_law ="), 1);
+        let constant = constant.replacen("TERM*", &format!("{coefficient}*"), 1);
+        let _ = writeln!(self.loads, "coefficient {coefficient} = 0 [1];\n{constant}");
+        self.entries.push(ChannelEntry {
+            coefficient,
+            name: name.to_owned(),
+            term: format!("effect NAME {{ {needs}site {site}; {statement} }}"),
+        });
     }
 }
 
-fn coefficient(channel: &str) -> String {
-    format!("X_{}", channel.replace('-', "_"))
-}
-
-fn channels_of_body(model: &Model, body: &Body) -> (String, Vec<ChannelEntry>) {
+fn channels_of_body(model: &Model, body: &Body) -> Channels {
     let up = format!("cross({DOWNSTREAM}, {LEFTWARD})");
-    let mut channels = Vec::new();
-    let mut loads = format!("{NEEDS_AIR_VELOCITY}\n");
+    let mut channels = Channels {
+        loads: format!("{NEEDS_AIR_VELOCITY}\n"),
+        entries: Vec::new(),
+    };
+    let needs = format!("{NEEDS_AIR_VELOCITY} ");
     for (name, sign, direction) in [
         ("drag", "-", DOWNSTREAM),
         ("lift", "", &up),
         ("side", "", LEFTWARD),
     ] {
-        let x = coefficient(name);
-        let _ = writeln!(
-            loads,
-            "coefficient {x} = 0 [1];\nforce {name}_of_no_law = {sign}{WEIGHT}*{x}*{direction};"
-        );
-        channels.push(channel(
-            name,
-            format!(
-                "effect NAME {{ {NEEDS_AIR_VELOCITY} site {name}; force NAME = {sign}{WEIGHT}*TERM*{direction}; }}"
-            ),
-        ));
+        let statement = format!("force NAME = {sign}{WEIGHT}*TERM*{direction};");
+        channels.add(name, name, &needs, &statement);
     }
     if let Some(frame) = axes(model, body) {
-        for (k, name) in ["roll", "pitch", "spin"].into_iter().enumerate() {
-            let axis = k + 1;
-            let x = coefficient(name);
+        for (name, axis) in ["roll", "pitch", "spin"].into_iter().zip(1..) {
             let scale = format!("inertia_{axis}{axis}*(10 [1/s^2])");
-            let _ = writeln!(
-                loads,
-                "coefficient {x} = 0 [1];\nmoment {name}_of_no_law = {scale}*{x}*{frame}.{axis};"
-            );
-            channels.push(channel(
-                name,
-                format!(
-                    "effect NAME {{ {NEEDS_AIR_VELOCITY} site {name}; moment NAME = {scale}*TERM*{frame}.{axis}; }}"
-                ),
-            ));
+            let statement = format!("moment NAME = {scale}*TERM*{frame}.{axis};");
+            channels.add(name, name, &needs, &statement);
         }
     }
-    (loads, channels)
+    channels
 }
 
 /// Name of the frame in which the inertia tensor of `body` has its components; `None` for a point mass.
@@ -167,31 +151,24 @@ fn axes<'a>(model: &'a Model, body: &Body) -> Option<&'a str> {
     Some(&model.frames[rotation.inertia_frame].name)
 }
 
-fn channels_of_equations(model: &Model) -> Option<(String, Vec<ChannelEntry>)> {
+fn channels_of_equations(model: &Model) -> Option<Channels> {
     let more_than_a_state = |value: &Expr| !matches!(value.kind, ExprKind::State(_));
     let of_effects: Vec<usize> = model.added_states();
     let equations = model.equations.iter().filter(|equation| {
         more_than_a_state(&equation.value) && !of_effects.contains(&equation.state)
     });
-    let (mut loads, mut channels) = (String::new(), Vec::new());
+    let mut channels = Channels {
+        loads: String::new(),
+        entries: Vec::new(),
+    };
     for equation in equations.take(MAX_EQUATIONS) {
         let state = &model.states[equation.state];
         let rate = state.unit.checked_div(Unit::SECOND)?;
-        let name = format!("rate-of-{}", state.name);
-        let x = coefficient(&name);
         let state = &state.name;
-        let _ = writeln!(
-            loads,
-            "coefficient {x} = 0 [1];\nreplace der({state}) = previous + {x}*(1 [{rate}]);"
-        );
-        channels.push(channel(
-            &name,
-            format!(
-                "effect NAME {{ site unknown; replace der({state}) = previous + TERM*(1 [{rate}]); }}"
-            ),
-        ));
+        let statement = format!("replace der({state}) = previous + TERM*(1 [{rate}]);");
+        channels.add(&format!("rate-of-{state}"), "unknown", "", &statement);
     }
-    (!channels.is_empty()).then_some((loads, channels))
+    (!channels.entries.is_empty()).then_some(channels)
 }
 
 fn variables_of_body(model: &Model, body: &Body) -> Vec<Variable> {
@@ -231,8 +208,7 @@ fn variables_of_body(model: &Model, body: &Body) -> Vec<Variable> {
     variables
 }
 
-/// Variables of the term library for a model without a body: one for each of the first [`MAX_STATES`] states that the
-/// model declares itself, not through effects.
+/// Variables for a model without a body: its first [`MAX_STATES`] own states.
 fn variables_of_states(model: &Model) -> Vec<Variable> {
     let of_effects = model.added_states();
     let own = model.states.iter().enumerate();
@@ -247,10 +223,8 @@ fn variables_of_states(model: &Model) -> Vec<Variable> {
         .collect()
 }
 
-/// Selects up to [`MAX_NAMED`] variables of the term library from the scalar auxiliary variables that vary during a
-/// flight and depend on no coefficient. Forces and moments are excluded; in a model with a body, also speeds and
-/// lengths. Dimensionless quantities come first, then rates in rad/s or 1/s, then others, each in the order of the
-/// file.
+/// Up to [`MAX_NAMED`] scalar auxiliary variables that vary and depend on no coefficient, no loads and, with a body, no
+/// speeds and lengths: dimensionless ones first, then rates.
 fn named_quantities(model: &Model) -> Vec<Variable> {
     let varies = depending_on(model, is_variable);
     // The marker belongs to an observation, so it is excluded like a coefficient.
@@ -292,8 +266,7 @@ fn named_quantities(model: &Model) -> Vec<Variable> {
     named
 }
 
-/// Text of the expression that divides a quantity by a typical magnitude: 10 SI units for speeds and angular rates, 1
-/// SI unit for others. A dimensionless quantity is not divided.
+/// Divides a quantity by a typical magnitude: 10 SI units of speed and rate, else 1.
 fn scaled(name: &str, unit: Unit) -> String {
     match () {
         () if unit.agrees(Unit::ONE) => name.to_owned(),
@@ -304,8 +277,7 @@ fn scaled(name: &str, unit: Unit) -> String {
     }
 }
 
-/// Kind of variable to which a quantity belongs, guessed from the name and unit of the quantity: one of
-/// [`VARIABLES`](crate::VARIABLES), such as `spin` or `height`.
+/// Kind of variable, guessed from name and unit: one of [`VARIABLES`](crate::VARIABLES).
 fn depends_on(name: &str, unit: Unit) -> &'static str {
     match () {
         () if name.contains("alpha") => "alpha",

@@ -100,8 +100,7 @@ fn symbol(unit: Unit, (above, below): (i128, i128), pi: bool) -> Symbol {
     }
 }
 
-/// Suggests a unit symbol for a unit's name (`meter`) or a symbol in wrong letter case (`KG`); `None` if there is no
-/// suggestion.
+/// Suggests a symbol for a name (`meter`) or a wrong letter case (`KG`).
 pub fn suggest(name: &str) -> Option<&'static str> {
     const WORDS: [(&str, &str); 32] = [
         ("meter", "m"),

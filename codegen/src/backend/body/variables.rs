@@ -1,6 +1,6 @@
 //! Names of the local variables of a generated function.
 
-use super::{input_element, operands, width};
+use super::{input_element, width};
 use crate::compile::Compiled;
 use crate::program::{Function, Operand, Program};
 use std::collections::{HashMap, HashSet};
@@ -8,8 +8,7 @@ use std::collections::{HashMap, HashSet};
 /// Maximum length, in characters, of the name that follows `part_of_` in the variable name of a subexpression.
 const MAX_STEM: usize = 24;
 
-/// Names of the local variables of a generated function: one for each element that it reads from an input array, and
-/// one for each statement that is not inlined.
+/// Names of the local variables of a generated function: inputs that it reads, and statements.
 pub(crate) struct Variables {
     inputs: HashMap<(super::Input, u32), String>,
     statements: Vec<Option<String>>,
@@ -27,7 +26,7 @@ impl Variables {
             is_reserved,
         };
         let mut inputs = HashMap::new();
-        for operand in operands(&function.program) {
+        for operand in function.program.operands() {
             if let Some(element) = input_element(operand)
                 && !inputs.contains_key(&element)
             {
@@ -91,8 +90,7 @@ impl Variables {
         }
     }
 
-    /// For each inlined statement, by statement index, the name of the variable or output whose expression contains the
-    /// statement; the entries of other statements are not used.
+    /// For each inlined statement, the variable or output whose expression contains it.
     fn owners(&self, function: &Function) -> Vec<Option<String>> {
         let program = &function.program;
         let mut owners: Vec<Option<String>> = vec![None; program.statements.len()];
@@ -127,8 +125,7 @@ fn input_name(compiled: &Compiled, operand: Operand) -> String {
     names[k as usize].clone()
 }
 
-/// Returns a new variable name for a subexpression: `part_of_` and the truncated name of `owner`, the variable or
-/// output whose expression contains the subexpression; `part_of_result` if `None`.
+/// New name `part_of_…` for a subexpression of the variable or output `owner`.
 fn part_name(owner: Option<&str>, names: &mut UniqueNames<impl Fn(&str) -> bool>) -> String {
     let owner = owner.unwrap_or("result");
     let stem = match owner.char_indices().nth(MAX_STEM) {

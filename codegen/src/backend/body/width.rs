@@ -2,12 +2,10 @@
 
 use crate::program::{Binary, Op, Operand, Program, Unary};
 
-/// Maximum width, in characters, of an expression that is inlined into the expression that uses it; wider expressions
-/// are assigned to a variable.
+/// Maximum width, in characters, of an inlined expression.
 pub(super) const MAX_INLINE: usize = 64;
 
-/// Maximum width of a statement's right-hand side, in characters; subexpressions of wider right-hand sides are assigned
-/// to variables.
+/// Maximum width of a right-hand side, in characters; parts of wider ones become variables.
 pub(super) const MAX_STATEMENT: usize = 84;
 
 /// Estimated width of a function or method call without its operands, characters.
@@ -16,8 +14,7 @@ const CALL: usize = 11;
 /// Estimated width of a numeric constant, characters.
 const CONSTANT: usize = 13;
 
-/// Estimates the printed widths of a program's statements. `variable` returns the length of the name of the variable
-/// that contains an operand, or `None` if the operand is not in a variable.
+/// Estimates printed widths; `variable` is the length of the name of an operand's variable.
 pub(super) struct Widths<'a, V> {
     pub program: &'a Program,
     pub variable: V,

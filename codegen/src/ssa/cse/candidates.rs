@@ -6,8 +6,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::hash::Hash;
 
-/// Priority of a pair of operands for extraction into a shared definition: number of operations saved, and, among equal
-/// numbers, whether the pair depends on parameters only.
+/// Operations saved by sharing a pair, and whether it depends on parameters only.
 pub type Score = (usize, bool);
 
 /// Candidate pairs of operands, with the definitions that contain each pair and the number of operations saved by
@@ -42,8 +41,7 @@ impl<P: Copy + Ord + Hash> Candidates<P> {
         }
     }
 
-    /// Computes the scores (number of operations saved) of the pairs recorded since the last call. `score` receives a
-    /// pair and the definitions that contain it, and returns `None` if the pair is to be dropped.
+    /// Scores the pairs recorded since the last call, and drops those without a score.
     pub fn rate(&mut self, score: impl Fn(P, &[DefId]) -> Option<Score>) {
         self.touched.sort_unstable();
         self.touched.dedup();
@@ -54,8 +52,7 @@ impl<P: Copy + Ord + Hash> Candidates<P> {
         }
     }
 
-    /// Removes the pair with the highest current score; returns the pair and the sorted definitions that contain it,
-    /// or `None` if no pair is left.
+    /// Removes the pair with the highest score; returns it with its sorted users.
     pub fn next(
         &mut self,
         score: impl Fn(P, &[DefId]) -> Option<Score>,

@@ -1,10 +1,8 @@
-//! Common-subexpression elimination in products: greedy extraction of the pair of factors that saves the most
-//! operations.
+//! Common-subexpression elimination in products, by greedy extraction of pairs.
 
 use super::candidates::{Candidates, Score};
-use crate::graph::FastMap;
+use super::merge_equal;
 use crate::ssa::{DefId, Ssa, SsaDef};
-use model_spec::index::IndexVec;
 
 type Pair = (DefId, DefId);
 
@@ -42,7 +40,10 @@ pub fn share(ssa: &mut Ssa) {
         }
         candidates.rate(|pair, users| score(ssa, pair, users));
     }
-    alias(ssa);
+    merge_equal(ssa, factors, |factors| match factors {
+        [single] => Some(*single),
+        _ => None,
+    });
 }
 
 fn factors(ssa: &Ssa, id: DefId) -> &[DefId] {
@@ -71,10 +72,7 @@ fn count(list: &[DefId], pair: Pair) -> usize {
     }
 }
 
-/// Score of a pair of factors that occurs in the products `users`: the number of multiplications that are saved if the
-/// pair is computed only once, which is the number of occurrences minus 1. A pair that depends on parameters only is
-/// computed once per flight, so that every occurrence in a product of more than two factors saves a multiplication.
-/// `None` if nothing is saved.
+/// Multiplications saved by a shared pair: occurrences less 1, or of a fixed pair those in longer products.
 fn score(ssa: &Ssa, pair: Pair, users: &[DefId]) -> Option<Score> {
     let (mut places, mut whole) = (0, 0);
     for &id in users {
@@ -91,19 +89,4 @@ fn score(ssa: &Ssa, pair: Pair, users: &[DefId]) -> Option<Score> {
         places.saturating_sub(1)
     };
     (saved > 0 && places > whole).then_some((saved, fixed))
-}
-
-/// Merges equal products, and replaces products of a single factor by that factor.
-fn alias(ssa: &mut Ssa) {
-    let mut canonical: FastMap<Vec<DefId>, DefId> = FastMap::default();
-    let mut target: IndexVec<DefId, DefId> = ssa.defs.indices().collect();
-    for (id, def) in ssa.defs.iter_enumerated() {
-        if let SsaDef::Product(list) = def {
-            match list.as_slice() {
-                [single] => target[id] = *single,
-                _ => target[id] = *canonical.entry(list.clone()).or_insert(id),
-            }
-        }
-    }
-    ssa.redirect(&target);
 }

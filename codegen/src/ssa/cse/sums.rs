@@ -1,9 +1,8 @@
 //! Common-subexpression elimination in sums: common pairs of terms are computed once, up to sign.
 
 use super::candidates::{Candidates, Score};
-use crate::graph::FastMap;
+use super::merge_equal;
 use crate::ssa::{DefId, Signed, Ssa, SsaDef, sort_terms};
-use model_spec::index::IndexVec;
 
 /// Two terms that occur in one sum, and whether their signs differ.
 type Pair = (DefId, DefId, bool);
@@ -49,7 +48,10 @@ pub fn share(ssa: &mut Ssa) {
         }
         candidates.rate(|pair, users| score(ssa, pair, users));
     }
-    alias(ssa);
+    merge_equal(ssa, terms, |terms| match terms {
+        [(false, single)] => Some(*single),
+        _ => None,
+    });
 }
 
 fn terms(ssa: &Ssa, id: DefId) -> &[Signed] {
@@ -79,10 +81,7 @@ fn sign(list: &[Signed], pair: Pair) -> Option<bool> {
     (pair.0 != pair.1 && (first != second) == pair.2).then_some(first)
 }
 
-/// Score of a pair of terms that occurs in the sums `users`: the number of additions that are saved if the pair is
-/// computed only once, which is the number of occurrences minus 1. A pair that depends on parameters only is computed
-/// once per flight, so that every occurrence in a sum of more than two terms saves an addition. `None` if nothing is
-/// saved.
+/// Additions saved by a shared pair: occurrences less 1, or of a fixed pair those in longer sums.
 fn score(ssa: &Ssa, pair: Pair, users: &[DefId]) -> Option<Score> {
     let holds = |id: DefId| sign(terms(ssa, id), pair).is_some();
     let places = users.iter().filter(|&&id| holds(id)).count();
@@ -97,19 +96,4 @@ fn score(ssa: &Ssa, pair: Pair, users: &[DefId]) -> Option<Score> {
         places.saturating_sub(1)
     };
     (saved > 0 && (whole < places || whole > 1)).then_some((saved, fixed))
-}
-
-/// Merges equal sums and replaces sums of one positive term by that term.
-fn alias(ssa: &mut Ssa) {
-    let mut target: IndexVec<DefId, DefId> = ssa.defs.indices().collect();
-    let mut canonical: FastMap<Vec<Signed>, DefId> = FastMap::default();
-    for (id, def) in ssa.defs.iter_enumerated() {
-        if let SsaDef::Sum(list) = def {
-            match list.as_slice() {
-                [(false, single)] => target[id] = *single,
-                _ => target[id] = *canonical.entry(list.clone()).or_insert(id),
-            }
-        }
-    }
-    ssa.redirect(&target);
 }

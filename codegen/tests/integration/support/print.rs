@@ -56,9 +56,10 @@ fn shown(graph: &ExprGraph, id: NodeId, symbol: &dyn Fn(Symbol) -> String, level
         Node::Call(function, x) => {
             format!("{}({})", graph.function_name(*function), inner(*x, 0))
         }
-        Node::Atan2(y, x) => format!("atan2({}, {})", inner(*y, 0), inner(*x, 0)),
-        Node::Min(a, b) => format!("min({}, {})", inner(*a, 0), inner(*b, 0)),
-        Node::Max(a, b) => format!("max({}, {})", inner(*a, 0), inner(*b, 0)),
+        Node::Call2(function, a, b) => {
+            let name = format!("{function:?}").to_lowercase();
+            format!("{name}({}, {})", inner(*a, 0), inner(*b, 0))
+        }
         Node::IfZero(c, a, b) => format!(
             "if_zero({}, {}, {})",
             inner(*c, 0),

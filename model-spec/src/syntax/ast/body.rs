@@ -13,8 +13,7 @@ pub enum BodyClass {
 }
 
 impl BodyClass {
-    /// Keyword of the class, `body` or `point`, with which a declaration of a body begins; it follows `claim` in a
-    /// `claim` block.
+    /// Keyword of the class.
     pub(crate) fn keyword(self) -> &'static str {
         match self {
             BodyClass::Rigid => "body",
@@ -58,13 +57,11 @@ pub enum BodyPartKind {
     Velocity([Name; 3], Name),
     /// `angular velocity (p, q, r) in FRAME;`: names of the angular-velocity states, and their frame.
     AngularVelocity([Name; 3], Name),
-    /// `angular velocity in FRAME;`: frame in which the vector `angular_velocity` has its components when expressions
-    /// use it.
+    /// `angular velocity in FRAME;`: frame of the components of `angular_velocity`.
     AngularVelocityIn(Name),
 }
 
-/// Inertia tensor I of a body about its centre of mass, kg m²: the angular momentum is I ω, so the off-diagonal entries
-/// are negative products of inertia, such as `-∫ x y dm`.
+/// Inertia tensor about the centre of mass, kg m², with off-diagonal entries such as `-∫ x y dm`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inertia {
     /// Entries of the tensor, row by row; `None` for the off-diagonal entries of `diag(…)`.

@@ -1,11 +1,9 @@
-//! Syntax of a claim: which expressions are the mass, motion and loads of a body, in a model whose file writes the
-//! differential equations explicitly.
+//! Syntax of a claim.
 
 use super::{BodyClass, Expr, Inertia, Name};
 use crate::source::Span;
 
-/// Statement `claim body NAME { … }` or `claim point NAME { … }`: declares which expressions of a model with explicit
-/// equations `der(STATE) = …` are the mass, motion and loads of a body.
+/// Statement `claim body NAME { … }` or `claim point NAME { … }`: the body that stated equations describe.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Claim {
     /// Whether the body that the equations are declared to describe is rigid or a point mass.
@@ -16,67 +14,49 @@ pub struct Claim {
     pub parts: Vec<ClaimPart>,
 }
 
-/// A statement in a `claim` block, which declares the physical meaning of a model's equations.
+/// A statement in a `claim` block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClaimPart {
-    /// Kind of statement, with its content.
+    /// Keywords with which the statement begins: one of [`ClaimPart::WORDS`].
+    pub words: &'static str,
+    /// Content of the statement.
     pub kind: ClaimPartKind,
     /// Source span of the statement.
     pub span: Span,
 }
 
-/// Kinds of statement in a `claim` block, which declares the physical meaning of a model's equations.
+/// Content of a statement in a `claim` block.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ClaimPartKind {
-    /// `mass EXPR;`: mass, kg.
-    Mass(Expr),
     /// `inertia … in FRAME;`: inertia tensor, kg m².
     Inertia(Box<Inertia>),
     /// `fixed in FRAME;`: the body-fixed frame.
     Fixed(Name),
-    /// `axis FRAME.k;`: the axis of revolution of a body to which no declared frame is fixed.
-    Axis(Expr),
-    /// `position EXPR;`: position of the centre of mass relative to the origin of the inertial frame, m; a vector with
-    /// components in any frame.
-    Position(Expr),
-    /// `velocity EXPR;`: velocity of the centre of mass relative to the inertial frame, m/s.
-    Velocity(Expr),
-    /// `angular velocity EXPR;`: angular velocity of the body relative to the inertial frame, rad/s.
-    AngularVelocity(Expr),
-    /// `force EXPR;`: sum of all forces including the weight, N.
-    Force(Expr),
-    /// `moment EXPR;`: sum of all moments about the centre of mass, N m.
-    Moment(Expr),
+    /// All other statements: the quantity that the keywords name.
+    Value(Expr),
 }
 
-impl ClaimPartKind {
-    /// Keywords with which the statement begins, such as `angular velocity`.
-    pub fn words(&self) -> &'static str {
-        match self {
-            ClaimPartKind::Mass(_) => "mass",
-            ClaimPartKind::Inertia(_) => "inertia",
-            ClaimPartKind::Fixed(_) => "fixed in",
-            ClaimPartKind::Axis(_) => "axis",
-            ClaimPartKind::Position(_) => "position",
-            ClaimPartKind::Velocity(_) => "velocity",
-            ClaimPartKind::AngularVelocity(_) => "angular velocity",
-            ClaimPartKind::Force(_) => "force",
-            ClaimPartKind::Moment(_) => "moment",
-        }
-    }
+impl ClaimPart {
+    /// Keywords of the statements: `axis` is the axis of revolution of a body to which no declared frame is fixed;
+    /// `force` and `moment` are the sums of all loads including the weight.
+    pub const WORDS: [&str; 9] = [
+        "mass",
+        "position",
+        "velocity",
+        "force",
+        "inertia",
+        "fixed in",
+        "axis",
+        "angular velocity",
+        "moment",
+    ];
 
     /// Expressions of the statement, in order; empty for `fixed in`.
     pub fn expressions(&self) -> Vec<&Expr> {
-        match self {
+        match &self.kind {
             ClaimPartKind::Fixed(_) => Vec::new(),
             ClaimPartKind::Inertia(inertia) => inertia.rows.iter().flatten().flatten().collect(),
-            ClaimPartKind::Mass(e)
-            | ClaimPartKind::Axis(e)
-            | ClaimPartKind::Position(e)
-            | ClaimPartKind::Velocity(e)
-            | ClaimPartKind::AngularVelocity(e)
-            | ClaimPartKind::Force(e)
-            | ClaimPartKind::Moment(e) => vec![e],
+            ClaimPartKind::Value(e) => vec![e],
         }
     }
 }

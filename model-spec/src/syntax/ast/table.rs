@@ -5,13 +5,10 @@ use super::{Name, Quantity, UnitExpr};
 /// Method of interpolation between the knots of a table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Interpolation {
-    /// Cubic spline: continuous second derivative between the end knots. It is natural (zero second derivative at the
-    /// end knots) with [`Continuation::Linear`] and clamped (zero slope there) with [`Continuation::Constant`]. The
-    /// default.
+    /// Cubic spline, natural with [`Continuation::Linear`] and clamped with [`Continuation::Constant`]. The default.
     #[default]
     Spline,
-    /// Piecewise cubic that is monotone between knots (Fritsch and Carlson 1980), so that it does not overshoot the
-    /// values at the knots. Its second derivative is discontinuous at the knots. Stated as `monotone`.
+    /// Piecewise cubic that is monotone between knots (Fritsch and Carlson 1980). Stated as `monotone`.
     Monotone,
 }
 
@@ -21,8 +18,7 @@ pub enum Continuation {
     /// Linear extrapolation, with the slope of the interpolated curve at the end knot. The default.
     #[default]
     Linear,
-    /// Constant extrapolation, with the value at the end knot; the interpolated curve then has slope zero at the end
-    /// knots. Stated as `constant`.
+    /// Constant extrapolation, with slope zero at the end knots. Stated as `constant`.
     Constant,
 }
 

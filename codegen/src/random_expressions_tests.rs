@@ -1,7 +1,7 @@
 //! Property tests: compiled random expressions and their derivatives are compared with evaluation by dual numbers.
 
 use crate::differentiate::{EliminationOrder, LinearizedGraph, share_values};
-use crate::functions::MathFunction;
+use crate::functions::{BinaryFunction, MathFunction};
 use crate::graph::{ExprGraph, NodeId, Symbol};
 use crate::number::Number;
 use crate::program::Program;
@@ -103,9 +103,9 @@ fn node(graph: &mut ExprGraph, step: Step, x: NodeId, y: NodeId) -> NodeId {
             let square = graph.add(x, y);
             graph.sqrt(square)
         }
-        Step::Angle => graph.atan2(x, y),
-        Step::Min => graph.min(x, y),
-        Step::Max => graph.max(x, y),
+        Step::Angle => graph.call2(BinaryFunction::Atan2, x, y),
+        Step::Min => graph.call2(BinaryFunction::Min, x, y),
+        Step::Max => graph.call2(BinaryFunction::Max, x, y),
         Step::Call(function) => graph.call(function, x),
         Step::Table => {
             let value = TableFunction::new(TableId::new(0), 0);
@@ -171,9 +171,8 @@ struct Case {
     magnitude: f64,
 }
 
-/// Builds a random expression from `steps` (each an operation with the indices of its operands among the earlier
-/// values), with its value and derivatives at the point `at`. `None` if an operation is not smooth at that point, or if
-/// a value or derivative is not below [`MAX_MAGNITUDE`] in magnitude.
+/// Builds a random expression from `steps`, with its value and derivatives at the point `at`. `None` if an operation is
+/// not smooth at that point, or if a value or derivative is not below [`MAX_MAGNITUDE`] in magnitude.
 fn case(steps: &[(Step, Index, Index)], at: [f64; VARIABLES]) -> Option<Case> {
     static TABLES: LazyLock<Tables> = LazyLock::new(|| {
         let model = model_spec::load::from_text("table.hyz", TABLE, &[]).expect("a model");
