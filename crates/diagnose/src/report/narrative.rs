@@ -58,6 +58,7 @@ impl Report {
 
 impl Verdict {
     /// Name of the verdict, as in `report.json`.
+    #[doc(hidden)]
     pub fn name(self) -> &'static str {
         match self {
             Verdict::Adequate => "adequate",
@@ -71,6 +72,7 @@ impl Verdict {
 
 impl Explanation {
     /// Names of the effects of the explanation, in one text.
+    #[doc(hidden)]
     pub fn name(&self) -> String {
         let effects: Vec<&str> = self.effects.iter().map(|e| e.name.as_str()).collect();
         match effects.len() {
@@ -98,6 +100,7 @@ impl Explanation {
 
 impl ExplanationEffect {
     /// Sentence on the effect, from its documentation.
+    #[doc(hidden)]
     pub fn sentence(&self) -> String {
         match self.description.trim() {
             "" => "It has no description.".to_owned(),
@@ -108,6 +111,7 @@ impl ExplanationEffect {
 
 impl Estimate {
     /// The estimate with its standard error as text, such as `C_L0 = 0.188 ± 0.003 1/rad`; `name` is its coefficient.
+    #[doc(hidden)]
     pub fn text(&self, name: &str) -> String {
         let digits = Digits::of(self.value, self.std_error);
         let (value, error) = (digits.one(self.value), digits.one(self.std_error));
@@ -118,6 +122,7 @@ impl Estimate {
 
 impl PredictiveGain {
     /// Reduction of the RMS prediction error with its standard error, such as `19.4 ± 0.4 mm`.
+    #[doc(hidden)]
     pub fn text(&self) -> String {
         let (value, error) = (1e3 * self.error_reduction_m(), 1e3 * self.std_error_m);
         if !(error.is_finite() && error > 0.0) {
