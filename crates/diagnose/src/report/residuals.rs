@@ -44,7 +44,7 @@ pub(crate) fn describe_departures(report: &mut Report) {
     let says = departures(found);
     match (&mut report.unattributed, report.verdict) {
         (Some(unattributed), _) => {
-            unattributed.description = format!("{} {says}", unattributed.description)
+            unattributed.description = format!("{} {says}", unattributed.description);
         }
         (none, Verdict::Unattributed) => {
             *none = Some(Unattributed {
