@@ -20,7 +20,7 @@ pub fn listed<S: AsRef<str>>(names: &[S]) -> String {
     }
 }
 
-/// Truncates a text to [`MAX_LETTERS`] characters.
+/// Truncates a text to 300 characters.
 pub fn short(text: &str) -> String {
     truncated(text, MAX_LETTERS)
 }
@@ -33,7 +33,7 @@ pub fn truncated(text: &str, most: usize) -> String {
     }
 }
 
-/// Joins names as `a, b and c`; beyond [`MAX_NAMES`] names, only the number of further names is stated.
+/// Joins names as `a, b and c`; of more than 24 names, only the number of further names is stated.
 pub fn names(names: &[impl AsRef<str>]) -> String {
     let shown = names.iter().take(MAX_NAMES).map(AsRef::as_ref);
     let mut shown: Vec<&str> = shown.collect();
