@@ -107,13 +107,21 @@ fn observed(
         point.states[state.expect("a state of the disc")] = value;
     }
     let observation = model.observation.as_ref().expect("the disc is observed");
+    // By this input the observation knows which marker it sees.
+    let number = model
+        .inputs
+        .iter()
+        .position(|input| input.name == "marker_is");
     let mut samples = Vec::with_capacity(SAMPLES);
     for _ in 0..SAMPLES {
-        let seen = MARKERS.map(|marker| {
-            let at = Point {
-                marker: Vector3::from(marker),
+        let seen = [0, 1, 2].map(|index| {
+            let mut at = Point {
+                marker: Vector3::from(MARKERS[index]),
                 ..point.clone()
             };
+            if let Some(number) = number {
+                at.inputs[number][index] = 1.0;
+            }
             Some(Tree::new(model, &at).vector(&observation.value).into())
         });
         samples.push(seen.to_vec());

@@ -3,8 +3,8 @@
 //! A crate lists this one under `[build-dependencies]` and compiles its models in `build.rs`:
 //!
 //! ```no_run
-//! fn main() -> Result<(), hyzer_codegen::build::BuildError> {
-//!     hyzer_codegen::build::Config::new()
+//! fn main() -> Result<(), codegen::build::BuildError> {
+//!     codegen::build::Config::new()
 //!         .model("models/kite.hyz")
 //!         .model("disc")
 //!         .with("wind_by_height")
