@@ -80,7 +80,7 @@ fn shuttlecock(side: f64, seed: u64) -> Dataset {
 }
 
 fn model() -> Model {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../studies/models");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../studies/models");
     model_spec::load::load(&format!("{folder}/shuttlecock.hyz"), &[]).unwrap()
 }
 

@@ -23,7 +23,7 @@ const OWN: [&str; 6] = [
 ];
 
 fn path(name: &str) -> String {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../studies/models");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../studies/models");
     format!("{folder}/{name}.hyz")
 }
 

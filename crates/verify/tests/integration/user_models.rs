@@ -29,7 +29,7 @@ fn file(path: &str) -> String {
 
 /// Text of the model `name` in the folder `studies/models`.
 fn studied(name: &str) -> String {
-    file(&format!("../studies/models/{name}.hyz"))
+    file(&format!("../../studies/models/{name}.hyz"))
 }
 
 /// Text of the model `name` in the folder `studies/models`, with a check case of its author appended.

@@ -94,7 +94,7 @@ fn throws_that_are_upside_down_are_no_mirror_images() {
 /// in.
 #[test]
 fn flights_of_other_models_have_no_fault() {
-    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../studies/models");
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies/models");
     // Model name, and initial states other than the defaults.
     let cases: [(&str, &[(&str, f64)]); 6] = [
         ("shuttlecock", &[("vx", 40.0), ("vz", 10.0), ("z", 2.0)]),
