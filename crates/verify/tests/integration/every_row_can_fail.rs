@@ -50,7 +50,10 @@ impl Base {
 
     /// The glider model, which writes its equations explicitly and declares their physical meaning in a `claim` block.
     fn claimed() -> Self {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../studies/models/glider.hyz");
+        let path = concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../../studies/models/glider.hyz"
+        );
         Self {
             name: "glider",
             text: std::fs::read_to_string(path).unwrap(),
