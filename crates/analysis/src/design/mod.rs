@@ -10,7 +10,7 @@
 //!   linearized and sampled.
 //!
 //! ```
-//! use design::{Bounds, Goal, SearchOptions, ThrownBody, design};
+//! use analysis::design::{Bounds, Goal, SearchOptions, ThrownBody, design};
 //!
 //! let body = ThrownBody::new(model_spec::load::load("ball", &[])?)?;
 //! let flights = body.with_parameters(body.compiled.layout().default_parameters());

@@ -11,7 +11,7 @@
 //!
 //! ```
 //! use flight::throw::Throw;
-//! use stability::{Body, ModeKind};
+//! use analysis::stability::{self, Body, ModeKind};
 //!
 //! let body = Body::new(model_spec::load::load("disc", &[])?)?;
 //! let bound = body.with_parameters(body.compiled.layout().default_parameters());

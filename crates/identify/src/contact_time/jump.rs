@@ -3,165 +3,241 @@
 //! A. S. Willsky and H. L. Jones, "A generalized likelihood ratio approach to the detection and estimation of jumps in
 //! linear systems", IEEE Transactions on Automatic Control 21 (1976).
 
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use flight::parallel;
+use nalgebra::DVector;
 
-use super::rows::{Point, Row};
-use super::trajectory::{Part, Predicted};
+use super::alternatives::Alternatives;
+use super::quadratic::{Coupled, Quadratic};
+use super::rows::Point;
+use super::trajectory::Part;
 use crate::noise::NoiseModel;
 
+/// Maximum number of samples after a possible contact with the ground or an object that are used to test for it.
+const MAX_SAMPLES_AFTER: usize = 40;
 /// Prior standard deviation of the displacement of a marker by a contact with the ground or an object, in units of the
 /// noise of a marker coordinate. It is small, because a contact changes velocities and not positions.
 const DISPLACEMENT_SIGMA: f64 = 0.3;
-/// Relative increase of the diagonals of normal matrices, so that they are invertible if the samples do not determine
-/// all unknowns.
-const RIDGE: f64 = 1e-9;
 
-/// A jump of the velocities just before a sample, fitted to the samples before and after it.
+/// Threshold of the decrease of the whitened sum of squares by a velocity jump. Each jump is first tested with all
+/// later samples, at most `MAX_SAMPLES_AFTER`. If every decrease is below the threshold, no jump is tested with fewer
+/// samples. The threshold is below `MIN_GAIN`, the decrease by a contact with the ground, which samples after the
+/// contact increase further.
+const MIN_ROUGH_GAIN: f64 = 50.0;
+
+/// Result of the comparison of free motion (without contact) with motion whose velocities jump just before a sample.
 #[derive(Clone, Debug)]
-pub struct Jump {
-    /// Index of the first sample after the jump.
-    pub sample: usize,
+pub struct Comparison {
     /// Decrease of the sum of squared whitened residuals if the velocities may jump.
     pub gain: f64,
     /// Difference between the initial state of the motion after the jump and that of the motion before it.
     pub change: DVector<f64>,
 }
 
-/// Normal equations of a sum of squared whitened residuals that are linear in the change of the initial state.
-#[derive(Clone)]
-struct NormalEquations {
-    matrix: DMatrix<f64>,
-    right: DVector<f64>,
+/// Comparisons of free motion (without contact) with motion whose velocities jump, for jumps just before each of
+/// several successive samples.
+pub struct Jumps {
+    /// Index of the first sample for which a jump in the preceding interval is tested.
+    tried: usize,
+    /// `free[i]` is the sum of squared residuals of free motion (without contact) over all samples before the sample
+    /// `tried + i`. The last entry is the sum over all samples.
+    free: Vec<Quadratic>,
+    /// `comparisons[i][k]` tests a jump just before sample `tried + i`, with the samples up to `tried + i + k`. The
+    /// outer vector is empty if no jump decreases the sum of squares by more than `MIN_ROUGH_GAIN` when it is tested
+    /// with all later samples, at most `MAX_SAMPLES_AFTER`.
+    comparisons: Vec<Vec<Comparison>>,
 }
 
-impl NormalEquations {
-    fn zeros(dimension: usize) -> Self {
-        Self {
-            matrix: DMatrix::zeros(dimension, dimension),
-            right: DVector::zeros(dimension),
+impl Jumps {
+    /// Tests a velocity jump just before each sample from `trajectory.tried` on. `rows` contains the whitened residuals
+    /// of the markers by sample from `trajectory.first` on. `None` if the samples before a jump do not determine the
+    /// motion without a contact. Uses `threads` threads.
+    pub fn new(
+        trajectory: Part<'_>,
+        rows: &[Vec<Point>],
+        noise: &NoiseModel,
+        threads: usize,
+    ) -> Option<Self> {
+        let (dimension, tried) = (trajectory.dimension, trajectory.tried);
+        let (before, after) = rows.split_at(tried - trajectory.first);
+        let mut sum = Quadratic::zeros(dimension);
+        for point in before.iter().flatten() {
+            point.add_to(&mut sum);
         }
-    }
-
-    fn add(&mut self, row: &Row) {
-        self.matrix
-            .ger(1.0, &row.derivatives, &row.derivatives, 1.0);
-        self.right.axpy(row.residual, &row.derivatives, 1.0);
-    }
-}
-
-/// Tests for velocity jumps in one part of a flight.
-pub struct JumpTests<'a> {
-    trajectory: Part<'a>,
-    rows: &'a [Vec<Point>],
-    /// Normal equations of free motion over all samples before the sample `trajectory.first + i`, by i.
-    free: Vec<NormalEquations>,
-    /// Cholesky factors of the normal matrices `free`; `None` where the samples do not determine the motion.
-    factors: Vec<Option<Cholesky<f64, Dyn>>>,
-    /// Priors that a jump just before the sample `trajectory.tried + i` displaces no marker, by i: a normal matrix for
-    /// each time at which the jump is tried.
-    held: Vec<Vec<DMatrix<f64>>>,
-}
-
-impl<'a> JumpTests<'a> {
-    /// Sums the normal equations of free motion. `rows` contains the whitened residuals of the markers by sample from
-    /// `trajectory.first` on.
-    pub fn new(trajectory: Part<'a>, rows: &'a [Vec<Point>], noise: &NoiseModel) -> Self {
-        let mut sum = NormalEquations::zeros(trajectory.dimension);
         let mut free = vec![sum.clone()];
-        for points in rows {
-            let rows = points.iter().flat_map(|point| &point.rows);
-            rows.for_each(|row| sum.add(row));
+        let mut samples = Vec::with_capacity(after.len());
+        for points in after {
+            let mut sample = Quadratic::zeros(dimension);
+            points.iter().for_each(|point| point.add_to(&mut sample));
+            sum.add_all(&sample);
             free.push(sum.clone());
+            samples.push(SampleSum {
+                points,
+                sum: sample,
+            });
         }
-        let weights = noise
-            .sigma
-            .map(|sigma| (DISPLACEMENT_SIGMA * sigma).powi(-2));
-        let held = |markers: &Vec<Predicted>| {
-            let mut sum = DMatrix::zeros(trajectory.dimension, trajectory.dimension);
+        let count = samples.len();
+        let tests = JumpTests {
+            trajectory,
+            noise,
+            samples: &samples,
+            free: &free,
+        };
+        let rough = parallel::each_on(threads, count, |first| tests.with_all_samples(first));
+        let rough = rough.into_iter().collect::<Option<Vec<_>>>()?;
+        let may_jump = rough.iter().any(|by| by.gain > MIN_ROUGH_GAIN);
+        let comparisons = match may_jump {
+            true => parallel::each_on(threads, count, |first| {
+                tests.with_each_number_of_samples(first)
+            }),
+            false => Vec::new(),
+        };
+        Some(Self {
+            tried,
+            comparisons: comparisons.into_iter().collect::<Option<_>>()?,
+            free,
+        })
+    }
+
+    /// Of the velocity jumps tested with the samples up to index `last`, the one with the greatest decrease of the sum
+    /// of squares, and the index of the first sample after this jump. `None` if no jump was tested.
+    pub fn best(&self, last: usize) -> Option<(usize, &Comparison)> {
+        self.until(last)
+            .max_by(|a, b| a.1.gain.total_cmp(&b.1.gain))
+    }
+
+    /// Earliest velocity jump that decreases the sum of squares over the samples up to index `last` by at least `gain`,
+    /// and the index of the first sample after this jump; `None` if there is no such jump.
+    pub fn earliest(&self, last: usize, gain: f64) -> Option<(usize, &Comparison)> {
+        self.until(last).find(|(_, found)| found.gain >= gain)
+    }
+
+    fn until(&self, last: usize) -> impl Iterator<Item = (usize, &Comparison)> {
+        let each = (self.tried..=last).zip(&self.comparisons);
+        each.filter_map(move |(contact, by)| Some((contact, by.get(last - contact)?)))
+    }
+
+    /// Change of the initial state of the predicted trajectory with which free motion best fits the samples before the
+    /// one with the index `contact`, which is the first sample after a supposed contact. `None` if these samples do not
+    /// determine it.
+    pub fn before(&self, contact: usize) -> Option<DVector<f64>> {
+        Some(self.free[contact - self.tried].minimum()?.into())
+    }
+}
+
+/// Data for the tests of velocity jumps.
+struct JumpTests<'a> {
+    trajectory: Part<'a>,
+    noise: &'a NoiseModel,
+    /// Samples from `trajectory.tried` on.
+    samples: &'a [SampleSum<'a>],
+    /// Sums of squared residuals of free motion (see [`Jumps`]).
+    free: &'a [Quadratic],
+}
+
+impl JumpTests<'_> {
+    /// Tests a jump just before the sample `trajectory.tried + first` with all later samples, at most
+    /// `MAX_SAMPLES_AFTER`. `None` if the samples do not determine the motion.
+    fn with_all_samples(&self, first: usize) -> Option<Comparison> {
+        let mut jump = JumpSum::zeros(self.trajectory.dimension);
+        let after = self.samples[first..].iter().take(MAX_SAMPLES_AFTER);
+        let end = first + after.len();
+        for sample in after {
+            jump.add(sample, self.trajectory.tried + first);
+        }
+        jump.compare(&self.free[end], &self.held_markers(first))
+    }
+
+    /// Tests a jump just before the sample `trajectory.tried + first` with each number of later samples up to
+    /// `MAX_SAMPLES_AFTER`. `None` if the samples do not determine the motion.
+    fn with_each_number_of_samples(&self, first: usize) -> Option<Vec<Comparison>> {
+        let held = self.held_markers(first);
+        let mut jump = JumpSum::zeros(self.trajectory.dimension);
+        let after = self.samples[first..].iter().zip(&self.free[first + 1..]);
+        let each = after.take(MAX_SAMPLES_AFTER).map(|(sample, free)| {
+            jump.add(sample, self.trajectory.tried + first);
+            jump.compare(free, &held)
+        });
+        each.collect()
+    }
+
+    /// Priors that a jump just before the sample `trajectory.tried + first` does not displace the markers, one for each
+    /// time at which the jump is tried: sums of the squared displacements as functions of the change of the initial
+    /// state.
+    fn held_markers(&self, first: usize) -> Alternatives {
+        let dimension = self.trajectory.dimension;
+        let times = self.trajectory.contacts[first].iter().map(|markers| {
+            let mut sum = Quadratic::zeros(dimension);
             for marker in markers {
-                for (derivatives, weight) in marker.derivatives.iter().zip(weights) {
-                    sum.ger(weight, derivatives, derivatives, 1.0);
+                for (derivatives, sigma) in marker.derivatives.iter().zip(self.noise.sigma) {
+                    let weight = (DISPLACEMENT_SIGMA * sigma).recip();
+                    sum.add_weighted(weight, derivatives.as_slice(), 0.0);
                 }
             }
             sum
-        };
-        let contacts = trajectory.contacts.iter();
-        Self {
-            trajectory,
-            rows,
-            factors: free
-                .iter()
-                .map(|free| factor(free.matrix.clone(), &free.matrix))
-                .collect(),
-            free,
-            held: contacts
-                .map(|times| times.iter().map(held).collect())
-                .collect(),
-        }
-    }
-
-    /// Change of the initial state of the predicted trajectory with which free motion best fits the samples before
-    /// `end`; `None` if these samples do not determine it.
-    pub fn free_motion(&self, end: usize) -> Option<DVector<f64>> {
-        let place = end - self.trajectory.first;
-        Some(-self.factors[place].as_ref()?.solve(&self.free[place].right))
-    }
-
-    /// Fits a velocity jump just before the sample `contact` to the samples before `end`. The time of the jump is the
-    /// best one of those at which the trajectory was predicted. `None` if the samples do not determine the motion.
-    pub fn jump(&self, contact: usize, end: usize) -> Option<Jump> {
-        let Part { first, tried, .. } = self.trajectory;
-        let (all, before) = (&self.free[end - first], &self.free[contact - first]);
-        let mut cross = &all.matrix - &before.matrix;
-        let (mut own, mut right) = (cross.clone(), &all.right - &before.right);
-        for row in self.first_rows(contact, end) {
-            // The sample from which the noise of this one is predicted does not move with the jump.
-            let difference = &row.fresh - &row.derivatives;
-            cross.ger(1.0, &row.derivatives, &difference, 1.0);
-            own.ger(1.0, &row.fresh, &row.fresh, 1.0);
-            own.ger(-1.0, &row.derivatives, &row.derivatives, 1.0);
-            right.axpy(row.residual, &difference, 1.0);
-        }
-        let explained = self.factors[end - first].as_ref()?.solve(&cross);
-        let rest = &own - cross.tr_mul(&explained);
-        right -= explained.tr_mul(&all.right);
-        let mut best: Option<Jump> = None;
-        for held in &self.held[contact - tried] {
-            let Some(factor) = factor(&rest + held, &(&own + held)) else {
-                continue;
-            };
-            let change = -factor.solve(&right);
-            let gain = -change.dot(&right);
-            if best.as_ref().is_none_or(|best| gain > best.gain) {
-                best = Some(Jump {
-                    sample: contact,
-                    gain,
-                    change,
-                });
-            }
-        }
-        best
-    }
-
-    /// Rows of the first measured position of each marker in the samples `contact..end`.
-    fn first_rows(&self, contact: usize, end: usize) -> impl Iterator<Item = &Row> {
-        let first = self.trajectory.first;
-        let points = self.rows[contact - first..end - first].iter().flatten();
-        points
-            .filter(move |point| point.previous.is_none_or(|previous| previous < contact))
-            .flat_map(|point| &point.rows)
+        });
+        let times: Vec<Quadratic> = times.collect();
+        Alternatives::new(&times, dimension)
     }
 }
 
-/// Cholesky factor of `matrix`, after its diagonal is increased by the fraction [`RIDGE`] of the diagonal of `scale`;
-/// `None` if it is not positive definite.
-fn factor(mut matrix: DMatrix<f64>, scale: &DMatrix<f64>) -> Option<Cholesky<f64, Dyn>> {
-    for index in 0..matrix.nrows() {
-        // An unknown on which nothing depends stays 0.
-        matrix[(index, index)] += match scale[(index, index)] {
-            0.0 => 1.0,
-            diagonal => RIDGE * diagonal,
-        };
+/// Whitened residuals of the markers in one sample, and the sum of their squares as a quadratic function of the change
+/// of the initial state.
+struct SampleSum<'a> {
+    points: &'a [Point],
+    sum: Quadratic,
+}
+
+/// Sum of squared residuals of the samples after a jump, as a quadratic function of two vectors: the initial state
+/// before the jump, and the change of the initial state that represents the jump. The terms with the initial state
+/// alone are those of free motion, and are not stored here.
+struct JumpSum {
+    /// Squares of the residuals of samples with a marker that was not seen after the jump before.
+    first: Coupled,
+    /// Squares of the residuals of the other samples, which depend on the sum of both vectors.
+    later: Quadratic,
+}
+
+impl JumpSum {
+    fn zeros(dimension: usize) -> Self {
+        Self {
+            first: Coupled::zeros(dimension),
+            later: Quadratic::zeros(dimension),
+        }
     }
-    matrix.cholesky()
+
+    /// Adds the squared residuals of `sample` to the sum, for a velocity jump just before the sample with the index
+    /// `contact`; `sample` follows this jump.
+    fn add(&mut self, sample: &SampleSum<'_>, contact: usize) {
+        let is_first = |point: &Point| point.previous.is_none_or(|previous| previous < contact);
+        if !sample.points.iter().any(is_first) {
+            self.later.add_all(&sample.sum);
+            return;
+        }
+        for point in sample.points {
+            for row in &point.rows {
+                // Of a marker's first residual after the jump, the preceding sample does not move with the change.
+                let by_change = match is_first(point) {
+                    true => &row.fresh,
+                    false => &row.derivatives,
+                };
+                let by_state = row.derivatives.as_slice();
+                self.first.add(by_state, by_change.as_slice(), row.residual);
+            }
+        }
+    }
+
+    /// Compares motion with a velocity jump and motion without one, both fitted to the samples up to the last one added.
+    /// `free` is the sum of squares without a jump. `held` are the priors that the jump does not displace the markers,
+    /// one for each time at which the jump is tried. `None` if the normal matrix is singular at every time.
+    fn compare(&self, free: &Quadratic, held: &Alternatives) -> Option<Comparison> {
+        let mut sum = self.first.clone();
+        sum.add_all(&self.later);
+        let rest = sum.minimum_over_first(free)?;
+        let sampled = |unknown| self.first.diagonal(unknown) + self.later.diagonal(unknown);
+        let (gain, change) = held.greatest_decrease(&rest, sampled)?;
+        Some(Comparison {
+            gain,
+            change: change.into(),
+        })
+    }
 }

@@ -7,7 +7,10 @@
 //! between both flights displaces no marker. This condition holds for any model, independent of its states. A
 //! generalised likelihood ratio compares free flight with a flight that jumps, for each sample.
 
+mod alternatives;
 mod jump;
+mod outliers;
+mod quadratic;
 mod rows;
 #[cfg(test)]
 mod tests;
@@ -17,7 +20,8 @@ use std::ops::Range;
 
 use nalgebra::{DVector, Vector3};
 
-use self::jump::{Jump, JumpTests};
+use self::jump::{Comparison, Jumps};
+use self::outliers::{leave_out_before, leave_out_displaced};
 use self::trajectory::Part;
 pub use self::trajectory::Trajectory;
 use crate::noise::NoiseModel;
@@ -34,11 +38,6 @@ const REFERENCE_SAMPLES: usize = 8;
 /// Maximum number of samples by which a detected contact with the ground or an object may precede the range searched
 /// for it. An earlier deviation is attributed to an inaccurate model, not to a contact.
 const MAX_LEAD: usize = 2;
-/// Maximum number of samples from a velocity jump to the last sample with which it is tested. A jump that so many
-/// samples do not show is not one of the velocity.
-const MAX_SAMPLES_AFTER: usize = 16;
-/// Number of further samples that must support a velocity jump for it to count as a contact.
-const CONFIRMING_SAMPLES: usize = 2;
 /// Minimum decrease of the whitened sum of squares by a velocity jump for the jump to count as a contact with the
 /// ground or an object. Noise exceeds it at one sample in 10⁹.
 const MIN_GAIN: f64 = 60.0;
@@ -50,10 +49,18 @@ const MIN_GROWTH: f64 = 4.0;
 /// this value, the 90 % quantile of χ² with one degree of freedom. If the contact with the ground is dated too late,
 /// disturbed samples remain in the data; this is worse than the loss of undisturbed samples if it is dated too early.
 const UNDECIDED_GAIN: f64 = 2.71;
-/// Part of the decrease of the sum of squares by a velocity jump above which a single marker position that deviates
-/// from free motion by this amount is an outlier instead.
-const OUTLIER_PART: f64 = 0.5;
-/// Maximum number of marker positions that are excluded as outliers.
+/// Requirements for later samples to confirm a contact with the ground or an object: number of additional samples with
+/// which the velocity jump is tested again, and factor by which they must increase the gain of the jump (decrease of
+/// the sum of squares) if the gain increased abruptly before (see `OUTLIER_GAIN`). Otherwise, any increase suffices.
+/// Additional samples do not increase a gain that an outlier causes.
+const CONFIRMING: (usize, f64) = (2, 1.2);
+/// Maximum increase of the gain (decrease of the sum of squares by a velocity jump) due to one additional sample. If
+/// the increase is greater, that sample is considered to contain an outlier, unless the following samples confirm a
+/// contact with the ground or an object (see `CONFIRMING`).
+const OUTLIER_GAIN: f64 = 26.0;
+/// Maximum number of marker positions before the first tried velocity jump that are excluded as outliers. Also the
+/// maximum number of passes of the search for a contact with the ground or an object; a pass that finds an outlier
+/// instead of a contact excludes it.
 const MAX_OUTLIERS: usize = 12;
 
 /// A contact of the body with the ground or another object, found as a velocity jump.
@@ -85,109 +92,99 @@ fn searched(
     tried: &Range<usize>,
 ) -> Option<(Range<usize>, Range<usize>)> {
     let first = tried.start.saturating_sub(REFERENCE_SAMPLES).max(1);
-    let tried_end = tried.end.min(observations.times.len());
+    let tried = first..tried.end.min(observations.times.len());
     let seen = tried.start.saturating_sub(FREE_SAMPLES)..tried.end;
-    (first < tried_end).then_some((seen, first..tried_end))
+    (!tried.is_empty()).then_some((seen, tried))
 }
 
 /// Finds the first contact with the ground or an object within the range `tried` of samples, as a deviation from free
 /// flights near `predicted`, which [`predicted`] has computed for a range that contains this one. `None` if no contact
-/// is found.
+/// is found. Uses `threads` threads.
 pub fn contact_time(
     observations: &Observations,
     predicted: &Trajectory,
     noise: &NoiseModel,
     tried: Range<usize>,
+    threads: usize,
 ) -> Option<Onset> {
     let sought = tried.start;
     let (seen, tried) = searched(observations, &tried)?;
     let trajectory = predicted.part(seen, tried.start);
     let mut observations = observations.clone();
-    for _ in 0..=MAX_OUTLIERS {
+    leave_out_displaced(&mut observations, trajectory, noise);
+    leave_out_before(&mut observations, trajectory, noise, MAX_OUTLIERS);
+    for _ in 0..MAX_OUTLIERS {
         let rows = rows::whitened(&observations, trajectory, noise);
-        let tests = JumpTests::new(trajectory, &rows, noise);
-        if !may_jump(&tests, tried.clone()) {
-            return None;
-        }
+        let jumps = Jumps::new(trajectory, &rows, noise, threads)?;
         let is_seen = |sample: &usize| !rows[sample - trajectory.first].is_empty();
-        let (jump, end) = first_jump(&tests, tried.clone(), is_seen)?;
-        let later = (end..tried.end).filter(is_seen).take(CONFIRMING_SAMPLES);
-        let until = later.last()? + 1;
-        let confirmed = best_jump(&tests, tried.start, until)?;
-        let free = tests.free_motion(until)?;
-        let points = (trajectory.first..until).zip(&rows);
-        let points =
-            points.flat_map(|(sample, points)| points.iter().map(move |point| (sample, point)));
-        let squares = points.map(|(sample, point)| (point.square(&free), sample, point.marker));
-        let (square, sample, marker) = squares.max_by(|a, b| a.0.total_cmp(&b.0))?;
-        if square > OUTLIER_PART * confirmed.gain {
-            observations.outlier[sample * observations.channels + marker] = true;
-            continue;
-        }
-        // A deviation that grows earlier was part of the fit: it is the misfit of a wrong model.
-        let is_sought = jump.sample + MAX_LEAD >= sought;
-        return is_sought.then(|| Onset {
-            sample: jump.sample,
-            jump: jump_of_velocity(trajectory, &observations, &jump),
-        });
-    }
-    None
-}
-
-/// Whether a velocity jump at any of the samples `tried`, each tested once with all samples that may show it, explains
-/// as much as a contact. Most flights without a contact need no further test.
-fn may_jump(tests: &JumpTests<'_>, tried: Range<usize>) -> bool {
-    tried.clone().any(|sample| {
-        let end = tried.end.min(sample + MAX_SAMPLES_AFTER);
-        let jump = tests.jump(sample, end);
-        jump.is_some_and(|jump| jump.gain > MIN_GAIN)
-    })
-}
-
-/// First velocity jump at the samples `tried` that the samples up to one of them show, and the end of these samples;
-/// `None` if there is none. `is_seen` returns whether any marker is measured in the sample with a given index.
-fn first_jump(
-    tests: &JumpTests<'_>,
-    tried: Range<usize>,
-    is_seen: impl Fn(&usize) -> bool,
-) -> Option<(Jump, usize)> {
-    let mut greatest: Vec<f64> = Vec::with_capacity(tried.len());
-    for last in tried.clone() {
-        let found = is_seen(&last)
-            .then(|| best_jump(tests, tried.start, last + 1))
-            .flatten();
-        let gain = found.as_ref().map_or(0.0, |found| found.gain);
-        if let Some(found) = found {
-            let before = found.sample.checked_sub(tried.start + 1);
-            let usual = before.map_or(0.0, |index| greatest[index]);
-            if gain > MIN_GAIN.max(MIN_GROWTH * usual) {
-                return Some((found, last + 1));
+        match departure(&jumps, tried.clone(), is_seen)? {
+            Departure::Contact(sample, found) => {
+                let jump = jump_of_velocity(trajectory, &observations, sample, found);
+                // A deviation that grows earlier was part of the fit: it is the misfit of a wrong model.
+                return (sample + MAX_LEAD >= sought).then_some(Onset { sample, jump });
+            }
+            Departure::Outlier(sample) => {
+                let before = jumps.before(sample)?;
+                let points = rows[sample - trajectory.first].iter();
+                let worst =
+                    points.max_by(|a, b| a.square(&before).total_cmp(&b.square(&before)))?;
+                observations.outlier[sample * observations.channels + worst.marker] = true;
             }
         }
-        greatest.push(gain.max(greatest.last().copied().unwrap_or(0.0)));
     }
     None
 }
 
-/// Earliest of the velocity jumps, just before the samples from `first` on, that decrease the sum of squares over the
-/// samples before `end` most, or by almost as much.
-fn best_jump(tests: &JumpTests<'_>, first: usize, end: usize) -> Option<Jump> {
-    let from = first.max(end.saturating_sub(MAX_SAMPLES_AFTER));
-    let jumps: Vec<Jump> = (from..end)
-        .filter_map(|sample| tests.jump(sample, end))
-        .collect();
-    let most = jumps.iter().map(|jump| jump.gain).fold(0.0, f64::max);
-    let mut jumps = jumps.into_iter();
-    jumps.find(|jump| jump.gain >= most - UNDECIDED_GAIN)
+/// A deviation of the samples from free motion (motion without contact).
+enum Departure<'a> {
+    /// A velocity jump; contains the index of the first sample after the jump, and the comparison of free motion with
+    /// motion that has this jump.
+    Contact(usize, &'a Comparison),
+    /// An outlier in a single sample; contains the index of the sample.
+    Outlier(usize),
 }
 
-/// Jump of the mean velocity of the markers, m/s, computed from the change of the initial state.
+/// First deviation from free motion at the samples `tried`: a velocity jump or an outlier; `None` if there is none.
+/// `is_seen` returns whether any marker is measured in the sample with a given index.
+fn departure(
+    jumps: &Jumps,
+    tried: Range<usize>,
+    is_seen: impl Fn(&usize) -> bool,
+) -> Option<Departure<'_>> {
+    let mut greatest: Vec<f64> = Vec::with_capacity(tried.len());
+    let mut previous = 0.0;
+    for last in tried.clone() {
+        let (contact, found) = jumps.best(last)?;
+        let further = (last + 1..tried.end).filter(&is_seen).take(CONFIRMING.0);
+        let until = further.last()?;
+        let later = jumps.best(until)?.1.gain;
+        let is_steady = later > found.gain && found.gain <= previous + OUTLIER_GAIN;
+        let is_confirmed = is_steady || later > CONFIRMING.1 * found.gain;
+        let before = contact.checked_sub(tried.start + 1);
+        let usual = before.map_or(0.0, |index| greatest[index]);
+        if is_confirmed && found.gain > MIN_GAIN.max(MIN_GROWTH * usual) {
+            let (contact, found) = jumps.earliest(last, found.gain - UNDECIDED_GAIN)?;
+            return Some(Departure::Contact(contact, found));
+        }
+        if !is_confirmed && found.gain > previous + OUTLIER_GAIN {
+            return Some(Departure::Outlier(last));
+        }
+        previous = found.gain;
+        greatest.push(found.gain.max(greatest.last().copied().unwrap_or(0.0)));
+    }
+    None
+}
+
+/// Jump of the mean velocity of the markers just before the sample with the index `sample`, m/s, computed from the
+/// change of the initial state in `found`.
 fn jump_of_velocity(
     trajectory: Part<'_>,
     observations: &Observations,
-    jump: &Jump,
+    sample: usize,
+    found: &Comparison,
 ) -> Vector3<f64> {
-    let (first, last) = (jump.sample - 1, jump.sample);
-    let moved = |sample: usize| Vector3::from((trajectory.centre(sample) * &jump.change).column(0));
+    let (first, last) = (sample - 1, sample);
+    let moved =
+        |sample: usize| Vector3::from((trajectory.centre(sample) * &found.change).column(0));
     (moved(last) - moved(first)) / (observations.times[last] - observations.times[first])
 }

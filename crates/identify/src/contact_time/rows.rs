@@ -2,6 +2,7 @@
 
 use nalgebra::DVector;
 
+use super::quadratic::Quadratic;
 use super::trajectory::{Part, Predicted};
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
@@ -34,6 +35,13 @@ impl Point {
         let each = self.rows.iter();
         each.map(|row| (row.residual + row.derivatives.dot(change)).powi(2))
             .sum()
+    }
+
+    /// Adds the squares of the marker's residuals, as functions of the initial state of the flight, to `sum`.
+    pub fn add_to(&self, sum: &mut Quadratic) {
+        for row in &self.rows {
+            sum.add(row.derivatives.as_slice(), row.residual);
+        }
     }
 }
 

@@ -60,7 +60,7 @@ fn contacts(
             let end = changed.times.len();
             let tried = SHOWN..end;
             let predicted = predicted(&problem, &changed, (&global, &local), &tried).unwrap();
-            contact_time(&changed, &predicted, &noise, tried)
+            contact_time(&changed, &predicted, &noise, tried, 1)
         });
     each.collect()
 }

@@ -20,8 +20,8 @@ const SEARCH_RANGE: (usize, usize) = (12, 14);
 const OVERLAP: usize = 8;
 /// Minimum ratio of the vertical component to the magnitude of the velocity jump at a contact with the ground.
 const MIN_UPWARD_PART: f64 = 0.3;
-/// Maximum ratio of a flight's residual scale to the one that is typical of the fitted flights, at which the search for
-/// a contact does not fit its initial state again.
+/// Maximum ratio of a flight's residual scale (robust standard deviation of its residuals) to the one that is typical of
+/// the fitted flights, at which the search for a contact does not fit its initial state again.
 const NEAR_RATIO: f64 = 3.0;
 
 /// A flight whose last used sample was changed in the search for a ground contact: its observations up to the new last
@@ -77,8 +77,8 @@ impl Search<'_> {
 
     /// Restores the whole length of a flight that was truncated at a supposed ground contact. `whole` are the
     /// observations without the truncation; their initial state is fitted from the initial guess `local`. `None` if
-    /// this fit fails, or if the residual scale exceeds `LEFT_OUT_RATIO` times `self.usual`, the residual scale that is
-    /// typical of the fitted flights.
+    /// this fit fails, or if the residual scale (robust standard deviation of the residuals) exceeds `LEFT_OUT_RATIO`
+    /// times `self.usual`, the residual scale that is typical of the fitted flights.
     fn restored(&self, whole: Observations, local: &DVector<f64>) -> Option<Retruncated> {
         let local = self.fitted(&whole, whole.times.len(), local)?;
         let moved = Retruncated {
@@ -103,8 +103,8 @@ impl Search<'_> {
         self.is_within(LIKE_RATIO, &moved).then_some(moved)
     }
 
-    /// Whether the residual scale of a flight up to its new last sample is at most `ratio` times `self.usual`, the
-    /// residual scale that is typical of the fitted flights.
+    /// Whether the residual scale (robust standard deviation of the residuals) of a flight up to its new last sample is
+    /// at most `ratio` times `self.usual`, the residual scale that is typical of the fitted flights.
     fn is_within(&self, ratio: f64, moved: &Retruncated) -> bool {
         let (observations, local) = (&moved.observations, &moved.local);
         let samples = observations.times.len();
@@ -140,8 +140,10 @@ impl Search<'_> {
                 }
             };
             let predicted = near.as_ref().or(after.as_ref());
-            let found = predicted
-                .and_then(|predicted| contact_time(whole, predicted, self.noise, samples..until));
+            let threads = self.at.options.threads();
+            let found = predicted.and_then(|predicted| {
+                contact_time(whole, predicted, self.noise, samples..until, threads)
+            });
             if let Some(onset) = found {
                 return Some((onset, local));
             }
