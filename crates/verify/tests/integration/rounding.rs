@@ -56,12 +56,12 @@ fn every_backend_of_every_model_rounds_well_and_no_statement_loses_digits() {
         assert!(row.remark.is_none(), "{name}: {row:?}");
         assert!(0.0 < row.worst && row.worst < ALLOWED / 4.0, "{row:?}");
         assert!(found.points[0] > 0 && found.points[1] > 0, "{name}");
-        for backend in [
-            "tape",
-            "generated",
-            "tape on portable",
-            "generated on portable",
-        ] {
+        let mut backends = vec!["tape", "tape on portable"];
+        // The program has the code of some models; the others run on the tape.
+        if generated::model(name).is_some() {
+            backends.extend(["generated", "generated on portable"]);
+        }
+        for backend in backends {
             let errors = found.errors.iter().filter(|e| e.backend == backend);
             let values: Vec<&str> = errors.map(|e| e.values).collect();
             assert!(
