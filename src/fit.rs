@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use dataset::Dataset;
-use identify::{CancellationToken, DataFault, FitOptions, FitReport, LackOfFit, Prior, Progress};
+use identify::{CancellationToken, DataFault, FitOptions, FitReport, Prior, Progress};
 use model_spec::compose::ModelTree;
 use statrs::distribution::{ContinuousCDF, Normal};
 
@@ -92,7 +92,7 @@ impl FitBuilder {
     fn run_on(&self, dataset: &Dataset, progress: Option<&dyn Progress>) -> Result<Fit, Error> {
         let options = self.options(progress);
         let mut fit = identify::fit(self.model.checked(), dataset, &options)?;
-        fit.report.lack_of_fit = LackOfFit::of_fit(&fit, options.threads())?;
+        fit.test_residuals(options.threads())?;
         let tree = ModelTree::of(self.model.checked());
         Fit::new(fit, &tree, dataset)
     }

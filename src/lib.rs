@@ -88,3 +88,8 @@ pub mod errors {
         model_spec::compose::ValueError, ode::IntegrationError,
     };
 }
+
+/// Compiles the code of the how-to.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/how-to/use-the-library.md")]
+struct HowTo;

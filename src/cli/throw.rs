@@ -24,7 +24,7 @@ pub struct ThrowOptions {
     /// Tilt about the velocity, positive when the left edge is the lower one, seen from behind, deg
     #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
     pub hyzer: Option<String>,
-    /// Spin, positive clockwise seen from above (a right-hander's backhand), rpm
+    /// Spin, positive clockwise seen from above, rpm
     #[arg(long, value_name = "RPM", allow_hyphen_values = true)]
     pub spin: Option<String>,
     /// Height at release, m; by default 1

@@ -16,8 +16,7 @@ pub(super) struct Header {
     pub width: usize,
     pub time: usize,
     pub columns: Vec<[usize; 3]>,
-    /// Column indices of each sensor channel (a measured quantity: position, attitude, vector or speed); the channels
-    /// of all sensors follow one another.
+    /// Column indices of each sensor channel; the channels of all sensors follow one another.
     pub channels: Vec<Vec<usize>>,
 }
 

@@ -57,8 +57,8 @@ pub struct Dataset {
     /// Whether the direction of the vertical relative to the axes of the positions is unknown; otherwise the z axis
     /// points up.
     pub unknown_vertical: bool,
-    /// Standard errors, along the body axes, of the origin of the markers' positions (the mass centre), m; the origin
-    /// is then estimated in the fit. `None` if the origin is known exactly.
+    /// Standard errors, along the body axes, of the origin of the markers' positions, m; the origin is then estimated
+    /// in the fit. `None` if the origin is known exactly.
     pub origin_error: Option<[f64; 3]>,
     /// Standard deviation of one coordinate of a measured position, m; `None` if unknown.
     pub sigma: Option<f64>,
@@ -110,9 +110,8 @@ pub struct Flight {
     pub times: Vec<f64>,
     /// `positions[sample][marker]`, m, in the inertial frame; `None` if the marker was not measured.
     pub positions: Vec<Vec<Option<[f64; 3]>>>,
-    /// `readings[sample][channel]` of the sensors. A channel is one measured quantity (a pose sensor has two: position
-    /// and attitude); the channels of all sensors follow one another. `None` for a missing reading. Empty without
-    /// sensors.
+    /// `readings[sample][channel]` of the sensors. A channel is one measured quantity; the channels of all sensors
+    /// follow one another. `None` for a missing reading. Empty without sensors.
     pub readings: Vec<Vec<Option<Reading>>>,
 }
 

@@ -211,7 +211,7 @@ impl Checker<'_> {
     }
 
     /// Reads the key `origin_error` of the TOML table `[template]`: standard errors, along the body axes, of the origin
-    /// of the markers' positions (the mass centre), m; `None` if the key is absent.
+    /// of the markers' positions, m; `None` if the key is absent.
     fn origin_error(&self, document: &DeTable<'_>) -> Result<Option<[f64; 3]>, InputError> {
         let Some(template) = self.0.table(document, "template")? else {
             return Ok(None);

@@ -128,8 +128,8 @@ fn row(
 /// Maximum deviation of the norm of a measured quaternion from 1.
 const MAX_NORM_ERROR: f64 = 0.02;
 
-/// Reads one channel of a sensor (a measured quantity: position, attitude, vector or speed) from the cells in
-/// `columns`; `None` if a cell is empty, an error for a quaternion that is not normalized.
+/// Reads one channel of a sensor from the cells in `columns`; `None` if a cell is empty, an error for a quaternion that
+/// is not normalized.
 fn reading(
     lines: &Lines<'_>,
     columns: &[usize],

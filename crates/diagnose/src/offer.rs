@@ -42,9 +42,8 @@ pub(crate) struct MeasuredExtension<R> {
 pub(crate) type OfferedExtension<R> = ((ExtendedModel, Fit), R);
 
 /// Fits the extended model if it is not yet fitted, measures its out-of-sample gain, and calls `on_extension` with the
-/// extended model. If `is_consensus` (the effects were found by the agreement of most flights), flights that contradict
-/// the added effects are predicted without them. `noise_floor` is the standard deviation of the noise of one
-/// coordinate, m.
+/// extended model. If `is_consensus`, flights that contradict the added effects are predicted without them.
+/// `noise_floor` is the standard deviation of the noise of one coordinate, m.
 ///
 /// # Errors
 /// [`DiagnosisError::Fit`] if the extended model cannot be fitted, or the caller cancelled.

@@ -212,8 +212,7 @@ pub enum FitError {
     /// Every flight of the dataset is held out.
     #[error("every flight is held out: none is left to fit")]
     NothingToFit,
-    /// The values given for a warm start (a fit that starts at given estimates) do not match the number of global
-    /// parameters or of states.
+    /// The values given for a warm start do not match the number of global parameters or of states.
     #[error(
         "a warm start needs {globals} global values and initial states of lengths {states:?}, one per fitted flight"
     )]

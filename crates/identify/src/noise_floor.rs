@@ -21,8 +21,8 @@ use dataset::statistics::{median_of, median_vector, robust_sigma};
 /// the deviation of the sample from this cubic.
 const SIDE: usize = 4;
 
-/// Maximum time span of a window (a sample with its neighbours, to which a cubic is fitted), relative to the span of a
-/// window without missing samples. Windows with a longer span are skipped.
+/// Maximum time span of a window, relative to the span of a window without missing samples. Windows with a longer span
+/// are skipped.
 const MAX_GAP_RATIO: f64 = 1.5;
 
 /// Maximum number of samples of one flight that are compared with a cubic through their neighbours; longer flights are

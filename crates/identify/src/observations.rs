@@ -225,8 +225,8 @@ impl Observations {
         arc
     }
 
-    /// Copy of these observations (a range of the samples of `flight`) that contains the samples in the range `samples`
-    /// of `flight` instead. The parameters, the known states and the state manifold remain unchanged.
+    /// Copy of these observations that contains the samples in the range `samples` of `flight` instead. The parameters,
+    /// the known states and the state manifold remain unchanged.
     pub(crate) fn longer(&self, flight: &Observations, samples: Range<usize>) -> Observations {
         let points = samples.start * self.channels..samples.end * self.channels;
         let stand_ins = samples.start * self.markers..samples.end * self.markers;

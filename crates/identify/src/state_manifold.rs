@@ -85,10 +85,10 @@ impl StateManifold {
         Some(StateId::new(*state))
     }
 
-    /// Returns the state after a step along the directions in which it may vary (the retraction of the manifold).
-    /// `step` has one element per direction: first the changes of the free states, SI, then for each quaternion the
-    /// three components of a rotation vector, rad, in the axes of the frame that the quaternion orients. A quaternion
-    /// is changed to first order in its rotation vector and then normalised.
+    /// Returns the state after a step along the directions in which it may vary. `step` has one element per direction:
+    /// first the changes of the free states, SI, then for each quaternion the three components of a rotation vector,
+    /// rad, in the axes of the frame that the quaternion orients. A quaternion is changed to first order in its
+    /// rotation vector and then normalised.
     pub fn plus(&self, state: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
         let mut moved = state.clone();
         for (&row, step) in self.direct.iter().zip(step.iter()) {

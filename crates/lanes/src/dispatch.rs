@@ -47,8 +47,8 @@ fn run_on<K: Kernel>(isa: Isa, kernel: K) -> K::Output {
     }
 }
 
-/// Runs a scalar kernel (a computation on single numbers), compiled for the widest supported instruction set that is
-/// not wider than [`Isa::best`](crate::Isa::best). Results are bit-identical to those of [`dispatch`](crate::dispatch).
+/// Runs a scalar kernel, compiled for the widest supported instruction set that is not wider than
+/// [`Isa::best`](crate::Isa::best). Results are bit-identical to those of [`dispatch`](crate::dispatch).
 #[inline(always)]
 pub fn dispatch_scalar<K: ScalarKernel>(kernel: K) {
     #[cfg(target_arch = "x86_64")]

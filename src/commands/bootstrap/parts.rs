@@ -34,8 +34,8 @@ pub(super) struct Work<'a> {
 }
 
 impl Work<'_> {
-    /// Returns the refits of part number `part`, counted from 0 (a block of [`LEN`] consecutive refits), read from its
-    /// file or else computed and written. `progress` is called with the number of refits finished since its last call.
+    /// Returns the refits of part number `part`, counted from 0, read from its file or else computed and written.
+    /// `progress` is called with the number of refits finished since its last call.
     pub(super) fn part(&self, part: u64, progress: &(dyn Fn(u64) + Sync)) -> Result<Vec<Refit>> {
         let numbers = part * LEN..((part + 1) * LEN).min(self.refits);
         let len = (numbers.end - numbers.start) as usize;

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use anyhow::{Context, bail};
 use dataset::{Dataset, Role};
 use flight::files::ResultFile;
-use identify::{FitOptions, FlightEvidence, FlightId, LackOfFit, Prior};
+use identify::{FitOptions, FlightEvidence, FlightId, Prior};
 use model_spec::ModelTree;
 use model_spec::sort_by_number;
 use report::fit::Figure;
@@ -55,7 +55,7 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     drop(progress);
     let mut fitted = fitted.with_context(|| format!("cannot fit {}", inputs.dataset.display()))?;
     fitted.report.dataset = dataset_name(&inputs.dataset);
-    fitted.report.lack_of_fit = LackOfFit::of_fit(&fitted, threads)?;
+    fitted.test_residuals(threads)?;
     let name = dataset_name(&inputs.dataset);
     let page = FitPage {
         report: &fitted.report,

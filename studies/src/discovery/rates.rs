@@ -73,8 +73,8 @@ pub(super) struct RowRates {
     mean_set_size: Option<f64>,
     /// Number of runs in which the diagnosis gives a single, wrong hypothesis.
     uniquely_wrong: usize,
-    /// Median over the runs of the ratio of effect size in the simulated flights to minimum detectable size (the
-    /// smallest ratio of a run with several effects); `None` if no run has this ratio.
+    /// Median over the runs of the ratio of effect size in the simulated flights to minimum detectable size; `None` if
+    /// no run has this ratio.
     detectability: Option<f64>,
     /// Median over the runs of the ratio of two prediction errors on held-out flights: model extended by the effects
     /// that the diagnosis found / model with the effects added to the simulated flights. `None` if no run has this

@@ -3,8 +3,7 @@
 use crate::oracle_flights::NoiseCondition;
 use crate::seeded::{InputErrors, unlisted};
 
-/// Kind of a row of the study's table (a row is one combination of simulation settings): which effects or errors are
-/// introduced into the simulated flights of its runs.
+/// Kind of a row of the study's table: which effects or errors are introduced into the simulated flights of its runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Group {
     /// No effect is added to the simulated flights.

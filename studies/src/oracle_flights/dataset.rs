@@ -58,7 +58,7 @@ pub(crate) fn disc_constants(model: &Model, plan: &Plan<'_>) -> Point<f64> {
 /// Simulates the flights of a plan (set of random throws), without noise. The same seed gives the same flights.
 ///
 /// # Panics
-/// If the oracle (the independent implementation of the laws of motion) does not support the model.
+/// If the oracle does not support the model.
 pub fn flights(model: &Model, plan: &Plan<'_>, seed: u64) -> Dataset {
     let reference = reference_of(model);
     let constants = disc_constants(model, plan);

@@ -35,7 +35,7 @@ struct World<'w> {
 /// with its size; `noise` is optional. The same seed gives the same throws.
 ///
 /// # Panics
-/// If the oracle (the independent implementation of the laws of motion) does not support the model.
+/// If the oracle does not support the model.
 pub(super) fn dataset(
     subject: &Subject,
     model: &Model,

@@ -70,8 +70,8 @@ impl Outcome {
         }
     }
 
-    /// Deviation (simulated − stated) of this flight from the value that a claim (one outcome stated by Hubbard &
-    /// Hummel, 2000) gives, in units of the claim's tolerance.
+    /// Deviation (simulated − stated) of this flight from the value that a claim gives, in units of the claim's
+    /// tolerance.
     pub(super) fn departure(&self, claim: &Claim) -> f64 {
         (self.quantity(&claim.quantity) - claim.value) / claim.tolerance
     }

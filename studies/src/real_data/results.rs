@@ -49,15 +49,13 @@ impl RealData {
     }
 
     /// Agreement of the lifts of table-tennis balls with the spins that the data state: for all flights, for the
-    /// agreeing stretches (the parts of the recording in which every lift agrees with the stated spin), and for the
-    /// remaining flights.
+    /// agreeing stretches, and for the remaining flights.
     pub fn agreement(&self) -> [Agreement; 3] {
         self.balls.agreement
     }
 
-    /// Fits of the agreeing stretches (the parts of the ball recording in which every lift agrees with the stated
-    /// spin): with gravity and drag, then also with lift proportional to the advance ratio, then also with lift
-    /// proportional to its square.
+    /// Fits of the agreeing stretches: with gravity and drag, then also with lift proportional to the advance ratio,
+    /// then also with lift proportional to its square.
     pub fn lift_by_spin(&self) -> &[FitReport; 3] {
         &self.balls.lift_by_spin
     }

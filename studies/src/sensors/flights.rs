@@ -59,7 +59,7 @@ impl Default for SensorNoise {
 /// and noise.
 ///
 /// # Panics
-/// If the oracle (the independent implementation of the laws of motion) does not support the model.
+/// If the oracle does not support the model.
 pub fn sensor_flights(model: &Model, plan: &Plan<'_>, observed: &Observed, seed: u64) -> Dataset {
     let reference = reference_of(model);
     let constants = disc_constants(model, plan);

@@ -34,8 +34,7 @@ pub fn with_zoo() -> Vec<Model> {
     all
 }
 
-/// Dual number (a value and one derivative) of the crate `num-dual`, as a number type with which bytecode can be
-/// evaluated.
+/// Dual number of the crate `num-dual`, as a number type with which bytecode can be evaluated.
 #[derive(Clone, Copy, Debug)]
 pub struct Dual(pub Dual64);
 

@@ -89,7 +89,7 @@ pub struct BoundBody<'b> {
 pub struct Linearised {
     /// Position, velocity and attitude of the body at the state about which the motion is linearised.
     pub motion: Motion,
-    /// Third axis of the body at this state (the symmetry axis of a disc), as a unit vector in inertial axes.
+    /// Third axis of the body at this state, as a unit vector in inertial axes.
     pub axis: Vector3<f64>,
     /// Angular velocity of the body at this state, rad/s, in inertial axes.
     pub rates: Vector3<f64>,

@@ -1,6 +1,6 @@
 //! Numbers from outside: a table cell as a number, and the bounds of a frame rate.
 
-/// Parses a table cell as a finite number. Returns `None` for a missing value (an empty cell or NaN), and for any other
+/// Parses a table cell as a finite number. Returns `None` for an empty cell or NaN, and for any other
 /// text an error message that states what was expected.
 pub fn number(cell: &str) -> Result<Option<f64>, &'static str> {
     const EXPECTED: &str = "a finite number, or nothing for a dropout";

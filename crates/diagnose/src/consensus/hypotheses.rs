@@ -13,12 +13,12 @@ use crate::context::{CandidateId, ColumnId, ScoreTestModel, TermId};
 use crate::error::{DiagnosisError, if_possible};
 use crate::selection::{Hypothesis, Search};
 
-/// Familywise significance level of the sign-flip test: the flights agree on a candidate effect (one that the model may
-/// lack) if its p-value is below this level.
+/// Familywise significance level of the sign-flip test: the flights agree on a candidate effect if its p-value is below
+/// this level.
 const ALPHA_AGREE: f64 = 0.01;
 
-/// Familywise significance level of the sign-flip test by which a hypothesis (a missing effect) is rejected: the
-/// flights still agree on a further candidate effect or library term once the effect of the hypothesis is included.
+/// Familywise significance level of the sign-flip test by which a hypothesis is rejected: the flights still agree on a
+/// further candidate effect or library term once the effect of the hypothesis is included.
 const ALPHA_REJECT: f64 = 0.002;
 
 /// Minimum number of flights for a test of whether they agree on an effect; with fewer flights the sign-flip test

@@ -29,8 +29,7 @@ pub struct DiagnosisOptions<'a> {
     /// Probability that any candidate effect is detected although the model is correct, familywise over all candidates;
     /// default 0.004.
     pub alpha_detect: f64,
-    /// Probability that the correct explanation (the effects that the model truly lacks) is rejected, familywise over
-    /// all tests; default 0.002.
+    /// Probability that the correct explanation is rejected, familywise over all tests; default 0.002.
     pub alpha_reject: f64,
     /// Ranges of feasible launch conditions, within which the next throw is chosen.
     pub throws: ThrowRanges,

@@ -15,8 +15,8 @@ use crate::score_test::{ScoreTests, keep_directions};
 /// variance low and distort the autocorrelation.
 const MIN_SCORE: f64 = 4.0;
 
-/// Maximum log p-value, in the score test of a candidate effect with states (one value for each flight), at which these
-/// states are estimated along with the other parameters before the noise is estimated.
+/// Maximum log p-value, in the score test of a candidate effect with states, at which these states are estimated along
+/// with the other parameters before the noise is estimated.
 const MAX_LN_P_OF_STATES: f64 = -14.0;
 
 /// Damping added to JᵀJ, the normal matrix of a flight's local parameters, when these parameters are eliminated;

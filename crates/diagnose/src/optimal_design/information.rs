@@ -26,8 +26,7 @@ pub(super) fn information(
     Some(sum)
 }
 
-/// Differences of the fitted coefficients of a hypothesis from their null values (the values at which its effects are
-/// absent).
+/// Differences of the fitted coefficients of a hypothesis from their null values.
 pub(super) struct Alternative {
     columns: Vec<ColumnId>,
     /// For each column of the normal equations in `columns`: fitted value minus null value, SI, of the coefficient to

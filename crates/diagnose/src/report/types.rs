@@ -132,7 +132,7 @@ pub struct Explanation {
     pub strongest_remaining: Option<RemainingEffect>,
 }
 
-/// The most significant candidate effect that an explanation (a [`Explanation`]) does not include.
+/// The most significant candidate effect that an explanation does not include.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RemainingEffect {
     /// Display name of the effect: its identifier in the model language, with hyphens instead of underscores.
@@ -141,7 +141,7 @@ pub struct RemainingEffect {
     pub p_value: f64,
 }
 
-/// One effect of those that together explain the misfit (a [`Explanation`]), with the estimates of its coefficients.
+/// One effect of those that together explain the misfit, with the estimates of its coefficients.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ExplanationEffect {
     /// Display name, with hyphens, of the candidate effect or of the effect created from library terms.

@@ -17,7 +17,7 @@ pub(crate) struct GlobalEquations {
 }
 
 /// Normal equations of the global unknowns after eliminating, in each flight, the local parameters and also the states
-/// of one tested candidate effect (a state with one value for each flight).
+/// of one tested candidate effect.
 #[derive(Clone, Debug)]
 pub(super) struct PerFlightCandidate {
     pub equations: GlobalEquations,

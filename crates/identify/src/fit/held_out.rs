@@ -24,10 +24,10 @@ use dataset::{Dataset, Flight};
 /// Fraction of the samples of a held-out flight to which its initial state is fitted; the rest is predicted.
 pub const CONDITIONING_FRACTION: f64 = 0.3;
 
-/// Fits the initial states of held-out flights to their conditioning segments (the first samples of each flight), and
-/// predicts the later samples. `contacts` contains, by index of the flight in the dataset, the results of an earlier
-/// search for ground contacts; empty if there was none. Returns one result for each of `flights`, in this order. A
-/// flight that cannot be predicted is reported as excluded.
+/// Fits the initial states of held-out flights to their conditioning segments, and predicts the later samples.
+/// `contacts` contains, by index of the flight in the dataset, the results of an earlier search for ground contacts;
+/// empty if there was none. Returns one result for each of `flights`, in this order. A flight that cannot be predicted
+/// is reported as excluded.
 ///
 /// # Errors
 /// [`FitError::Interrupted`] if the work is cancelled.

@@ -15,8 +15,7 @@ use crate::problem::FitProblem;
 /// First time horizon, s: duration of the initial part of each flight that is fitted first.
 const FIRST_HORIZON: f64 = 0.4;
 
-/// Ratio of the length of each time horizon (the initial part of each flight that is fitted) to that of the previous
-/// one.
+/// Ratio of the length of each time horizon to that of the previous one.
 const HORIZON_GROWTH: f64 = 2.5;
 
 /// A time horizon (duration of the initial part of each flight that is fitted) is used only if the longest flight is
@@ -31,9 +30,9 @@ const MANY_STEPS: usize = 15;
 /// Each restart uses a better estimate of the distortion.
 const MAX_STARTS: usize = 3;
 
-/// Residual scale, in units of the initial noise estimate `sigma0`, below which the fit of the present time horizon
-/// (the initial part of each flight) is sufficient, so that a longer one is fitted next. The residual scale of a flight
-/// is the robust standard deviation of its residuals.
+/// Residual scale, in units of the initial noise estimate `sigma0`, below which the fit of the present time horizon is
+/// sufficient, so that a longer one is fitted next. The residual scale of a flight is the robust standard deviation of
+/// its residuals.
 const HORIZON_SCALE: f64 = 5.0;
 
 /// Scale of the robust loss in a single trial step, after which the residuals may already be at noise level, in units

@@ -51,7 +51,9 @@ use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
-use crate::report::{FitReport, FlightEvidence, FlightOutcome, FlightReport, MARKER, cautions};
+use crate::report::{
+    FitReport, FlightEvidence, FlightOutcome, FlightReport, LackOfFit, MARKER,
+};
 use crate::screening::{self, Screening};
 use crate::tolerance;
 use crate::vertical;
@@ -282,8 +284,7 @@ impl Screened<'_> {
             noise.floor = floor_m;
         }
         report.marker_distances = marker_distances;
-        report.cautions = cautions(&report);
-        report.reliable = report.cautions.is_empty();
+        report.assess();
         let total = self.clock.elapsed().as_secs_f64();
         let seconds = [
             ("start", started),
@@ -359,6 +360,16 @@ impl FlightResult {
 }
 
 impl Fit {
+    /// Tests the residuals for lack of fit, and decides again, with the result, whether the fit is reliable.
+    ///
+    /// # Errors
+    /// [`FitError::Flight`] if a trajectory cannot be integrated.
+    pub fn test_residuals(&mut self, threads: usize) -> Result<(), FitError> {
+        self.report.lack_of_fit = LackOfFit::of_fit(self, threads)?;
+        self.report.assess();
+        Ok(())
+    }
+
     /// The estimation problem that was solved.
     pub fn problem(&self) -> &FitProblem {
         &self.problem

@@ -15,7 +15,7 @@ const SNAP: f64 = 300.0;
 /// Prior standard deviation, m, of the amplitudes of the sine and cosine terms with the wobble rate in the position.
 const WOBBLE: f64 = 0.002;
 /// Prior standard deviation, dimensionless, of the cubic coefficient of the polynomial that describes the drift of the
-/// most steady body axis (a unit vector). The variable of the polynomial is time / `SCALE`.
+/// most steady body axis. The variable of the polynomial is time / `SCALE`.
 const BEND: f64 = 0.02;
 /// Minimum variance by which gains are divided, as a fraction of the residual variance of motion that may change within
 /// the tested interval. A gain is the decrease of the sum of squared residuals by such a change. The minimum prevents
@@ -38,12 +38,11 @@ pub struct Point {
 /// Wobble rate and noise properties of one flight, which are assumed constant throughout the flight.
 #[derive(Clone, Copy, Debug)]
 pub struct Character {
-    /// Angular rate at which the most steady body axis (whose direction changes least) wobbles, rad/s.
+    /// Angular rate at which the most steady body axis wobbles, rad/s.
     pub rate: f64,
     /// Correlation of the measurement noise between successive samples, dimensionless.
     pub correlation: f64,
-    /// Standard deviations of the noise: of a component of the position, m, and of a component of the axis (a unit
-    /// vector).
+    /// Standard deviations of the noise: of a component of the position, m, and of a component of the axis.
     pub noise: [f64; 2],
 }
 
@@ -75,8 +74,8 @@ impl Character {
     }
 
     /// Regression rows for a point in motion without a ground contact: for the position, and for the direction of the
-    /// most steady body axis (whose direction changes least). The basis functions are powers of time, and a sine and
-    /// cosine at the wobble rate. `about` is the origin of time, s.
+    /// most steady body axis. The basis functions are powers of time, and a sine and cosine at the wobble rate. `about`
+    /// is the origin of time, s.
     pub fn free_rows(&self, point: &Point, about: f64) -> (Row<7>, Row<6>) {
         let u = (point.time - about) / SCALE;
         let (sine, cosine) = (self.rate * (point.time - about)).sin_cos();

@@ -27,9 +27,9 @@ const OUTLIER: f64 = 40.0;
 pub struct FreeMotion {
     /// Regression of the position of the body's origin on functions of time.
     pub position: Regression<7>,
-    /// Regression of the direction of the most steady body axis (whose direction changes least) on functions of time.
+    /// Regression of the direction of the most steady body axis on functions of time.
     pub axis: Regression<6>,
-    /// Whitened residuals of the position, m, and of the direction of the body axis (a unit vector).
+    /// Whitened residuals of the position, m, and of the direction of the body axis.
     residuals: [Residuals; 2],
     /// Decreases of the sums of squared residuals if a single point is removed: one vector for the position and one for
     /// the axis direction, each with one entry per point.
@@ -37,7 +37,7 @@ pub struct FreeMotion {
 }
 
 /// Factorised regression matrices (designs) with which motion is fitted to one range of samples: one for the positions
-/// of the body, and one for the directions of its most steady axis (whose direction changes least).
+/// of the body, and one for the directions of its most steady axis.
 #[derive(Debug)]
 struct MotionDesigns {
     position: Design<7>,
@@ -164,9 +164,9 @@ impl MotionFits {
         Some(self.robust(points, range, about)?.0)
     }
 
-    /// Tests the interval before point `index` (a sample with a pose) for a ground contact: compares free motion with
-    /// motion whose velocity and wobble change at the time `at`, s; for `None`, in the middle of the interval. Returns
-    /// `None` if there are too few points, or if they do not determine the motion.
+    /// Tests the interval before point `index` for a ground contact: compares free motion with motion whose velocity
+    /// and wobble change at the time `at`, s; for `None`, in the middle of the interval. Returns `None` if there are
+    /// too few points, or if they do not determine the motion.
     pub fn compare(
         &mut self,
         points: &[Point],

@@ -41,8 +41,8 @@ const DIFFERENCES: usize = 30;
 /// components).
 pub type Posed<'p> = (&'p PathPoint, UnitQuaternion<f64>);
 
-/// Position of the body and direction of its most steady axis (the body axis whose direction changes least) in each
-/// sample; `None` if the body has no such axis or spins slowly.
+/// Position of the body and direction of its most steady axis in each sample; `None` if the body has no such axis or
+/// spins slowly.
 pub fn points_with_axis(posed: &[Posed<'_>]) -> Option<Vec<Point>> {
     let pairs = posed.windows(2);
     let mut spins: Vec<f64> = pairs

@@ -26,8 +26,7 @@ const CURVATURE_STEP: f64 = 0.03;
 /// autocorrelation and standard deviation.
 const MAX_RESIDUALS: usize = 40_000;
 
-/// Residuals of one flight by measurement channel (a marker position or one quantity of a sensor) and axis, and the
-/// spline basis of the flight.
+/// Residuals of one flight by measurement channel and axis, and the spline basis of the flight.
 pub(super) struct FlightSeries {
     /// Residuals as `series[channel][axis]`, where a channel is a marker position or one quantity of a sensor.
     pub series: Vec<[Series; 3]>,
@@ -41,8 +40,7 @@ pub(super) struct NoiseFloor {
     /// Noise model: standard deviation and lag-1 autocorrelation for each axis of each noise group. A noise group
     /// consists of the measurement channels (marker positions or sensor quantities) with common noise parameters.
     pub noise: NoiseModel,
-    /// `ar1_std_error[group][axis]`: standard error of the lag-1 autocorrelation of a noise group (the measurement
-    /// channels with common noise parameters).
+    /// `ar1_std_error[group][axis]`: standard error of the lag-1 autocorrelation of a noise group.
     pub ar1_std_error: Vec<[f64; 3]>,
 }
 

@@ -1,13 +1,11 @@
-//! Residuals of one measurement channel (a marker position or one quantity of a sensor) along one axis, and their
-//! whitened products.
+//! Residuals of one measurement channel along one axis, and their whitened products.
 
 use crate::noise::AxesNoise;
 
 use super::banded::{BANDWIDTH, BandedGram, Projected};
 use super::spline_basis::{SUPPORT, SplineBasis};
 
-/// Residuals of one measurement channel (a marker position or one quantity of a sensor) of a flight along one axis, at
-/// the sample times of the inliers.
+/// Residuals of one measurement channel of a flight along one axis, at the sample times of the inliers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Series {
     /// Sample times of the inliers, s after the first sample of the flight.

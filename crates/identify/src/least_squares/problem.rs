@@ -33,8 +33,7 @@ pub trait LeastSquaresProblem: Sync {
         by: Unknowns,
     ) -> Result<NormalBlock, FlightError>;
 
-    /// Returns the local parameters `local` (initial state) of a flight after the step `step` (the retraction of their
-    /// manifold).
+    /// Returns the local parameters `local` (initial state) of a flight after the step `step`.
     fn plus(&self, flight: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64>;
 
     /// Bounds and prior of each global parameter.

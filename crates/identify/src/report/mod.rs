@@ -14,7 +14,6 @@ use serde::{Deserialize, Serialize};
 pub use evidence::{AxisResiduals, FlightEvidence, SensorEvidence};
 pub use lack_of_fit::{LackOfFit, SmoothMisfit};
 pub use outcome::{FitStatus, FlightOutcome, Iterations};
-pub(crate) use reliability::cautions;
 pub use reliability::{convergence_caution, exclusion_caution};
 pub(crate) use residual_rms::SquareSums;
 pub use residual_rms::{MARKER, Rms};

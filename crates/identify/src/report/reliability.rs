@@ -1,6 +1,7 @@
 //! Assessment whether a fit is reliable, with the reasons if it is not.
 
-use super::{FitReport, FitStatus};
+use super::{Coefficient, FitReport, FitStatus};
+use crate::numbers::Digits;
 use crate::wording::count;
 use dataset::Role;
 
@@ -15,16 +16,37 @@ const MIN_NOISE_FLOOR: f64 = 1e-5;
 /// Fraction of the flights to be fitted that are excluded, above which the fit is not reliable.
 const MAX_EXCLUDED: f64 = 1.0 / 3.0;
 
+/// p-value of the lack-of-fit test below which the fit is not reliable: a complete model fails it in one fit of a
+/// hundred.
+const LACK_OF_FIT_LEVEL: f64 = 0.01;
+
+/// Difference between a prior and the value that the data alone give, in its standard deviations, above which the two
+/// contradict each other.
+const MAX_PRIOR_CONFLICT: f64 = 3.0;
+
+impl FitReport {
+    /// Decides whether the fit is reliable, and states the reasons if it is not.
+    pub(crate) fn assess(&mut self) {
+        self.cautions = cautions(self);
+        self.reliable = self.cautions.is_empty();
+    }
+}
+
 /// Reasons, as text for the report, why a fit is not reliable; empty if it is reliable.
-pub(crate) fn cautions(report: &FitReport) -> Vec<String> {
+fn cautions(report: &FitReport) -> Vec<String> {
     let cautions = [
         convergence_caution(report, "the fit"),
         exclusion_caution(report),
-        above_noise_floor(report),
+        above_noise_floor(report).or_else(|| lack_of_fit(report)),
         data_faults(report),
         marker_distances(report),
     ];
-    cautions.into_iter().flatten().collect()
+    let mut cautions: Vec<String> = cautions.into_iter().flatten().collect();
+    for (name, coefficient) in &report.coefficients {
+        cautions.extend(at_bound(name, coefficient));
+        cautions.extend(prior_conflict(name, coefficient));
+    }
+    cautions
 }
 
 /// Caution that the fit, called `fit` in the sentence, did not converge; `None` if it converged.
@@ -62,6 +84,46 @@ fn above_noise_floor(report: &FitReport) -> Option<String> {
             "the residuals ({:.1} mm) are {ratio:.0} times the noise of the measurements ({:.2} mm): the model does not fly as these flights do",
             1e3 * report.rms(),
             1e3 * floor
+        )
+    })
+}
+
+/// Caution that the residuals are not noise: the standard errors of the estimates count noise alone.
+fn lack_of_fit(report: &FitReport) -> Option<String> {
+    let test = report.lack_of_fit.as_ref()?;
+    (test.p_value < LACK_OF_FIT_LEVEL).then(|| {
+        format!(
+            "{} The standard errors do not hold: `hyzer diagnose` searches for the cause",
+            test.sentence()
+        )
+    })
+}
+
+/// Caution that an estimate is at a bound, where the likelihood has no maximum and thus gives no standard error.
+fn at_bound(name: &str, coefficient: &Coefficient) -> Option<String> {
+    coefficient.at_bound.then(|| {
+        format!(
+            "{name} is at its bound {}: the data ask for a value beyond it (`--unbounded`), or for another model",
+            coefficient.value
+        )
+    })
+}
+
+/// Caution that the data contradict the prior of a coefficient. The data alone give the value d with the variance V_d,
+/// the fit with the prior m ± σ the value e with the variance V; since 1/V = 1/V_d + 1/σ², the difference d − m has
+/// (d − m)²/(V_d + σ²) = (e − m)²/(σ² − V).
+fn prior_conflict(name: &str, coefficient: &Coefficient) -> Option<String> {
+    let [mean, sigma] = coefficient.prior?;
+    let variance = coefficient.std_error.powi(2);
+    let moved = coefficient.value - mean;
+    let of_data = sigma * sigma - variance;
+    let conflict = moved.abs() / of_data.max(0.0).sqrt();
+    (of_data > 0.0 && conflict > MAX_PRIOR_CONFLICT).then(|| {
+        let by_data = mean + moved * sigma * sigma / of_data;
+        let digits = Digits::of(by_data, sigma.min(coefficient.std_error));
+        format!(
+            "the data contradict the prior {name} = {mean} ± {sigma}: they alone give {}, {conflict:.1} standard deviations away",
+            digits.one(by_data)
         )
     })
 }

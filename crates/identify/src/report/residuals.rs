@@ -32,7 +32,7 @@ pub struct ResidualPool {
 #[derive(Clone, Debug)]
 struct Axis {
     /// For each lag, from 0 up to `LAGS` - 1 samples: sum (m²) and number of the products of two residuals that are
-    /// separated by that lag in the series of one measurement channel (the position of a marker or of a pose sensor).
+    /// separated by that lag in the series of one measurement channel.
     raw: Vec<(f64, usize)>,
     whitened: Vec<(f64, usize)>,
     /// Histogram of the whitened residuals: number of values per bin.

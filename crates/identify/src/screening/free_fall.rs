@@ -410,8 +410,8 @@ pub fn upright(problem: &FitProblem, track: &Track) -> Option<f64> {
     median_of(each)
 }
 
-/// Distance of the component-wise median of accelerations from gravity, plus [`SCATTER_PART`] times their scatter (the
-/// median distance of the accelerations from their component-wise median), m/s²; `None` for an empty slice.
+/// Distance of the component-wise median of accelerations from gravity, plus [`SCATTER_PART`] times their median
+/// distance from it, m/s²; `None` for an empty slice.
 fn misfit(accelerations: &[Vector3<f64>], gravity: Vector3<f64>) -> Option<f64> {
     let middle = median_vector(accelerations)?;
     let scatter = median_of(accelerations.iter().map(|a| (a - middle).norm()))?;

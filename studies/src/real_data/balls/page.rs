@@ -34,19 +34,17 @@ struct Section {
     /// Maximum angle between lift and ω × v, degrees, over the flights in those parts of the recording in which every
     /// lift agrees with the spin ω that the data state.
     greatest_angle: f64,
-    /// Number of flights outside the file ranges [`AGREEING`] (in which every lift agrees with the stated spin) whose
-    /// cosine between lift and ω × v is above 0.9.
+    /// Number of flights outside the file ranges [`AGREEING`] whose cosine between lift and ω × v is above 0.9.
     same_side: usize,
-    /// Number of flights outside the file ranges [`AGREEING`] (in which every lift agrees with the stated spin) whose
-    /// cosine between lift and ω × v is below −0.9.
+    /// Number of flights outside the file ranges [`AGREEING`] whose cosine between lift and ω × v is below −0.9.
     opposite_side: usize,
     lift_by_spin: Vec<LiftRow>,
     magnus: Estimate,
-    /// Mean lift coefficient / mean advance ratio over the flights in the file ranges [`AGREEING`] (in which every lift
-    /// agrees with the stated spin) with an advance ratio below 0.3.
+    /// Mean lift coefficient / mean advance ratio over the flights in the file ranges [`AGREEING`] with an advance
+    /// ratio below 0.3.
     slope_low: f64,
-    /// Mean lift coefficient / mean advance ratio over the flights in the file ranges [`AGREEING`] (in which every lift
-    /// agrees with the stated spin) with an advance ratio of at least 0.7.
+    /// Mean lift coefficient / mean advance ratio over the flights in the file ranges [`AGREEING`] with an advance
+    /// ratio of at least 0.7.
     slope_high: f64,
     added: Vec<AddedRow>,
     diagnoses: Vec<DiagnosisRow>,

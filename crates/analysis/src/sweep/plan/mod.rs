@@ -68,8 +68,7 @@ impl Plan {
         ))
     }
 
-    /// Number of flights in one part of the sweep (a block of consecutive flights, computed and stored together); it
-    /// depends on the total number of flights alone.
+    /// Number of flights in one part of the sweep; it depends on the total number of flights alone.
     pub fn part_len(&self) -> u64 {
         const MIN: u64 = 1 << 13;
         const MAX: u64 = 1 << 17;

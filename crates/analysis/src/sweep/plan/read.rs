@@ -96,7 +96,7 @@ fn effects(document: &DeTable<'_>, folder: &Path) -> Vec<String> {
 }
 
 /// Parts of a plan that are read before its other keys, because a plan is an extended release file: the model, its
-/// vocabulary (the names that a release may set), and the release.
+/// vocabulary, and the release.
 struct Known {
     model: Model,
     vocabulary: Vocabulary,

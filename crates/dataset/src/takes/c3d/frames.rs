@@ -15,7 +15,7 @@ pub(super) struct Extent {
     pub count: usize,
 }
 
-/// Quantities that determine the size of a frame (one sample of all points) in a C3D file and the position of the data.
+/// Quantities that determine the size of a frame in a C3D file and the position of the data.
 pub(super) struct Layout {
     /// Size of one stored number of the C3D file, bytes.
     pub width: usize,

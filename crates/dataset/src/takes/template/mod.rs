@@ -33,11 +33,10 @@ pub struct EstimatedTemplate {
     pub sigma: f64,
     /// Source of the height of the centre of mass along the spin axis.
     pub height: CentreHeight,
-    /// Standard error of the direction of the third body axis (the spin axis), rad: the greatest over the directions
-    /// normal to it.
+    /// Standard error of the direction of the third body axis, rad: the greatest over the directions normal to it.
     pub tilt_error: f64,
-    /// Number of flights that begin with the third body axis (the spin axis) upwards and downwards; the axis points in
-    /// the direction of the majority. `None` if the two numbers are equal.
+    /// Number of flights that begin with the third body axis upwards and downwards; the axis points in the direction of
+    /// the majority. `None` if the two numbers are equal.
     pub up: Option<UpVote>,
     /// Index of the marker that the first body axis points to.
     pub first: usize,
@@ -91,7 +90,7 @@ pub enum CentreHeight {
     },
 }
 
-/// Numbers of flights that begin with the third body axis (the spin axis) upwards and downwards.
+/// Numbers of flights that begin with the third body axis upwards and downwards.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UpVote {
     /// Number of flights with the third body axis upwards at the release.

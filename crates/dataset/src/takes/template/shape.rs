@@ -24,7 +24,7 @@ const FINEST: f64 = 1e-7;
 /// line.
 const FLAT: f64 = 0.05;
 
-/// Marker positions on the body (the shape), and the poses of the body in all samples.
+/// Marker positions on the body, and the poses of the body in all samples.
 pub(super) struct Shape {
     /// Positions of the markers on the body relative to their mean, m, in body-fixed axes whose orientation on the body
     /// is arbitrary; the poses rotate these axes to those of the room.
@@ -57,7 +57,7 @@ pub(super) struct Placed {
 
 type Row = Vec<Option<Vector3<f64>>>;
 
-/// Estimates the marker positions on the body (the shape) and the pose of the body in each sample.
+/// Estimates the marker positions on the body and the pose of the body in each sample.
 pub(super) fn shape(labels: &[String], flights: &[FreeFlight<'_>]) -> Result<Shape, TemplateError> {
     if labels.len() < 3 {
         let labels = labels.to_vec();
