@@ -19,7 +19,9 @@ fn main() -> Result<(), Error> {
         let mut rates = |t| Some([rate("p", t)?, rate("q", t)?, rate("r", t)?]);
         let rates: Vec<_> = times.iter().map(|&t| rates(t)).collect();
         let name = format!("throw{speed}");
-        data = data.flight(&name, Role::Fit, &times, positions).readings("tag", &rates);
+        data = data
+            .flight(&name, Role::Fit, &times, positions)
+            .readings("tag", &rates);
     }
     let fit = Fit::of(&disc).fix("C_Da", 1.24).run(&data.build()?)?;
     let damping = fit.coefficient("C_Mq").expect("a coefficient of the model");

@@ -16,7 +16,13 @@ fn main() -> Result<(), Error> {
     let effect = Effect::parse(EFFECT)?;
     let truth = disc.with(&effect)?;
     let release = truth.release("backhand")?.with_coefficient("C_Lr", 0.004);
-    let plan = Plan { flights: 8, held_out: 2, duration: Some(1.0), seed: 5, ..Plan::default() };
+    let plan = Plan {
+        flights: 8,
+        held_out: 2,
+        duration: Some(1.0),
+        seed: 5,
+        ..Plan::default()
+    };
     let data = synthesize(&truth, &[release], &plan)?;
     let found = Diagnosis::of(&disc.with_candidate(&effect)?).run(&data)?;
     println!("{:?}: {}", found.verdict(), found.summary());

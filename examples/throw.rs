@@ -3,10 +3,17 @@ use hyzer::{Design, Error, Goal, Model};
 
 fn main() -> Result<(), Error> {
     let disc = Model::load("disc")?;
-    let search = Design::of(&disc, Goal::Range).bound("speed", 10.0, 20.0).bound("spin", 300.0, 900.0);
+    let search = Design::of(&disc, Goal::Range)
+        .bound("speed", 10.0, 20.0)
+        .bound("spin", 300.0, 900.0);
     let far = search.seed(7).run()?;
     let throw = far.throw();
-    println!("{:.1} m at {:.1} m/s, launched at {:.1} deg", far.figure(), throw.speed, throw.launch);
+    println!(
+        "{:.1} m at {:.1} m/s, launched at {:.1} deg",
+        far.figure(),
+        throw.speed,
+        throw.launch
+    );
     for (quantity, [x, y]) in far.sensitivity() {
         println!("landing by {quantity}: {x:+.3} m ahead, {y:+.3} m to the left");
     }

@@ -240,7 +240,7 @@ impl Fit {
 pub struct Estimate {
     /// Maximum-likelihood estimate, SI.
     pub value: f64,
-    /// Standard error (Cramér–Rao), SI; 0 if the value was fixed.
+    /// Standard error (Cramér–Rao), SI; 0 if the value was fixed, NaN at a bound.
     pub std_error: f64,
     /// Text of the SI unit of [`Estimate::value`], such as `1`, `1/rad` or `kg*m^2`.
     pub unit: String,

@@ -28,6 +28,25 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
     frames(out, model)?;
     constants(out, "parameters", &model.params)?;
     constants(out, "coefficients", &model.coefficients)?;
+    inputs(out, model)?;
+    tables(out, model)?;
+    equations(out, model)?;
+    observation(out, model)?;
+    limits(out, model)?;
+    singularities(out, model)?;
+    if !model.checks.is_empty() {
+        writeln!(out, "\nchecks in the file: {}", model.checks.len())?;
+    }
+    if !model.offers.is_empty() {
+        writeln!(out, "\neffects that can be switched on")?;
+        for offer in &model.offers {
+            writeln!(out, "  {}   {}", offer.name, first(&offer.doc))?;
+        }
+    }
+    effects(out, model)
+}
+
+fn inputs(out: &mut String, model: &Model) -> std::fmt::Result {
     if !model.inputs.is_empty() {
         writeln!(out, "\ninputs")?;
         for input in &model.inputs {
@@ -42,7 +61,11 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
             )?;
         }
     }
-    tables(out, model)?;
+    Ok(())
+}
+
+/// Writes the loads of the body, or what is claimed of equations that are stated outright.
+fn equations(out: &mut String, model: &Model) -> std::fmt::Result {
     let kind = |is_rigid: bool| if is_rigid { "rigid body" } else { "point" };
     if let Some(body) = &model.body {
         let loads = |loads: &[Load]| {
@@ -76,6 +99,11 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
             }
         }
     }
+    Ok(())
+}
+
+/// Writes what is observed, and the rate of its clock.
+fn observation(out: &mut String, model: &Model) -> std::fmt::Result {
     if let (Some(observation), Some(marker)) = (&model.observation, &model.marker) {
         let frame = &model.frames[marker.frame].name;
         let name = &observation.name;
@@ -87,6 +115,10 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
         let text = model.text(clock.value.span);
         writeln!(out, "\nseconds of flight per second of the clock: {text}")?;
     }
+    Ok(())
+}
+
+fn limits(out: &mut String, model: &Model) -> std::fmt::Result {
     if !model.limits.is_empty() {
         writeln!(out, "\nlimits")?;
         for limit in &model.limits {
@@ -99,6 +131,10 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
             writeln!(out, "  {text} > {bound}   {}", limit.reason)?;
         }
     }
+    Ok(())
+}
+
+fn singularities(out: &mut String, model: &Model) -> std::fmt::Result {
     let points = singular_points(model);
     if !points.is_empty() {
         writeln!(out, "\nsingular points")?;
@@ -114,15 +150,10 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
             writeln!(out, "  {file}line {line}: {} is {}", point.text, point.what)?;
         }
     }
-    if !model.checks.is_empty() {
-        writeln!(out, "\nchecks in the file: {}", model.checks.len())?;
-    }
-    if !model.offers.is_empty() {
-        writeln!(out, "\neffects that can be switched on")?;
-        for offer in &model.offers {
-            writeln!(out, "  {}   {}", offer.name, first(&offer.doc))?;
-        }
-    }
+    Ok(())
+}
+
+fn effects(out: &mut String, model: &Model) -> std::fmt::Result {
     for effect in &model.effects {
         let doc = first(&effect.doc);
         writeln!(out, "\neffect {} on {}   {doc}", effect.name, effect.site)?;

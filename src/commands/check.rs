@@ -4,6 +4,8 @@ use std::fmt::Write;
 use std::io::IsTerminal;
 
 use codegen::{Comparison, check_cases};
+use flight::throw::ThrownModel;
+use model_spec::layout::Layout;
 use model_spec::load::inspect;
 use model_spec::model::Model;
 use model_spec::{render, summary, with_unit};
@@ -22,7 +24,11 @@ pub fn run(options: &Check) -> anyhow::Result<Answer> {
                 output::print(summary(&model))?;
                 let (report, passes) = cases(&model);
                 output::print(report)?;
-                if !passes {
+                let fault = inertia_fault(&model);
+                if let Some(fault) = &fault {
+                    output::print(format!("  FAIL  {fault}\n"))?;
+                }
+                if !passes || fault.is_some() {
                     answer = Answer::No;
                 }
             }
@@ -40,6 +46,18 @@ pub fn run(options: &Check) -> anyhow::Result<Answer> {
         }
     }
     Ok(answer)
+}
+
+/// What is wrong with the inertia tensor of the model's body at the default values; `None` if nothing is.
+fn inertia_fault(model: &Model) -> Option<String> {
+    let body = ThrownModel::new(model).ok()?;
+    let layout = Layout::new(model);
+    let (parameters, state) = (layout.default_parameters(), layout.default_states());
+    let [a, b, c] = body.improper_moments(&parameters, &state)?;
+    Some(format!(
+        "the inertia tensor is not positive definite: its principal moments are {a:.4e}, {b:.4e} and {c:.4e} kg m²; check \
+         the signs and sizes of its products of inertia"
+    ))
 }
 
 /// Evaluates the check cases that a model declares (points of evaluation with expected values), and compares the

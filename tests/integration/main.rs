@@ -10,6 +10,7 @@ mod fit;
 mod generate;
 mod import;
 mod recovery;
+mod reliability;
 mod results;
 mod review;
 mod signals;

@@ -1,13 +1,13 @@
 //! Conversion of names of models and variables to valid Rust identifiers.
 
-use super::ident::ident;
+use super::ident::{ident, parsed};
 use super::{constants, helpers, signature, table_names};
 use proc_macro2::Ident;
 
 /// Whether a name cannot be a local variable: no identifier, or that of an argument or item, which a `let` would match
 /// or shadow.
 pub(super) fn is_reserved(name: &str) -> bool {
-    syn::parse_str::<Ident>(name).is_err()
+    parsed(name).is_none()
         || signature::is_argument(name)
         || constants::NAMES.contains(&name)
         || helpers::is_helper(name)
@@ -17,9 +17,9 @@ pub(super) fn is_reserved(name: &str) -> bool {
 /// Module name of a model; a raw identifier if the name is a keyword.
 pub(super) fn module_ident(model: &str) -> Ident {
     let stem = file_stem(model);
-    syn::parse_str::<Ident>(&stem)
-        .or_else(|_| syn::parse_str::<Ident>(&format!("r#{stem}")))
-        .unwrap_or_else(|_| ident(&format!("{stem}_")))
+    parsed(&stem)
+        .or_else(|| parsed(&format!("r#{stem}")))
+        .unwrap_or_else(|| ident(&format!("{stem}_")))
 }
 
 /// File stem of a model's module: its name as an identifier, raw if need be.
@@ -61,6 +61,7 @@ mod tests {
         let table = [
             ("disc_quaternion", "disc_quaternion", "DiscQuaternion"),
             ("match", "r#match", "Match"),
+            ("gen", "r#gen", "Gen"),
             ("self", "self_model", "Self_model"),
             ("2d-kite", "_2d_kite", "_2dKite"),
         ];
@@ -74,6 +75,7 @@ mod tests {
     fn keywords_arguments_constants_and_helpers_are_reserved() {
         for name in [
             "yield",
+            "gen",
             "Self",
             "_",
             "state",

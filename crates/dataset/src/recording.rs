@@ -1,19 +1,29 @@
 //! Units and axes of a dataset's tables, from the section `[recording]` of `dataset.toml`. The reader converts the
-//! tables to m, s and right-handed axes with z up.
+//! tables to SI units, right-handed axes with z up, and attitudes from body to inertial axes.
 
+use std::f64::consts::PI;
 use std::ops::Range;
 
 use crate::takes::{Axis, LengthUnit, TimeUnit};
 use toml::de::DeTable;
 
 use super::fields::Fields;
-use super::sensor::{Sensor, SensorKind};
+use super::sensor::{Reading, Sensor, SensorKind};
 use super::words::{meant, shown};
 use crate::input_error::InputError;
+use model_spec::compose::Instrument;
+
+/// Standard gravity, the unit `g` of accelerometers, m/s².
+const STANDARD_GRAVITY: f64 = 9.80665;
 
 const LENGTHS: [&str; 5] = ["m", "cm", "mm", "in", "ft"];
 const TIMES: [&str; 2] = ["s", "ms"];
 const UPS: [&str; 7] = ["+z", "-z", "+y", "-y", "+x", "-x", UNKNOWN];
+const ANGULAR_RATES: [&str; 3] = ["rad/s", "deg/s", "rpm"];
+const ACCELERATIONS: [&str; 2] = ["m/s^2", "g"];
+const ATTITUDES: [&str; 2] = ["body_to_inertial", INVERSE];
+/// Value of the key `attitude` if quaternions turn inertial to body components.
+const INVERSE: &str = "inertial_to_body";
 /// Value of the key `up` if the direction of the vertical is unknown.
 const UNKNOWN: &str = "unknown";
 
@@ -40,6 +50,12 @@ pub(super) struct Recording {
     pub time: TimeUnit,
     pub up: Up,
     pub left_handed: bool,
+    /// Unit of the readings of gyroscopes, rad/s.
+    angular_rate: f64,
+    /// Unit of the readings of accelerometers, m/s².
+    acceleration: f64,
+    /// Whether the quaternions of poses turn inertial to body components.
+    inverse_attitude: bool,
 }
 
 impl Default for Recording {
@@ -49,6 +65,9 @@ impl Default for Recording {
             time: TimeUnit::Second,
             up: Up::Axis(UP_Z),
             left_handed: false,
+            angular_rate: 1.0,
+            acceleration: 1.0,
+            inverse_attitude: false,
         }
     }
 }
@@ -64,8 +83,29 @@ impl Recording {
         let Some(table) = fields.table(document, "recording")? else {
             return Ok(recording);
         };
-        let keys = ["length", "time", "up", "left_handed"];
+        let keys = [
+            "length",
+            "time",
+            "up",
+            "left_handed",
+            "angular_rate",
+            "acceleration",
+            "attitude",
+        ];
         fields.keys(table, " in [recording]", &keys)?;
+        if let Some((text, _)) = choice(fields, table, "angular_rate", &ANGULAR_RATES)? {
+            recording.angular_rate = match text.as_str() {
+                "deg/s" => PI / 180.0,
+                "rpm" => PI / 30.0,
+                _ => 1.0,
+            };
+        }
+        if let Some((text, _)) = choice(fields, table, "acceleration", &ACCELERATIONS)? {
+            recording.acceleration = if text == "g" { STANDARD_GRAVITY } else { 1.0 };
+        }
+        if let Some((text, _)) = choice(fields, table, "attitude", &ATTITUDES)? {
+            recording.inverse_attitude = text == INVERSE;
+        }
         if let Some((text, _)) = choice(fields, table, "length", &LENGTHS)? {
             recording.length = LengthUnit::parse(&text).unwrap_or(recording.length);
         }
@@ -99,6 +139,25 @@ impl Recording {
     /// Converts a time from the unit of the tables to s.
     pub fn seconds(&self, time: f64) -> f64 {
         time * self.time.seconds()
+    }
+
+    /// Converts the reading of an instrument to SI units.
+    pub fn instrument_reading(&self, instrument: Instrument, reading: Reading) -> Reading {
+        let unit = match instrument {
+            Instrument::Gyroscope => self.angular_rate,
+            Instrument::Accelerometer => self.acceleration,
+            Instrument::Speed => 1.0,
+        };
+        reading.map(|part| part * unit)
+    }
+
+    /// Converts the quaternion of a pose so that it turns body to inertial components.
+    pub fn from_body(&self, [w, x, y, z]: Reading) -> Reading {
+        if self.inverse_attitude {
+            [w, -x, -y, -z]
+        } else {
+            [w, x, y, z]
+        }
     }
 
     /// Converts a coordinate from the unit of the tables to m.

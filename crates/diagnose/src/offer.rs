@@ -109,11 +109,15 @@ pub(crate) fn measure<R: Send>(
 }
 
 impl<R> MeasuredExtension<R> {
-    /// Whether the model under test and the extended model make practically the same predictions, by the criterion of
-    /// `PredictiveGain::changes_nothing`; false if the out-of-sample gain was not measured.
-    pub fn changes_nothing(&self) -> bool {
-        let gain = self.gain.as_ref();
-        gain.is_some_and(PredictiveGain::changes_nothing)
+    /// Why the predictions of flights that were not fitted speak against the added effects; `None` if they do not, or
+    /// were not made.
+    pub fn objection(&self) -> Option<&'static str> {
+        let gain = self.gain.as_ref()?;
+        if gain.changes_nothing() {
+            return Some("its fit predicts the same as the model without it");
+        }
+        gain.is_worse()
+            .then_some("it predicts other flights worse than the model without it")
     }
 
     /// Adds the fit of the extended model and its out-of-sample gain to the report. Returns the extended model, its fit

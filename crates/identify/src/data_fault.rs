@@ -37,6 +37,10 @@ pub enum FaultKind {
     NotFreeFlight,
     /// The recorded coordinates of a marker do not change while the body moves.
     Frozen,
+    /// Quaternions have another convention than scalar part first and body to inertial.
+    AttitudeConvention,
+    /// Readings of an instrument are not in SI units.
+    SensorUnit,
     /// A mistake in the data for which there is no separate kind, such as a copied flight.
     Other,
 }
@@ -70,6 +74,8 @@ impl FaultKind {
             Self::TimeUnit => "time_unit",
             Self::NotFreeFlight => "not_free_flight",
             Self::Frozen => "frozen",
+            Self::AttitudeConvention => "attitude_convention",
+            Self::SensorUnit => "sensor_unit",
             Self::Other => "other",
         }
     }
@@ -102,6 +108,8 @@ mod tests {
             TimeUnit,
             NotFreeFlight,
             Frozen,
+            AttitudeConvention,
+            SensorUnit,
             Other,
         ] {
             let quoted = format!("\"{kind}\"");

@@ -113,7 +113,10 @@ fn glossed(text: &str, terms: &BTreeSet<String>) -> Vec<String> {
     for (place, _) in joined.match_indices(" (") {
         let (before, inside) = (&joined[..place], &joined[place + 2..]);
         let explains = |word: &&str| inside.starts_with(&format!("{word} "));
-        let Some(end) = inside.find(')').filter(|_| EXPLAINS.iter().any(|w| explains(&w))) else {
+        let Some(end) = inside
+            .find(')')
+            .filter(|_| EXPLAINS.iter().any(|w| explains(&w)))
+        else {
             continue;
         };
         let before = before.to_lowercase();
@@ -135,11 +138,15 @@ mod tests {
 
     #[test]
     fn a_parenthesis_that_explains_a_term_is_found() {
-        let terms = terms("| concept | term |\n|---|---|\n| x | effect |\n| y | noise floor, error |");
+        let terms =
+            terms("| concept | term |\n|---|---|\n| x | effect |\n| y | noise floor, error |");
         let text = "/// Two effects (changes of a model), an effect (a named\n/// change), noise floors (the least noise)\n/// \
                     and a side effect (such as this), prefect (a word).";
         let found = glossed(text, &terms);
-        assert_eq!(found, ["effect (a named change)", "noise floor (the least noise)"]);
+        assert_eq!(
+            found,
+            ["effect (a named change)", "noise floor (the least noise)"]
+        );
     }
 
     #[test]

@@ -180,15 +180,13 @@ impl<'a> Analysis<'a> {
                 on_extension,
             );
             match if_possible(measured)? {
-                Some(measured) if !(is_candidate && measured.changes_nothing()) => {
+                Some(measured) if !is_candidate || measured.objection().is_none() => {
                     break (report, Some(measured));
                 }
                 None if !is_candidate => break (report, None),
                 found => {
-                    let why = match found {
-                        Some(_) => "its fit predicts the same as the model without it",
-                        None => "the model with it cannot be fitted",
-                    };
+                    let why = found.and_then(|measured| measured.objection());
+                    let why = why.unwrap_or("the model with it cannot be fitted");
                     self.notes.push(format!("{names} is no explanation: {why}"));
                     self.search.accepted.remove(0);
                 }

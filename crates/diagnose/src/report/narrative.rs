@@ -226,11 +226,13 @@ fn details(report: &Report) -> String {
             )
         }
         Verdict::Unattributed => {
-            let found = report.unattributed.as_ref();
-            let found = found.map(|found| format!(" {}", found.description));
+            let Some(found) = &report.unattributed else {
+                return String::new();
+            };
+            let written = first.filter(|_| !found.terms.is_empty());
             let written =
-                first.map(|first| format!(" An effect was written for it: {}.", first.name()));
-            found.unwrap_or_default() + &written.unwrap_or_default()
+                written.map(|first| format!(" An effect was written for it: {}.", first.name()));
+            format!(" {}{}", found.description, written.unwrap_or_default())
         }
     }
 }

@@ -3,11 +3,15 @@
 use super::types::{Report, Unattributed, Verdict};
 use crate::context::display_name;
 use crate::extension::ExtendedModel;
-use identify::numbers::{millimetres, significant};
+use identify::numbers::{millimetres, percent, significant};
 use identify::{LackOfFit, SmoothMisfit};
 
 /// Maximum number of flights whose largest smooth deviation is described in the report's text on the lack of fit.
 const MAX_DEPARTURES: usize = 3;
+
+/// Fraction of the misfit that an explanation must account for, if the flights do not agree on it and the residuals
+/// are not noise with it: a cause that leaves more is at best the nearest of the catalogue.
+const MIN_EXPLAINED: f64 = 0.9;
 
 /// Replaces the lack-of-fit test in the report by `residuals`, the test of the extended model; `None` leaves the report
 /// unchanged. Also updates, for the first explanation (`explanations`), the fraction of the misfit beyond noise that it
@@ -53,6 +57,24 @@ pub(crate) fn describe_departures(report: &mut Report) {
                 terms: Vec::new(),
             });
         }
+        (none, Verdict::Identified) if report.consensus.is_none() => {
+            let nearest = report.explanations.first();
+            match nearest.filter(|nearest| nearest.explained_fraction < MIN_EXPLAINED) {
+                None => report.notes.push(format!("a lack of fit remains: {says}")),
+                Some(nearest) => {
+                    report.verdict = Verdict::Unattributed;
+                    *none = Some(Unattributed {
+                        description: format!(
+                            "The nearest candidate, {}, explains {} of the misfit. {says}",
+                            nearest.name(),
+                            percent(nearest.explained_fraction)
+                        ),
+                        channels: Vec::new(),
+                        terms: Vec::new(),
+                    });
+                }
+            }
+        }
         _ => report.notes.push(format!("a lack of fit remains: {says}")),
     }
 }
@@ -61,7 +83,7 @@ fn departures(found: &LackOfFit) -> String {
     let each = found.largest_misfits.iter().take(MAX_DEPARTURES);
     let each: Vec<String> = each.map(departure).collect();
     format!(
-        "The residuals are not noise (p = {}): {} beyond the noise of {} that no smooth motion can follow. The greatest largest_misfits: {}.",
+        "The residuals are not noise (p = {}): {} beyond the noise of {} that no smooth motion can follow. The greatest deviations: {}.",
         significant(found.p_value, 3),
         millimetres(found.beyond_noise_m),
         millimetres(found.noise_m),

@@ -51,9 +51,7 @@ use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
-use crate::report::{
-    FitReport, FlightEvidence, FlightOutcome, FlightReport, LackOfFit, MARKER,
-};
+use crate::report::{FitReport, FlightEvidence, FlightOutcome, FlightReport, LackOfFit, MARKER};
 use crate::screening::{self, Screening};
 use crate::tolerance;
 use crate::vertical;
@@ -150,6 +148,9 @@ fn fit_within(
         }
         None => Screening::default(),
     };
+    if options.known_faults.is_none() {
+        data_faults.extend(screening::sensors::check(&problem, dataset));
+    }
     if vertical::is_in(model) {
         data_faults.retain(|fault| fault.fault != FaultKind::Axes);
     }

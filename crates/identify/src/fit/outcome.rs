@@ -234,13 +234,19 @@ fn coefficients(
         let value = fitted.solution.iterate.global[i];
         let (low, high) = global.constraint.bounds;
         let prior = global.constraint.prior;
+        let at_bound = value <= low || value >= high;
+        // The likelihood has no maximum there, whose curvature could give an error.
+        let std_error = if at_bound { f64::NAN } else { errors[i] };
         let coefficient = Coefficient {
             value,
-            std_error: errors[i],
-            std_error_cluster_robust: clustered.as_ref().map(|errors| errors[i]),
-            interval: interval(value, errors[i]),
+            std_error,
+            std_error_cluster_robust: clustered
+                .as_ref()
+                .filter(|_| !at_bound)
+                .map(|errors| errors[i]),
+            interval: interval(value, std_error),
             unit: global.unit.clone(),
-            at_bound: value <= low || value >= high,
+            at_bound,
             fixed: false,
             model_value: global.model_value,
             prior: prior.map(|(value, sigma)| [value, sigma]),

@@ -9,7 +9,7 @@ mod residuals;
 
 use std::collections::BTreeMap;
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
 pub use evidence::{AxisResiduals, FlightEvidence, SensorEvidence};
 pub use lack_of_fit::{LackOfFit, SmoothMisfit};
@@ -150,12 +150,15 @@ pub struct AxisNoise {
 pub struct Coefficient {
     /// Estimated value, or the fixed value if `fixed`, SI.
     pub value: f64,
-    /// Cramér–Rao standard error under the estimated noise, SI; 0 if the parameter is fixed.
+    /// Cramér–Rao standard error under the estimated noise, SI; 0 if the parameter is fixed, NaN (`null` in JSON) at a
+    /// bound.
+    #[serde(deserialize_with = "number_or_null")]
     pub std_error: f64,
     /// Cluster-robust standard error with flights as clusters, SI; `None` for fewer than 8 flights or a fixed
     /// parameter.
     pub std_error_cluster_robust: Option<f64>,
-    /// 95 % confidence interval (lower, upper limit), SI.
+    /// 95 % confidence interval (lower, upper limit), SI; NaN without a standard error.
+    #[serde(deserialize_with = "numbers_or_null")]
     pub interval: [f64; 2],
     /// Unit as written in the model.
     pub unit: String,
@@ -212,6 +215,16 @@ pub fn leading_noise(noise: &BTreeMap<String, NoiseReport>) -> &NoiseReport {
     };
     let leading = noise.get(MARKER).or_else(|| noise.values().next());
     leading.unwrap_or(&NONE)
+}
+
+/// Reads a number, or `null` as NaN, which JSON does not have.
+fn number_or_null<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+    Ok(Option::deserialize(from)?.unwrap_or(f64::NAN))
+}
+
+fn numbers_or_null<'de, D: Deserializer<'de>>(from: D) -> Result<[f64; 2], D::Error> {
+    let numbers = <[Option<f64>; 2]>::deserialize(from)?;
+    Ok(numbers.map(|number| number.unwrap_or(f64::NAN)))
 }
 
 impl FitReport {

@@ -11,6 +11,7 @@ mod loads;
 mod mirror;
 mod records;
 mod rigid;
+pub(crate) mod sensors;
 mod template;
 #[cfg(test)]
 mod tests;

@@ -1,7 +1,6 @@
 //! Event location in one lane: where in a step the height falls to 0, and where the height has its maximum.
 
-use crate::dense_output::cubic;
-use crate::event::{falling_zeros, has_falling_zero, location_width};
+use crate::event::{HERMITE_MARGIN, cubic_minimum, falling_zeros, location_width};
 use crate::method::{Method, ROWS};
 use crate::root::first_past_root;
 
@@ -24,8 +23,8 @@ pub(crate) struct HeightEnds {
 }
 
 impl HeightEnds {
-    /// Whether the cubic interpolant of the height falls to 0 within the step. If the values and slopes at its ends do
-    /// not decide this, the cubic is evaluated at quarters of the step, so that a short dip may be missed.
+    /// Whether the height may fall to 0 within the step. If the values and slopes at its ends do not decide this, the
+    /// minimum of the cubic interpolant does.
     #[inline(always)]
     pub(crate) fn may_land(&self) -> bool {
         let (a, b) = (self.start, self.end);
@@ -35,22 +34,27 @@ impl HeightEnds {
         self.dips()
     }
 
-    /// Whether the cubic interpolant of the height falls from positive to 0 or below between the ends of one of four
-    /// equal subintervals of the step.
+    /// Whether the cubic interpolant of the height comes to 0 within the step, but for its difference from the dense
+    /// output.
     #[inline(never)]
     fn dips(&self) -> bool {
         let ends = (self.start, self.end, self.start_slope, self.end_slope);
-        has_falling_zero(4, |s| cubic(ends, s))
+        cubic_minimum(ends) <= HERMITE_MARGIN * self.chord_distance()
+    }
+
+    /// Bound of the distance of the cubic from the straight line between its ends: a quarter of the sum of the absolute
+    /// slopes and the absolute change of height.
+    #[inline(always)]
+    fn chord_distance(&self) -> f64 {
+        let slopes = self.start_slope.abs() + self.end_slope.abs();
+        0.25 * (slopes + (self.end - self.start).abs())
     }
 
     /// Whether the cubic interpolant may reach 0 within the step, by a bound that is cheaper to compute than
-    /// [`may_land`](Self::may_land): the distance of the cubic from the straight line between its ends is at most a
-    /// quarter of the sum of the absolute slopes and the absolute change of height.
+    /// [`may_land`](Self::may_land).
     #[inline(always)]
     pub(crate) fn is_near_ground(&self) -> bool {
-        let slopes = self.start_slope.abs() + self.end_slope.abs();
-        let distance = 0.25 * (slopes + (self.end - self.start).abs());
-        self.start.min(self.end) <= distance
+        self.start.min(self.end) <= self.chord_distance()
     }
 
     /// Whether the cubic interpolant of the height is monotone within the step, by the sufficient condition on its
@@ -145,7 +149,7 @@ impl HeightStep {
             );
         }
         found.clear();
-        falling_zeros((self.t, self.h), height, found);
+        falling_zeros((self.t, self.h), true, height, found);
         found.first().copied()
     }
 

@@ -288,7 +288,6 @@ impl<'a, T: Lanes> Flying<'a, T> {
             let bend = h * (self.stages.stage(0)[i] - self.stages.stage(last)[i]);
             *middle = T::splat(0.5).mul_add(ends, T::splat(0.125) * bend);
         }
-        let mut least = T::splat(f64::INFINITY);
         for (k, margins) in self.margins.iter_mut().take(2).enumerate() {
             let (x, fraction) = match k {
                 0 => (&self.within, 0.5),
@@ -301,9 +300,10 @@ impl<'a, T: Lanes> Flying<'a, T> {
                 prepared: &self.values.prepared,
             };
             self.rhs.limits(&point, &mut self.scratch, margins);
-            for margin in margins {
-                least = margin.min(least);
-            }
+        }
+        let mut least = T::splat(f64::INFINITY);
+        for limit in 0..self.margins[0].len() {
+            least = self.least_margin(limit).min(least);
         }
         let mut lowest = [0.0; MAX_LANES];
         least.store(&mut lowest);

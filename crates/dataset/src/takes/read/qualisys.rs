@@ -25,30 +25,11 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
     let tab = text.lines().take(HEADER).any(|line| line.contains('\t'));
     let mut sheet = Sheet::new(text, if tab { b'\t' } else { b',' });
     let has_bodies = format == Format::QualisysPoses;
-    let mut keywords: BTreeMap<String, (usize, Vec<String>)> = BTreeMap::new();
-    let mut titles: Option<Vec<String>> = None;
-    let mut has_rows = false;
-    while sheet.advance()? {
-        let first = sheet.cell(0).to_owned();
-        let is_keyword = first.len() > 1
-            && first
-                .bytes()
-                .all(|b| b.is_ascii_uppercase() || b.is_ascii_digit() || b == b'_')
-            && first.starts_with(|c: char| c.is_ascii_uppercase())
-            && first != "NULL"
-            && titles.is_none();
-        if is_keyword && keywords.len() < HEADER {
-            keywords.insert(first, (sheet.line(), sheet.cells().split_off(1)));
-        } else if titles.is_none()
-            && first != "NULL"
-            && first.starts_with(|c: char| c.is_ascii_alphabetic())
-        {
-            titles = Some(sheet.cells());
-        } else {
-            has_rows = true;
-            break;
-        }
-    }
+    let Head {
+        keywords,
+        titles,
+        has_rows,
+    } = Head::read(&mut sheet)?;
     let end = Location::Line(sheet.line());
     let (keyword, parts) = match has_bodies {
         true => ("BODY_NAMES", BODY),
@@ -89,17 +70,7 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
             format!("{stated}, as stated above"),
         ));
     }
-    let stated = match keywords.get("FREQUENCY") {
-        Some((line, values)) => {
-            let text = values.first().map_or("", String::as_str);
-            let Ok(rate) = text.replace(',', ".").parse::<f64>() else {
-                let location = Location::Cell(*line, 2);
-                return Err(Fault::new(location, shown(text), "the frames per second"));
-            };
-            Some(rate)
-        }
-        None => None,
-    };
+    let stated = frequency(&keywords)?;
     let length = options.length(Some(LengthUnit::Millimetre), end, &mut notes)?;
     if options.length.is_none() {
         notes.push("lengths are in mm, as Qualisys writes them".into());
@@ -141,12 +112,67 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
     layout.samples(&mut sheet, |_| false)
 }
 
+/// What stands above the rows of a table.
+struct Head {
+    keywords: Keywords,
+    /// Titles of the columns; `None` in a table without them.
+    titles: Option<Vec<String>>,
+    has_rows: bool,
+}
+
+/// Line number and values of each header line, by its keyword.
+type Keywords = BTreeMap<String, (usize, Vec<String>)>;
+
+impl Head {
+    /// Reads a sheet up to its first row.
+    fn read(sheet: &mut Sheet<'_>) -> Result<Self, Fault> {
+        let mut head = Self {
+            keywords: BTreeMap::new(),
+            titles: None,
+            has_rows: false,
+        };
+        while sheet.advance()? {
+            let first = sheet.cell(0).to_owned();
+            let is_text = head.titles.is_none() && first != "NULL";
+            let is_upper = |b: u8| b.is_ascii_uppercase() || b.is_ascii_digit() || b == b'_';
+            let is_keyword = is_text
+                && first.len() > 1
+                && first.bytes().all(is_upper)
+                && first.starts_with(|c: char| c.is_ascii_uppercase());
+            if is_keyword && head.keywords.len() < HEADER {
+                let values = sheet.cells().split_off(1);
+                head.keywords.insert(first, (sheet.line(), values));
+            } else if is_text && first.starts_with(|c: char| c.is_ascii_alphabetic()) {
+                head.titles = Some(sheet.cells());
+            } else {
+                head.has_rows = true;
+                break;
+            }
+        }
+        Ok(head)
+    }
+}
+
+/// Frames per second that the header states; `None` if it states none.
+fn frequency(keywords: &Keywords) -> Result<Option<f64>, Fault> {
+    let Some((line, values)) = keywords.get("FREQUENCY") else {
+        return Ok(None);
+    };
+    let text = values.first().map_or("", String::as_str);
+    let rate = text.replace(',', ".").parse::<f64>();
+    let fault = |_| {
+        Fault::new(
+            Location::Cell(*line, 2),
+            shown(text),
+            "the frames per second",
+        )
+    };
+    rate.map(Some).map_err(fault)
+}
+
 /// Count in the header line that begins with `keyword`; `None` if the header has no such line. `keywords` contains line
 /// number and values of each header line, keyed by its keyword.
-fn count(
-    keywords: &BTreeMap<String, (usize, Vec<String>)>,
-    keyword: &str,
-) -> Result<Option<usize>, Fault> {
+fn count(keywords: &Keywords, keyword: &str) -> Result<Option<usize>, Fault> {
     let Some((line, values)) = keywords.get(keyword) else {
         return Ok(None);
     };

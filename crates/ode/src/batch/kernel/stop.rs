@@ -8,7 +8,7 @@ use crate::batch::control::MAX_LANES;
 use crate::batch::events::HeightStep;
 use crate::batch::{FlightOutcome, FlightQueue, LanePoint};
 use crate::dense_output::DenseOutput;
-use crate::event::falling_zeros;
+use crate::event::{REACH, falling_zeros};
 use crate::method::{Method, ROWS, dop853, tsit5};
 use lanes::Lanes;
 
@@ -136,12 +136,20 @@ impl<T: Lanes> Flying<'_, T> {
         }
     }
 
+    /// Value below which the margin of a limit of validity does not fall within the step, in each lane: that at the
+    /// middle or the end, less [`REACH`] times its change between them, which stands for that in the first half too.
+    #[inline(always)]
+    pub(super) fn least_margin(&self, limit: usize) -> T {
+        let [middle, end, _] = &self.margins;
+        let change = (end[limit] - middle[limit]).abs();
+        T::splat(-2.0 * REACH).mul_add(change, middle[limit].min(end[limit]))
+    }
+
     /// Fraction of the step at which the flight in a lane first crosses the limit of validity with the index `limit`;
     /// `None` if it does not cross it.
     #[inline(always)]
     fn limit_crossing(&mut self, lane: usize, limit: usize, h: T) -> Option<f64> {
-        let [middle, end, _] = &self.margins;
-        if middle[limit].lane(lane) > 0.0 && end[limit].lane(lane) > 0.0 {
+        if self.least_margin(limit).lane(lane) > 0.0 {
             return None;
         }
         let n = self.within.len();
@@ -172,7 +180,7 @@ impl<T: Lanes> Flying<'_, T> {
             margins[limit].lane(lane)
         };
         self.found.clear();
-        falling_zeros((step.t, step.h), value, &mut self.found);
+        falling_zeros((step.t, step.h), false, value, &mut self.found);
         self.found.first().copied()
     }
 }

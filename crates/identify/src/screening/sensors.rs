@@ -1,0 +1,245 @@
+//! Faults of gyroscopes, accelerometers and poses: saturated readings, and units and conventions that contradict the
+//! mechanics of a spinning body. Moments turn its angular momentum slowly, so that its rates follow Euler's equations
+//! without moments, I ω̇ = −ω × I ω.
+
+use std::f64::consts::{PI, TAU};
+
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+
+use crate::data_fault::{DataFault, FaultKind};
+use crate::problem::FitProblem;
+use dataset::{Dataset, Flight, Reading, Sensor, SensorKind, attitude};
+use flight::throw::ThrownModel;
+use model_spec::compose::Instrument;
+
+/// Minimum number of consecutive samples at the greatest magnitude of a component that count as saturation, beyond
+/// [`SATURATED_RUNS`] times the longest run of another value.
+const SATURATED_SAMPLES: usize = 5;
+/// See [`SATURATED_SAMPLES`]: coarsely rounded readings repeat all their values.
+const SATURATED_RUNS: usize = 3;
+/// Minimum squared correlation of both sides of Euler's equations at which they tell the unit of a gyroscope.
+const MIN_CORRELATION: f64 = 0.8;
+/// Maximum relative difference between the unit by Euler's equations and a known one: finite differences of the rates
+/// are too small by up to a quarter, and moments act.
+const UNIT_ERROR: f64 = 0.35;
+/// Units in which gyroscopes are recorded by mistake, with their values in rad/s.
+const UNITS: [(&str, f64); 3] = [("deg/s", PI / 180.0), ("rpm", PI / 30.0), ("rev/s", TAU)];
+/// Minimum ratio by which the angular momentum must turn less under another convention of quaternions, in squares.
+const STEADIER: f64 = 4.0;
+/// Rotation between two compared angular momenta, rad: enough to see a direction that turns with the body.
+const COMPARED_ROTATION: f64 = 1.5;
+
+/// Faults of the sensors, at most one for each flight.
+pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
+    if dataset.sensors.is_empty() {
+        return Vec::new();
+    }
+    let mut faults = Vec::new();
+    let mut channel = 0;
+    for sensor in &dataset.sensors {
+        let found = match sensor.kind {
+            SensorKind::Instrument(Instrument::Speed) => None,
+            SensorKind::Instrument(instrument) => {
+                faults.extend(saturated(dataset, (sensor, channel)));
+                let inertia = (instrument == Instrument::Gyroscope).then(|| inertia(problem));
+                let unit = inertia
+                    .flatten()
+                    .and_then(|inertia| unit(dataset, channel, &inertia));
+                unit.map(|unit| (FaultKind::SensorUnit, unit_message(sensor, unit)))
+            }
+            SensorKind::Pose => inertia(problem)
+                .and_then(|inertia| convention(dataset, channel + 1, &inertia))
+                .map(|message| (FaultKind::AttitudeConvention, message)),
+        };
+        if let Some((kind, (detail, correction))) = found {
+            let flights = dataset.flights.iter();
+            let with = flights.filter(|flight| series(flight, channel).next().is_some());
+            faults.extend(with.map(|flight| DataFault::new(flight, kind, &*detail, &*correction)));
+        }
+        channel += sensor.kind.channels().len();
+    }
+    let mut seen = Vec::new();
+    faults.retain(|fault| {
+        let is_new = !seen.contains(&fault.file);
+        seen.push(fault.file.clone());
+        is_new
+    });
+    faults
+}
+
+/// Times (s) and readings of a channel in a flight.
+fn series(flight: &Flight, channel: usize) -> impl Iterator<Item = (f64, Reading)> {
+    let samples = flight.times.iter().zip(&flight.readings);
+    samples.filter_map(move |(time, row)| Some((*time, (*row.get(channel)?)?)))
+}
+
+/// Inertia tensor of the body in body axes, kg m²; `None` for a point mass, or if the model says nothing about it.
+fn inertia(problem: &FitProblem) -> Option<Matrix3<f64>> {
+    let body = ThrownModel::new(&problem.model).ok()?;
+    let layout = problem.body.layout();
+    let state = layout.default_states();
+    let axes = body.motion(&state, &problem.parameters).turning?.axes;
+    Some(axes.transpose() * body.inertia(&state, &problem.parameters)? * axes)
+}
+
+/// Faults of the flights in which a component of the sensor stays at its greatest magnitude.
+fn saturated(dataset: &Dataset, (sensor, channel): (&Sensor, usize)) -> Vec<DataFault> {
+    let greatest = |flight: &Flight, axis: usize| {
+        let values = series(flight, channel).map(|(_, reading)| reading[axis].abs());
+        values.fold(0.0, f64::max)
+    };
+    let mut faults = Vec::new();
+    for flight in &dataset.flights {
+        for (axis, name) in dataset::AXES.iter().enumerate() {
+            let limit = greatest(flight, axis);
+            let (mut at_limit, mut elsewhere, mut run, mut last) = (0, 0, 0, f64::NAN);
+            for (_, reading) in series(flight, channel) {
+                run = if reading[axis] == last { run + 1 } else { 1 };
+                last = reading[axis];
+                if last.abs() == limit {
+                    at_limit = at_limit.max(run);
+                } else {
+                    elsewhere = elsewhere.max(run);
+                }
+            }
+            let shared = || {
+                let others = dataset.flights.iter().filter(|o| o.file != flight.file);
+                others
+                    .filter(|other| greatest(other, axis) == limit)
+                    .count()
+                    > 0
+            };
+            let is_saturated = limit > 0.0
+                && at_limit >= SATURATED_SAMPLES + SATURATED_RUNS * elsewhere
+                && (elsewhere > 0 || shared());
+            if is_saturated {
+                faults.push(DataFault::new(
+                    flight,
+                    FaultKind::Other,
+                    format!(
+                        "{}_{name} is saturated: it stays at {limit} {} in {at_limit} samples",
+                        sensor.name,
+                        sensor.kind.unit()
+                    ),
+                    "leave the cells of saturated readings empty, or record with a wider range",
+                ));
+                break;
+            }
+        }
+    }
+    faults
+}
+
+/// Unit of the recorded angular velocities by Euler's equations, if it is one of [`UNITS`] and not rad/s.
+fn unit(dataset: &Dataset, channel: usize, inertia: &Matrix3<f64>) -> Option<(&'static str, f64)> {
+    let (mut aa, mut ab, mut bb) = (0.0, 0.0, 0.0);
+    for flight in &dataset.flights {
+        let rates: Vec<(f64, Vector3<f64>)> = series(flight, channel)
+            .map(|(time, [x, y, z, _])| (time, Vector3::new(x, y, z)))
+            .collect();
+        for window in rates.windows(3) {
+            let [(start, before), (_, rate), (end, after)] = window else {
+                continue;
+            };
+            let left = inertia * (after - before) / (end - start);
+            let right = -rate.cross(&(inertia * rate));
+            aa += left.norm_squared();
+            ab += left.dot(&right);
+            bb += right.norm_squared();
+        }
+    }
+    let (scale, correlation) = (ab / bb, ab * ab / (aa * bb));
+    let is_near = |unit: f64| (scale / unit - 1.0).abs() < UNIT_ERROR;
+    if correlation.is_nan() || correlation < MIN_CORRELATION || is_near(1.0) {
+        return None;
+    }
+    let mut units = UNITS.into_iter();
+    units.find(|(_, unit)| is_near(*unit))
+}
+
+fn unit_message(sensor: &Sensor, (unit, _): (&str, f64)) -> (String, String) {
+    (
+        format!(
+            "{} seems to be in {unit}: the readings follow the motion of the body only in this unit",
+            sensor.name
+        ),
+        format!("state `angular_rate = \"{unit}\"` in [recording], or write rad/s"),
+    )
+}
+
+/// Message and correction for quaternions in another convention than scalar part first and body to inertial; `None` if
+/// the angular momentum does not tell. `channel` is that of the attitude.
+fn convention(
+    dataset: &Dataset,
+    channel: usize,
+    inertia: &Matrix3<f64>,
+) -> Option<(String, String)> {
+    type Read = fn(Reading) -> Reading;
+    let stated = unsteadiness(dataset, channel, inertia, |q| q)?;
+    let others: [(Read, &str, &str); 3] = [
+        (
+            |[w, x, y, z]| [w, -x, -y, -z],
+            "turn inertial to body components",
+            "state `attitude = \"inertial_to_body\"` in [recording], or write the conjugates",
+        ),
+        (
+            |[x, y, z, w]| [w, x, y, z],
+            "have the scalar part last",
+            "write the scalar part into the column _qw",
+        ),
+        (
+            |[x, y, z, w]| [w, -x, -y, -z],
+            "have the scalar part last and turn inertial to body components",
+            "write the scalar part into the column _qw, and the conjugates",
+        ),
+    ];
+    let tried = others.into_iter().filter_map(|(read, what, correction)| {
+        Some((
+            unsteadiness(dataset, channel, inertia, read)?,
+            what,
+            correction,
+        ))
+    });
+    let best = tried.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    (STEADIER * best.0 < stated).then(|| {
+        (
+            format!(
+                "the quaternions seem to {}: as they are, the angular momentum turns with the body",
+                best.1
+            ),
+            best.2.to_owned(),
+        )
+    })
+}
+
+/// Mean square change of the angular momentum while the body turns by [`COMPARED_ROTATION`], relative to its mean
+/// square, with attitudes converted by `read`; `None` if the body does not turn that far.
+fn unsteadiness(
+    dataset: &Dataset,
+    channel: usize,
+    inertia: &Matrix3<f64>,
+    read: impl Fn(Reading) -> Reading,
+) -> Option<f64> {
+    let (mut changes, mut squares) = (0.0, 0.0);
+    for flight in &dataset.flights {
+        let poses: Vec<(f64, UnitQuaternion<f64>)> = series(flight, channel)
+            .map(|(time, reading)| (time, attitude(read(reading))))
+            .collect();
+        let (mut momenta, mut turned) = (Vec::new(), 0.0);
+        for window in poses.windows(2) {
+            let turn = (window[0].1.inverse() * window[1].1).scaled_axis();
+            let rate = turn / (window[1].0 - window[0].0);
+            momenta.push(window[0].1 * (inertia * rate));
+            turned += turn.norm();
+        }
+        let lag = (COMPARED_ROTATION * momenta.len() as f64 / turned).ceil();
+        if !(lag >= 1.0 && lag < momenta.len() as f64) {
+            continue;
+        }
+        for (before, after) in momenta.iter().zip(&momenta[lag as usize..]) {
+            changes += (after - before).norm_squared();
+            squares += before.norm_squared();
+        }
+    }
+    (squares > 0.0).then(|| changes / squares)
+}

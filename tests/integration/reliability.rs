@@ -1,0 +1,150 @@
+//! Fits that must not be relied on say so, and complete models are not doubted.
+
+use hyzer::{
+    Dataset, DatasetBuilder, Effect, Fit, Instrument, Model, Plan, Role, SensorKind, synthesize,
+};
+
+/// Backhands of `model`, with the coefficients `set` at other values.
+fn throws(model: &Model, set: &[(&str, f64)], flights: usize, seed: u64) -> Dataset {
+    let mut release = model.release("backhand").unwrap();
+    for (name, value) in set {
+        release = release.with_coefficient(name, *value);
+    }
+    let plan = Plan {
+        flights,
+        duration: Some(0.8),
+        seed,
+        ..Plan::default()
+    };
+    synthesize(model, &[release], &plan).unwrap()
+}
+
+fn disc() -> Model {
+    Model::load("disc").unwrap()
+}
+
+/// Whether the fit is unreliable, with one reason, which contains `word`.
+fn is_doubted(fit: &Fit, word: &str) -> bool {
+    !fit.is_reliable() && matches!(fit.cautions(), [only] if only.contains(word))
+}
+
+#[test]
+fn fits_of_complete_models_are_reliable() {
+    let disc = disc();
+    for seed in 0..6 {
+        let flights = 2 + 2 * (seed as usize % 3);
+        let fit = Fit::of(&disc)
+            .run(&throws(&disc, &[], flights, seed))
+            .unwrap();
+        assert!(fit.is_reliable(), "seed {seed}: {:?}", fit.cautions());
+    }
+}
+
+#[test]
+fn a_lack_of_fit_of_two_flights_is_seen() {
+    let effect = "effect more_drag { site drag; coefficient C_D1 = 0 [1/rad]; replace C_D = previous + C_D1*alpha; }";
+    let more = disc().with(&Effect::parse(effect).unwrap()).unwrap();
+    let fit = Fit::of(&disc())
+        .run(&throws(&more, &[("C_D1", 1.0)], 2, 1))
+        .unwrap();
+    assert!(is_doubted(&fit, "not noise"), "{:?}", fit.cautions());
+}
+
+#[test]
+fn an_estimate_at_its_bound_is_not_relied_on() {
+    let text = disc().text();
+    let bounded = text.replace("/rad in -10 .. 10", "/rad in -10 .. 2.3");
+    assert_ne!(text, bounded);
+    let model = Model::parse("disc", &bounded).unwrap();
+    let fit = Fit::of(&model).run(&throws(&disc(), &[], 6, 2)).unwrap();
+    assert!(fit.coefficient("C_La").unwrap().at_bound);
+    assert!(
+        fit.cautions()
+            .iter()
+            .any(|c| c.contains("C_La is at its bound 2.3")),
+        "{:?}",
+        fit.cautions()
+    );
+    let free = Fit::of(&model).unbounded();
+    assert!(free.run(&throws(&disc(), &[], 6, 2)).unwrap().is_reliable());
+}
+
+#[test]
+fn a_prior_that_the_data_contradict_is_named() {
+    let data = throws(&disc(), &[], 6, 3);
+    let fit = |mean: f64| {
+        Fit::of(&disc())
+            .prior("C_La", mean, 0.01)
+            .run(&data)
+            .unwrap()
+    };
+    assert!(fit(2.37).is_reliable());
+    let contradicted = fit(2.0);
+    let named = contradicted.cautions().iter();
+    assert!(
+        named
+            .clone()
+            .any(|c| c.contains("contradict the prior C_La = 2 ± 0.01")),
+        "{:?}",
+        contradicted.cautions()
+    );
+}
+
+/// Three backhands of `disc_quaternion` measured by a gyroscope and a pose sensor at 200 Hz; `rate` and `pose` are
+/// what the sensors show.
+fn sensed(rate: impl Fn([f64; 3]) -> [f64; 3], pose: impl Fn([f64; 4]) -> [f64; 4]) -> Dataset {
+    let model = Model::load("disc_quaternion").unwrap();
+    let times: Vec<f64> = (0..160).map(|i| f64::from(i) / 200.0).collect();
+    let mut uniform = (1..).map(|i| ((f64::from(i) * 12.9898).sin() * 43758.5453).fract());
+    let mut noise = |size: f64| size * uniform.next().unwrap();
+    let gyroscope = SensorKind::Instrument(Instrument::Gyroscope);
+    let mut data = DatasetBuilder::new("disc_quaternion")
+        .sensor("tag", SensorKind::Pose, [0.0; 3])
+        .sensor("imu", gyroscope, [0.0; 3]);
+    for speed in [12.0, 14.0, 16.0] {
+        let release = model.release("backhand").unwrap().with_initial("vx", speed);
+        let flight = model.fly(&release).unwrap();
+        let mut state =
+            |name: &str, t: f64, size: f64| flight.state(name, t).unwrap() + noise(size);
+        let mut rates = Vec::new();
+        let mut poses = Vec::new();
+        for &t in &times {
+            let own = ["p", "q", "r"].map(|name| state(name, t, 0.1));
+            rates.push(Some(rate(own)));
+            let position = ["x", "y", "z"].map(|name| state(name, t, 0.003));
+            let turn = ["q0", "q1", "q2", "q3"].map(|name| state(name, t, 0.003));
+            let norm = turn.iter().map(|q| q * q).sum::<f64>().sqrt();
+            poses.push(Some((position, pose(turn.map(|q| q / norm)))));
+        }
+        let none = vec![Vec::new(); times.len()];
+        data = data
+            .flight(&format!("throw{speed}"), Role::Fit, &times, none)
+            .poses("tag", &poses)
+            .readings("imu", &rates);
+    }
+    data.build().unwrap()
+}
+
+#[test]
+fn units_conventions_and_saturation_of_sensors_are_named() {
+    let model = Model::load("disc_quaternion").unwrap();
+    let fit = |data: &Dataset| Fit::of(&model).run(data);
+    let (same, unturned) = (|rate: [f64; 3]| rate, |turn: [f64; 4]| turn);
+    let right = fit(&sensed(same, unturned)).unwrap();
+    assert_eq!(right.data_faults(), []);
+    let refused = |data: Dataset, expected: &str| {
+        let error = fit(&data)
+            .err()
+            .expect("a fault of all flights")
+            .to_string();
+        assert!(error.contains(expected), "{error}");
+    };
+    let degrees = |rate: [f64; 3]| rate.map(f64::to_degrees);
+    refused(sensed(degrees, unturned), "angular_rate = \"deg/s\"");
+    let conjugate = |[w, x, y, z]: [f64; 4]| [w, -x, -y, -z];
+    refused(sensed(same, conjugate), "attitude = \"inertial_to_body\"");
+    let last = |[w, x, y, z]: [f64; 4]| [x, y, z, w];
+    refused(sensed(same, last), "scalar part last");
+    let clipped = |rate: [f64; 3]| rate.map(|own| own.clamp(-34.9, 34.9));
+    refused(sensed(clipped, unturned), "imu_z is saturated");
+}
