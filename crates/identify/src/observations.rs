@@ -64,6 +64,8 @@ pub struct Observations {
     pub truncation: Option<Truncation>,
     /// Remarks on the flight for the report.
     pub notes: Vec<String>,
+    /// Factor, at most 1, of the integration tolerances of the flight: long flights add up more errors.
+    pub tolerance_factor: f64,
 }
 
 impl Observations {
@@ -120,6 +122,7 @@ impl Observations {
             samples: flight.times.len(),
             truncation: None,
             notes,
+            tolerance_factor: 1.0,
         })
     }
 
@@ -139,6 +142,7 @@ impl Observations {
         observations.outlier.clone_from(&other.outlier);
         observations.truncation.clone_from(&other.truncation);
         observations.notes.clone_from(&other.notes);
+        observations.tolerance_factor = other.tolerance_factor;
         Some(observations)
     }
 

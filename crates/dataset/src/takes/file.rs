@@ -1,5 +1,6 @@
 //! Reading of files as bytes or text; only regular files of bounded size are accepted.
 
+use std::borrow::Cow;
 use std::io::{ErrorKind, Read};
 use std::path::Path;
 
@@ -47,24 +48,34 @@ pub fn bytes(file: &Path, largest: u64, what: &str) -> Result<Vec<u8>, TakeError
     Ok(bytes)
 }
 
-/// Decodes the bytes of a table as UTF-8 and strips the byte-order mark. Fails for UTF-16, invalid UTF-8 and NUL bytes.
-pub(crate) fn text(bytes: &[u8]) -> Result<&str, Fault> {
-    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
-        let found = "the byte-order mark of UTF-16";
-        return Err(Fault::new(Location::Line(1), found, "UTF-8 text"));
+/// Decodes the bytes of a table: UTF-8, or UTF-16 with a byte-order mark, which is stripped; lines may end in a carriage
+/// return alone. Fails for other encodings and NUL bytes.
+pub(crate) fn text(bytes: &[u8]) -> Result<Cow<'_, str>, Fault> {
+    let line = |before: &[u8]| Location::Line(1 + before.iter().filter(|&&b| b == b'\n').count());
+    let text = match bytes {
+        [0xff, 0xfe, rest @ ..] => Cow::Owned(utf16(rest, u16::from_le_bytes)?),
+        [0xfe, 0xff, rest @ ..] => Cow::Owned(utf16(rest, u16::from_be_bytes)?),
+        _ => Cow::Borrowed(std::str::from_utf8(bytes).map_err(|error| {
+            let offset = error.valid_up_to();
+            let found = format!("the byte {:#04x}", bytes[offset]);
+            Fault::new(line(&bytes[..offset]), found, "UTF-8 text")
+        })?),
+    };
+    if let Some(offset) = text.find('\0') {
+        let before = &text.as_bytes()[..offset];
+        return Err(Fault::new(line(before), "a NUL byte", "text"));
     }
-    let line = |offset: usize| 1 + bytes[..offset].iter().filter(|&&b| b == b'\n').count();
-    let text = std::str::from_utf8(bytes).map_err(|error| {
-        let offset = error.valid_up_to();
-        let found = format!("the byte {:#04x}", bytes[offset]);
-        Fault::new(Location::Line(line(offset)), found, "UTF-8 text")
-    })?;
-    match text.find('\0') {
-        Some(offset) => Err(Fault::new(
-            Location::Line(line(offset)),
-            "a NUL byte",
-            "text",
-        )),
-        None => Ok(text.strip_prefix('\u{feff}').unwrap_or(text)),
+    if text.contains('\r') && !text.contains('\n') {
+        return Ok(Cow::Owned(text.replace('\r', "\n")));
     }
+    Ok(match text {
+        Cow::Borrowed(text) => Cow::Borrowed(text.strip_prefix('\u{feff}').unwrap_or(text)),
+        owned => owned,
+    })
+}
+
+fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Result<String, Fault> {
+    let units = bytes.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
+    let text: Result<String, _> = char::decode_utf16(units).collect();
+    text.map_err(|_| Fault::new(Location::Line(1), "bytes that are not UTF-16", "UTF-8 text"))
 }

@@ -76,9 +76,8 @@ impl Format {
         };
         let keyword = first.split([',', ';', '\t']).next().unwrap_or_default();
         match keyword.trim().trim_matches('"') {
-            "Trajectories" | "Devices" | "Model Outputs" | "Segments" | "Joints" | "Events" => {
-                Ok(Self::Vicon)
-            }
+            "Trajectories" | "Devices" | "Model Outputs" | "Segments" | "Objects" | "Joints"
+            | "Events" => Ok(Self::Vicon),
             "Format Version" => Ok(Self::OptiTrack),
             keyword if keyword.starts_with("NO_OF_") => {
                 let has_bodies = lines().take(QUALISYS_HEADER).any(|(line, _)| {

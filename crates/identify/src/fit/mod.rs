@@ -11,6 +11,7 @@ pub(crate) mod contact_refinement;
 mod continued;
 mod exclusion;
 mod fitted_text;
+mod global_error;
 mod held_out;
 mod horizon_continuation;
 mod initial_guess;
@@ -317,6 +318,7 @@ fn from_guesses<'a>(
     let (mut state, alternatives) = (guesses.state, &guesses.alternatives);
     state.excluded.extend(doubtful);
     let (mut state, cache) = spin_aliases::resolve_spin_aliases(state, alternatives)?;
+    let cache = global_error::bound_global_errors(&mut state, cache);
     let cache = wrong_minimum::start_undistorted(&mut state, cache)?;
     let cache = multiple_shooting::shoot_again(&mut state, cache)?;
     let cache = multistart::multistart(&mut state, cache)?;

@@ -90,6 +90,15 @@ impl ResidualCache {
         median_of(scales).unwrap_or(0.0)
     }
 
+    /// Sum of the squares of all residuals, each at most `limit` m in size, m², and their number.
+    pub fn clipped_squares(&self, limit: f64) -> (f64, usize) {
+        let paths = self.0.iter().filter_map(|flight| flight.path.as_ref().ok());
+        let residuals = paths.flat_map(|path| path.residuals.iter().flatten().flatten().flatten());
+        residuals.fold((0.0, 0), |(squares, count), residual| {
+            (squares + residual.abs().min(limit).powi(2), count + 1)
+        })
+    }
+
     /// Root mean square over the flights of their residual scales, m; 0 if no flight has a residual scale.
     pub fn rms_scale(&self) -> f64 {
         let scales: Vec<f64> = self.0.iter().filter_map(|flight| flight.scale).collect();

@@ -18,6 +18,13 @@ const ALIASES: [i32; 3] = [0, -1, 1];
 /// median over the flights of the robust standard deviations of their residuals.
 const ACCEPTED_RATIO: f64 = 0.9;
 
+/// Decrease of the deviance, −2 ln of the likelihood, at which another spin is preferred although the residual scales
+/// are alike: odds of 150 to 1 against the slower spin.
+const MIN_DEVIANCE: f64 = 10.0;
+
+/// Size at which residuals are clipped in the deviance, in units of the residual scale: outliers tell nothing.
+const CLIPPED: f64 = 4.0;
+
 /// Fits all flights by horizon continuation once for each spin alias (number of additional turns between samples), and
 /// returns the fit with the smallest residuals.
 ///
@@ -47,10 +54,11 @@ pub fn resolve_spin_aliases<'a>(
             }
         };
         let scale = median_scale(&cache, tried.excluded.len() - state.excluded.len());
-        if best
-            .as_ref()
-            .is_none_or(|(least, ..)| scale < ACCEPTED_RATIO * least)
-        {
+        let is_better = best.as_ref().is_none_or(|(least, _, before)| {
+            scale < ACCEPTED_RATIO * least
+                || ACCEPTED_RATIO * scale < *least && is_likelier(&cache, before, *least)
+        });
+        if is_better {
             best = Some((scale, tried, cache));
         }
     }
@@ -58,6 +66,14 @@ pub fn resolve_spin_aliases<'a>(
         Some((_, state, cache)) => Ok((state, cache)),
         None => Err(failure.unwrap_or(FitError::Interrupted)),
     }
+}
+
+/// Whether the residuals `new` are likelier than `before` by [`MIN_DEVIANCE`], for noise of unknown size; `scale` is the
+/// residual scale, m.
+fn is_likelier(new: &ResidualCache, before: &ResidualCache, scale: f64) -> bool {
+    let [(new, count), (before, other)] =
+        [new, before].map(|cache| cache.clipped_squares(CLIPPED * scale));
+    count >= other && count as f64 * (before / new).ln() > MIN_DEVIANCE
 }
 
 /// Copy of a fit in progress in which the initial state of each flight is its initial guess with `alias` additional

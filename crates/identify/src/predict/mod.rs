@@ -88,7 +88,7 @@ pub fn linearise_with(
         global,
         local,
         samples,
-        tolerance,
+        tolerance: tolerance * observations.tolerance_factor,
         with_outliers: matches!(loss, Loss::Huber(_)),
     };
     pass.each_point(motion, &columns, cache, |point| {
@@ -121,7 +121,7 @@ pub fn each_residual(
         global,
         local,
         samples: observations.times.len(),
-        tolerance: RESIDUAL_TOLERANCE * problem.sigma0,
+        tolerance: RESIDUAL_TOLERANCE * problem.sigma0 * observations.tolerance_factor,
         with_outliers: true,
     };
     let order = columns.local_then_parameters();

@@ -28,7 +28,8 @@ pub fn states(
     let start: ModelState = local.as_slice().into();
     let times = &observations.times[..samples];
     let mut states = vec![0.0; start.len() * times.len()];
-    let options = integration_options(RESIDUAL_TOLERANCE * problem.sigma0, times.len());
+    let tolerance = RESIDUAL_TOLERANCE * problem.sigma0 * observations.tolerance_factor;
+    let options = integration_options(tolerance, times.len());
     let from = (times[0], &start);
     conditions.integrate_at(from, times, &options, &mut [], &mut states)?;
     Ok(states)

@@ -1,8 +1,8 @@
 //! Faults of gyroscopes, accelerometers and poses: saturated readings, and units and conventions that contradict the
-//! mechanics of a spinning body. Moments turn its angular momentum slowly, so that its rates follow Euler's equations
-//! without moments, I ω̇ = −ω × I ω.
+//! mechanics of a spinning body. Moments turn its angular momentum slowly; seen from the body, what is steady in the
+//! room turns with the angular velocity.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
@@ -17,13 +17,13 @@ use model_spec::compose::Instrument;
 const SATURATED_SAMPLES: usize = 5;
 /// See [`SATURATED_SAMPLES`]: coarsely rounded readings repeat all their values.
 const SATURATED_RUNS: usize = 3;
-/// Minimum squared correlation of both sides of Euler's equations at which they tell the unit of a gyroscope.
-const MIN_CORRELATION: f64 = 0.8;
-/// Maximum relative difference between the unit by Euler's equations and a known one: finite differences of the rates
-/// are too small by up to a quarter, and moments act.
-const UNIT_ERROR: f64 = 0.35;
+/// Maximum relative difference between the apparent and a known unit of a gyroscope: free motions of the axis turn in
+/// the body at another rate than the spin.
+const UNIT_ERROR: f64 = 0.5;
+/// Maximum angle by which a direction may turn in the body from sample to sample, rad; noise seems to turn by 1.4.
+const MAX_TURN: f64 = 1.0;
 /// Units in which gyroscopes are recorded by mistake, with their values in rad/s.
-const UNITS: [(&str, f64); 3] = [("deg/s", PI / 180.0), ("rpm", PI / 30.0), ("rev/s", TAU)];
+const UNITS: [(&str, f64); 2] = [("deg/s", PI / 180.0), ("rpm", PI / 30.0)];
 /// Minimum ratio by which the angular momentum must turn less under another convention of quaternions, in squares.
 const STEADIER: f64 = 4.0;
 /// Rotation between two compared angular momenta, rad: enough to see a direction that turns with the body.
@@ -41,11 +41,9 @@ pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
             SensorKind::Instrument(Instrument::Speed) => None,
             SensorKind::Instrument(instrument) => {
                 faults.extend(saturated(dataset, (sensor, channel)));
-                let inertia = (instrument == Instrument::Gyroscope).then(|| inertia(problem));
-                let unit = inertia
-                    .flatten()
-                    .and_then(|inertia| unit(dataset, channel, &inertia));
-                unit.map(|unit| (FaultKind::SensorUnit, unit_message(sensor, unit)))
+                let unit = (instrument == Instrument::Gyroscope).then(|| unit(dataset, channel));
+                unit.flatten()
+                    .map(|unit| (FaultKind::SensorUnit, unit_message(sensor, unit)))
             }
             SensorKind::Pose => inertia(problem)
                 .and_then(|inertia| convention(dataset, channel + 1, &inertia))
@@ -130,34 +128,45 @@ fn saturated(dataset: &Dataset, (sensor, channel): (&Sensor, usize)) -> Vec<Data
     faults
 }
 
-/// Unit of the recorded angular velocities by Euler's equations, if it is one of [`UNITS`] and not rad/s.
-fn unit(dataset: &Dataset, channel: usize, inertia: &Matrix3<f64>) -> Option<(&'static str, f64)> {
-    let (mut aa, mut ab, mut bb) = (0.0, 0.0, 0.0);
-    for flight in &dataset.flights {
-        let rates: Vec<(f64, Vector3<f64>)> = series(flight, channel)
-            .map(|(time, [x, y, z, _])| (time, Vector3::new(x, y, z)))
-            .collect();
-        for window in rates.windows(3) {
-            let [(start, before), (_, rate), (end, after)] = window else {
-                continue;
-            };
-            let left = inertia * (after - before) / (end - start);
-            let right = -rate.cross(&(inertia * rate));
-            aa += left.norm_squared();
-            ab += left.dot(&right);
-            bb += right.norm_squared();
-        }
-    }
-    let (scale, correlation) = (ab / bb, ab * ab / (aa * bb));
-    let is_near = |unit: f64| (scale / unit - 1.0).abs() < UNIT_ERROR;
-    if correlation.is_nan() || correlation < MIN_CORRELATION || is_near(1.0) {
-        return None;
-    }
-    let mut units = UNITS.into_iter();
-    units.find(|(_, unit)| is_near(*unit))
+/// Unit of the recorded angular velocities, if it is one of [`UNITS`] in all flights that tell.
+fn unit(dataset: &Dataset, channel: usize) -> Option<&'static str> {
+    let flights = dataset.flights.iter();
+    let told: Vec<f64> = flights
+        .filter_map(|flight| apparent_unit(flight, channel))
+        .collect();
+    let is_near = |unit: f64| told.iter().all(|own| (own / unit - 1.0).abs() < UNIT_ERROR);
+    let mut known = UNITS.into_iter().filter(|(_, unit)| is_near(*unit));
+    known
+        .next()
+        .filter(|_| !told.is_empty())
+        .map(|(unit, _)| unit)
 }
 
-fn unit_message(sensor: &Sensor, (unit, _): (&str, f64)) -> (String, String) {
+/// Unit of the recorded angular velocities of a flight, rad/s: the rate at which their part across the mean direction
+/// turns, over their magnitude. `None` if noise or the sampling interval hide it.
+fn apparent_unit(flight: &Flight, channel: usize) -> Option<f64> {
+    let rates: Vec<(f64, Vector3<f64>)> = series(flight, channel)
+        .map(|(time, [x, y, z, _])| (time, Vector3::new(x, y, z)))
+        .collect();
+    let mean = rates.iter().map(|(_, rate)| rate).sum::<Vector3<f64>>() / rates.len() as f64;
+    let axis = mean.normalize();
+    let (mut changes, mut squares, mut intervals) = (0.0, 0.0, 0.0);
+    for window in rates.windows(2) {
+        let across = |rate: Vector3<f64>| rate - axis * axis.dot(&rate);
+        changes += across(window[1].1 - window[0].1).norm_squared();
+        squares += across(window[0].1).norm_squared();
+        intervals += window[1].0 - window[0].0;
+    }
+    let turned = (changes / squares).sqrt();
+    if turned.is_nan() || turned > MAX_TURN {
+        return None;
+    }
+    let interval = intervals / (rates.len() - 1) as f64;
+    let rate = 2.0 * (turned / 2.0).asin() / interval;
+    Some(rate / mean.norm())
+}
+
+fn unit_message(sensor: &Sensor, unit: &str) -> (String, String) {
     (
         format!(
             "{} seems to be in {unit}: the readings follow the motion of the body only in this unit",

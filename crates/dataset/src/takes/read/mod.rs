@@ -43,10 +43,10 @@ fn checked(bytes: &[u8], options: &ReadOptions) -> Result<Take, Fault> {
     } else {
         let text = crate::takes::file::text(bytes)?;
         match format {
-            Format::Vicon => vicon::read(text, options)?,
-            Format::Qualisys | Format::QualisysPoses => qualisys::read(text, format, options)?,
-            Format::OptiTrack => optitrack::read(text, options)?,
-            _ => header::read(text, format, options)?,
+            Format::Vicon => vicon::read(&text, options)?,
+            Format::Qualisys | Format::QualisysPoses => qualisys::read(&text, format, options)?,
+            Format::OptiTrack => optitrack::read(&text, options)?,
+            _ => header::read(&text, format, options)?,
         }
     };
     let points = take.points.iter().flat_map(|point| &point.positions);

@@ -62,7 +62,9 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Take, Fault> {
         },
     };
     let heads = heads(&mut sheet)?;
-    let width = sheet.filled();
+    // The last column, an error, may have no axis.
+    let kinds = heads.kinds.iter().rposition(|kind| !kind.is_empty());
+    let width = sheet.filled().max(kinds.map_or(0, |last| last + 1));
     let tracks = tracks(&heads, &sheet)?;
     let mut layout = Layout {
         format: Format::OptiTrack,
@@ -109,8 +111,14 @@ fn heads(sheet: &mut Sheet<'_>) -> Result<Heads, Fault> {
             let location = Location::Line(sheet.line());
             return Err(Fault::new(location, "the end of the file", EXPECTED));
         }
-        if sheet.cell(0).eq_ignore_ascii_case("frame") {
-            if !sheet.cell(1).to_ascii_lowercase().starts_with("time (s") {
+        let is_axis = |cell: &String| matches!(cell.as_str(), "X" | "Y" | "Z" | "W");
+        // Old exports do not name the columns of frame and time.
+        let is_unnamed = sheet.cell(0).is_empty() && sheet.cell(1).is_empty();
+        if sheet.cell(0).eq_ignore_ascii_case("frame")
+            || is_unnamed && sheet.cells().iter().skip(FIXED).all(is_axis)
+        {
+            let time = sheet.cell(1).to_ascii_lowercase();
+            if !(is_unnamed || time == "time" || time.starts_with("time (s")) {
                 let found = shown(sheet.cell(1));
                 return Err(sheet.fault(1, found, "a column Time (Seconds)"));
             }
@@ -135,9 +143,16 @@ fn heads(sheet: &mut Sheet<'_>) -> Result<Heads, Fault> {
             };
         }
         let is_kinds = |cell: &String| cell == "Position" || cell == "Rotation";
+        let is_type = |cell: &String| cell == "Marker" || cell == "Rigid Body";
         match sheet.cell(1) {
             "Type" => heads.types = sheet.cells(),
             "Name" => heads.names = sheet.cells(),
+            "" if heads.types.is_empty() && sheet.cells().iter().any(is_type) => {
+                heads.types = sheet.cells();
+            }
+            "" if heads.names.is_empty() && !heads.types.is_empty() => {
+                heads.names = sheet.cells();
+            }
             _ if sheet.cells().iter().skip(FIXED).any(is_kinds) => heads.kinds = sheet.cells(),
             _ => {}
         }
@@ -196,11 +211,12 @@ fn fill(
             .iter()
             .any(|((kind, other), _)| kind == "Marker" && other == name)
     };
+    let is_unlabelled = |name: &str| name.is_empty() || name.starts_with("Unlabeled");
     let mut left_out = Vec::new();
     for ((kind, name), track) in &tracks.list {
         let is_body = matches!(kind.as_str(), "Rigid Body" | "Bone");
         let is_solved = matches!(kind.as_str(), "Rigid Body Marker" | "Bone Marker");
-        let is_named = !name.is_empty() && !name.starts_with("Unlabeled");
+        let is_named = !is_unlabelled(name);
         if !(is_body || is_solved || kind == "Marker") || !is_named || is_solved && measured(name) {
             left_out.push(format!("{kind} {}", shown(name)));
             continue;
@@ -238,6 +254,14 @@ fn fill(
             }
         };
         layout.bodies.push((name.clone(), [x, y, z], attitude));
+    }
+    let mut names = tracks.list.iter().map(|((_, name), _)| name);
+    if layout.points.is_empty() && layout.bodies.is_empty() && names.any(|n| is_unlabelled(n)) {
+        return Err(Fault::new(
+            Location::Line(sheet.line()),
+            "markers without labels only",
+            "labelled markers or a rigid body: label them in Motive, and export again",
+        ));
     }
     if !left_out.is_empty() {
         let names = listed(&left_out);

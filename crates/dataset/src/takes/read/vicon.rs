@@ -92,7 +92,7 @@ fn find_section(sheet: &mut Sheet<'_>, notes: &mut Vec<String>) -> Result<(), Fa
     Err(Fault::new(
         location,
         found,
-        format!("the section {SECTION}"),
+        format!("the section {SECTION}: export the trajectories of the markers"),
     ))
 }
 
