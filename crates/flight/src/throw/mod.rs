@@ -194,6 +194,7 @@ impl Throw {
     ///
     /// # Errors
     /// [`ThrowError::Range`] if the value is out of range.
+    #[doc(hidden)]
     pub fn check_field(field: &str, value: f64) -> Result<(), ThrowError> {
         let Some((name, unit, least, greatest)) = FIELDS.into_iter().find(|(n, ..)| *n == field)
         else {
@@ -217,6 +218,7 @@ impl Throw {
     /// Motion of the body at release, with its mass centre above the point `ground` (x, y), m. It has no wobble: the
     /// angular velocity is along the body axis d3. If `has_attitude` is false (a point mass), attitude and angular
     /// velocity are `None`.
+    #[doc(hidden)]
     pub fn motion(&self, ground: [f64; 2], has_attitude: bool) -> Motion {
         let axes = self.attitude().into_inner();
         Motion {

@@ -22,6 +22,7 @@ impl WindField {
     /// # Errors
     /// [`LoadError::Faults`] if the model defines neither a velocity of the air `air` nor a velocity through it
     /// `air_velocity`, has no body whose height is known, or already uses names that the wind defines.
+    #[doc(hidden)]
     pub fn compose(&self, model: &Model) -> Result<Model, LoadError> {
         let mut tree = ModelTree::of(model);
         let profile = self.profile.as_ref().map(profile).transpose()?;
