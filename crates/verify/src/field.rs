@@ -1,4 +1,4 @@
-//! Evaluates compiled programs in the field of the integers modulo 2^61 − 1.
+//! The field of the integers modulo 2^61 − 1, in which models and compiled programs are evaluated.
 //!
 //! Sums, products and quotients are exact. Sine and cosine of an angle are a point of the unit circle, consistent for
 //! small integer multiples of states and arctangents. A square root is the root that is itself a square. Any other
@@ -6,8 +6,9 @@
 //! programs with equal results at random points are, with high probability, the same function of states, parameters and
 //! symbols.
 
+use crate::random::Random;
 use codegen::functions::{MathFunction, Parity};
-use codegen::program::{Binary, Fused, Op, Operand, Program, Unary};
+use model_spec::model::Model;
 use num_traits::{One, Zero};
 use oracle::Point;
 use oracle::scalar::{Field, PRIME, Prime};
@@ -19,137 +20,43 @@ pub type Angle = (Prime, (Prime, Prime));
 /// Maximum n for which sine and cosine of n·α are derived by the addition formulas, if those of the angle α are given.
 const MULTIPLES: usize = 4;
 
-/// Evaluator of compiled programs at a point of the prime field.
-pub struct Machine<'a> {
-    point: &'a Point<Prime>,
-    circles: &'a [(Prime, Prime)],
-    parameters: Vec<Prime>,
-    /// Results of the program `prepare`, which computes values that depend on parameters only. `None` for a result
-    /// without a value in the prime field, such as the square root of a non-square.
-    pub prepared: Vec<Option<Prime>>,
-    /// Whether the value of a function that is not rational, such as exp, is a pseudo-random element that depends on
-    /// function and argument. If false, such a function has no value.
-    symbols: bool,
+/// Random values of a model's variables, as elements of the prime field, with the sine and cosine of every state.
+pub struct FieldPoint {
+    /// Values in the prime field of time, parameters, coefficients, inputs, states and marker.
+    pub point: Point<Prime>,
+    /// (sine, cosine) of every state, as elements of the prime field.
+    pub circles: Vec<(Prime, Prime)>,
 }
 
-impl<'a> Machine<'a> {
-    /// Creates an evaluator at a point; `circles` contains (sine, cosine) of each state. `symbols`: whether the value
-    /// of a function that is not rational, such as exp, is a pseudo-random element that depends on function and
-    /// argument; if false, such a function has no value.
-    pub fn new(point: &'a Point<Prime>, circles: &'a [(Prime, Prime)], symbols: bool) -> Self {
+impl FieldPoint {
+    /// Draws random values in the prime field for all variables of a model; attitude quaternions have norm 1.
+    pub fn random(model: &Model, random: &mut Random) -> Self {
+        let mut point = Point::defaults(model).map(|_| random.prime());
+        for states in model.quaternions() {
+            for (i, part) in states.into_iter().zip(unit_quaternion(random)) {
+                point.states[i] = part;
+            }
+        }
+        let circles = point.states.iter().map(|_| on_circle(random.prime()));
         Self {
+            circles: circles.collect(),
             point,
-            circles,
-            parameters: point.parameters(),
-            prepared: Vec::new(),
-            symbols,
         }
     }
+}
 
-    /// Runs a program and returns its outputs; `None` for an output without a value in the prime field, such as the
-    /// square root of a non-square.
-    pub fn run(&self, program: &Program) -> Vec<Option<Prime>> {
-        let mut temps: Vec<Option<Prime>> = Vec::with_capacity(program.statements.len());
-        let mut angles: Vec<Angle> = self
-            .point
-            .states
-            .iter()
-            .zip(self.circles)
-            .map(|(&angle, &circle)| (angle, circle))
-            .collect();
-        for statement in &program.statements {
-            temps.push(self.step(program, statement.op, &temps, &mut angles));
-        }
-        program
-            .outputs
-            .iter()
-            .map(|&output| self.value(output, &temps))
-            .collect()
-    }
-
-    fn step(
-        &self,
-        program: &Program,
-        op: Op,
-        temps: &[Option<Prime>],
-        angles: &mut Vec<Angle>,
-    ) -> Option<Prime> {
-        let value = |operand| self.value(operand, temps);
-        match op {
-            Op::Unary(op, a) => self.unary(program, op, value(a)?, angles),
-            Op::Binary(op, a, b) => {
-                let (a, b) = (value(a)?, value(b)?);
-                match op {
-                    Binary::Add => Some(a + b),
-                    Binary::Sub => Some(a - b),
-                    Binary::Mul => Some(a * b),
-                    Binary::Div => Some(a / b),
-                    Binary::Atan2 => {
-                        let found = self.symbols.then(|| angle(a, b))??;
-                        angles.push(found);
-                        Some(found.0)
-                    }
-                    Binary::Min => self.symbols.then(|| symbol(1, &[a.min(b), a.max(b)])),
-                    Binary::Max => self.symbols.then(|| symbol(2, &[a.min(b), a.max(b)])),
-                }
-            }
-            Op::Fused(fused, a, b, c) => {
-                let (product, c) = (value(a)? * value(b)?, value(c)?);
-                Some(match fused {
-                    Fused::MulAdd => product + c,
-                    Fused::MulSub => product - c,
-                    Fused::NegMulAdd => c - product,
-                })
-            }
-            Op::IfZero(a, then, otherwise) => {
-                if value(a)?.is_zero() {
-                    value(then)
-                } else {
-                    value(otherwise)
-                }
-            }
-        }
-    }
-
-    fn unary(&self, program: &Program, op: Unary, a: Prime, angles: &[Angle]) -> Option<Prime> {
-        let circle = || known(a, angles).or_else(|| self.symbols.then(|| circle(a)));
-        match op {
-            Unary::Neg => Some(-a),
-            Unary::Recip | Unary::RecipOrZero => Some(a.inverse()),
-            Unary::Call(function) => match function {
-                MathFunction::Sin => Some(circle()?.0),
-                MathFunction::Cos => Some(circle()?.1),
-                MathFunction::NonZero => Some(if a.is_zero() {
-                    Prime::zero()
-                } else {
-                    Prime::one()
-                }),
-                MathFunction::Sqrt => self.symbols.then(|| root(a))?,
-                MathFunction::Table(function) => {
-                    let of = program.tables.table(function.table()).fingerprint;
-                    self.symbols.then(|| table(of, function.order(), a))
-                }
-                _ => self.symbols.then(|| call(function, a)),
-            },
-        }
-    }
-
-    fn value(&self, operand: Operand, temps: &[Option<Prime>]) -> Option<Prime> {
-        match operand {
-            Operand::Time => Some(self.point.time),
-            Operand::State(i) => Some(self.point.states[i as usize]),
-            Operand::Parameter(i) => Some(self.parameters[i as usize]),
-            Operand::Prepared(i) => self.prepared[i as usize],
-            Operand::Marker(i) => Some(self.point.marker[i as usize]),
-            Operand::Constant(c) => constant(c).or_else(|| self.symbols.then(|| literal(c))),
-            Operand::Temp(i) => temps[i as usize],
-        }
-    }
+/// Draws a random unit quaternion over the prime field, by a rational parametrization of the sphere.
+fn unit_quaternion(random: &mut Random) -> [Prime; 4] {
+    let v = [random.prime(), random.prime(), random.prime()];
+    let square = v.iter().fold(Prime::zero(), |sum, &t| sum + t * t);
+    let scale = (Prime::one() + square).inverse();
+    let [x, y, z] = v.map(|t| Prime::integer(2) * t * scale);
+    [(Prime::one() - square) * scale, x, y, z]
 }
 
 /// (sine, cosine) = (2t, 1 − t²)/(1 + t²): point of the unit circle over the prime field, from a rational
 /// parametrization.
-pub fn on_circle(t: Prime) -> (Prime, Prime) {
+fn on_circle(t: Prime) -> (Prime, Prime) {
     let scale = (Prime::one() + t * t).inverse();
     (
         Prime::integer(2) * t * scale,
@@ -206,7 +113,7 @@ fn multiple_of_pi(c: f64) -> Option<Prime> {
 
 /// Element of the prime field for the rational number n/d that rounds to `c`, where d is at most 1000 or a power of ten
 /// up to 1e15; `None` if there is no such number.
-fn constant(c: f64) -> Option<Prime> {
+pub fn constant(c: f64) -> Option<Prime> {
     let decimals = (4..=15).map(|k| 10_i64.pow(k));
     (1..=1000).chain(decimals).find_map(|d| {
         let n = (c * d as f64).round();
@@ -285,7 +192,7 @@ fn least(a: Prime) -> (Prime, Prime) {
 }
 
 /// Hash of a function's number and its arguments, as an element of the prime field.
-fn symbol(function: u64, arguments: &[Prime]) -> Prime {
+pub fn symbol(function: u64, arguments: &[Prime]) -> Prime {
     let mut hash = 0x9e37_79b9_7f4a_7c15_u64 ^ function;
     for argument in arguments {
         hash = (hash ^ argument.value()).wrapping_mul(0xbf58_476d_1ce4_e5b9);

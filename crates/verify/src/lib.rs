@@ -75,9 +75,9 @@ pub fn run(loaded: &Loaded, options: &Options) -> Report {
     let compiled = codegen::compile(model);
     let engine = Engine::new(&compiled);
     let subject = Subject::new(model, &engine);
-    let mut checks = numerical(&subject, &compiled, &engine, options);
+    let mut checks = numerical(&subject, &compiled, options);
     if options.effects {
-        checks.push(Box::new(|| of_effects(loaded, options).into()));
+        checks.push(Box::new(|| checks::effects::rows(loaded, options).into()));
     }
     report.rows.extend(rows_of(&checks));
     report.refuted = refute::refutations(&subject, options);
@@ -88,27 +88,6 @@ pub fn run(loaded: &Loaded, options: &Options) -> Report {
         report.mutants = Some(table);
     }
     report
-}
-
-/// Results of the two checks of effects. The first compares the model with effects at their null values, at which they
-/// must change nothing, with the model without effects. The second compares effects with their reference
-/// implementations.
-fn of_effects(loaded: &Loaded, options: &Options) -> [Row; 2] {
-    match checks::effects::variants(loaded) {
-        Some((with, without)) => {
-            let values = flight::parallel::each(with.len(), |index| Values::of(&with[index]));
-            let with: Vec<(Model, Values)> = with.into_iter().zip(values).collect();
-            [
-                checks::effects::check(&without, &with, options),
-                checks::effect_reference::check(&with, options),
-            ]
-        }
-        None => [
-            checks::effects::EFFECTS,
-            checks::effect_reference::EFFECT_REFERENCE,
-        ]
-        .map(|name| Row::unverified(name, "the model is refused")),
-    }
 }
 
 /// Checks for each pair of models whether their accelerations and flights are equal.
@@ -137,7 +116,7 @@ pub fn rounding(model: &Model, options: &Options) -> Rounding {
 pub fn rows_of_code(model: &Model, compiled: &Compiled, options: &Options) -> Vec<Row> {
     let engine = Engine::new(compiled);
     let subject = Subject::new(model, &engine);
-    rows_of(&numerical(&subject, compiled, &engine, options))
+    rows_of(&numerical(&subject, compiled, options))
 }
 
 /// An independent part of a verification, which returns the results of one or several checks.
@@ -155,7 +134,6 @@ fn rows_of(checks: &[Check<'_>]) -> Vec<Row> {
 fn numerical<'a>(
     subject: &'a Subject<'a>,
     compiled: &'a Compiled,
-    engine: &'a Engine,
     options: &'a Options,
 ) -> Vec<Check<'a>> {
     type FlightCheck = fn(&Subject<'_>, &Options) -> Row;
@@ -171,7 +149,7 @@ fn numerical<'a>(
         Box::new(move || vec![invariants(subject, options)]),
         Box::new(move || vec![momenta(subject, options)]),
         Box::new(|| vec![checks::metamorphic::check(subject, options)]),
-        Box::new(|| checks::derivatives::check(subject, engine, options)),
+        Box::new(|| checks::derivatives::check(subject, compiled, options)),
         Box::new(|| vec![checks::exact::check(subject, options)]),
         Box::new(|| {
             vec![checks::exact_functions::check(

@@ -234,25 +234,3 @@ impl Equations for Interpreted<'_> {
         Some(Tree::new(self.0, point).vector(&seen.value))
     }
 }
-
-/// Equations of motion whose Jacobians can be evaluated at a point.
-pub trait Differentiable: Equations {
-    /// State derivatives and observation, with their dense Jacobian with respect to states, parameters, coefficients
-    /// and inputs.
-    fn derivatives(&self, point: &Point<f64>) -> Derivatives;
-    /// State derivatives with their dense Jacobian with respect to the states only, computed by the compiled function
-    /// `f_jac`.
-    fn by_state(&self, point: &Point<f64>) -> Derivatives;
-}
-
-/// Values and dense Jacobian of a model's scalar results. Rows: state derivatives, then observation components.
-/// Columns: states, parameters, coefficients, components of inputs. [`Differentiable::by_state`] returns only the rows
-/// of the state derivatives and the columns of the states.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Derivatives {
-    /// Values of the state derivatives, then of the observation components.
-    pub values: Vec<f64>,
-    /// Jacobian of `values`, indexed by row (result) and column (state, parameter, coefficient or component of an
-    /// input).
-    pub entries: Vec<Vec<f64>>,
-}

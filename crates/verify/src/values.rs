@@ -1,7 +1,8 @@
 //! A model compiled to values only, without derivatives and without hoisting of parameter-only code. This is sufficient
 //! for mutants and effects, and takes a tenth of the compilation time.
 
-use crate::engine::inputs;
+use crate::engine::outputs;
+use crate::evaluation::Inputs;
 use crate::subject::Equations;
 use codegen::Layout;
 use codegen::program::Program;
@@ -37,7 +38,7 @@ impl Values {
     }
 
     fn eval(&self, point: &Point<f64>) -> Vec<f64> {
-        evaluated(&self.tape, point)
+        outputs(&self.tape, &Inputs::of(point))
     }
 }
 
@@ -54,12 +55,4 @@ impl Equations for Values {
             _ => None,
         }
     }
-}
-
-/// Floating-point outputs of a tape at a point.
-pub(crate) fn evaluated(tape: &Tape, point: &Point<f64>) -> Vec<f64> {
-    let p = point.parameters();
-    let mut out = vec![0.0; tape.outputs()];
-    tape.eval(inputs(point, &p, &[]), &mut Vec::new(), &mut out);
-    out
 }

@@ -3,7 +3,7 @@
 //! numbers along the model's own equations. States need not be recovered from physical quantities, so the equations may
 //! have any number of states in any parametrization.
 
-use crate::claim::{along, is_fault};
+use crate::claim::{along, errors, is_fault};
 use crate::options::{Options, TOLERANCE};
 use crate::random::Random;
 use crate::row::{Row, Worst};
@@ -54,9 +54,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
             return Some(Row::unverified(CLAIM, "there are no equations to evaluate"));
         };
         for balance in body.balances() {
-            let sides = balance.change.iter().zip(balance.cause.iter());
-            for ((change, cause), axis) in sides.zip(AXES) {
-                let error = (*change - *cause).relative_error(0.0);
+            for (error, axis) in errors(&balance).into_iter().zip(AXES) {
                 worst.update(error, || balance.law.formula().to_owned());
                 let so_far = broken.entry(balance.law).or_insert((0.0, axis));
                 if is_fault(error) && error > so_far.0 {

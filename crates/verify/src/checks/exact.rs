@@ -3,18 +3,18 @@
 //! points of the field of integers modulo 2^61 − 1. Equality at all points proves equality up to the stated probability
 //! (Schwartz–Zippel lemma).
 
-use crate::field::{Machine, on_circle};
+use crate::evaluation::results;
+use crate::field::FieldPoint;
 use crate::options::Options;
 use crate::random::Random;
 use crate::row::Row;
 use crate::subject::Subject;
+use crate::symbolic::{Symbolic, evaluate};
 use codegen::Compiled;
 use model_spec::diagnostic::Span;
 use model_spec::model::{Expr, ExprKind, Input, Load, Model, Shape};
 use model_spec::unit::Unit;
-use num_traits::{One, Zero};
-use oracle::scalar::{Field, Prime};
-use oracle::{Point, free_load_derivatives};
+use oracle::free_load_derivatives;
 
 /// Name of this check in reports: derivatives of a rigid body under an arbitrary force and moment, in exact arithmetic.
 pub const EXACT: &str = "rigid body, exact";
@@ -55,15 +55,16 @@ pub fn compare(model: &Model, compiled: &Compiled, options: &Options) -> Row {
             Ok(expected) => expected,
             Err(why) => return Row::skipped(EXACT, why.to_string()),
         };
-        let mut machine = Machine::new(&spot.point, &spot.circles, false);
-        machine.prepared = machine.run(&compiled.prepare.program);
-        let found = machine.run(&compiled.f.program);
-        for ((found, expected), state) in found.iter().zip(expected).zip(&model.states) {
+        let found = evaluate(&spot, false, |point| {
+            results(compiled, [&compiled.f], point)
+        });
+        let found = found[0].1.iter().zip(expected);
+        for ((&Symbolic(found), expected), state) in found.zip(&model.states) {
             let Some(found) = found else {
                 return Row::skipped(EXACT, format!("der({}) is not rational", state.name));
             };
             let fault = format!("der({}) is another function", state.name);
-            if *found != expected && !faults.contains(&fault) {
+            if found != expected && !faults.contains(&fault) {
                 faults.push(fault);
             }
         }
@@ -108,38 +109,4 @@ pub fn free_loads(model: &Model) -> Model {
         Vec::new()
     };
     model
-}
-
-/// Random values of a model's variables, as elements of the prime field, with the sine and cosine of every state.
-pub struct FieldPoint {
-    /// Values in the prime field of time, parameters, coefficients, inputs, states and marker.
-    pub point: Point<Prime>,
-    /// (sine, cosine) of every state, as elements of the prime field.
-    pub circles: Vec<(Prime, Prime)>,
-}
-
-impl FieldPoint {
-    /// Draws random values in the prime field for all variables of a model; attitude quaternions have norm 1.
-    pub fn random(model: &Model, random: &mut Random) -> Self {
-        let mut point = Point::defaults(model).map(|_| random.prime());
-        for states in model.quaternions() {
-            for (i, part) in states.into_iter().zip(unit_quaternion(random)) {
-                point.states[i] = part;
-            }
-        }
-        let circles = point.states.iter().map(|_| on_circle(random.prime()));
-        Self {
-            circles: circles.collect(),
-            point,
-        }
-    }
-}
-
-/// Draws a random unit quaternion over the prime field, by a rational parametrization of the sphere.
-fn unit_quaternion(random: &mut Random) -> [Prime; 4] {
-    let v = [random.prime(), random.prime(), random.prime()];
-    let square = v.iter().fold(Prime::zero(), |sum, &t| sum + t * t);
-    let scale = (Prime::one() + square).inverse();
-    let [x, y, z] = v.map(|t| Prime::integer(2) * t * scale);
-    [(Prime::one() - square) * scale, x, y, z]
 }

@@ -4,10 +4,11 @@
 //! of their arguments. Branches and rounded constants, which the field cannot decide, are compared in 256-bit
 //! arithmetic at states of the model.
 
-use super::exact::{FieldPoint, POINTS};
-use super::function_rows::{Variable, differences, functions, law, variables};
+use super::exact::POINTS;
+use super::function_rows::{differences, functions, law, variables};
 use super::long_functions;
-use crate::field::{self, Angle, Machine};
+use crate::evaluation::results;
+use crate::field::{self, FieldPoint};
 use crate::options::Options;
 use crate::random::Random;
 use crate::row::Row;
@@ -16,7 +17,7 @@ use codegen::Compiled;
 use codegen::functions::MathFunction;
 use codegen::program::{Binary, Op, Operand, Unary};
 use model_spec::model::Model;
-use oracle::scalar::{Dual, Prime};
+use oracle::scalar::Dual;
 
 /// Name of this check in reports: compiled state derivatives f, Jacobians J (states) and Jp (parameters) and
 /// observation, compared in exact arithmetic with the model's vector expressions.
@@ -105,50 +106,27 @@ enum Compared {
 }
 
 fn compare(model: &Model, compiled: &Compiled, spot: &FieldPoint) -> Compared {
-    let mut machine = Machine::new(&spot.point, &spot.circles, true);
-    machine.prepared = machine.run(&compiled.prepare.program);
-    let results = functions(compiled).map(|function| {
-        let values = machine.run(&function.program);
-        Some((
-            function,
-            values.into_iter().collect::<Option<Vec<Prime>>>()?,
-        ))
-    });
-    let results: Option<Vec<_>> = results.into_iter().collect();
-    let mut faults = Vec::new();
-    for variable in variables(model, compiled, &spot.point.states) {
-        let Some(expected) = exact_law(model, spot, &variable) else {
-            return Compared::NoLaw;
-        };
-        let Some(results) = &results else {
-            return Compared::NoCode;
-        };
-        let differ = |found, expected| found != expected;
-        faults.extend(differences(model, results, &variable, &expected, &differ));
-    }
-    faults.sort();
-    faults.dedup();
-    Compared::At(faults)
-}
-
-/// Every state derivative and component of the observation, from the model's vector expressions over the prime field,
-/// with its derivative with respect to a variable. `None` if the argument of a square root is not a square in the
-/// field.
-fn exact_law(
-    model: &Model,
-    spot: &FieldPoint,
-    variable: &Variable<'_, Prime>,
-) -> Option<Vec<Dual<Prime>>> {
-    let direction = variable.direction.iter().map(|&d| Symbolic(d)).collect();
-    let variable = variable.along(direction);
-    let states = spot.point.states.iter().zip(&spot.circles);
-    let angles: Vec<Angle> = states.map(|(&s, &circle)| (s, circle)).collect();
-    let rows = evaluate(angles, || law(model, &spot.point.map(Symbolic), &variable))??;
-    let rows = rows.iter();
-    Some(
-        rows.map(|row| Dual::new(row.value.0, row.derivative.0))
-            .collect(),
-    )
+    evaluate(spot, true, |point| {
+        let results = results(compiled, functions(compiled), point);
+        let exists = |value: Symbolic| value.0.is_some();
+        let is_complete = results.iter().all(|(_, v)| v.iter().all(|&v| exists(v)));
+        let mut faults = Vec::new();
+        for variable in variables(model, compiled, &point.states) {
+            let expected = law(model, point, &variable).unwrap_or_default();
+            let both = |row: &Dual<Symbolic>| exists(row.value) && exists(row.derivative);
+            if expected.is_empty() || !expected.iter().all(both) {
+                return Compared::NoLaw;
+            }
+            if !is_complete {
+                return Compared::NoCode;
+            }
+            let differ = |found, expected| found != expected;
+            faults.extend(differences(model, &results, &variable, &expected, &differ));
+        }
+        faults.sort();
+        faults.dedup();
+        Compared::At(faults)
+    })
 }
 
 /// Reason why different values in the prime field do not prove that the compiled code and the model's vector

@@ -4,7 +4,7 @@ use codegen::Compiled;
 use codegen::program::Function;
 use model_spec::model::{FrameKind, Model};
 use oracle::scalar::{Dual, Field, Real};
-use oracle::{Point, Tree, derivatives_of};
+use oracle::{Point, Reference, Tree, Unsupported, derivatives_of};
 use std::ops::Range;
 
 /// Compiled functions that are compared with the model's vector expressions: `f`, `f_jac` and `f_jac_par` (state
@@ -74,7 +74,57 @@ pub(super) fn law<T: Real>(
     {
         value.derivative = T::one();
     }
-    tree_column(model, &point)
+    tree_column(model, &point).ok()
+}
+
+/// A scalar result of a compiled function, and its derivative with respect to a variable.
+pub(super) struct Value<'a, T> {
+    model: &'a Model,
+    function: &'static str,
+    variable: &'a str,
+    /// Index of the result among the state derivatives, followed by the components of the observation.
+    pub row: usize,
+    /// The result itself.
+    pub found: T,
+    /// Derivative of the result; `None` if the function does not compute it.
+    pub derivative: Option<T>,
+}
+
+impl<T> Value<'_, T> {
+    /// Name of the result, such as `der(v) in f_jac`.
+    pub fn name(&self) -> String {
+        format!("{} in {}", row_name(self.model, self.row), self.function)
+    }
+
+    /// Name of the derivative, such as `∂der(v)/∂m in f_jac_par`.
+    pub fn entry(&self) -> String {
+        let (row, variable) = (row_name(self.model, self.row), self.variable);
+        format!("∂{row}/∂{variable} in {}", self.function)
+    }
+}
+
+/// Results of compiled functions with their derivatives with respect to a variable. `results` contains all outputs of
+/// each function; `rows` is the number of state derivatives and components of the observation of the model.
+pub(super) fn compared<'a, T: Field>(
+    model: &'a Model,
+    results: &[(&Function, Vec<T>)],
+    variable: &Variable<'a, T>,
+    rows: usize,
+) -> Vec<Value<'a, T>> {
+    let mut out = Vec::new();
+    for (function, values) in results {
+        let (rows, section, jacobians) = sections(function, model.states.len(), rows);
+        let found = rows.zip(&values[function.range(section)]).enumerate();
+        out.extend(found.map(|(k, (row, &found))| Value {
+            model,
+            function: function.name,
+            variable: variable.name,
+            row,
+            found,
+            derivative: along(function, values, jacobians, k, variable),
+        }));
+    }
+    out
 }
 
 /// Names of the results of compiled functions, and of their derivatives with respect to a variable, that differ from
@@ -87,18 +137,13 @@ pub(super) fn differences<T: Field>(
     differ: &dyn Fn(T, T) -> bool,
 ) -> Vec<String> {
     let mut faults = Vec::new();
-    for (function, values) in results {
-        let (rows, section, jacobians) = sections(function, model.states.len(), expected.len());
-        let first = function.range(section).start;
-        for (k, row) in rows.enumerate() {
-            let name = row_name(model, row);
-            if differ(values[first + k], expected[row].value) {
-                faults.push(format!("{name} in {}", function.name));
-            }
-            let found = along(function, values, jacobians, k, variable);
-            if found.is_some_and(|found| differ(found, expected[row].derivative)) {
-                faults.push(format!("∂{name}/∂{} in {}", variable.name, function.name));
-            }
+    for value in compared(model, results, variable, expected.len()) {
+        let expected = expected[value.row];
+        if differ(value.found, expected.value) {
+            faults.push(value.name());
+        }
+        if { value.derivative }.is_some_and(|found| differ(found, expected.derivative)) {
+            faults.push(value.entry());
         }
     }
     faults
@@ -183,13 +228,28 @@ pub(super) fn row_name(model: &Model, row: usize) -> String {
     }
 }
 
-/// State derivatives, followed by the observation, from the model's vector expressions; `None` if these cannot be
-/// evaluated.
-pub(super) fn tree_column<T: Real>(model: &Model, point: &Point<T>) -> Option<Vec<T>> {
+/// State derivatives, followed by the observation, from the model's vector expressions.
+///
+/// # Errors
+/// [`Unsupported`] if the vector expressions cannot be evaluated.
+pub(super) fn tree_column<T: Real>(model: &Model, point: &Point<T>) -> Result<Vec<T>, Unsupported> {
     let tree = Tree::new(model, point);
-    let mut out = derivatives_of(&tree).ok()?;
+    let mut out = derivatives_of(&tree)?;
     if let Some(observed) = &model.observation {
         out.extend(tree.vector(&observed.value).iter());
     }
-    Some(out)
+    Ok(out)
+}
+
+/// Derivatives of the states with respect to true time, followed by the observation, from the reference implementation.
+pub(super) fn reference_column<T: Real>(
+    reference: &Reference,
+    model: &Model,
+    point: &Point<T>,
+) -> Vec<T> {
+    let mut out = reference.derivatives(point);
+    if model.observation.is_some() {
+        out.extend(reference.observation(point).iter());
+    }
+    out
 }

@@ -3,7 +3,7 @@
 //! differences.
 
 use super::function_rows::{differences, functions, law, variables};
-use crate::evaluation::{Inputs, magnitudes, outputs};
+use crate::evaluation::long_results;
 use crate::random::Random;
 use crate::sample;
 use codegen::Compiled;
@@ -50,7 +50,12 @@ pub fn faults(model: &Model, compiled: &Compiled, random: &mut Random) -> Option
 /// Names of the values and derivatives in which the compiled functions differ from the model's vector expressions at a
 /// point; `None` if rounding may change the result of a branch, such as that of abs, at this point.
 fn at(model: &Model, compiled: &Compiled, point: &Point<f64>) -> Option<Vec<String>> {
-    let results = evaluated(compiled, point)?;
+    let results = long_results(compiled, functions(compiled), point, true)?.into_iter();
+    let results = results.map(|(function, values)| {
+        let values = values.into_iter().map(bounded);
+        (function, values.collect())
+    });
+    let results: Vec<(&Function, Vec<Bounded>)> = results.collect();
     let (exact, bounds) = (point.lift::<Big>(), point.lift::<ErrorBound>());
     let exact_variables = variables(model, compiled, &exact.states);
     let bound_variables = variables(model, compiled, &bounds.states);
@@ -69,25 +74,6 @@ fn at(model: &Model, compiled: &Compiled, point: &Point<f64>) -> Option<Vec<Stri
         faults.extend(differences(model, &results, &variable, &expected, &differ));
     }
     Some(faults)
-}
-
-/// All outputs of each compiled function that is compared, at a point; `None` if rounding may change the result of a
-/// branch, such as that of abs.
-fn evaluated<'a>(
-    compiled: &'a Compiled,
-    point: &Point<f64>,
-) -> Option<Vec<(&'a Function, Vec<Bounded>)>> {
-    let mut bounds: Inputs<ErrorBound> = Inputs::of(point);
-    let mut inputs: Inputs<Big> = Inputs::of(point);
-    let prepare = &compiled.prepare.program;
-    bounds.prepared = magnitudes(prepare, &bounds, Some(&inputs))?;
-    inputs.prepared = outputs(prepare, &inputs);
-    let each = functions(compiled).into_iter().map(|function| {
-        let bounds = magnitudes(&function.program, &bounds, Some(&inputs))?;
-        let values = outputs(&function.program, &inputs).into_iter().zip(bounds);
-        Some((function, values.map(bounded).collect()))
-    });
-    each.collect()
 }
 
 fn bounded((first, second): (Big, ErrorBound)) -> Bounded {

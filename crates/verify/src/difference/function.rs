@@ -3,7 +3,7 @@
 //! comparison shows a difference.
 
 use super::values::Everything;
-use crate::checks::exact::FieldPoint;
+use crate::field::FieldPoint;
 use crate::options::TOLERANCE;
 use crate::random::Random;
 use crate::sample;

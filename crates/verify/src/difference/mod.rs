@@ -11,13 +11,13 @@
 //! assert_eq!(difference.changed_rows(), ["der(vx)", "der(vy)", "der(vz)"]);
 //! ```
 
-mod function;
+pub(crate) mod function;
 mod landings;
 mod reach;
 mod statements;
 mod terms;
 mod text;
-mod values;
+pub(crate) mod values;
 
 pub use function::Sameness;
 pub use landings::{End, Flown, Landing, LandingError, landing};

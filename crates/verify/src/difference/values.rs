@@ -1,9 +1,10 @@
 //! Evaluates every value of a model, in floating-point numbers and in the prime field: derivatives, observation,
 //! limits, named quantities, loads.
 
-use crate::checks::exact::FieldPoint;
-use crate::field::Machine;
-use crate::values::evaluated;
+use crate::engine::outputs;
+use crate::evaluation::Inputs;
+use crate::field::FieldPoint;
+use crate::symbolic;
 use codegen::EveryValue;
 use codegen::tape::Tape;
 use model_spec::model::{AuxVariable, Expr, ExprKind, Load, Model, Shape};
@@ -107,13 +108,13 @@ impl<'a> Everything<'a> {
     /// Values of the model at a point, in floating-point arithmetic: all outputs of the program [`Everything::code`],
     /// in order.
     pub fn numbers(&self, point: &Point<f64>) -> Vec<f64> {
-        evaluated(&self.tape, point)
+        outputs(&self.tape, &Inputs::of(point))
     }
 
     /// Values of the model at a point of the prime field: all outputs of the program [`Everything::code`], in order.
     /// `None` for a value that does not exist in the field, such as the square root of a non-square.
     pub fn exact(&self, spot: &FieldPoint) -> Vec<Option<Prime>> {
-        Machine::new(&spot.point, &spot.circles, true).run(&self.code.program)
+        symbolic::outputs(&self.code.program, spot)
     }
 }
 

@@ -54,26 +54,26 @@ impl MutationMatrix {
             checks: CHECKS[..count].to_vec(),
             ..Self::default()
         };
-        for operator in Operator::ALL {
+        for (operator, name) in Operator::ALL {
             let mut row = MutationRow {
-                operator: operator.name(),
+                operator: name,
                 first: vec![0; count],
                 noticed: vec![0; count],
                 ..MutationRow::default()
             };
             let own = mutants.iter().zip(statuses);
             for (mutant, fate) in own.filter(|(m, _)| m.operator == operator) {
-                let name = || format!("{}: {}", mutant.place, mutant.change);
+                let mutant = || format!("{}: {}", mutant.place, mutant.change);
                 match fate {
                     MutantStatus::Equivalent(reason) => {
-                        table.equivalent.push((name(), reason));
+                        table.equivalent.push((mutant(), reason));
                         continue;
                     }
                     MutantStatus::NotCovered => {
-                        table.not_covered.push(name());
+                        table.not_covered.push(mutant());
                         continue;
                     }
-                    MutantStatus::Survived => table.survivors.push(name()),
+                    MutantStatus::Survived => table.survivors.push(mutant()),
                     MutantStatus::Killed(by) => {
                         row.killed += 1;
                         row.first[by[0]] += 1;

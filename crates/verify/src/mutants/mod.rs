@@ -4,16 +4,18 @@ pub mod equivalence;
 mod matrix;
 mod names;
 mod rewrite;
-mod run;
 mod sites;
 mod statement;
 pub mod status;
 
+use crate::options::Options;
+use equivalence::Original;
+use flight::parallel;
 pub use matrix::{MutationMatrix, MutationRow};
 use model_spec::model::Source;
 use model_spec::syntax::ast::{File, FrameKind, Name};
 use names::Names;
-pub use run::run;
+use status::evaluate;
 
 /// Kinds of mutations: small deliberate changes of a model, with which the checks of the verification are tested.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -45,37 +47,20 @@ pub enum Operator {
 }
 
 impl Operator {
-    /// All mutation operators, in the order of the rows of a [`MutationMatrix`].
-    pub const ALL: [Self; 11] = [
-        Self::Sign,
-        Self::Factor,
-        Self::Dropped,
-        Self::Exchanged,
-        Self::Frame,
-        Self::Axis,
-        Self::Turn,
-        Self::Function,
-        Self::Exponent,
-        Self::Order,
-        Self::Unit,
+    /// All mutation operators, in the order of the rows of a [`MutationMatrix`], with their names in tables.
+    pub const ALL: [(Self, &'static str); 11] = [
+        (Self::Sign, "sign flipped"),
+        (Self::Factor, "factor changed"),
+        (Self::Dropped, "left out"),
+        (Self::Exchanged, "other name"),
+        (Self::Frame, "other frame"),
+        (Self::Axis, "other axis"),
+        (Self::Turn, "other turn"),
+        (Self::Function, "other function"),
+        (Self::Exponent, "other exponent"),
+        (Self::Order, "arguments swapped"),
+        (Self::Unit, "wrong unit"),
     ];
-
-    /// Name of the mutation operator in tables, such as `sign flipped`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Sign => "sign flipped",
-            Self::Factor => "factor changed",
-            Self::Frame => "other frame",
-            Self::Axis => "other axis",
-            Self::Turn => "other turn",
-            Self::Function => "other function",
-            Self::Dropped => "left out",
-            Self::Exponent => "other exponent",
-            Self::Exchanged => "other name",
-            Self::Unit => "wrong unit",
-            Self::Order => "arguments swapped",
-        }
-    }
 }
 
 /// A mutation of a part of a model file.
@@ -99,6 +84,27 @@ pub struct Mutant {
     pub change: String,
     /// Syntax tree of the mutated model.
     pub file: File,
+}
+
+/// Maximum number of random points per check of a mutant.
+const MAX_CASES: usize = 6;
+
+/// Runs the checks on every mutant of a model file and returns the mutation matrix.
+pub fn run(
+    file: &File,
+    sources: &[Source],
+    original: &Original<'_>,
+    options: &Options,
+) -> MutationMatrix {
+    let options = Options {
+        cases: options.cases.min(MAX_CASES),
+        ..*options
+    };
+    let mutants = mutants(file, sources);
+    let statuses = parallel::each(mutants.len(), |index| {
+        evaluate(&mutants[index], sources, original, &options)
+    });
+    MutationMatrix::of(&mutants, &statuses)
 }
 
 /// Generates all mutants of a model file, in the order of its statements.

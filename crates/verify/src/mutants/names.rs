@@ -21,7 +21,7 @@ impl Names {
         for (index, item) in file.items.iter().enumerate() {
             match &item.kind {
                 ItemKind::Frame(f) => names.frames.push(f.name.text.clone()),
-                ItemKind::Parameter(c) => names.constants.push((c.name.text.clone(), unit_text(c))),
+                ItemKind::Parameter(c) => names.constants.push((c.name.text.clone(), unit(c))),
                 ItemKind::Let(l) => names.lets.push((index, l.name.text.clone())),
                 _ => {}
             }
@@ -73,9 +73,7 @@ impl Names {
     }
 }
 
-fn unit_text(constant: &Parameter) -> String {
-    let factors = constant.value.unit.iter().flat_map(|u| &u.factors);
-    factors
-        .map(|f| format!("{}^{} ", f.symbol, f.doubled))
-        .collect()
+fn unit(constant: &Parameter) -> String {
+    let unit = constant.value.unit.as_ref();
+    unit.map(ToString::to_string).unwrap_or_default()
 }

@@ -6,25 +6,16 @@ use crate::checks::{cases, claim, identities, metamorphic, reference};
 use crate::options::Options;
 use crate::row::{Row, Verdict};
 use crate::subject::{Interpreted, Subject};
-use crate::values::Values;
 use model_spec::check;
 use model_spec::diagnostic::{Diagnostic, Kind};
 use model_spec::model::{Model, Source};
 
-/// Name of the language checker's check of units, in the list [`CHECKS`] of the checks that are run on mutants.
-pub const UNITS: &str = "units";
-/// Name of the language checker's check of frames, in the list [`CHECKS`] of the checks that are run on mutants.
-pub const FRAMES: &str = "frames";
-/// Name of the language checker's checks other than those of units and frames, in the list [`CHECKS`] of the checks
-/// that are run on mutants.
-pub const GRAMMAR: &str = "names and shapes";
-
-/// Names of the checks that are run on mutants, in ascending order of cost. The last one applies only to models with a
-/// `claim` statement, which declares the meaning of their equations.
+/// Names of the checks that are run on mutants, in ascending order of cost. The first three are those of the language
+/// checker; the last one applies only to models with a `claim` statement, which declares the meaning of their equations.
 pub const CHECKS: [&str; 8] = [
-    UNITS,
-    FRAMES,
-    GRAMMAR,
+    "units",
+    "frames",
+    "names and shapes",
     cases::CASES,
     reference::REFERENCE,
     identities::IDENTITIES,
@@ -63,10 +54,7 @@ pub fn evaluate(
     if !killers.is_empty() {
         return MutantStatus::Killed(killers);
     }
-    match checked
-        .model
-        .and_then(|model| original.same(&Values::of(&model)))
-    {
+    match checked.model.and_then(|model| original.same(&model)) {
         Some(reason) => MutantStatus::Equivalent(reason),
         None if original.has_uncovered_terms() => MutantStatus::NotCovered,
         None => MutantStatus::Survived,

@@ -11,7 +11,7 @@ pub mod statements;
 mod table;
 
 use crate::checks::backends::{self, Run};
-use crate::evaluation::{Inputs, magnitudes, outputs};
+use crate::evaluation::long_results;
 use crate::options::Options;
 use crate::random::Random;
 use crate::row::{Measure, Row, Verdict};
@@ -20,7 +20,7 @@ use crate::subject::Subject;
 use codegen::Compiled;
 use codegen::program::Function;
 use oracle::Point;
-use oracle::scalar::{Big, ErrorBound, Real, with_numbers};
+use oracle::scalar::{Big, Real, with_numbers};
 use serde::Serialize;
 use statements::{Loss, REPORTED_BITS};
 
@@ -106,8 +106,8 @@ const MEASURE: &str =
 
 /// Results of a compiled function at one point, computed with [`PRECISION`](oracle::scalar::PRECISION) bits.
 struct Exact {
-    /// Index of the function in [`Compiled::functions`].
-    function: usize,
+    /// Name of the function.
+    name: &'static str,
     /// For each value: the f64 nearest to the exact value, the remainder exact − nearest, and the sum of the magnitudes
     /// of the value's terms.
     values: Vec<(f64, f64, f64)>,
@@ -152,22 +152,17 @@ pub fn errors(compiled: &Compiled, points: &[Point<f64>], runs: &[Run]) -> (Vec<
     let left_out = exact.iter().filter(|e| e.is_none()).count();
     let mut errors = Vec::new();
     for run in runs {
-        for (index, function) in compiled.functions().into_iter().enumerate() {
+        for function in compiled.functions() {
             for (values, range) in sections(function) {
-                let mut all: Vec<(f64, usize)> = Vec::new();
-                for (exact, results) in exact.iter().zip(&run.results) {
-                    let Some(exact) = exact else { continue };
-                    let Some(exact) = exact.iter().find(|e| e.function == index) else {
-                        continue;
-                    };
-                    let start = offset(compiled, index);
-                    for k in range.clone() {
-                        let Some(&got) = results.get(start + k) else {
-                            continue;
-                        };
-                        all.push((error(exact.values[k], got), k));
-                    }
-                }
+                let points = exact.iter().zip(&run.results);
+                let pairs = points.filter_map(|(exact, results)| {
+                    let exact = exact.as_ref()?.iter().find(|e| e.name == function.name)?;
+                    let results = backends::results_of(compiled, results, function.name);
+                    Some(exact.values.iter().zip(results).enumerate())
+                });
+                let pairs = pairs.flatten().filter(|(k, _)| range.contains(k));
+                let errors_of = pairs.map(|(k, (exact, &got))| (error(*exact, got), k));
+                let mut all: Vec<(f64, usize)> = errors_of.collect();
                 sort_largest_first(&mut all);
                 let Some(&(worst, place)) = all.first() else {
                     continue;
@@ -235,33 +230,21 @@ pub fn row(rounding: &Rounding) -> Row {
 /// the state derivatives, the observation and their Jacobians. `None` if a value is not finite, or if rounding may
 /// change the result of a branch, such as that of abs.
 fn exact(compiled: &Compiled, point: &Point<f64>) -> Option<Vec<Exact>> {
+    let functions = compiled.functions().into_iter();
+    let measured = functions.filter(|function| !sections(function).is_empty());
     with_numbers(|| {
-        let mut bounds: Inputs<ErrorBound> = Inputs::of(point);
-        bounds.prepared = magnitudes(&compiled.prepare.program, &bounds, None)?;
-        let mut inputs: Inputs<Big> = Inputs::of(point);
-        inputs.prepared = outputs(&compiled.prepare.program, &inputs);
-        let mut all = Vec::new();
-        for (index, function) in compiled.functions().into_iter().enumerate() {
-            if sections(function).is_empty() {
-                continue;
-            }
-            let bounds = magnitudes(&function.program, &bounds, None)?;
-            let values = outputs(&function.program, &inputs).into_iter().zip(bounds);
-            let values = values.map(|(value, bound)| {
+        let all = long_results(compiled, measured, point, false)?.into_iter();
+        let all = all.map(|(function, values)| {
+            let values = values.into_iter().map(|(value, bound)| {
                 let rounded = value.re();
                 (rounded, (value - Big::lit(rounded)).re(), bound.magnitude)
             });
             let values: Vec<(f64, f64, f64)> = values.collect();
-            let finite = |v: &(f64, f64, f64)| v.0.is_finite() && v.2.is_finite();
-            if !values.iter().all(finite) {
-                return None;
-            }
-            all.push(Exact {
-                function: index,
-                values,
-            });
-        }
-        Some(all)
+            let mut finite = values.iter().map(|v| v.0.is_finite() && v.2.is_finite());
+            let name = function.name;
+            finite.all(|f| f).then_some(Exact { name, values })
+        });
+        all.collect()
     })
 }
 
@@ -294,10 +277,4 @@ fn sections(function: &Function) -> Vec<(&'static str, std::ops::Range<usize>)> 
         .iter()
         .map(|&(says, name)| (says, function.range(name)));
     ranges.filter(|(_, range)| !range.is_empty()).collect()
-}
-
-/// Index, among the concatenated results of all functions, of the first result of the function with the given index.
-fn offset(compiled: &Compiled, index: usize) -> usize {
-    let before = compiled.functions().into_iter().take(index);
-    before.map(|f| f.program.outputs.len()).sum()
 }

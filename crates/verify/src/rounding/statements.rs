@@ -67,18 +67,15 @@ pub fn losses(model: &Model, points: &[(String, Point<f64>)]) -> Vec<Loss> {
     let mut lost: Vec<Vec<(f64, usize)>> = vec![Vec::new(); statements.len()];
     for (place, (_, point)) in points.iter().enumerate() {
         with_numbers(|| {
-            let values: Vec<Big> = outputs(&whole.program, &Inputs::of(point));
+            let mut exact: Inputs<Big> = Inputs::of(&point.lift());
+            let values = outputs(&whole.program, &exact);
             let given = &values[start..];
-            let p = point.parameters();
-            let exact_p: Vec<Big> = p.iter().copied().map(Big::lit).collect();
             let near: Vec<f64> = given.iter().map(|v| v.re()).collect();
-            let p = rearranged(model, &whole.lets, &p, &near);
-            let exact_p = rearranged(model, &whole.lets, &exact_p, given);
-            let inputs = Inputs::of(point).with_parameters(exact_p);
-            let exact: Vec<Big> = outputs(&parts.program, &inputs);
-            let mut rounded = vec![0.0; tape.outputs()];
-            let inputs = engine::inputs(point, &p, &[]);
-            tape.eval(inputs, &mut Vec::new(), &mut rounded);
+            let mut rounded = Inputs::of(point);
+            rounded.parameters = rearranged(model, &whole.lets, &rounded.parameters, &near);
+            exact.parameters = rearranged(model, &whole.lets, &exact.parameters, given);
+            let exact = outputs(&parts.program, &exact);
+            let rounded = engine::outputs(&tape, &rounded);
             let mut at = start_alone;
             for (statement, &width) in parts.lets.iter().enumerate() {
                 let range = at..at + width;
