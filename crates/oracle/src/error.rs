@@ -40,12 +40,6 @@ pub enum BindError {
 /// Reason why the reference evaluation in this crate cannot derive a model's equations of motion.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Unsupported {
-    /// The model writes its equations of motion explicitly, instead of declaring a body from which they can be derived.
-    #[error("its equations are stated")]
-    StatedEquations,
-    /// Mass or inertia is not a rational function of the constants.
-    #[error("mass or inertia is not rational")]
-    IrrationalMass,
     /// The components of a vector refer to a frame whose angular velocity the model does not define.
     #[error("the angular velocity of the frame of {vector} is not defined")]
     FrameRate {

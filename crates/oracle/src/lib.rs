@@ -6,10 +6,9 @@
 //! and of the source enforces this.
 //!
 //! - **Reference implementations**: [`Reference`] binds a [`Law`] to the names of a model.
-//! - **Vector tree**: [`Tree`] evaluates the expressions of a model, [`derivatives`] its equations of motion;
-//!   [`free_load_derivatives`] evaluates those of a rigid body under given loads, in any field. The tree is the reference
-//!   of every effect: it evaluates the text of the effect without the compiler. No effect of the catalogue has a
-//!   formula of its own here; the hand-written ones, with which the texts are compared, simulate the flights of the
+//! - **Vector tree**: [`Tree`] evaluates the expressions of a model, [`derivatives`] its equations of motion. The tree is
+//!   the reference of every effect: it evaluates the text of the effect without the compiler. No effect of the catalogue
+//!   has a formula of its own here; the hand-written ones, with which the texts are compared, simulate the flights of the
 //!   studies.
 //! - **Claims**: a model that writes its equations of motion explicitly may claim that they describe a certain body.
 //!   [`ClaimedBody`] contains the quantities of this body and the laws of motion for them; [`claimed_rates`] solves
@@ -26,7 +25,6 @@ mod claimed_rates;
 mod dynamics;
 mod error;
 mod frames;
-mod free_loads;
 mod physical;
 mod point;
 mod reference;
@@ -41,7 +39,6 @@ pub use claimed_rates::{ClaimedRates, claimed_rates};
 pub use dynamics::{derivatives, derivatives_of, mass_properties};
 pub use error::{BindError, Unsupported};
 pub use frames::PlacedFrame;
-pub use free_loads::free_load_derivatives;
 pub use physical::{Load, MassProperties, Motion, Physical};
 pub use point::Point;
 pub use reference::{Law, Reference, Stream};

@@ -1,4 +1,4 @@
-//! Equations of motion of a compiled model, evaluated at one point at a time by the bytecode interpreter (tape).
+//! Equations of motion of a compiled model, evaluated by tapes.
 
 use crate::evaluation::Inputs;
 use crate::subject::Equations;
@@ -8,11 +8,10 @@ use nalgebra::Vector3;
 use oracle::Point;
 use std::sync::{Mutex, PoisonError};
 
-/// Compiled equations of motion, with one program of the bytecode interpreter (tape) for each function.
+/// Compiled equations of motion.
 pub struct Engine {
     prepare: Tape,
-    /// Cache: parameters of the last evaluation, and the results of the function `prepare`, which computes values that
-    /// depend on parameters only. These results are reused as long as the parameters do not change.
+    /// Parameters of the last evaluation, and the results of `prepare` for them.
     last: Mutex<(Vec<f64>, Vec<f64>)>,
     f: Tape,
     observe: Tape,
@@ -35,8 +34,7 @@ impl Engine {
         outputs(tape, &inputs)
     }
 
-    /// Results of the function `prepare`, which computes values that depend on parameters only. They are computed again
-    /// only if the parameters differ from those of the last call.
+    /// Results of `prepare`, computed again only if the parameters differ from those of the last call.
     fn prepared(&self, inputs: &Inputs<f64>) -> Vec<f64> {
         let mut last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
         let same = |a: &f64, b: &f64| a.to_bits() == b.to_bits();

@@ -12,7 +12,6 @@
 
 pub mod checks;
 mod claim;
-mod claimed_flights;
 mod comparison;
 pub mod difference;
 pub mod engine;
@@ -136,18 +135,13 @@ fn numerical<'a>(
     compiled: &'a Compiled,
     options: &'a Options,
 ) -> Vec<Check<'a>> {
-    type FlightCheck = fn(&Subject<'_>, &Options) -> Row;
-    let (invariants, momenta): (FlightCheck, FlightCheck) = match subject.is_known_by_claim() {
-        true => (claimed_flights::invariants, claimed_flights::momenta),
-        false => (flights::invariants, flights::momenta),
-    };
     vec![
         Box::new(|| vec![checks::reference::reference(subject, options)]),
         Box::new(|| vec![checks::reference::tree(subject, options)]),
         Box::new(|| checks::claim::check(subject, options).into_iter().collect()),
         Box::new(|| vec![checks::identities::check(subject, options)]),
-        Box::new(move || vec![invariants(subject, options)]),
-        Box::new(move || vec![momenta(subject, options)]),
+        Box::new(|| vec![flights::invariants(subject, options)]),
+        Box::new(|| vec![flights::momenta(subject, options)]),
         Box::new(|| vec![checks::metamorphic::check(subject, options)]),
         Box::new(|| checks::derivatives::check(subject, compiled, options)),
         Box::new(|| vec![checks::exact::check(subject, options)]),

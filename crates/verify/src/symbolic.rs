@@ -125,11 +125,6 @@ impl Field for Symbolic {
     fn integer(value: i64) -> Self {
         Prime::integer(value).into()
     }
-
-    fn literal(value: f64, exact: Option<(i64, i64)>) -> Option<Self> {
-        let fraction = exact.map(|(n, d)| Self::integer(n) / Self::integer(d));
-        Some(fraction.unwrap_or_else(|| Self::lit(value)))
-    }
 }
 
 impl Real for Symbolic {

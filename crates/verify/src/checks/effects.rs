@@ -3,7 +3,7 @@
 //! must be those of the oracle, which evaluates the text of the effects without the compiler.
 
 use super::reference;
-use crate::expressions::{fix_coefficient, fix_state};
+use crate::expressions::fix_effects;
 use crate::options::{Options, TOLERANCE};
 use crate::random::Random;
 use crate::row::{Row, Verdict, Worst};
@@ -120,12 +120,7 @@ fn check(without: &Model, with: &[Variant], options: &Options) -> Row {
             }
         }
         let mut fixed = model.clone();
-        for c in model.effects.iter().flat_map(|e| &e.coefficients) {
-            fix_coefficient(&mut fixed, c.index, c.null_value);
-        }
-        for own in model.effects.iter().flat_map(|e| &e.states) {
-            fix_state(&mut fixed, own.index, own.null_value);
-        }
+        fix_effects(&mut fixed);
         let (was, is) = (plain.operations(), Values::of(&fixed).operations());
         if is > was {
             faults.push(format!(

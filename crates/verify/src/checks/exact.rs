@@ -9,12 +9,12 @@ use crate::options::Options;
 use crate::random::Random;
 use crate::row::Row;
 use crate::subject::Subject;
-use crate::symbolic::{Symbolic, evaluate};
+use crate::symbolic::evaluate;
 use codegen::Compiled;
 use model_spec::diagnostic::Span;
 use model_spec::model::{Expr, ExprKind, Input, Load, Model, Shape};
 use model_spec::unit::Unit;
-use oracle::free_load_derivatives;
+use oracle::derivatives;
 
 /// Name of this check in reports: derivatives of a rigid body under an arbitrary force and moment, in exact arithmetic.
 pub const EXACT: &str = "rigid body, exact";
@@ -48,19 +48,16 @@ pub fn compare(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     let mut faults = Vec::new();
     for _ in 0..POINTS {
         let spot = FieldPoint::random(model, &mut random);
-        let circle = |i: usize| spot.circles[i];
-        let count = model.inputs.len();
-        let (force, moment) = (spot.point.inputs[count - 2], spot.point.inputs[count - 1]);
-        let expected = match free_load_derivatives(model, &spot.point, circle, force, moment) {
-            Ok(expected) => expected,
+        let rates = evaluate(&spot, false, |point| {
+            let found = results(compiled, [&compiled.f], point).swap_remove(0).1;
+            derivatives(model, point).map(|expected| found.into_iter().zip(expected))
+        });
+        let rates = match rates {
+            Ok(rates) => rates,
             Err(why) => return Row::skipped(EXACT, why.to_string()),
         };
-        let found = evaluate(&spot, false, |point| {
-            results(compiled, [&compiled.f], point)
-        });
-        let found = found[0].1.iter().zip(expected);
-        for ((&Symbolic(found), expected), state) in found.zip(&model.states) {
-            let Some(found) = found else {
+        for ((found, expected), state) in rates.zip(&model.states) {
+            let (Some(found), Some(expected)) = (found.0, expected.0) else {
                 return Row::skipped(EXACT, format!("der({}) is not rational", state.name));
             };
             let fault = format!("der({}) is another function", state.name);
