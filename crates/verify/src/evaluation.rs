@@ -16,8 +16,7 @@ pub struct Inputs<T> {
     pub states: Vec<T>,
     pub parameters: Vec<T>,
     pub marker: Vec<T>,
-    /// Results of the program `prepare`, which computes values that depend on parameters only; empty for a program that
-    /// does not read them.
+    /// Results of `prepare`; empty for a program that does not read them.
     pub prepared: Vec<T>,
 }
 
@@ -171,13 +170,11 @@ fn step<T: Arithmetic>(tables: &Tables, op: Op, value: impl Fn(Operand) -> T) ->
     }
 }
 
-/// Minimum distance of an operation's argument from the branch point (such as 0 for abs) at which rounding cannot
-/// change the result of the branch. It is relative to the magnitude of the argument's terms.
+/// Minimum distance of an argument from a branch point, relative to the magnitude of its terms, at which rounding
+/// decides nothing.
 const BRANCH_DISTANCE: f64 = 1e-9;
 
-/// Quantity that is 0 at the branch point of an operation and has different signs on its two sides: the argument for
-/// abs and similar functions, a − b for the minimum or maximum of a and b, 1 − a² for asin a. `None` for an operation
-/// without branches. `of` returns the value of an operand.
+/// Quantity that is 0 at the branch point of an operation and changes sign there; `None` without branches.
 fn gap<T: Real>(op: Op, of: impl Fn(Operand) -> T) -> Option<T> {
     match op {
         Op::Unary(Unary::RecipOrZero, a) | Op::IfZero(a, ..) => Some(of(a)),
@@ -196,9 +193,8 @@ fn gap<T: Real>(op: Op, of: impl Fn(Operand) -> T) -> Option<T> {
     }
 }
 
-/// Evaluates a program in 256-bit arithmetic, with the magnitudes of the terms of its outputs. `None` if rounding may
-/// change the result of a branch, such as that of abs, because its argument is close to the branch point. If
-/// `is_exact`, arguments that equal the branch point in 256-bit arithmetic do not count as close.
+/// Outputs in 256-bit arithmetic, with the magnitudes of their terms. `None` if rounding may decide a branch; if
+/// `is_exact`, not at a branch point itself.
 fn long_outputs(
     program: &Program,
     exact: &Inputs<Big>,
@@ -218,9 +214,7 @@ fn long_outputs(
     (!undecided).then(|| outputs.map(|&o| (exactly(o), bounded(o))).collect())
 }
 
-/// All outputs of the given functions at a point in 256-bit arithmetic, with the magnitudes of their terms. `None` if
-/// rounding may change the result of a branch, such as that of abs, because its argument is close to the branch point.
-/// If `is_exact`, arguments that equal the branch point in 256-bit arithmetic do not count as close.
+/// Outputs of functions in 256-bit arithmetic, see [`long_outputs`].
 pub fn long_results<'a>(
     compiled: &Compiled,
     functions: impl IntoIterator<Item = &'a Function>,

@@ -2,14 +2,14 @@
 
 use model_spec::model::{EffectUnknown, Expr, ExprKind, Model};
 
-/// Direct subexpressions of an expression, such as the two operands of a sum, from left to right.
+/// Direct subexpressions, from left to right.
 pub fn children(e: &Expr) -> Vec<&Expr> {
     let mut out = Vec::new();
     e.children(&mut |child| out.push(child));
     out
 }
 
-/// Direct subexpressions of an expression, such as the two operands of a sum, from left to right, by mutable reference.
+/// Direct subexpressions, from left to right, by mutable reference.
 pub fn children_mut(e: &mut Expr) -> Vec<&mut Expr> {
     let mut out = Vec::new();
     e.children_mut(&mut |child| out.push(child));

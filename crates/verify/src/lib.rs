@@ -50,12 +50,11 @@ use same_motion::SameMotion;
 use subject::Subject;
 use values::Values;
 
-/// Number of random points at which backends are compared. It is not a multiple of any number of SIMD lanes, so that
-/// incomplete vectors are tested.
+/// Number of points at which backends are compared; not a multiple of any number of lanes.
 const BACKEND_POINTS: usize = 37;
 
-/// Runs every check of a loaded model, on all processors; the report does not depend on their number. Diagnostics of
-/// the language checker are reported as faults. The numerical checks run only if the language checker produced a model.
+/// Runs every check of a loaded model; the report does not depend on the number of processors. Numerical checks run
+/// only if the language checker produced a model.
 pub fn run(loaded: &Loaded, options: &Options) -> Report {
     let mut report = Report {
         model: loaded
@@ -100,8 +99,7 @@ pub fn same_motion(models: &[Model], options: &Options) -> SameMotion {
     same_motion::compare(&subjects, options)
 }
 
-/// Measures the rounding errors of every backend, and the bits that every statement of a model loses. The points are
-/// those of the detailed report ([`Effort::DETAILS`]).
+/// Rounding errors of every backend, and bits that every statement loses, at the points of [`Effort::DETAILS`].
 pub fn rounding(model: &Model, options: &Options) -> Rounding {
     let compiled = codegen::compile(model);
     let engine = Engine::new(&compiled);
@@ -109,16 +107,14 @@ pub fn rounding(model: &Model, options: &Options) -> Rounding {
     rounding::measure(&subject, &compiled, options, Effort::DETAILS)
 }
 
-/// Compares a compiled program with a model by all numerical checks, and returns one result per check. The program may
-/// have been compiled from another model. Unlike [`run`], the function does not check the model's text and effects, and
-/// runs no mutation testing.
+/// Numerical checks of a model with a compiled program, which may be of another model.
 pub fn rows_of_code(model: &Model, compiled: &Compiled, options: &Options) -> Vec<Row> {
     let engine = Engine::new(compiled);
     let subject = Subject::new(model, &engine);
     rows_of(&numerical(&subject, compiled, options))
 }
 
-/// An independent part of a verification, which returns the results of one or several checks.
+/// One or several checks.
 type Check<'a> = Box<dyn Fn() -> Vec<Row> + Sync + 'a>;
 
 /// Runs checks on all processors; the results are in the order of `checks`.

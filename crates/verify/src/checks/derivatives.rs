@@ -21,8 +21,7 @@ use model_spec::model::Model;
 use oracle::scalar::{ComplexStep, Dual, ErrorBound, Lockstep, NumDual, Real};
 use oracle::{Point, Reference, Tree};
 
-/// Names of the checks of a model's Jacobians against three methods of differentiation and against the reference
-/// implementation.
+/// Names of the checks: three differentiations of the vector tree, and the reference implementation.
 pub const CHECKS: [&str; 4] = [
     "derivatives: num-dual",
     "derivatives: complex step",
@@ -32,8 +31,7 @@ pub const CHECKS: [&str; 4] = [
 
 type Bounded = Dual<ErrorBound>;
 
-/// Scalar that differentiates by three methods at once: dual numbers with error bounds, dual numbers of the crate
-/// `num-dual`, and the complex step.
+/// Scalar that differentiates by three methods at once.
 type ThreeWays = Lockstep<Bounded, Lockstep<NumDual, ComplexStep>>;
 
 fn bounded(value: f64, derivative: f64) -> Bounded {
@@ -50,8 +48,8 @@ fn three_ways(value: f64, derivative: f64) -> ThreeWays {
     }
 }
 
-/// Compares every entry of every Jacobian of the compiled model, structural zeros included, with three differentiation
-/// methods applied to the model's vector expressions, and with the reference implementation.
+/// Compares every Jacobian entry, structural zeros included, with three differentiations and the reference
+/// implementation.
 pub fn check(subject: &Subject<'_>, compiled: &Compiled, options: &Options) -> Vec<Row> {
     let cases = options.cases.div_ceil(4);
     let mut random = Random::new(options.seed, "derivatives");
@@ -90,8 +88,7 @@ struct Comparison<'a> {
 }
 
 impl<'a> Comparison<'a> {
-    /// Variables of the Jacobians, and the results of the compiled functions at a point. The magnitudes of the
-    /// directions of the variables and of the results are their absolute values.
+    /// Variables, and results of the functions at a point, whose magnitudes are absolute values.
     fn found(&self, point: &Point<f64>) -> Found<'a> {
         let all = self.tapes.results(Inputs::of(point));
         let results = functions(self.compiled).map(|function| {
@@ -103,8 +100,7 @@ impl<'a> Comparison<'a> {
         (variables, results.into())
     }
 
-    /// Compares the Jacobians at a point with derivatives of the model's vector expressions, and updates the maximum
-    /// errors. `None` if the vector expressions cannot be evaluated.
+    /// Compares with derivatives of the vector expressions; `None` if these cannot be evaluated.
     fn with_tree(&mut self, point: &Point<f64>) -> Option<()> {
         let model = self.subject.model;
         let (variables, results) = self.found(point);
@@ -134,9 +130,8 @@ impl<'a> Comparison<'a> {
         Some(())
     }
 
-    /// Compares the Jacobians with the derivatives of the reference implementation at a point. Coefficients that the
-    /// reference law does not contain have their null values there, at which they change nothing. Does nothing if the
-    /// model names no reference law.
+    /// Compares with derivatives of the reference law, if there is one. Coefficients that it does not contain have
+    /// their null values.
     fn with_reference(&mut self, point: &Point<f64>) {
         let Some(reference) = &self.subject.reference else {
             return;
@@ -172,10 +167,7 @@ type Found<'a> = (
     Vec<(&'a Function, Vec<ErrorBound>)>,
 );
 
-/// Whether the reference implementation has a variable of the model, so that derivatives with respect to it can be
-/// compared. The reference implementation lacks the states and coefficients that the reference law does not contain,
-/// such as those of effects. `variable` is the index of the variable in the order of the Jacobian's columns: states,
-/// parameters, coefficients, components of inputs.
+/// Whether the reference law has a variable: not the states and coefficients of effects and of the author.
 fn has_reference(model: &Model, reference: &Reference, variable: usize) -> bool {
     if model.added_states().contains(&variable) {
         return false;
@@ -186,8 +178,7 @@ fn has_reference(model: &Model, reference: &Reference, variable: usize) -> bool 
         .is_none_or(|index| !reference.unknown.contains(&index))
 }
 
-/// Lifts the point to scalars that carry derivatives with respect to a variable. `seeded(value, derivative)` creates
-/// such a scalar.
+/// The point with derivatives with respect to a variable; `seeded(value, derivative)` creates a scalar.
 fn seed<T: Real>(
     point: &Point<f64>,
     variable: &Variable<'_, ErrorBound>,
@@ -206,8 +197,7 @@ fn seed<T: Real>(
     out
 }
 
-/// Difference between an expected derivative and one from the Jacobian, relative to the larger of the two sums of the
-/// magnitudes of their terms.
+/// Relative difference of a derivative; the larger sum of magnitudes counts.
 fn error(expected: f64, magnitude: f64, got: ErrorBound) -> f64 {
     ErrorBound {
         value: expected,
@@ -216,16 +206,14 @@ fn error(expected: f64, magnitude: f64, got: ErrorBound) -> f64 {
     .relative_error(got.value)
 }
 
-/// Divisor that makes the error of a Jacobian entry relative if the expected derivative has no nonzero terms in the
-/// model's vector expressions. The compiled code computes in another frame, where such an entry may be a sum of terms
-/// that cancel up to rounding. The magnitude of these terms is estimated as the magnitude of the differentiated
-/// `value`, divided by max(`variable`, 1), where `variable` is the absolute value of the independent variable.
+/// Divisor for an entry whose expected derivative has no nonzero terms. The code computes in another frame, where such
+/// an entry may be a sum of terms that cancel up to rounding; their magnitude is estimated from that of the
+/// differentiated `value`.
 fn cancelled(value: ErrorBound, variable: f64) -> f64 {
     value.magnitude / variable.max(1.0)
 }
 
-/// Absolute value of the variable with the given index. The variables are numbered like the Jacobian's columns: states,
-/// parameters, coefficients, components of inputs.
+/// Absolute value of a variable.
 fn size(point: &Point<f64>, variable: usize) -> f64 {
     let parameters = point.parameters();
     let mut all = point.states.iter().chain(&parameters);

@@ -44,9 +44,8 @@ impl Variant {
     }
 }
 
-/// Results of both checks of effects for a loaded model. If it has effects, it is the only model with effects.
-/// Otherwise one model is built for each effect that can be added, and one with all of these effects that are not
-/// declared in the model file.
+/// Both checks of effects: of the loaded model if it has effects, else of models with each effect that can be added,
+/// and with all of these that are not declared in the model file.
 pub fn rows(loaded: &Loaded, options: &Options) -> [Row; 2] {
     let without = loaded
         .sources
@@ -89,8 +88,7 @@ fn variants(loaded: &Loaded, without: &Model) -> Vec<Model> {
     alone.into_iter().flatten().chain(together).collect()
 }
 
-/// Checks for each model of `with` that its effects change nothing at their null values. The state derivatives must
-/// equal those of the model `without` effects, and be computed with no more operations.
+/// Checks that effects change nothing at their null values, and cost no operations.
 fn check(without: &Model, with: &[Variant], options: &Options) -> Row {
     if with.is_empty() {
         return Row::skipped(EFFECTS, "no effects for this model");
@@ -139,9 +137,8 @@ fn check(without: &Model, with: &[Variant], options: &Options) -> Row {
     }
 }
 
-/// Compares the state derivatives and the observation of models with effects with those of the oracle, at random values
-/// of all coefficients. Those of effects are within half of their bounds, because larger values may make the inertia
-/// singular.
+/// Compares state derivatives and observation with those of the oracle. Coefficients of effects are within half of
+/// their bounds, because larger values may make the inertia singular.
 pub fn against_oracle(with: &[Variant], options: &Options) -> Row {
     if with.is_empty() {
         return Row::skipped(EFFECT_REFERENCE, "no effects for this model");
@@ -165,8 +162,7 @@ pub fn against_oracle(with: &[Variant], options: &Options) -> Row {
     Row::judged(EFFECT_REFERENCE, with.len(), &worst, TOLERANCE)
 }
 
-/// Returns the point with all coefficients and states of the model's effects at their null values, at which the effects
-/// do not act.
+/// The point with all effects at their null values.
 fn off(model: &Model, mut point: Point<f64>) -> Point<f64> {
     for c in model.effects.iter().flat_map(|e| &e.coefficients) {
         point.coefficients[c.index] = c.null_value;
@@ -177,8 +173,7 @@ fn off(model: &Model, mut point: Point<f64>) -> Point<f64> {
     point
 }
 
-/// Converts a point of the model `with` effects to a point of the model `without` effects, by the names of states,
-/// parameters, coefficients and inputs. `None` if a name is missing in the model with effects.
+/// Point of the model `without` effects, by name; `None` if a name is missing.
 fn bare(without: &Model, with: &Model, point: &Point<f64>) -> Option<Point<f64>> {
     let mut bare = Point::defaults(without);
     bare.time = point.time;

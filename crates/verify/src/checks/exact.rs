@@ -19,17 +19,14 @@ use oracle::derivatives;
 /// Name of this check in reports: derivatives of a rigid body under an arbitrary force and moment, in exact arithmetic.
 pub const EXACT: &str = "rigid body, exact";
 
-/// Number of random points of the prime field at which the compiled state derivatives are compared with those of the
-/// reference simulator. Two different functions of total degree at most d agree at one point with probability at most d
-/// / 2^61.
+/// Number of random points of the prime field. Two functions of total degree at most d agree at one by chance with a
+/// probability of d / 2^61.
 pub const POINTS: usize = 8;
-/// Upper bound of the total degree of the state derivatives, which are compared as rational functions. The probability
-/// that different functions agree at a random point of the prime field follows from it (Schwartz-Zippel lemma).
+/// Upper bound of the total degree of the state derivatives.
 const DEGREE: f64 = 1e3;
 
-/// Compares the compiled derivatives of the model's rigid body with those of the reference simulator in exact
-/// arithmetic. All loads of the model are replaced by one arbitrary force and moment. The check does not apply to a
-/// model without a declared body, whose equations are written explicitly.
+/// Compares the compiled derivatives of the model's body, under one arbitrary force and moment in place of its loads,
+/// with those of the oracle.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     if subject.model.body.is_none() {
         return match &subject.reference {
@@ -41,8 +38,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     compare(&model, &codegen::compile(&model), options)
 }
 
-/// Compares the state derivatives of a compiled model with those of the reference simulator at random points of the
-/// prime field. The last two inputs of the model must be the arbitrary force and moment that [`free_loads`] adds.
+/// Compares the state derivatives of a compiled model of [`free_loads`] with those of the oracle.
 pub fn compare(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     let mut random = Random::new(options.seed, EXACT);
     let mut faults = Vec::new();
@@ -71,9 +67,8 @@ pub fn compare(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     Row::counted(EXACT, POINTS, &faults, &says)
 }
 
-/// Returns the model with all loads replaced by one force and one moment that can be chosen freely: they are the last
-/// two inputs, in inertial components. A point mass gets no moment. Equations written explicitly in the model file are
-/// removed, and so is the clock.
+/// The model under one force and moment (no moment on a point) that are its last two inputs, without stated equations
+/// and clock.
 pub fn free_loads(model: &Model) -> Model {
     let mut model = model.clone();
     let mut load = |name: &str| {

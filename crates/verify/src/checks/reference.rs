@@ -16,8 +16,8 @@ pub const REFERENCE: &str = "reference";
 /// Name in reports of the check against the model's vector expressions, as evaluated by the reference simulator.
 pub const TREE: &str = "vector tree";
 
-/// Compares state derivatives and observation with those of the reference law that the model names. Coefficients of the
-/// model that the law does not contain have their null values, at which they do not act.
+/// Compares state derivatives and observation with those of the reference law; coefficients that it does not contain
+/// have their null values.
 pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
     if let Some(why) = &subject.unbound {
         return Row::counted(REFERENCE, 1, &[why.to_string()], "");
@@ -61,9 +61,8 @@ pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
     ))
 }
 
-/// Lists the coefficients added by the model's author that make the equations differ from the reference law, one line
-/// (coefficient and the state derivatives that differ) each; `None` if there are none. Each coefficient is tested at
-/// random nonzero values and at its default value in the model file.
+/// A line for each coefficient of the author that makes the equations differ from the reference law, tested at random
+/// and default values.
 fn uncovered(
     subject: &Subject<'_>,
     reference: &Reference,
@@ -112,8 +111,7 @@ fn uncovered(
     Some(lines.collect())
 }
 
-/// Compares state derivatives and observation of the equations under test with those of the reference simulator. The
-/// simulator computes them from the vector expressions of the model. All coefficients have random nonzero values.
+/// Compares state derivatives and observation with those of the oracle's vector tree, all coefficients being random.
 pub fn tree(subject: &Subject<'_>, options: &Options) -> Row {
     let model = subject.model;
     let mut random = Random::new(options.seed, TREE);
@@ -128,8 +126,7 @@ pub fn tree(subject: &Subject<'_>, options: &Options) -> Row {
     Row::judged(TREE, options.cases, &worst, TOLERANCE)
 }
 
-/// Passes the error of every state derivative and component of the observation at a point, with its name, to `errors`;
-/// the expected values are those of the model's vector expressions.
+/// Passes the error of every state derivative and component of the observation to `errors`, with its name.
 ///
 /// # Errors
 /// [`Unsupported`] if the vector expressions cannot be evaluated.
@@ -146,9 +143,8 @@ pub(super) fn with_tree(
     Ok(())
 }
 
-/// Passes the difference of each value from the expected one to `errors`, relative to the sum of the magnitudes of the
-/// terms of the expected value. The values are the state derivatives, except those of the states with the indices in
-/// `except`, then the components of the observation.
+/// Passes the error of each value, except the derivatives of the states `except`, to `errors`, relative to the sum of
+/// the magnitudes of the terms of the expected value.
 fn compare(
     model: &Model,
     expected: &[ErrorBound],

@@ -11,8 +11,7 @@ use std::f64::consts::FRAC_PI_2;
 /// Name of this check in reports: finite results at singular points.
 pub const SINGULAR: &str = "singular points";
 
-/// Checks that every result of every compiled function is finite on every backend, at each of the singular points,
-/// given with descriptions.
+/// Checks that all results of every backend are finite at the singular points.
 pub fn check(points: &[(String, Point<f64>)], compiled: &Compiled, runs: &[Run]) -> Row {
     let mut faults = Vec::new();
     for run in runs {
@@ -29,9 +28,8 @@ pub fn check(points: &[(String, Point<f64>)], compiled: &Compiled, runs: &[Run])
     Row::counted(SINGULAR, points.len() * runs.len(), &faults, "")
 }
 
-/// Points, with descriptions, at which a divisor in the model's equations may vanish. Points outside the model's
-/// validity limits are left out. For singular attitudes, such as a pitch of 90° with Euler angles, only limits written
-/// in the model file count, not those that the language adds.
+/// Points, with descriptions, at which a divisor may vanish, within the validity limits; of singular attitudes only
+/// limits written in the model file count.
 pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
     let base = moving(model);
     let states = 0..model.states.len();
@@ -94,8 +92,7 @@ pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
     out
 }
 
-/// Whether a point is within every validity limit that is written in the model file, as opposed to limits that the
-/// language adds.
+/// Whether a point is within every limit that is written in the model file.
 fn is_within_stated(model: &Model, point: &Point<f64>) -> bool {
     let tree = Tree::new(model, point);
     let mut limits = model.limits.iter().filter(|l| !model.is_automatic(l));

@@ -13,12 +13,11 @@ use nalgebra::Vector3;
 use ode::IntegrationError;
 use oracle::{ClaimedBody, Point, Quaternion, Tree};
 
-/// Maximum deviation of a state of a random release from the state's default, relative to the typical magnitude of
-/// quantities with the state's unit.
+/// Maximum deviation of a state from its default, relative to its typical magnitude.
 const SPREAD: f64 = 0.2;
 
-/// Compares the changes of position, momentum, angular momentum and energy in flights of the body that the model claims
-/// to describe with the time integrals of velocity, force, moment and power.
+/// Compares the changes of position, momentum, angular momentum and energy with the integrals of velocity, force,
+/// moment and power.
 pub(super) fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
     let mut random = Random::new(options.seed, "flight by momenta");
     let mut worst = Worst::default();
@@ -67,7 +66,7 @@ pub(super) fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
     Row::judged(MOMENTA, flown, &worst, TOLERANCE)
 }
 
-/// Quantities, at a point, of the body that the model claims to describe; `None` if the model makes no such claim.
+/// The claimed body at a point.
 fn body(subject: &Subject<'_>, point: &Point<f64>) -> Option<ClaimedBody<f64>> {
     ClaimedBody::of(&Tree::new(subject.model, point))
 }
@@ -85,8 +84,7 @@ pub(super) fn flying(subject: &Subject<'_>, point: &Point<f64>) -> Option<Flying
     })
 }
 
-/// Draws a release near the default state of the model, with random inputs and without effects. `None` if no draw is
-/// within the model's validity limits.
+/// Draws a release near the default state, with random inputs and without effects.
 pub(super) fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     let model = subject.model;
     (0..MAX_DRAWS).find_map(|_| {
@@ -110,9 +108,8 @@ pub(super) fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Poin
     })
 }
 
-/// Integrates flights of 1, 0.3, 0.1 and 0.03 times [`DURATION`] until one ends within the validity limits of the
-/// model. Returns its final point and ten time integrals: three components each of velocity, force and moment, then
-/// power. `None` if no flight ends within the limits.
+/// First flight of 1, 0.3, 0.1 and 0.03 times [`DURATION`] that ends within the limits: final point, and integrals of
+/// velocity, force, moment (three components each) and power.
 pub(super) fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Option<(Point<f64>, Vec<f64>)> {
     if !is_valid(subject.model, from) {
         return None;
@@ -122,8 +119,7 @@ pub(super) fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Option<(Point<f64
     flights.find(|(end, _)| is_valid(subject.model, end))
 }
 
-/// Integrates the model's equations from a point for `duration` (s). Returns the final point and ten time integrals for
-/// the body that the model claims to describe: three components each of velocity, force and moment, then power.
+/// Final point after `duration`, s, and the ten integrals of [`fly`].
 fn fly_with_sums(
     subject: &Subject<'_>,
     from: &Point<f64>,

@@ -16,8 +16,7 @@ use oracle::{MassProperties, Physical, Point, Quaternion, Reference, Tree, inert
 
 /// Name in reports of the check that energy and angular momentum are conserved in a flight without air.
 pub const INVARIANTS: &str = "flight without air";
-/// Name in reports of the check that compares flights computed from the model's equations with flights computed from
-/// the reference law. The reference law is integrated with momentum and angular momentum as states.
+/// Name in reports of the check of flights against the reference law, with momenta as states.
 pub const MOMENTA: &str = "flight: reference in momenta";
 /// Name in reports of the check that compares the flights of two models.
 const FLIGHTS: &str = "flights";
@@ -26,10 +25,9 @@ const FLIGHTS: &str = "flights";
 const TOLERANCE: f64 = 1e-8;
 /// Relative tolerance with which the flights of the flight checks are integrated.
 const RTOL: f64 = 1e-11;
-/// Reason given in the report for skipping a check, for a model in which recorded time does not advance by 1 s per
-/// second of flight.
+/// Reason for skipping a model whose recorded time is not that of the flight.
 const OWN_CLOCK: &str = "its clock does not keep to the seconds of the flight";
-/// Reason given in the report for skipping the check of energy and angular momentum.
+/// Reason for skipping the check of invariants.
 const OTHER_LOADS: &str =
     "without air and with its coefficients at 0, loads are left that are not a constant force";
 /// Number of simulated flights per flight check.
@@ -81,9 +79,8 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
     Row::judged(INVARIANTS, flown, &worst, TOLERANCE)
 }
 
-/// Compares the final states of flights computed from the model's equations with those of flights computed from the
-/// reference law, which is integrated in momentum, angular momentum and attitude quaternion. For a claimed body,
-/// compares the changes of its momenta with the integrals of their causes.
+/// Compares final states with those of the reference law, integrated in momenta and attitude quaternion; of a claimed
+/// body, changes of momenta with the integrals of their causes.
 pub fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
     if subject.is_known_by_claim() {
         return claimed::momenta(subject, options);
@@ -140,8 +137,7 @@ pub fn same_flights(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row 
     Row::judged(FLIGHTS, RELEASES, &worst, TOLERANCE)
 }
 
-/// Result, with the verdict "unverified", of a flight check for a model for which no release within the model's
-/// validity limits was found.
+/// Result of a flight check without a release.
 fn unreleased(subject: &Subject<'_>, check: &'static str) -> Row {
     if subject.chart.is_none() && !subject.is_known_by_claim() {
         return subject.without_meaning(check);
@@ -149,8 +145,7 @@ fn unreleased(subject: &Subject<'_>, check: &'static str) -> Row {
     Row::unverified(check, "no release was found within the limits of the model")
 }
 
-/// Draws a release within the validity limits of the model; `None` if no draw is within these limits or the meaning of
-/// the states is unknown.
+/// Draws a release within the validity limits; `None` if none is found.
 fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     if subject.is_known_by_claim() {
         return claimed::release(subject, random);
@@ -161,9 +156,8 @@ fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     })
 }
 
-/// Draws a release, with default constants and random inputs. The velocity along the first inertial axis is uniformly
-/// distributed in 12 ± 3 m/s, the spin about the third body axis in −40 ± 10 rad/s. The other components of velocity
-/// and spin and the tilt angles of the body are small. `None` if the meaning of the states is unknown.
+/// Draws a release with random inputs: 12 ± 3 m/s along the first inertial axis, spin of −40 ± 10 rad/s about the third
+/// body axis, all else small.
 fn any_release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     let chart = subject.chart.as_ref()?;
     let mut point = Point::defaults(subject.model);
@@ -191,9 +185,8 @@ fn any_release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>>
     Some(point)
 }
 
-/// Changes a point so that no air acts. The parameter `rho` (air density) is set to 0. Every extra coefficient (see
-/// [`Subject::extras`]) is set to its null value, at which it has no effect. Every other coefficient is set to 0 or, if
-/// its bounds exclude 0, to the bound closest to 0.
+/// Removes the air: `rho` is 0, extra coefficients have their null values, all others the value of their bounds closest
+/// to 0.
 fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
     for (constant, value) in subject.model.params.iter().zip(&mut point.params) {
         if constant.name == "rho" {
@@ -210,8 +203,7 @@ fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
     }
 }
 
-/// Integrates the model equations from a point for the duration of the flight checks, [`DURATION`], and returns the
-/// final point.
+/// Final point of a flight of [`DURATION`].
 fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Result<Point<f64>, IntegrationError> {
     let rates = |at: &Point<f64>| subject.equations.rates(at);
     let options = IntegrationOptions::with_tolerance(RTOL);
@@ -232,8 +224,7 @@ fn fly_within_limits(
     Ok(is_valid.then_some(end))
 }
 
-/// Integrates the reference law in position, momentum, attitude and angular momentum. Returns the physical state after
-/// the duration of the flight checks.
+/// Final physical state by the reference law, integrated in position, momentum, attitude and angular momentum.
 fn fly_by_momenta(
     reference: &Reference,
     point: &Point<f64>,
@@ -279,8 +270,7 @@ fn fly_by_momenta(
     integrate(&mut moving, &start, DURATION).map(|end| read(&end))
 }
 
-/// Integrates dx/dt = `rhs` from the state `start` over a duration (s), with the tolerance of all flight checks, and
-/// returns the final state.
+/// Final state of dx/dt = `rhs`, with the tolerance of all flight checks.
 fn integrate(
     rhs: &mut RightHandSide<'_>,
     start: &[f64],
@@ -344,8 +334,7 @@ impl Flying {
         })
     }
 
-    /// Whether the load here and `later` is the same force without a moment. Without air, a model may still contain
-    /// other loads, such as the tension of a cord, whose work is unknown.
+    /// Whether the load is the same force `later`, without a moment. Other loads, such as of a cord, do unknown work.
     fn is_under_load_of(&self, later: &Self) -> bool {
         let size = self.force.norm() + later.force.norm();
         self.moment.norm() == 0.0
@@ -353,7 +342,7 @@ impl Flying {
             && (self.force - later.force).norm() <= TOLERANCE * size
     }
 
-    /// Compares the energy, less the work F·Δr of the constant force, and the angular momentum with those `later`.
+    /// Compares the energy, less the work F·Δr of the force, and the angular momentum.
     fn compare_invariants(&self, later: &Self, worst: &mut Worst) {
         let fall = self.force.dot(&(later.position - self.position));
         let energies = (self.kinetic_energy, later.kinetic_energy);
@@ -366,9 +355,7 @@ impl Flying {
     }
 }
 
-/// Force (N) on the body and moment (N·m) about its centre of mass, in inertial components, and its mass properties in
-/// the body frame, for the time, states and parameters of `point`. They are taken from the reference law or, without
-/// one, from the model's body. `None` if the model has neither.
+/// Force (N), moment (N·m) and mass properties of the reference law or, without one, of the body.
 fn loads(
     subject: &Subject<'_>,
     point: &Point<f64>,

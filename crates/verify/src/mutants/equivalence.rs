@@ -8,10 +8,10 @@ use crate::values::Values;
 use codegen::program::{Op, Program};
 use model_spec::model::Model;
 
-/// Reason why a mutant is equivalent to the original model: both compile to the same operations.
+/// Reason: the same operations.
 const SAME: &str = "compiles to the same derivatives and observation, node for node";
-/// Reason why a mutant is equivalent to the original model: both have equal values at random points of the prime field.
-/// Their floating-point values are compared too, because the field does not show a square root with the wrong sign.
+/// Reason: equal values in the prime field. Floating-point values are compared too, because the field does not show a
+/// square root with the wrong sign.
 const EQUAL: &str = "derivatives and observation equal at 4 random points of the field of 2^61 - 1 elements, \
                      functions being symbols";
 
@@ -20,13 +20,13 @@ const TOLERANCE: f64 = 1e-9;
 
 /// The original model, prepared for comparison with its mutants.
 pub struct Original<'a> {
-    /// Original model with its equations of motion, from which the mutants are made.
+    /// Original model with its equations of motion.
     pub subject: &'a Subject<'a>,
     values: Values,
 }
 
 impl<'a> Original<'a> {
-    /// Compiles the original model for comparison with its mutants.
+    /// Compiles the original model.
     pub fn new(subject: &'a Subject<'a>) -> Self {
         Self {
             subject,
@@ -34,8 +34,7 @@ impl<'a> Original<'a> {
         }
     }
 
-    /// States how the `mutant` is proved to have the same derivatives and observation as the original model; `None` if
-    /// equivalence is not proved.
+    /// How the `mutant` is proved to have the same derivatives and observation; `None` if it is not.
     pub fn same(&self, mutant: &Model) -> Option<&'static str> {
         let values = Values::of(mutant);
         let (here, there) = (&self.values.layout, &values.layout);
@@ -60,8 +59,7 @@ impl<'a> Original<'a> {
             .then_some(EQUAL)
     }
 
-    /// Whether the original model has terms that its reference implementation does not contain, or has no reference
-    /// implementation.
+    /// Whether the model has terms that no reference implementation contains.
     pub fn has_uncovered_terms(&self) -> bool {
         self.subject
             .reference
@@ -70,7 +68,7 @@ impl<'a> Original<'a> {
     }
 }
 
-/// Whether two programs consist of the same operations in the same order, whatever statements these are from.
+/// Whether two programs have the same operations in the same order.
 fn is_same(a: &Program, b: &Program) -> bool {
     let operations = |program: &Program| -> Vec<Op> {
         let statements = program.statements.iter();

@@ -6,22 +6,19 @@ use crate::row::Row;
 use crate::table::plain_table;
 use serde::Serialize;
 
-/// Numbers of mutants that the checks kill (refute), by mutation operator and check, and descriptions of the mutants
-/// that no check kills.
+/// Numbers of mutants that the checks kill, and mutants that no check kills.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct MutationMatrix {
-    /// Names of the checks that are run on every mutant, in ascending order of computing effort.
+    /// Names of the checks, in ascending order of effort.
     pub checks: Vec<&'static str>,
     /// Counts of mutants, one row of the matrix per mutation operator.
     pub rows: Vec<MutationRow>,
-    /// Descriptions of the mutants that no check refutes, although the reference implementation contains all terms of
-    /// the model.
+    /// Mutants that no check kills, although the reference implementation contains all terms.
     pub survivors: Vec<String>,
-    /// Descriptions of the mutants that no check refutes, for a model without a reference implementation or with terms
-    /// that the reference implementation does not contain.
+    /// Mutants that no check kills, for a model without a reference or with terms that it lacks.
     #[serde(rename = "unwatched")]
     pub not_covered: Vec<String>,
-    /// Descriptions of the mutants proved equivalent to the model, each with the kind of proof.
+    /// Mutants proved equivalent to the model, with the kind of proof.
     pub equivalent: Vec<(String, &'static str)>,
 }
 
@@ -30,19 +27,18 @@ pub struct MutationMatrix {
 pub struct MutationRow {
     /// Name of the mutation operator, such as `sign flipped`.
     pub operator: &'static str,
-    /// Number of mutants, without those that are equivalent to the model or contained in `MutationMatrix::not_covered`.
+    /// Number of mutants, without equivalent ones and those not covered.
     pub mutants: usize,
     /// Number of the operator's mutants that at least one check refutes.
     pub killed: usize,
-    /// For each check in `MutationMatrix::checks`, the number of mutants that it kills and that no earlier check in
-    /// that list kills.
+    /// For each check, the number of mutants that it is the first to kill.
     pub first: Vec<usize>,
-    /// For each check in `MutationMatrix::checks`, the number of mutants that it kills.
+    /// For each check, the number of mutants that it kills.
     pub noticed: Vec<usize>,
 }
 
 impl MutationMatrix {
-    /// Counts the mutants by mutation operator and check, from the status of each mutant.
+    /// Counts the mutants by operator and check.
     pub fn of(mutants: &[Mutant], statuses: &[MutantStatus]) -> Self {
         let kills = |check: usize| {
             let mut statuses = statuses.iter();
@@ -87,8 +83,7 @@ impl MutationMatrix {
         table
     }
 
-    /// Total number of mutants, without those proved equivalent to the model and those that the reference
-    /// implementation does not cover.
+    /// Number of mutants, without equivalent ones and those not covered.
     pub fn mutants(&self) -> usize {
         self.rows.iter().map(|row| row.mutants).sum()
     }
@@ -98,8 +93,7 @@ impl MutationMatrix {
         self.rows.iter().map(|row| row.killed).sum()
     }
 
-    /// Result of mutation testing as one check of the report; the check holds if every mutant that must be refuted is
-    /// refuted.
+    /// Row of a report; it holds if no mutant survives.
     pub fn row(&self) -> Row {
         let (mutants, killed, same) = (self.mutants(), self.killed(), self.equivalent.len());
         let not_covered = match self.not_covered.len() {
@@ -110,8 +104,7 @@ impl MutationMatrix {
         Row::counted("mutants", mutants, &self.survivors, "").with_detail(says)
     }
 
-    /// Formats the matrix as text. A cell `first/all` contains the number of mutants for which the check is the first
-    /// to kill them, and the number of all mutants that the check kills.
+    /// Text of the matrix; cells `first/all`: killed by this check first, and killed by it.
     pub fn table(&self) -> String {
         let mut header = vec!["mutation operator", "mutants", "killed"];
         header.extend(&self.checks);

@@ -2,8 +2,8 @@
 
 use model_spec::syntax::ast::{File, ItemKind, Parameter};
 
-/// Names that a mutation may exchange: all frames, constants (with unit) and auxiliary variables (with the index of the
-/// declaring statement) of a model file.
+/// Names that a mutation may exchange: frames, constants with units, auxiliary variables with the index of the
+/// statement.
 pub struct Names {
     frames: Vec<String>,
     constants: Vec<(String, String)>,
@@ -39,9 +39,8 @@ impl Names {
         self.frames.iter().filter(move |f| *f != name)
     }
 
-    /// Plausible replacements of a name that occurs in the statement with index `item`. For a constant: at most two
-    /// constants of the same unit and one of another unit. For an auxiliary variable: those declared before this
-    /// statement, at most two positions away in the list of auxiliary variables.
+    /// Plausible replacements of a name in the statement `item`: at most two constants of the same unit and one of
+    /// another; auxiliary variables declared before, at most two places away.
     pub fn exchanges(&self, name: &str, item: usize) -> Vec<String> {
         let mut out = Vec::new();
         if let Some(at) = self.constants.iter().position(|(n, _)| n == name) {

@@ -26,14 +26,13 @@ pub const CHECKS: [&str; 8] = [
 /// Result of running the checks of the verification on a mutant.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum MutantStatus {
-    /// At least one check refutes the mutant. Contains the indices of these checks in [`CHECKS`]; never empty.
+    /// Killed by the checks with these indices in [`CHECKS`]; never empty.
     Killed(Vec<usize>),
-    /// The mutant is proved equivalent to the model. Contains a text that states how this is proved.
+    /// Proved equivalent to the model, for this reason.
     Equivalent(&'static str),
-    /// No check refutes the mutant, but the model has no reference implementation, or has terms that the reference
-    /// implementation does not contain.
+    /// Not killed, but the model has terms without a reference implementation.
     NotCovered,
-    /// No check refutes the mutant, although the reference implementation contains all terms of the model.
+    /// Not killed, although the reference implementation contains all terms.
     Survived,
 }
 
@@ -69,8 +68,8 @@ fn killer(fault: &Diagnostic) -> usize {
     }
 }
 
-/// Indices, in [`CHECKS`], of the numerical checks that refute a mutant. The checks evaluate the mutant's equations
-/// from its vector expressions, without compiling them.
+/// Indices, in [`CHECKS`], of the checks that refute a mutant, whose vector expressions they evaluate without compiling
+/// them.
 fn refusals(model: &Model, original: &Original<'_>, options: &Options) -> Vec<usize> {
     let Ok(equations) = Interpreted::new(model) else {
         return vec![2];

@@ -27,8 +27,7 @@ use statements::{Loss, REPORTED_BITS};
 /// Name in reports of the check of rounding errors.
 pub const ROUNDING: &str = "rounding";
 
-/// Maximum allowed rounding error of a computed value, in units of the spacing of f64 numbers at the sum of the
-/// magnitudes of a value's terms. It corresponds to 128 rounding errors of half a unit with the same sign.
+/// Maximum allowed error, ulp of the magnitude: 128 rounding errors of half a unit with the same sign.
 pub const ALLOWED: f64 = 64.0;
 
 /// Numbers of points at which the rounding errors of a model's code are measured.
@@ -43,13 +42,13 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// Numbers of points for the check of rounding errors that is part of every verification.
+    /// Numbers of points of the row of a report.
     pub const ROW: Effort = Effort {
         random: 12,
         flights: 2,
         states: 4,
     };
-    /// Numbers of points for the detailed report of the command-line option `--rounding`.
+    /// Numbers of points of the option `--rounding`.
     pub const DETAILS: Effort = Effort {
         random: 200,
         flights: 10,
@@ -57,8 +56,7 @@ impl Effort {
     };
 }
 
-/// Rounding errors of one group of outputs of a compiled function, such as its Jacobian, on one backend. The unit is
-/// the spacing of f64 numbers (ulp) at the sum of the magnitudes of a value's terms.
+/// Rounding errors of one group of outputs of a compiled function on one backend, ulp of the magnitude.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Error {
     /// Name of the backend that computed the values.
@@ -67,34 +65,28 @@ pub struct Error {
     pub fuses: bool,
     /// Name of the compiled function whose results are compared.
     pub function: &'static str,
-    /// Group of outputs of the function: `f` (state derivatives), `J`, `Jp` (their Jacobians with respect to states and
-    /// parameters), `y` (observation), `dy/dx` or `dy/dp` (its Jacobians).
+    /// Group of outputs: `f`, `J`, `Jp` (Jacobians by states and parameters), `y` (observation), `dy/dx` or `dy/dp`.
     pub values: &'static str,
-    /// Number of values, over all outputs of the group and all points, that were compared with the exact values.
+    /// Number of compared values, over all outputs and points.
     pub compared: usize,
-    /// Maximum error over the compared values, in units of the spacing of f64 numbers (ulp) at the sum of the
-    /// magnitudes of a value's terms.
+    /// Maximum error, ulp of the magnitude.
     pub worst: f64,
-    /// Median error over the compared values, in units of the spacing of f64 numbers (ulp) at the sum of the magnitudes
-    /// of a value's terms.
+    /// Median error, ulp of the magnitude.
     pub median: f64,
     /// Name of the computed value with the maximum error.
     pub place: String,
 }
 
-/// Rounding errors of a model's compiled functions on all backends, and the bits that each statement of the model
-/// loses.
+/// Rounding errors of a model on all backends, and the bits that each statement loses.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Rounding {
     /// Text that names the unit of the rounding errors in reports.
     pub measure: &'static str,
-    /// Number of random points and number of states along flights that were drawn to measure rounding errors, including
-    /// those counted in `left_out`.
+    /// Numbers of random points and of states along flights, those in `left_out` included.
     pub points: [usize; 2],
-    /// Number of points left out because a value is not finite there, or because rounding may change the result of a
-    /// branch, such as that of abs, whose argument is close to the branch point.
+    /// Number of points left out because a value is not finite or rounding may decide a branch.
     pub left_out: usize,
-    /// Rounding errors by backend, compiled function and group of outputs of the function, such as its Jacobian.
+    /// Rounding errors by backend, function and group of outputs.
     pub errors: Vec<Error>,
     /// Statements of the model that lose bits, in descending order of the loss.
     pub losses: Vec<Loss>,
@@ -108,8 +100,7 @@ const MEASURE: &str =
 struct Exact {
     /// Name of the function.
     name: &'static str,
-    /// For each value: the f64 nearest to the exact value, the remainder exact − nearest, and the sum of the magnitudes
-    /// of the value's terms.
+    /// For each value: the nearest f64, exact − nearest, and the sum of the magnitudes of the terms.
     values: Vec<(f64, f64, f64)>,
 }
 
@@ -144,9 +135,8 @@ pub fn measure(
     }
 }
 
-/// Rounding errors of each backend, by compiled function and group of its outputs, such as its Jacobian. Also returns
-/// the number of points left out because a value is not finite there or because rounding may change the result of a
-/// branch, such as that of abs.
+/// Rounding errors of each backend, and the number of points left out because a value is not finite or rounding may
+/// decide a branch.
 pub fn errors(compiled: &Compiled, points: &[Point<f64>], runs: &[Run]) -> (Vec<Error>, usize) {
     let exact: Vec<Option<Vec<Exact>>> = points.iter().map(|p| exact(compiled, p)).collect();
     let left_out = exact.iter().filter(|e| e.is_none()).count();
@@ -188,8 +178,7 @@ fn sort_largest_first(errors: &mut [(f64, usize)]) {
     errors.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
 }
 
-/// Creates the result of the check of rounding errors for the verification report. The check holds if no backend's
-/// error exceeds [`ALLOWED`]. Statements of the model that lose digits are listed in a remark.
+/// Row of a report: holds if no error exceeds [`ALLOWED`]; a remark lists statements that lose digits.
 pub fn row(rounding: &Rounding) -> Row {
     let [random, flown] = rounding.points;
     let cases = random + flown - rounding.left_out;
@@ -226,9 +215,7 @@ pub fn row(rounding: &Rounding) -> Row {
     }
 }
 
-/// Evaluates in 256-bit arithmetic, at one point, the compiled functions whose rounding errors are measured: those of
-/// the state derivatives, the observation and their Jacobians. `None` if a value is not finite, or if rounding may
-/// change the result of a branch, such as that of abs.
+/// Measured functions in 256-bit arithmetic; `None` if a value is not finite or rounding may decide a branch.
 fn exact(compiled: &Compiled, point: &Point<f64>) -> Option<Vec<Exact>> {
     let functions = compiled.functions().into_iter();
     let measured = functions.filter(|function| !sections(function).is_empty());
@@ -248,9 +235,7 @@ fn exact(compiled: &Compiled, point: &Point<f64>) -> Option<Vec<Exact>> {
     })
 }
 
-/// Error of the computed result `got`, in units of the spacing of f64 numbers at the sum of the magnitudes of the
-/// result's terms. The first argument describes the exact result as a tuple: (exact value rounded to f64, exact −
-/// rounded, sum of the magnitudes of the terms).
+/// Error of the result `got`, ulp of the magnitude; the other argument is one of [`Exact::values`].
 fn error((rounded, rest, magnitude): (f64, f64, f64), got: f64) -> f64 {
     // The subtraction is exact for close values (Sterbenz); for others its rounding does not matter.
     let error = (got - rounded - rest).abs();
@@ -262,8 +247,7 @@ fn error((rounded, rest, magnitude): (f64, f64, f64), got: f64) -> f64 {
     if error.is_nan() { f64::INFINITY } else { error }
 }
 
-/// Groups of outputs of a compiled function (such as state derivatives and Jacobian) whose rounding errors are
-/// measured: name in tables, and index range in the outputs.
+/// Measured groups of outputs of a function: name in tables, and index range.
 fn sections(function: &Function) -> Vec<(&'static str, std::ops::Range<usize>)> {
     let names: &[(&'static str, &str)] = match function.name {
         "f" => &[("f", "dx")],

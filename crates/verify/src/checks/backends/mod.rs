@@ -18,15 +18,13 @@ use oracle::Point;
 /// Name in reports of the check of bitwise agreement between backends.
 pub const BACKENDS: &str = "backends";
 
-/// Name in reports of the comparison between backends with and without fused multiply-add; a backend is the generated
-/// code or the bytecode interpreter.
+/// Name in reports of the comparison of backends with and without fused multiply-add.
 pub const FMA: &str = "FMA and non-FMA";
 
 /// Name of the check that the running executable contains code generated from the model's current text.
 pub const GENERATED: &str = "generated code";
 
-/// Maximum allowed difference caused by fused multiply-add, relative to the largest absolute result of the compiled
-/// function. The value allows for an amplification of rounding errors by 1e4 through cancellation.
+/// Maximum difference by fused multiply-add, relative to the largest result of the function: 1e4 rounding errors.
 const FMA_TOLERANCE: f64 = 1e-12;
 
 /// Results of one backend at a list of points.
@@ -36,13 +34,11 @@ pub struct Run {
     pub backend: String,
     /// Whether the backend computes with fused multiply-add operations.
     pub fuses: bool,
-    /// For each point, the concatenated results of all compiled functions of the model, in the order of
-    /// `codegen::Compiled::functions`.
+    /// Concatenated results of all compiled functions, by point.
     pub results: Vec<Vec<f64>>,
 }
 
-/// Results of the compiled function called `name`, among the concatenated results of all functions at a point; empty if
-/// there is no such function.
+/// Results of the function `name` among the concatenated ones; empty if there is none.
 pub fn results_of<'a>(compiled: &Compiled, results: &'a [f64], name: &str) -> &'a [f64] {
     let functions = compiled.functions().into_iter();
     let before = functions.take_while(|function| function.name != name);
@@ -53,8 +49,7 @@ pub fn results_of<'a>(compiled: &Compiled, results: &'a [f64], name: &str) -> &'
     results.get(start..start + count).unwrap_or_default()
 }
 
-/// Evaluates all compiled functions on all backends at the points. The generated code in the running executable is
-/// included only if the hash stored with it equals that of the current text of the model.
+/// Evaluates all functions on all backends; generated code only if it is of the current text of the model.
 pub fn runs(model: &Model, compiled: &Compiled, points: &[Point<f64>]) -> Vec<Run> {
     let inputs = || points.iter().map(Inputs::of);
     let on = |name: &str, each: Vec<(Isa, Vec<Vec<f64>>)>| {
@@ -85,9 +80,7 @@ pub fn runs(model: &Model, compiled: &Compiled, points: &[Point<f64>]) -> Vec<Ru
     runs
 }
 
-/// Checks whether the running executable contains code generated from the model's current text. The check is skipped if
-/// the executable contains no code of this model or the model has effects. It is skipped with a remark if the code was
-/// generated from another text of the model.
+/// Whether the program has code generated from the current text of the model; another text is said in a remark.
 pub fn generated_code(model: &Model) -> Row {
     match generated::model(&model.name) {
         _ if !model.effects.is_empty() => {
@@ -105,14 +98,12 @@ pub fn generated_code(model: &Model) -> Row {
     }
 }
 
-/// Results of the first backend that fuses multiply and add (`fuses` true) or does not (`fuses` false); `None` if
-/// `runs` contains no such backend.
+/// First backend that fuses, or does not.
 fn first(runs: &[Run], fuses: bool) -> Option<&Run> {
     runs.iter().find(|run| run.fuses == fuses)
 }
 
-/// Checks for bitwise agreement of the backends: the results of all backends that fuse multiply and add must be equal,
-/// and those of all backends that do not fuse must be equal.
+/// Compares all backends that fuse bit for bit, and all that do not.
 pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
     let mut worst = Worst::default();
     for run in runs {
@@ -145,8 +136,7 @@ pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
     }
 }
 
-/// Compares the results of the first backend that fuses multiply and add with those of the first backend that does not.
-/// Errors are relative to the largest absolute result of the same compiled function at the same point.
+/// Compares the first backends that fuse and that do not, relative to the largest result of the function.
 pub fn check_fma(compiled: &Compiled, runs: &[Run]) -> Row {
     let (Some(plain), Some(fused)) = (first(runs, false), first(runs, true)) else {
         return Row::skipped(FMA, "no backend fuses on this machine");
@@ -165,8 +155,7 @@ pub fn check_fma(compiled: &Compiled, runs: &[Run]) -> Row {
     Row::judged(FMA, plain.results.len(), &worst, FMA_TOLERANCE)
 }
 
-/// Name of the compiled function to which the result with the given index belongs; the index counts the concatenated
-/// results of all functions.
+/// Name of the function of a result among the concatenated ones.
 pub fn function_at(compiled: &Compiled, index: usize) -> &'static str {
     let mut end = 0;
     let found = compiled.functions().into_iter().find(|function| {
@@ -176,7 +165,7 @@ pub fn function_at(compiled: &Compiled, index: usize) -> &'static str {
     found.map_or("nothing", |function| function.name)
 }
 
-/// Distance of two values in units in the last place; 0 if both are NaN, infinite if only one is NaN.
+/// Distance of two values in units in the last place.
 fn ulps(a: f64, b: f64) -> f64 {
     if a == b || (a.is_nan() && b.is_nan()) {
         return 0.0;
