@@ -190,8 +190,8 @@ fn error(
     let pace = subject.clock(&seen);
     let got = meaning.rate(&seen, &subject.flight_rates(&seen), pace)?;
     let mut worst = Worst::default();
-    for (what, error) in rate_differences(&got, &expected) {
-        worst.update(error, || what.to_owned());
+    for (_, error) in rate_differences(&got, &expected) {
+        worst.update(error, String::new);
     }
     Some(worst.error)
 }
@@ -211,16 +211,15 @@ fn transform(
         Relation::Translation => p.position += draw.shift,
         Relation::Heading => {
             let turn = heading.matrix();
-            p = map(&p, &turn, &turn, heading.times(p.attitude));
-            change = map_change(&change, &turn, &turn);
+            let attitude = heading.times(p.attitude);
+            map(&mut p, &mut change, turn, turn, attitude);
             inputs.iter_mut().for_each(|v| *v = turn * *v);
         }
         Relation::Mirror => {
             let polar = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0));
             // Conjugating a rotation matrix with a reflection gives a rotation; a symmetric body is mapped to itself.
             let attitude = Quaternion::from_matrix(&(polar * p.attitude.matrix() * polar));
-            p = map(&p, &polar, &-polar, attitude);
-            change = map_change(&change, &polar, &-polar);
+            map(&mut p, &mut change, polar, -polar, attitude);
             for (input, v) in model.inputs.iter().zip(&mut inputs) {
                 *v = match input.unit.doubled[Base::Metre as usize] {
                     0 => -polar * *v,
@@ -244,27 +243,24 @@ fn transform(
     (p, inputs, change)
 }
 
+/// Maps a physical state and its rate: polar vectors by `polar`, axial ones by `axial`.
 fn map(
-    p: &Physical<f64>,
-    polar: &Matrix3<f64>,
-    axial: &Matrix3<f64>,
+    p: &mut Physical<f64>,
+    change: &mut PhysicalRate,
+    polar: Matrix3<f64>,
+    axial: Matrix3<f64>,
     attitude: Quaternion<f64>,
-) -> Physical<f64> {
-    Physical {
-        position: polar * p.position,
-        velocity: polar * p.velocity,
-        attitude,
-        angular_velocity: axial * p.angular_velocity,
+) {
+    for v in [&mut p.position, &mut p.velocity] {
+        *v = polar * *v;
     }
-}
-
-fn map_change(c: &PhysicalRate, polar: &Matrix3<f64>, axial: &Matrix3<f64>) -> PhysicalRate {
-    PhysicalRate {
-        velocity: polar * c.velocity,
-        acceleration: polar * c.acceleration,
-        angular_velocity: axial * c.angular_velocity,
-        angular_acceleration: axial * c.angular_acceleration,
+    for v in [&mut change.velocity, &mut change.acceleration] {
+        *v = polar * *v;
     }
+    p.attitude = attitude;
+    p.angular_velocity = axial * p.angular_velocity;
+    change.angular_velocity = axial * change.angular_velocity;
+    change.angular_acceleration = axial * change.angular_acceleration;
 }
 
 /// Whether the body is its own mirror image: products of inertia 12 and 23 are 0.

@@ -109,29 +109,26 @@ impl MutationMatrix {
         let mut header = vec!["mutation operator", "mutants", "killed"];
         header.extend(&self.checks);
         let mut table = plain_table(&header);
-        let sum = |pick: fn(&MutationRow) -> &Vec<usize>, k: usize| -> usize {
-            self.rows.iter().map(|row| pick(row)[k]).sum()
+        let sums = |pick: fn(&MutationRow) -> &Vec<usize>| {
+            let checks = 0..self.checks.len();
+            let sum = |k| self.rows.iter().map(|row| pick(row)[k]).sum();
+            checks.map(sum).collect()
         };
-        for row in self.rows.iter().filter(|row| row.mutants > 0) {
-            let mut cells = vec![
-                row.operator.to_owned(),
-                row.mutants.to_string(),
-                row.killed.to_string(),
-            ];
-            let counts = row.first.iter().zip(&row.noticed);
-            cells.extend(counts.map(|(first, all)| format!("{first}/{all}")));
-            table.add_row(cells);
+        let all = MutationRow {
+            operator: "all",
+            mutants: self.mutants(),
+            killed: self.killed(),
+            first: sums(|row| &row.first),
+            noticed: sums(|row| &row.noticed),
+        };
+        let rows = self.rows.iter().filter(|row| row.mutants > 0);
+        for row in rows.chain([&all]) {
+            let counts = [row.mutants, row.killed].map(|count| count.to_string());
+            let by_check = row.first.iter().zip(&row.noticed);
+            let by_check = by_check.map(|(first, all)| format!("{first}/{all}"));
+            let cells = [row.operator.to_owned()].into_iter().chain(counts);
+            table.add_row(cells.chain(by_check));
         }
-        let mut cells = vec![
-            String::from("all"),
-            self.mutants().to_string(),
-            self.killed().to_string(),
-        ];
-        cells.extend(
-            (0..self.checks.len())
-                .map(|k| format!("{}/{}", sum(|r| &r.first, k), sum(|r| &r.noticed, k))),
-        );
-        table.add_row(cells);
         let mut text = format!("{table}\nEach cell: killed by this check first / killed by it.\n");
         for (mutant, reason) in &self.equivalent {
             text.push_str(&format!("equivalent: {mutant} ({reason})\n"));
