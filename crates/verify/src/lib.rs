@@ -23,6 +23,7 @@ mod integration;
 mod meaning;
 pub mod mutants;
 mod options;
+mod pairing;
 pub mod random;
 pub mod record;
 pub mod refute;

@@ -1,5 +1,6 @@
 //! Subject of a verification: a model, and its equations of motion as functions that can be evaluated.
 
+use crate::pairing::Pairing;
 use crate::row::Row;
 use model_spec::Layout;
 use model_spec::model::{Body, Model};
@@ -76,18 +77,13 @@ impl<'a> Subject<'a> {
         here: &Point<f64>,
     ) -> Option<Point<f64>> {
         let physical = self.chart.as_ref()?.physical(&here.states);
-        let mut there = Point::defaults(other.model);
-        there.states = other.chart.as_ref()?.states(&physical)?;
+        let mut states = other.chart.as_ref()?.states(&physical)?;
+        let pairing = Pairing::of(&Layout::new(self.model), &Layout::new(other.model));
+        let carried = pairing.carry(here, &Point::defaults(other.model));
         for state in other.model.added_states() {
-            let name = &other.model.states[state].name;
-            if let Some(same) = self.model.states.iter().position(|s| s.name == *name) {
-                there.states[state] = here.states[same];
-            }
+            states[state] = carried.states[state];
         }
-        there.time = here.time;
-        there.marker = here.marker;
-        carry_by_name(self.model, here, other.model, &mut there);
-        Some(there)
+        Some(Point { states, ..carried })
     }
 
     /// Index and null value of each coefficient that the reference law does not contain or, without one, of each
@@ -160,25 +156,6 @@ impl<'a> Subject<'a> {
         }
         point
     }
-}
-
-/// Copies parameters, coefficients and inputs by name from `here` to `there`; whether every name of `other` was found.
-pub(crate) fn carry_by_name(
-    model: &Model,
-    here: &Point<f64>,
-    other: &Model,
-    there: &mut Point<f64>,
-) -> bool {
-    let (own, values) = (Layout::new(model), here.parameters());
-    let mut is_complete = true;
-    let names = Layout::new(other).parameters;
-    for (name, to) in names.iter().zip(there.parameters_mut()) {
-        match own.parameter(name) {
-            Some(index) => *to = values[index.index()],
-            None => is_complete = false,
-        }
-    }
-    is_complete
 }
 
 /// Mass properties of a declared body, with the inertia in the body frame.

@@ -5,11 +5,13 @@
 use super::reference;
 use crate::expressions::fix_effects;
 use crate::options::{Options, TOLERANCE};
+use crate::pairing::Pairing;
 use crate::random::Random;
 use crate::row::{Row, Verdict, Worst};
 use crate::sample;
-use crate::subject::{Equations, carry_by_name};
+use crate::subject::Equations;
 use crate::values::Values;
+use model_spec::Layout;
 use model_spec::compose::{Origin, known_effects};
 use model_spec::load::{Loaded, from_text};
 use model_spec::model::Model;
@@ -99,12 +101,14 @@ fn check(without: &Model, with: &[Variant], options: &Options) -> Row {
     let mut faults = Vec::new();
     for variant in with {
         let (model, names) = (&variant.model, variant.names());
+        let pairing = Pairing::of(&Layout::new(model), &Layout::new(without));
         for _ in 0..options.cases.div_ceil(10) {
             let point = off(model, sample::point(model, &mut random));
-            let Some(bare) = bare(without, model, &point) else {
+            if !pairing.is_complete() {
                 faults.push(format!("{names}: the model without it has other names"));
                 break;
-            };
+            }
+            let bare = pairing.carry(&point, &Point::defaults(without));
             let sizes = derivatives(model, &point.lift::<ErrorBound>()).unwrap_or_default();
             let rates = variant.values.rates(&point);
             let expected = plain.rates(&bare);
@@ -171,18 +175,4 @@ fn off(model: &Model, mut point: Point<f64>) -> Point<f64> {
         point.states[own.index] = own.null_value;
     }
     point
-}
-
-/// Point of the model `without` effects, by name; `None` if a name is missing.
-fn bare(without: &Model, with: &Model, point: &Point<f64>) -> Option<Point<f64>> {
-    let mut bare = Point::defaults(without);
-    bare.time = point.time;
-    bare.marker = point.marker;
-    if !carry_by_name(with, point, without, &mut bare) {
-        return None;
-    }
-    for (state, to) in without.states.iter().zip(&mut bare.states) {
-        *to = point.states[with.states.iter().position(|s| s.name == state.name)?];
-    }
-    Some(bare)
 }

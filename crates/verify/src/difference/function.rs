@@ -5,10 +5,11 @@
 use super::values::Everything;
 use crate::field::FieldPoint;
 use crate::options::TOLERANCE;
+use crate::pairing::Pairing;
 use crate::random::Random;
 use crate::sample;
 use model_spec::model::Model;
-use oracle::scalar::{ErrorBound, Field, Real};
+use oracle::scalar::{ErrorBound, Real};
 use oracle::{Point, Tree, derivatives_of};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -50,45 +51,10 @@ impl Compared {
     }
 }
 
-/// States and parameters of the new model: index of that of the same name in the old one.
-struct Pairing {
-    states: Vec<Option<usize>>,
-    parameters: Vec<Option<usize>>,
-}
-
-impl Pairing {
-    fn of(old: &Everything<'_>, new: &Everything<'_>) -> Self {
-        let by_name = |old: &[String], new: &[String]| {
-            let place = |name| old.iter().position(|o| o == name);
-            new.iter().map(place).collect()
-        };
-        let (old, new) = (&old.code.layout, &new.code.layout);
-        Self {
-            states: by_name(&old.states, &new.states),
-            parameters: by_name(&old.parameters, &new.parameters),
-        }
-    }
-
-    /// The point `there` of the new model with paired values, time and marker of the point `here`.
-    fn carry<T: Field>(&self, here: &Point<T>, there: &Point<T>) -> Point<T> {
-        let given = here.parameters();
-        let mut out = there.clone();
-        out.time = here.time;
-        out.marker = here.marker;
-        for (to, from) in out.states.iter_mut().zip(&self.states) {
-            *to = from.map_or(*to, |from| here.states[from]);
-        }
-        for (to, from) in out.parameters_mut().zip(&self.parameters) {
-            *to = from.map_or(*to, |from| given[from]);
-        }
-        out
-    }
-}
-
 /// Compares every row, auxiliary variable and load that both models have, by name, as functions of states and
 /// parameters. What only one of the models has takes random values.
 pub fn compare(old: &Everything<'_>, new: &Everything<'_>) -> BTreeMap<String, Compared> {
-    let pairing = Pairing::of(old, new);
+    let pairing = Pairing::of(&old.code.layout, &new.code.layout);
     let (before, after) = (old.groups(), new.groups());
     let both = after.into_iter().filter_map(|(name, new)| {
         let old = before.get(&name)?;
