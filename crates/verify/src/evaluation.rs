@@ -214,13 +214,16 @@ fn long_outputs(
     (!undecided).then(|| outputs.map(|&o| (exactly(o), bounded(o))).collect())
 }
 
+/// A function and its outputs in 256-bit arithmetic, with the magnitudes of their terms.
+type LongResults<'a> = (&'a Function, Vec<(Big, ErrorBound)>);
+
 /// Outputs of functions in 256-bit arithmetic, see [`long_outputs`].
 pub fn long_results<'a>(
     compiled: &Compiled,
     functions: impl IntoIterator<Item = &'a Function>,
     point: &Point<f64>,
     is_exact: bool,
-) -> Option<Vec<(&'a Function, Vec<(Big, ErrorBound)>)>> {
+) -> Option<Vec<LongResults<'a>>> {
     let (mut exact, mut bounds) = (Inputs::of(&point.lift()), Inputs::of(&point.lift()));
     let prepare = &compiled.prepare.program;
     let prepared = long_outputs(prepare, &exact, &bounds, is_exact)?;

@@ -21,7 +21,7 @@ pub fn fix_effects(model: &mut Model) {
     let effects = model.effects.clone();
     let null_value = |kind: &ExprKind| {
         let find =
-            |own: &[EffectUnknown], index| own.iter().find(|own| own.index == index).cloned();
+            |own: &[EffectUnknown], index| own.iter().find(|own| own.index == index).copied();
         let own = match *kind {
             ExprKind::Coefficient(i) => effects.iter().find_map(|e| find(&e.coefficients, i)),
             ExprKind::State(i) => effects.iter().find_map(|e| find(&e.states, i)),
