@@ -2,8 +2,7 @@
 
 use thiserror::Error;
 
-/// Reason why the reference implementation of a law of motion or of an effect cannot be applied to the model that names
-/// this law or effect.
+/// Reason why the reference implementation of a law of motion cannot be applied to the model that names this law.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum BindError {
     /// No reference implementation has the name that the model gives after the keyword `reference`.
@@ -36,31 +35,11 @@ pub enum BindError {
         /// Name of the frame in which the model declares the input.
         frame: String,
     },
-    /// An effect has no reference implementation for the law of motion that the model names.
-    #[error("the effect `{name}` has no reference implementation for this law")]
-    UnknownEffect {
-        /// Name of the effect.
-        name: String,
-    },
-    /// A coefficient or state of an effect is missing from the model.
-    #[error("`{name}` of the effect `{effect}` is not declared")]
-    MissingEffectValue {
-        /// Name of the effect.
-        effect: &'static str,
-        /// Name of the effect's coefficient or state that the model does not declare.
-        name: &'static str,
-    },
 }
 
 /// Reason why the reference evaluation in this crate cannot derive a model's equations of motion.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Unsupported {
-    /// The model writes its equations of motion explicitly, instead of declaring a body from which they can be derived.
-    #[error("its equations are stated")]
-    StatedEquations,
-    /// Mass or inertia is not a rational function of the constants.
-    #[error("mass or inertia is not rational")]
-    IrrationalMass,
     /// The components of a vector refer to a frame whose angular velocity the model does not define.
     #[error("the angular velocity of the frame of {vector} is not defined")]
     FrameRate {

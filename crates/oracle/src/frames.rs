@@ -25,13 +25,8 @@ pub struct ElementaryRotation<T> {
     pub rate: usize,
 }
 
-/// Computes the axes and angular velocities of all frames of a model; `sin_cos` returns the sine and cosine of the
-/// state with a given index.
-pub fn place_frames<T: Field>(
-    model: &Model,
-    states: &[T],
-    sin_cos: impl Fn(usize) -> (T, T),
-) -> Vec<PlacedFrame<T>> {
+/// Computes the axes and angular velocities of all frames of a model.
+pub fn place_frames<T: Real>(model: &Model, states: &[T]) -> Vec<PlacedFrame<T>> {
     let mut placed: Vec<PlacedFrame<T>> = Vec::with_capacity(model.frames.len());
     for (index, frame) in model.frames.iter().enumerate() {
         placed.push(match frame.kind {
@@ -46,7 +41,7 @@ pub fn place_frames<T: Field>(
                 axis,
             } => {
                 let parent = placed[parent];
-                let (s, c) = sin_cos(angle);
+                let (s, c) = (states[angle].sin(), states[angle].cos());
                 let rates = parent.angular_velocity.zip(rate);
                 PlacedFrame {
                     axes: parent.axes * rotated(axis, s, c),
@@ -74,12 +69,6 @@ pub fn place_frames<T: Field>(
         }
     }
     placed
-}
-
-/// Computes the axes and angular velocities of all frames of a model. The scalar type must have sine and cosine
-/// (`Real`), in contrast to `place_frames`, which takes them from a function.
-pub fn place_real<T: Real>(model: &Model, states: &[T]) -> Vec<PlacedFrame<T>> {
-    place_frames(model, states, |i| (states[i].sin(), states[i].cos()))
 }
 
 /// Elementary rotations that lead from the inertial frame to `frame`, in this order; `placed` contains the axes and

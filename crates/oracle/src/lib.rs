@@ -5,10 +5,11 @@
 //! This crate shares no code with the compiler, so that it cannot share the compiler's mistakes; a test of the manifest
 //! and of the source enforces this.
 //!
-//! - **Reference implementations**: [`Reference`] binds a [`Law`] to the names of a model, [`effect`] adds the built-in
-//!   effects.
-//! - **Vector tree**: [`Tree`] evaluates the expressions of a model, [`derivatives`] its equations of motion;
-//!   [`free_load_derivatives`] evaluates those of a rigid body under given loads, in any field.
+//! - **Reference implementations**: [`Reference`] binds a [`Law`] to the names of a model.
+//! - **Vector tree**: [`Tree`] evaluates the expressions of a model, [`derivatives`] its equations of motion. The tree is
+//!   the reference of every effect: it evaluates the text of the effect without the compiler. No effect of the catalogue
+//!   has a formula of its own here; the hand-written ones, with which the texts are compared, simulate the flights of the
+//!   studies.
 //! - **Claims**: a model that writes its equations of motion explicitly may claim that they describe a certain body.
 //!   [`ClaimedBody`] contains the quantities of this body and the laws of motion for them; [`claimed_rates`] solves
 //!   these laws for the rates of the states.
@@ -22,10 +23,8 @@ mod chart;
 mod claimed;
 mod claimed_rates;
 mod dynamics;
-pub mod effect;
 mod error;
 mod frames;
-mod free_loads;
 mod physical;
 mod point;
 mod reference;
@@ -40,10 +39,9 @@ pub use claimed_rates::{ClaimedRates, claimed_rates};
 pub use dynamics::{derivatives, derivatives_of, mass_properties};
 pub use error::{BindError, Unsupported};
 pub use frames::PlacedFrame;
-pub use free_loads::free_load_derivatives;
-pub use physical::{MassProperties, Motion, Physical};
+pub use physical::{Load, MassProperties, Motion, Physical};
 pub use point::Point;
-pub use reference::{Law, Reference};
+pub use reference::{Law, Reference, Stream};
 pub use rigid::{inertia_in_n, solve};
 pub use scalar::Interpolant;
 pub use tree::{Tree, Value};

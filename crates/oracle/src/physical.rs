@@ -42,32 +42,11 @@ impl<T: Field> Physical<T> {
 
 /// Force at the mass centre, N, and moment about it, N·m, in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Load<T> {
+pub struct Load<T> {
+    /// Sum of the forces in inertial components, N.
     pub force: Vector3<T>,
+    /// Sum of the moments about the mass centre, in inertial components, N·m.
     pub moment: Vector3<T>,
-}
-
-impl<T: Field> Load<T> {
-    pub fn zero() -> Self {
-        Self {
-            force: Vector3::zeros(),
-            moment: Vector3::zeros(),
-        }
-    }
-
-    pub fn force(force: Vector3<T>) -> Self {
-        Self {
-            force,
-            ..Self::zero()
-        }
-    }
-
-    pub fn moment(moment: Vector3<T>) -> Self {
-        Self {
-            moment,
-            ..Self::zero()
-        }
-    }
 }
 
 /// Forces and moments on a body, and the accelerations of the body; all vectors are in inertial components.
@@ -86,7 +65,7 @@ pub struct Motion<T> {
 impl<T: Real> Motion<T> {
     /// Forces, moments and accelerations of a body in the physical state `at` under `load`; the inertia is given in the
     /// body frame.
-    pub(crate) fn under(load: Load<T>, properties: &MassProperties<T>, at: &Physical<T>) -> Self {
+    pub fn under(load: Load<T>, properties: &MassProperties<T>, at: &Physical<T>) -> Self {
         let Load { force, moment } = load;
         let omega = at.angular_velocity;
         let angular_acceleration = properties.inertia.map_or_else(Vector3::zeros, |inertia| {

@@ -3,7 +3,7 @@
 //! Every vector is converted to inertial components as soon as it is evaluated. Expressing it in another frame then has
 //! no effect, and a component is a scalar product with an axis.
 
-use crate::frames::{PlacedFrame, place_real};
+use crate::frames::{PlacedFrame, place_frames};
 use crate::point::Point;
 use crate::rigid::{angular_acceleration, inertia_in_n};
 use crate::scalar::{Interpolant, Real, call};
@@ -43,7 +43,7 @@ impl<'a, T: Real> Tree<'a, T> {
     /// Evaluates a model at a point; auxiliary variables listed in `given` have the values stated there, as pairs
     /// (index of the auxiliary variable, value), instead of those computed from their definitions.
     pub fn overriding(model: &'a Model, point: &'a Point<T>, given: &[(usize, Value<T>)]) -> Self {
-        let frames = place_real(model, &point.states);
+        let frames = place_frames(model, &point.states);
         let mut tree = Self {
             model,
             point,

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use model_spec::SITES;
 use model_spec::compose::{KnownEffect, ModelTree, Origin, Refused, known_effects};
 use model_spec::load::{LoadError, MODELS, load};
-use model_spec::model::{AppliedEffect, Model};
+use model_spec::model::{AppliedEffect, EffectUnknown, Model};
 use model_spec::with_unit;
 
 /// An effect, built in or declared in a model file, with the models to which it applies.
@@ -134,24 +134,22 @@ pub fn not_offered(model: &str) -> Result<Vec<NotOffered>, LoadError> {
 }
 
 fn of(model: &Model, effect: &AppliedEffect, known: &KnownEffect) -> Listed {
+    let part = |name: &str, unit: &str, own: &EffectUnknown| Part {
+        name: name.to_owned(),
+        unit: unit.to_owned(),
+        null_value: plain(own.null_value),
+        negligible: own.smallest_effect_of_interest.map(plain),
+        of_each_flight: false,
+    };
     let coefficients = effect.coefficients.iter().map(|own| {
         let constant = &model.coefficients[own.index];
-        Part {
-            name: constant.name.clone(),
-            unit: constant.unit_text.clone(),
-            null_value: plain(own.null_value),
-            negligible: own.smallest_effect_of_interest.map(plain),
-            of_each_flight: false,
-        }
+        part(&constant.name, &constant.unit_text, own)
     });
     let states = effect.states.iter().map(|own| {
         let state = &model.states[own.index];
         Part {
-            name: state.name.clone(),
-            unit: state.unit_text.clone(),
-            null_value: plain(own.null_value),
-            negligible: own.smallest_effect_of_interest.map(plain),
             of_each_flight: true,
+            ..part(&state.name, &state.unit_text, own)
         }
     });
     Listed {

@@ -1,18 +1,15 @@
 //! The body that stated equations are claimed to describe, moving as these equations state.
 
 use crate::options::TOLERANCE;
-use crate::row::Worst;
 use crate::subject::Subject;
-use nalgebra::Vector3;
 use oracle::scalar::{Dual, ErrorBound, Field};
-use oracle::{ClaimedBody, Point, Tree, derivatives_of, moving};
+use oracle::{Balance, ClaimedBody, Point, Tree, derivatives_of, moving};
 
-/// A value and its derivative with respect to the time of flight, each with a bound of the rounding error.
+/// A value and its derivative with respect to true time, with bounds of the rounding error.
 pub type Bounded = Dual<ErrorBound>;
 
-/// Quantities, at a point, of the body that the model claims to describe, with their time derivatives according to the
-/// equations under test. `None` if the model makes no such claim or its equations cannot be evaluated. The error bounds
-/// of the derivatives are computed from the terms of the model's vector expressions.
+/// The claimed body moving as the equations under test state; bounds of the derivatives are those of the vector tree.
+/// `None` without a claim or equations.
 pub fn along(subject: &Subject<'_>, point: &Point<f64>) -> Option<ClaimedBody<Bounded>> {
     subject.model.claim.as_ref()?;
     let lifted = point.lift::<ErrorBound>();
@@ -35,22 +32,13 @@ pub fn along(subject: &Subject<'_>, point: &Point<f64>) -> Option<ClaimedBody<Bo
     ClaimedBody::of(&Tree::new(subject.model, &point))
 }
 
-/// Compares both sides of a balance law component by component: the rate of change `change` (such as dp/dt) and its
-/// cause `cause` (such as the force). Updates `worst` with the difference relative to the magnitudes of the terms.
-/// `law` is the name of the law.
-pub fn compare_sides(
-    worst: &mut Worst,
-    law: &str,
-    change: Vector3<ErrorBound>,
-    cause: Vector3<ErrorBound>,
-) {
-    for difference in (change - cause).iter() {
-        worst.update(difference.relative_error(0.0), || law.to_owned());
-    }
+/// Difference between both sides of a law, by component, relative to the magnitudes of the terms.
+pub fn errors(balance: &Balance<ErrorBound>) -> [f64; 3] {
+    let difference = balance.change - balance.cause;
+    difference.map(|d| d.relative_error(0.0)).into()
 }
 
-/// Whether an error, relative to the sum of the magnitudes of the terms of a value, is too large to be due to rounding,
-/// or is NaN.
+/// Whether a relative error is too large to be due to rounding, or NaN.
 pub fn is_fault(error: f64) -> bool {
     error.is_nan() || error > TOLERANCE
 }

@@ -3,8 +3,7 @@
 use nalgebra::Vector3;
 use oracle::PhysicalRate;
 
-/// Relative differences of velocity, acceleration, angular velocity and angular acceleration between two bodies, each
-/// with the name of the quantity. The norm of the difference is divided by the sum of both norms and 1, in SI units.
+/// Relative differences of the rates of two bodies, by name of the quantity.
 pub fn rate_differences(a: &PhysicalRate, b: &PhysicalRate) -> [(&'static str, f64); 4] {
     let turning = (a.angular_acceleration, b.angular_acceleration);
     [
@@ -16,8 +15,7 @@ pub fn rate_differences(a: &PhysicalRate, b: &PhysicalRate) -> [(&'static str, f
     .map(|(what, (a, b))| (what, relative_difference(a, b)))
 }
 
-/// Norm of the difference of two vectors, in SI units, relative to the sum of their norms and 1. Positions, velocities
-/// and accelerations of flights are of order 1 to 1000; the added 1 is far below a typical fault.
+/// Norm of the difference of two vectors, relative to the sum of their norms and 1, SI: far below a typical fault.
 pub fn relative_difference(a: Vector3<f64>, b: Vector3<f64>) -> f64 {
     (a - b).norm() / (a.norm() + b.norm() + 1.0)
 }

@@ -1,44 +1,95 @@
 //! Evaluates programs of the compiler with any scalar type of the oracle.
 
+use codegen::Compiled;
 use codegen::functions::MathFunction;
-use codegen::program::{Binary, Fused, Op, Operand, Program, Unary};
+use codegen::program::{Binary, Function, Fused, Op, Operand, Program, Unary};
+use codegen::table::Tables;
+use codegen::tape;
 use num_traits::Zero;
 use oracle::Point;
-use oracle::scalar::{Big, Elementary, ErrorBound, Real};
+use oracle::scalar::{Big, Elementary, ErrorBound, Field, Real};
 
 /// Inputs of a compiled program at a point, in the order of the compiled model's variables: time, states, parameters,
 /// marker position.
 pub struct Inputs<T> {
-    time: T,
-    states: Vec<T>,
-    parameters: Vec<T>,
-    marker: Vec<T>,
-    /// Results of the program `prepare`, which computes values that depend on parameters only; empty for a program that
-    /// does not read them.
+    pub time: T,
+    pub states: Vec<T>,
+    pub parameters: Vec<T>,
+    pub marker: Vec<T>,
+    /// Results of `prepare`; empty for a program that does not read them.
     pub prepared: Vec<T>,
 }
 
-impl<T: Real> Inputs<T> {
-    /// Converts the values of a point exactly to the scalar type `T`.
-    pub fn of(point: &Point<f64>) -> Self {
-        let all = |values: &[f64]| values.iter().map(|&v| T::lit(v)).collect();
+impl<T: Field> Inputs<T> {
+    /// Inputs at a point, without prepared values.
+    pub fn of(point: &Point<T>) -> Self {
         Self {
-            time: T::lit(point.time),
-            states: all(&point.states),
-            parameters: all(&point.parameters()),
-            marker: all(point.marker.as_slice()),
+            time: point.time,
+            states: point.states.clone(),
+            parameters: point.parameters(),
+            marker: point.marker.iter().copied().collect(),
             prepared: Vec::new(),
         }
     }
+}
 
-    /// Returns the inputs with the parameter vector replaced by `parameters`.
-    pub fn with_parameters(self, parameters: Vec<T>) -> Self {
-        Self { parameters, ..self }
+impl<T: Copy> Inputs<T> {
+    /// The inputs as those of a tape.
+    pub fn of_tape(&self) -> tape::Inputs<'_, T> {
+        tape::Inputs {
+            t: self.time,
+            x: &self.states,
+            p: &self.parameters,
+            prepared: &self.prepared,
+            marker: &self.marker,
+        }
     }
 }
 
-/// Evaluates a compiled program with scalars of type `T` and returns its outputs.
-pub fn outputs<T: Real>(program: &Program, inputs: &Inputs<T>) -> Vec<T> {
+/// A scalar type with which compiled programs are evaluated. The provided methods decide branches by the real value.
+pub trait Arithmetic: Real {
+    /// The scalar `then` if this scalar is 0, else the scalar `otherwise`.
+    fn if_zero(self, then: Self, otherwise: Self) -> Self {
+        if self.re() == 0.0 { then } else { otherwise }
+    }
+
+    /// Value of a function; `tables` are those of the program.
+    fn call(self, function: MathFunction, tables: &Tables) -> Self {
+        let number = |yes: bool| Self::lit(if yes { 1.0 } else { 0.0 });
+        match function {
+            MathFunction::Abs => self.abs(),
+            MathFunction::Sign if self.re() < 0.0 => -Self::one(),
+            MathFunction::Sign | MathFunction::Heaviside => number(self.re() > 0.0),
+            MathFunction::NonZero => number(self.re() != 0.0),
+            MathFunction::Table(function) => {
+                let (origin, [c0, c1, c2, c3]) = tables.of(function).piece(self.re());
+                let h = self - Self::lit(origin);
+                let c = |c| Self::lit(c);
+                ((c(c3) * h + c(c2)) * h + c(c1)) * h + c(c0)
+            }
+            _ => {
+                let function = Elementary::named(function.name());
+                self.elementary(function.expect("a function of the oracle"))
+            }
+        }
+    }
+
+    /// Minimum of two scalars.
+    fn least(self, other: Self) -> Self {
+        if other.re() < self.re() { other } else { self }
+    }
+
+    /// Maximum of two scalars.
+    fn greatest(self, other: Self) -> Self {
+        if other.re() > self.re() { other } else { self }
+    }
+}
+
+impl Arithmetic for Big {}
+impl Arithmetic for ErrorBound {}
+
+/// Evaluates a compiled program and returns its outputs.
+pub fn outputs<T: Arithmetic>(program: &Program, inputs: &Inputs<T>) -> Vec<T> {
     let temps = evaluated(program, inputs);
     let outputs = program.outputs.iter();
     outputs
@@ -46,11 +97,25 @@ pub fn outputs<T: Real>(program: &Program, inputs: &Inputs<T>) -> Vec<T> {
         .collect()
 }
 
-/// Evaluates a compiled program with scalars of type `T` and returns the result of every statement of the program.
-fn evaluated<T: Real>(program: &Program, inputs: &Inputs<T>) -> Vec<T> {
+/// Outputs of the given functions of a compiled model at a point.
+pub fn results<'a, T: Arithmetic>(
+    compiled: &Compiled,
+    functions: impl IntoIterator<Item = &'a Function>,
+    point: &Point<T>,
+) -> Vec<(&'a Function, Vec<T>)> {
+    let mut inputs = Inputs::of(point);
+    inputs.prepared = outputs(&compiled.prepare.program, &inputs);
+    let functions = functions.into_iter();
+    functions
+        .map(|function| (function, outputs(&function.program, &inputs)))
+        .collect()
+}
+
+/// Evaluates a compiled program and returns the result of every statement of the program.
+fn evaluated<T: Arithmetic>(program: &Program, inputs: &Inputs<T>) -> Vec<T> {
     let mut temps = Vec::with_capacity(program.statements.len());
     for statement in &program.statements {
-        let next = step(program, statement.op, |operand| {
+        let next = step(&program.tables, statement.op, |operand| {
             value(operand, inputs, &temps)
         });
         temps.push(next);
@@ -70,9 +135,17 @@ fn value<T: Real>(operand: Operand, inputs: &Inputs<T>, temps: &[T]) -> T {
     }
 }
 
-fn step<T: Real>(program: &Program, op: Op, value: impl Fn(Operand) -> T) -> T {
+fn step<T: Arithmetic>(tables: &Tables, op: Op, value: impl Fn(Operand) -> T) -> T {
     match op {
-        Op::Unary(op, a) => unary(program, op, value(a)),
+        Op::Unary(op, a) => {
+            let a = value(a);
+            match op {
+                Unary::Neg => -a,
+                Unary::Recip => T::one() / a,
+                Unary::RecipOrZero => a.if_zero(T::zero(), T::one() / a),
+                Unary::Call(function) => a.call(function, tables),
+            }
+        }
         Op::Binary(op, a, b) => {
             let (a, b) = (value(a), value(b));
             match op {
@@ -81,9 +154,8 @@ fn step<T: Real>(program: &Program, op: Op, value: impl Fn(Operand) -> T) -> T {
                 Binary::Mul => a * b,
                 Binary::Div => a / b,
                 Binary::Atan2 => a.atan2(b),
-                Binary::Min if b.re() < a.re() => b,
-                Binary::Max if b.re() > a.re() => b,
-                Binary::Min | Binary::Max => a,
+                Binary::Min => a.least(b),
+                Binary::Max => a.greatest(b),
             }
         }
         Op::Fused(op, a, b, c) => {
@@ -94,41 +166,15 @@ fn step<T: Real>(program: &Program, op: Op, value: impl Fn(Operand) -> T) -> T {
                 Fused::NegMulAdd => c - product,
             }
         }
-        Op::IfZero(a, then, _) if value(a).re() == 0.0 => value(then),
-        Op::IfZero(_, _, otherwise) => value(otherwise),
+        Op::IfZero(a, then, otherwise) => value(a).if_zero(value(then), value(otherwise)),
     }
 }
 
-fn unary<T: Real>(program: &Program, op: Unary, a: T) -> T {
-    let number = |yes: bool| T::lit(if yes { 1.0 } else { 0.0 });
-    match op {
-        Unary::Neg => -a,
-        Unary::RecipOrZero if a.re() == 0.0 => T::zero(),
-        Unary::Recip | Unary::RecipOrZero => T::one() / a,
-        Unary::Call(function) => match function {
-            MathFunction::Abs => a.abs(),
-            MathFunction::Sign if a.re() < 0.0 => -T::one(),
-            MathFunction::Sign | MathFunction::Heaviside => number(a.re() > 0.0),
-            MathFunction::NonZero => number(a.re() != 0.0),
-            MathFunction::Table(function) => {
-                let (origin, [c0, c1, c2, c3]) = program.tables.of(function).piece(a.re());
-                let h = a - T::lit(origin);
-                ((T::lit(c3) * h + T::lit(c2)) * h + T::lit(c1)) * h + T::lit(c0)
-            }
-            _ => {
-                a.elementary(Elementary::named(function.name()).expect("a function of the oracle"))
-            }
-        },
-    }
-}
-
-/// Minimum distance of an operation's argument from the branch point (such as 0 for abs) at which rounding cannot
-/// change the result of the branch. It is relative to the magnitude of the argument's terms.
+/// Minimum distance of an argument from a branch point, relative to the magnitude of its terms, at which rounding
+/// decides nothing.
 const BRANCH_DISTANCE: f64 = 1e-9;
 
-/// Quantity that is 0 at the branch point of an operation and has different signs on its two sides: the argument for
-/// abs and similar functions, a − b for the minimum or maximum of a and b, 1 − a² for asin a. `None` for an operation
-/// without branches. `of` returns the value of an operand.
+/// Quantity that is 0 at the branch point of an operation and changes sign there; `None` without branches.
 fn gap<T: Real>(op: Op, of: impl Fn(Operand) -> T) -> Option<T> {
     match op {
         Op::Unary(Unary::RecipOrZero, a) | Op::IfZero(a, ..) => Some(of(a)),
@@ -147,26 +193,44 @@ fn gap<T: Real>(op: Op, of: impl Fn(Operand) -> T) -> Option<T> {
     }
 }
 
-/// Evaluates a program and returns its outputs with the magnitudes of their terms. `None` if rounding may change the
-/// result of a branch, such as that of abs, because its argument is close to the branch point. If `exact` contains the
-/// inputs for 256-bit arithmetic, arguments that equal the branch point in this arithmetic do not count as close.
-pub fn magnitudes(
+/// Outputs in 256-bit arithmetic, with the magnitudes of their terms. `None` if rounding may decide a branch; if
+/// `is_exact`, not at a branch point itself.
+fn long_outputs(
     program: &Program,
-    inputs: &Inputs<ErrorBound>,
-    exact: Option<&Inputs<Big>>,
-) -> Option<Vec<ErrorBound>> {
-    let temps = evaluated(program, inputs);
-    let of = |operand| value(operand, inputs, &temps);
-    let exact = exact.map(|exact| (exact, evaluated(program, exact)));
-    let is_exactly_zero = |op| {
-        exact.as_ref().is_some_and(|(inputs, temps)| {
-            gap(op, |operand| value(operand, inputs, temps)).is_some_and(|gap| gap.is_zero())
-        })
-    };
+    exact: &Inputs<Big>,
+    bounds: &Inputs<ErrorBound>,
+    is_exact: bool,
+) -> Option<Vec<(Big, ErrorBound)>> {
+    let (long, short) = (evaluated(program, exact), evaluated(program, bounds));
+    let exactly = |operand| value(operand, exact, &long);
+    let bounded = |operand| value(operand, bounds, &short);
+    let is_near =
+        |x: ErrorBound| x.magnitude > 0.0 && x.value.abs() <= BRANCH_DISTANCE * x.magnitude;
     let undecided = program.statements.iter().any(|statement| {
-        let is_near =
-            |x: ErrorBound| x.magnitude > 0.0 && x.value.abs() <= BRANCH_DISTANCE * x.magnitude;
-        gap(statement.op, of).is_some_and(is_near) && !is_exactly_zero(statement.op)
+        let is_zero = || gap(statement.op, exactly).is_some_and(|gap| gap.is_zero());
+        gap(statement.op, bounded).is_some_and(is_near) && !(is_exact && is_zero())
     });
-    (!undecided).then(|| program.outputs.iter().map(|&output| of(output)).collect())
+    let outputs = program.outputs.iter();
+    (!undecided).then(|| outputs.map(|&o| (exactly(o), bounded(o))).collect())
+}
+
+/// A function and its outputs in 256-bit arithmetic, with the magnitudes of their terms.
+type LongResults<'a> = (&'a Function, Vec<(Big, ErrorBound)>);
+
+/// Outputs of functions in 256-bit arithmetic, see [`long_outputs`].
+pub fn long_results<'a>(
+    compiled: &Compiled,
+    functions: impl IntoIterator<Item = &'a Function>,
+    point: &Point<f64>,
+    is_exact: bool,
+) -> Option<Vec<LongResults<'a>>> {
+    let (mut exact, mut bounds) = (Inputs::of(&point.lift()), Inputs::of(&point.lift()));
+    let prepare = &compiled.prepare.program;
+    let prepared = long_outputs(prepare, &exact, &bounds, is_exact)?;
+    (exact.prepared, bounds.prepared) = prepared.into_iter().unzip();
+    let each = functions.into_iter().map(|function| {
+        let values = long_outputs(&function.program, &exact, &bounds, is_exact)?;
+        Some((function, values))
+    });
+    each.collect()
 }

@@ -1,4 +1,4 @@
-//! Evaluates compiled programs in the field of the integers modulo 2^61 − 1.
+//! The field of the integers modulo 2^61 − 1, in which models and compiled programs are evaluated.
 //!
 //! Sums, products and quotients are exact. Sine and cosine of an angle are a point of the unit circle, consistent for
 //! small integer multiples of states and arctangents. A square root is the root that is itself a square. Any other
@@ -6,8 +6,9 @@
 //! programs with equal results at random points are, with high probability, the same function of states, parameters and
 //! symbols.
 
+use crate::random::Random;
 use codegen::functions::{MathFunction, Parity};
-use codegen::program::{Binary, Fused, Op, Operand, Program, Unary};
+use model_spec::model::Model;
 use num_traits::{One, Zero};
 use oracle::Point;
 use oracle::scalar::{Field, PRIME, Prime};
@@ -16,140 +17,45 @@ use std::f64::consts::PI;
 /// An angle and its (sine, cosine), as elements of the prime field.
 pub type Angle = (Prime, (Prime, Prime));
 
-/// Maximum n for which sine and cosine of n·α are derived by the addition formulas, if those of the angle α are given.
+/// Maximum n for which sine and cosine of n·α follow from those of a known angle α.
 const MULTIPLES: usize = 4;
 
-/// Evaluator of compiled programs at a point of the prime field.
-pub struct Machine<'a> {
-    point: &'a Point<Prime>,
-    circles: &'a [(Prime, Prime)],
-    parameters: Vec<Prime>,
-    /// Results of the program `prepare`, which computes values that depend on parameters only. `None` for a result
-    /// without a value in the prime field, such as the square root of a non-square.
-    pub prepared: Vec<Option<Prime>>,
-    /// Whether the value of a function that is not rational, such as exp, is a pseudo-random element that depends on
-    /// function and argument. If false, such a function has no value.
-    symbols: bool,
+/// Values of a model's variables in the prime field.
+pub struct FieldPoint {
+    /// Values of all variables.
+    pub point: Point<Prime>,
+    /// (sine, cosine) of every state.
+    pub circles: Vec<(Prime, Prime)>,
 }
 
-impl<'a> Machine<'a> {
-    /// Creates an evaluator at a point; `circles` contains (sine, cosine) of each state. `symbols`: whether the value
-    /// of a function that is not rational, such as exp, is a pseudo-random element that depends on function and
-    /// argument; if false, such a function has no value.
-    pub fn new(point: &'a Point<Prime>, circles: &'a [(Prime, Prime)], symbols: bool) -> Self {
+impl FieldPoint {
+    /// Draws random values; attitude quaternions have norm 1.
+    pub fn random(model: &Model, random: &mut Random) -> Self {
+        let mut point = Point::defaults(model).map(|_| random.prime());
+        for states in model.quaternions() {
+            for (i, part) in states.into_iter().zip(unit_quaternion(random)) {
+                point.states[i] = part;
+            }
+        }
+        let circles = point.states.iter().map(|_| on_circle(random.prime()));
         Self {
+            circles: circles.collect(),
             point,
-            circles,
-            parameters: point.parameters(),
-            prepared: Vec::new(),
-            symbols,
-        }
-    }
-
-    /// Runs a program and returns its outputs; `None` for an output without a value in the prime field, such as the
-    /// square root of a non-square.
-    pub fn run(&self, program: &Program) -> Vec<Option<Prime>> {
-        let mut temps: Vec<Option<Prime>> = Vec::with_capacity(program.statements.len());
-        let mut angles: Vec<Angle> = self
-            .point
-            .states
-            .iter()
-            .zip(self.circles)
-            .map(|(&angle, &circle)| (angle, circle))
-            .collect();
-        for statement in &program.statements {
-            temps.push(self.step(program, statement.op, &temps, &mut angles));
-        }
-        program
-            .outputs
-            .iter()
-            .map(|&output| self.value(output, &temps))
-            .collect()
-    }
-
-    fn step(
-        &self,
-        program: &Program,
-        op: Op,
-        temps: &[Option<Prime>],
-        angles: &mut Vec<Angle>,
-    ) -> Option<Prime> {
-        let value = |operand| self.value(operand, temps);
-        match op {
-            Op::Unary(op, a) => self.unary(program, op, value(a)?, angles),
-            Op::Binary(op, a, b) => {
-                let (a, b) = (value(a)?, value(b)?);
-                match op {
-                    Binary::Add => Some(a + b),
-                    Binary::Sub => Some(a - b),
-                    Binary::Mul => Some(a * b),
-                    Binary::Div => Some(a / b),
-                    Binary::Atan2 => {
-                        let found = self.symbols.then(|| angle(a, b))??;
-                        angles.push(found);
-                        Some(found.0)
-                    }
-                    Binary::Min => self.symbols.then(|| symbol(1, &[a.min(b), a.max(b)])),
-                    Binary::Max => self.symbols.then(|| symbol(2, &[a.min(b), a.max(b)])),
-                }
-            }
-            Op::Fused(fused, a, b, c) => {
-                let (product, c) = (value(a)? * value(b)?, value(c)?);
-                Some(match fused {
-                    Fused::MulAdd => product + c,
-                    Fused::MulSub => product - c,
-                    Fused::NegMulAdd => c - product,
-                })
-            }
-            Op::IfZero(a, then, otherwise) => {
-                if value(a)?.is_zero() {
-                    value(then)
-                } else {
-                    value(otherwise)
-                }
-            }
-        }
-    }
-
-    fn unary(&self, program: &Program, op: Unary, a: Prime, angles: &[Angle]) -> Option<Prime> {
-        let circle = || known(a, angles).or_else(|| self.symbols.then(|| circle(a)));
-        match op {
-            Unary::Neg => Some(-a),
-            Unary::Recip | Unary::RecipOrZero => Some(a.inverse()),
-            Unary::Call(function) => match function {
-                MathFunction::Sin => Some(circle()?.0),
-                MathFunction::Cos => Some(circle()?.1),
-                MathFunction::NonZero => Some(if a.is_zero() {
-                    Prime::zero()
-                } else {
-                    Prime::one()
-                }),
-                MathFunction::Sqrt => self.symbols.then(|| root(a))?,
-                MathFunction::Table(function) => {
-                    let of = program.tables.table(function.table()).fingerprint;
-                    self.symbols.then(|| table(of, function.order(), a))
-                }
-                _ => self.symbols.then(|| call(function, a)),
-            },
-        }
-    }
-
-    fn value(&self, operand: Operand, temps: &[Option<Prime>]) -> Option<Prime> {
-        match operand {
-            Operand::Time => Some(self.point.time),
-            Operand::State(i) => Some(self.point.states[i as usize]),
-            Operand::Parameter(i) => Some(self.parameters[i as usize]),
-            Operand::Prepared(i) => self.prepared[i as usize],
-            Operand::Marker(i) => Some(self.point.marker[i as usize]),
-            Operand::Constant(c) => constant(c).or_else(|| self.symbols.then(|| literal(c))),
-            Operand::Temp(i) => temps[i as usize],
         }
     }
 }
 
-/// (sine, cosine) = (2t, 1 − t²)/(1 + t²): point of the unit circle over the prime field, from a rational
-/// parametrization.
-pub fn on_circle(t: Prime) -> (Prime, Prime) {
+/// Draws a unit quaternion, by a rational parametrization of the sphere.
+fn unit_quaternion(random: &mut Random) -> [Prime; 4] {
+    let v = [random.prime(), random.prime(), random.prime()];
+    let square = v.iter().fold(Prime::zero(), |sum, &t| sum + t * t);
+    let scale = (Prime::one() + square).inverse();
+    let [x, y, z] = v.map(|t| Prime::integer(2) * t * scale);
+    [(Prime::one() - square) * scale, x, y, z]
+}
+
+/// (sine, cosine) = (2t, 1 − t²)/(1 + t²), a point of the unit circle.
+fn on_circle(t: Prime) -> (Prime, Prime) {
     let scale = (Prime::one() + t * t).inverse();
     (
         Prime::integer(2) * t * scale,
@@ -157,9 +63,7 @@ pub fn on_circle(t: Prime) -> (Prime, Prime) {
     )
 }
 
-/// Stand-in for the value at `a` of a function that has no counterpart in the prime field, such as exp: a pseudo-random
-/// element determined by `function` and `a`. Of the properties of the function, only the parity f(−a) = ±f(a) is
-/// preserved.
+/// Symbol of a function such as exp at `a`, of the parity of the function.
 pub fn call(function: MathFunction, a: Prime) -> Prime {
     let of_function = MathFunction::ALL.iter().position(|&f| f == function);
     let tag = of_function.map_or(u64::MAX, |k| k as u64);
@@ -170,15 +74,13 @@ pub fn call(function: MathFunction, a: Prime) -> Prime {
     }
 }
 
-/// Value, at `a`, of an interpolated table or of its derivative of the given order: a pseudo-random element of the
-/// prime field that depends on `fingerprint` (hash of the table's curve), `order` and `a`.
+/// Symbol of an interpolated table, or of its derivative of the given order, at `a`.
 pub fn table(fingerprint: u64, order: u8, a: Prime) -> Prime {
     symbol(0x100 + u64::from(order), &[Prime::new(fingerprint), a])
 }
 
-/// Element of the prime field for a numeric literal. It is the rational number that rounds to the literal, if one with
-/// a suitable denominator is found. Otherwise, for a rational multiple of π, it is this multiple of the pseudo-random
-/// element that represents π. Otherwise it is a pseudo-random element determined by the literal's bits.
+/// Element for a numeric literal: the rational number that rounds to it, or a rational multiple of the symbol of π, or
+/// a symbol of its bits.
 pub fn literal(c: f64) -> Prime {
     let number = |c: f64| symbol(3, &[Prime::new(c.to_bits())]);
     constant(c)
@@ -186,14 +88,12 @@ pub fn literal(c: f64) -> Prime {
         .unwrap_or_else(|| number(c))
 }
 
-/// Whether [`literal`] represents a literal as a rational number or a rational multiple of π, rather than by a
-/// pseudo-random element of the prime field.
+/// Whether [`literal`] is a rational number or a rational multiple of π.
 pub fn is_exact(c: f64) -> bool {
     constant(c).or_else(|| multiple_of_pi(c)).is_some()
 }
 
-/// Element of the prime field for the rational number n/d, d at most 360, whose product with π is `c` up to rounding;
-/// `None` if there is no such number.
+/// The rational number n/d, d at most 360, whose product with π is `c` up to rounding.
 fn multiple_of_pi(c: f64) -> Option<Prime> {
     (1..=360).find_map(|d| {
         let n = (c / PI * f64::from(d)).round();
@@ -204,9 +104,8 @@ fn multiple_of_pi(c: f64) -> Option<Prime> {
     })
 }
 
-/// Element of the prime field for the rational number n/d that rounds to `c`, where d is at most 1000 or a power of ten
-/// up to 1e15; `None` if there is no such number.
-fn constant(c: f64) -> Option<Prime> {
+/// The rational number n/d that rounds to `c`, where d is at most 1000 or a power of ten up to 1e15.
+pub fn constant(c: f64) -> Option<Prime> {
     let decimals = (4..=15).map(|k| 10_i64.pow(k));
     (1..=1000).chain(decimals).find_map(|d| {
         let n = (c * d as f64).round();
@@ -214,8 +113,7 @@ fn constant(c: f64) -> Option<Prime> {
     })
 }
 
-/// Square root of `a` in the prime field. Of the two roots ±r, the one that is itself a square is returned; `None` if
-/// `a` has no root.
+/// The square root of `a` that is itself a square; `None` if `a` has no root.
 pub fn root(a: Prime) -> Option<Prime> {
     let root = power(a, PRIME.div_ceil(4));
     (root * root == a).then_some(root)
@@ -233,9 +131,8 @@ fn power(a: Prime, mut exponent: u64) -> Prime {
     product
 }
 
-/// The angle atan2(y, x) with its (sine, cosine). The angle is a pseudo-random element of the prime field that is
-/// determined by the sine and cosine. It is odd in y and does not change if x and y are multiplied by the same nonzero
-/// square of the field. `None` if x² + y² has no square root in the field.
+/// The angle atan2(y, x) with its (sine, cosine): a symbol that is odd in y and the same for y and x times a square.
+/// `None` if x² + y² has no square root.
 pub fn angle(y: Prime, x: Prime) -> Option<Angle> {
     let length = root(x * x + y * y)?.inverse();
     let (sine, cosine) = (y * length, x * length);
@@ -243,7 +140,7 @@ pub fn angle(y: Prime, x: Prime) -> Option<Angle> {
     Some((symbol(4, &[size, cosine]) * sign, (sine, cosine)))
 }
 
-/// (sine, cosine) of `a` if `a` is ± a small integer multiple of one of `angles`; otherwise `None`.
+/// (sine, cosine) of `a` if it is ± a small multiple of one of `angles`.
 pub fn known(a: Prime, angles: &[Angle]) -> Option<(Prime, Prime)> {
     angles.iter().find_map(|&(angle, (s, c))| {
         let (mut multiple, mut circle) = (angle, (s, c));
@@ -266,16 +163,14 @@ fn odd(function: u64, a: Prime) -> Prime {
     symbol(function, &[a]) * sign
 }
 
-/// Pseudo-random point (sine, cosine) of the unit circle that depends on the angle `a`, for an angle unrelated to those
-/// whose sine and cosine are already given. The sine is odd in `a`.
+/// Symbol for (sine, cosine) of an angle unrelated to known ones; the sine is odd.
 pub fn circle(a: Prime) -> (Prime, Prime) {
     let (a, sign) = least(a);
     let (sine, cosine) = on_circle(symbol(5, &[a]));
     (sine * sign, cosine)
 }
 
-/// The element of {a, −a} of the prime field with the smaller integer representative, and the factor (1 or −1) whose
-/// product with this element is `a`.
+/// The element of {a, −a} with the smaller representative, and the sign with which it is `a`.
 fn least(a: Prime) -> (Prime, Prime) {
     if (-a).value() < a.value() {
         (-a, -Prime::one())
@@ -284,8 +179,8 @@ fn least(a: Prime) -> (Prime, Prime) {
     }
 }
 
-/// Hash of a function's number and its arguments, as an element of the prime field.
-fn symbol(function: u64, arguments: &[Prime]) -> Prime {
+/// Symbol of a function: a hash of its number and its arguments.
+pub fn symbol(function: u64, arguments: &[Prime]) -> Prime {
     let mut hash = 0x9e37_79b9_7f4a_7c15_u64 ^ function;
     for argument in arguments {
         hash = (hash ^ argument.value()).wrapping_mul(0xbf58_476d_1ce4_e5b9);

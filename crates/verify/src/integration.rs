@@ -6,7 +6,7 @@ use oracle::Point;
 /// Right-hand side of a differential equation: writes dx/dt at a time and state, its first two arguments, to the third.
 pub type RightHandSide<'a> = dyn FnMut(f64, &[f64], &mut [f64]) + 'a;
 
-/// Integrates dx/dt = `rhs` from the state `start` at time 0 over a duration (s), and returns the final state.
+/// Final state of dx/dt = `rhs` from the state `start` at time 0, after `seconds`.
 ///
 /// # Errors
 /// [`IntegrationError`] if the integration fails.
@@ -21,8 +21,7 @@ pub fn integrate(
     ode::integrate_to_end(&mut rhs, start, seconds, options, &mut []).map(|end| end.state)
 }
 
-/// Integrates the states of a model from a point over a duration (s), and returns the final point. `rates` evaluates
-/// the derivatives of the states at a point.
+/// Final point of a flight; `rates` evaluates the derivatives of the states.
 ///
 /// # Errors
 /// [`IntegrationError`] if the integration fails.

@@ -12,7 +12,6 @@
 
 pub mod checks;
 mod claim;
-mod claimed_flights;
 mod comparison;
 pub mod difference;
 pub mod engine;
@@ -24,6 +23,7 @@ mod integration;
 mod meaning;
 pub mod mutants;
 mod options;
+mod pairing;
 pub mod random;
 pub mod record;
 pub mod refute;
@@ -51,12 +51,11 @@ use same_motion::SameMotion;
 use subject::Subject;
 use values::Values;
 
-/// Number of random points at which backends are compared. It is not a multiple of any number of SIMD lanes, so that
-/// incomplete vectors are tested.
+/// Number of points at which backends are compared; not a multiple of any number of lanes.
 const BACKEND_POINTS: usize = 37;
 
-/// Runs every check of a loaded model, on all processors; the report does not depend on their number. Diagnostics of
-/// the language checker are reported as faults. The numerical checks run only if the language checker produced a model.
+/// Runs every check of a loaded model; the report does not depend on the number of processors. Numerical checks run
+/// only if the language checker produced a model.
 pub fn run(loaded: &Loaded, options: &Options) -> Report {
     let mut report = Report {
         model: loaded
@@ -75,9 +74,9 @@ pub fn run(loaded: &Loaded, options: &Options) -> Report {
     let compiled = codegen::compile(model);
     let engine = Engine::new(&compiled);
     let subject = Subject::new(model, &engine);
-    let mut checks = numerical(&subject, &compiled, &engine, options);
+    let mut checks = numerical(&subject, &compiled, options);
     if options.effects {
-        checks.push(Box::new(|| of_effects(loaded, options).into()));
+        checks.push(Box::new(|| checks::effects::rows(loaded, options).into()));
     }
     report.rows.extend(rows_of(&checks));
     report.refuted = refute::refutations(&subject, options);
@@ -88,27 +87,6 @@ pub fn run(loaded: &Loaded, options: &Options) -> Report {
         report.mutants = Some(table);
     }
     report
-}
-
-/// Results of the two checks of effects. The first compares the model with effects at their null values, at which they
-/// must change nothing, with the model without effects. The second compares effects with their reference
-/// implementations.
-fn of_effects(loaded: &Loaded, options: &Options) -> [Row; 2] {
-    match checks::effects::variants(loaded) {
-        Some((with, without)) => {
-            let values = flight::parallel::each(with.len(), |index| Values::of(&with[index]));
-            let with: Vec<(Model, Values)> = with.into_iter().zip(values).collect();
-            [
-                checks::effects::check(&without, &with, options),
-                checks::effect_reference::check(&with, options),
-            ]
-        }
-        None => [
-            checks::effects::EFFECTS,
-            checks::effect_reference::EFFECT_REFERENCE,
-        ]
-        .map(|name| Row::unverified(name, "the model is refused")),
-    }
 }
 
 /// Checks for each pair of models whether their accelerations and flights are equal.
@@ -122,8 +100,7 @@ pub fn same_motion(models: &[Model], options: &Options) -> SameMotion {
     same_motion::compare(&subjects, options)
 }
 
-/// Measures the rounding errors of every backend, and the bits that every statement of a model loses. The points are
-/// those of the detailed report ([`Effort::DETAILS`]).
+/// Rounding errors of every backend, and bits that every statement loses, at the points of [`Effort::DETAILS`].
 pub fn rounding(model: &Model, options: &Options) -> Rounding {
     let compiled = codegen::compile(model);
     let engine = Engine::new(&compiled);
@@ -131,16 +108,14 @@ pub fn rounding(model: &Model, options: &Options) -> Rounding {
     rounding::measure(&subject, &compiled, options, Effort::DETAILS)
 }
 
-/// Compares a compiled program with a model by all numerical checks, and returns one result per check. The program may
-/// have been compiled from another model. Unlike [`run`], the function does not check the model's text and effects, and
-/// runs no mutation testing.
+/// Numerical checks of a model with a compiled program, which may be of another model.
 pub fn rows_of_code(model: &Model, compiled: &Compiled, options: &Options) -> Vec<Row> {
     let engine = Engine::new(compiled);
     let subject = Subject::new(model, &engine);
-    rows_of(&numerical(&subject, compiled, &engine, options))
+    rows_of(&numerical(&subject, compiled, options))
 }
 
-/// An independent part of a verification, which returns the results of one or several checks.
+/// One or several checks.
 type Check<'a> = Box<dyn Fn() -> Vec<Row> + Sync + 'a>;
 
 /// Runs checks on all processors; the results are in the order of `checks`.
@@ -155,23 +130,17 @@ fn rows_of(checks: &[Check<'_>]) -> Vec<Row> {
 fn numerical<'a>(
     subject: &'a Subject<'a>,
     compiled: &'a Compiled,
-    engine: &'a Engine,
     options: &'a Options,
 ) -> Vec<Check<'a>> {
-    type FlightCheck = fn(&Subject<'_>, &Options) -> Row;
-    let (invariants, momenta): (FlightCheck, FlightCheck) = match subject.is_known_by_claim() {
-        true => (claimed_flights::invariants, claimed_flights::momenta),
-        false => (flights::invariants, flights::momenta),
-    };
     vec![
         Box::new(|| vec![checks::reference::reference(subject, options)]),
         Box::new(|| vec![checks::reference::tree(subject, options)]),
         Box::new(|| checks::claim::check(subject, options).into_iter().collect()),
         Box::new(|| vec![checks::identities::check(subject, options)]),
-        Box::new(move || vec![invariants(subject, options)]),
-        Box::new(move || vec![momenta(subject, options)]),
+        Box::new(|| vec![flights::invariants(subject, options)]),
+        Box::new(|| vec![flights::momenta(subject, options)]),
         Box::new(|| vec![checks::metamorphic::check(subject, options)]),
-        Box::new(|| checks::derivatives::check(subject, engine, options)),
+        Box::new(|| checks::derivatives::check(subject, compiled, options)),
         Box::new(|| vec![checks::exact::check(subject, options)]),
         Box::new(|| {
             vec![checks::exact_functions::check(

@@ -1,5 +1,4 @@
-//! Physical meaning of the states of a model: conversion of states to the physical state, to its rate, and back. It is
-//! given by a chart, or by the body that stated equations claim to describe.
+//! Physical meaning of the states of a model, given by a chart or by the claimed body.
 
 use crate::claim::Bounded;
 use crate::subject::Subject;
@@ -8,27 +7,23 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use oracle::scalar::{ErrorBound, Real};
 use oracle::{Chart, ClaimedBody, Physical, PhysicalRate, Point, Tree, moving};
 
-/// Maximum number of Gauss-Newton steps when searching for states that represent a given physical state.
+/// Maximum number of Gauss-Newton steps to the states of a given physical state.
 const STEPS: usize = 60;
-/// Maximum number of halvings of a Gauss-Newton step in the search for states that represent a given physical state.
+/// Maximum number of halvings of a Gauss-Newton step.
 const HALVINGS: usize = 30;
-/// Maximum residual at which the iteration for the states counts as converged. The residuals of position, velocity and
-/// angular velocity are divided by 1 + norm of the quantity.
+/// Maximum residual of converged states, relative to 1 + norm of the quantity.
 const CONVERGED: f64 = 1e-12;
 
-/// How the states of a model determine the physical quantities of its rigid body or point mass.
+/// How the states of a model determine the physical state of its body.
 pub enum Meaning<'a> {
-    /// Each state of the model is a component of a physical quantity, such as the velocity.
+    /// Each state is a component of a physical quantity.
     Chart(&'a Chart),
-    /// The equations are written explicitly in the model file, which also declares which expressions are the position,
-    /// velocity, attitude and angular velocity of a body. The states for given physical quantities are found by solving
-    /// for them numerically.
+    /// The `claim` statement gives the quantities of a body; states are found from them numerically.
     Claim(&'a Model),
 }
 
 impl<'a> Meaning<'a> {
-    /// Determines how the states of a model are converted; `None` if the model has neither a [`Chart`] nor a `claim`
-    /// statement that describes a body.
+    /// Meaning of the states; `None` without a chart and a `claim` statement.
     pub fn of(subject: &'a Subject<'_>) -> Option<Self> {
         match &subject.chart {
             Some(chart) => Some(Self::Chart(chart)),
@@ -37,7 +32,7 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// Whether the states of the model determine the attitude of a body; false for a point mass.
+    /// Whether the body has an attitude.
     pub fn has_attitude(&self) -> bool {
         match self {
             Self::Chart(chart) => chart.has_attitude(),
@@ -45,9 +40,8 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// Axis of revolution (1, 2 or 3) of the body that the model's `claim` statement describes: the axis of the
-    /// rotation from the frame in which the inertia is declared to the body-fixed frame. `None` if there is no such
-    /// rotation, or the states are converted without a `claim` statement.
+    /// Axis of revolution (1, 2 or 3) of the claimed body: that of the rotation from the frame of the inertia to the
+    /// body-fixed frame.
     pub fn axis_of_revolution(&self) -> Option<u8> {
         let Self::Claim(model) = self else {
             return None;
@@ -75,9 +69,8 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// Rate of change of the physical state of the body for given rates of the model's states with respect to true
-    /// time; `pace` is the flight time, s, per second of recorded time. `None` if the body that the model claims to
-    /// describe cannot be evaluated.
+    /// Rate of the physical state for rates of the states with respect to true time; `pace`: flight time per recorded
+    /// time.
     pub fn rate(&self, point: &Point<f64>, rates: &[f64], pace: f64) -> Option<PhysicalRate> {
         match self {
             Self::Chart(chart) => Some(chart.physical_rate(&point.states, rates)),
@@ -85,9 +78,7 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// Values of the model's states that represent a physical state of the body; `None` if no such states were found.
-    /// Parameters, inputs and time have the values of the point `at`. If the states are found iteratively, the
-    /// iteration starts from the states of `at`.
+    /// States that represent a physical state; `None` if none were found. An iteration starts from the point `at`.
     pub fn states(&self, physical: &Physical<f64>, at: &Point<f64>) -> Option<Vec<f64>> {
         match self {
             Self::Chart(chart) => chart.states(physical),
@@ -103,10 +94,8 @@ fn is_finite(body: &ClaimedBody<f64>) -> bool {
     all.chain(of_turning).all(|v| v.is_finite())
 }
 
-/// Quantities, at a point, of the body that the model claims to describe, with their derivatives with respect to true
-/// time. `rates` are the derivatives of the states with respect to true time; `time_rate` is the recorded time, s, per
-/// second of true time. `None` if the body cannot be evaluated. The error bounds in [`Bounded`] are not used: the type
-/// is chosen because other checks also use it, so that the evaluation code is compiled only once.
+/// The claimed body with its derivatives with respect to true time. The error bounds are not used: another scalar type
+/// would be compiled for this alone.
 fn along(
     model: &Model,
     point: &Point<f64>,
@@ -151,9 +140,7 @@ fn rate_of(body: &ClaimedBody<Bounded>) -> PhysicalRate {
     }
 }
 
-/// Solves for the states at which the body that the model claims to describe has a given physical state: position,
-/// velocity, attitude and angular velocity. Takes damped Gauss-Newton steps from the states of the point `at`. `None`
-/// if the iteration does not converge.
+/// Solves by damped Gauss-Newton steps, from the states of `at`, for the states of a physical state.
 fn solved(model: &Model, physical: &Physical<f64>, at: &Point<f64>) -> Option<Vec<f64>> {
     let turning = ClaimedBody::of(&Tree::new(model, at))?.turning;
     let axes: Vec<u8> = turning.map_or_else(Vec::new, |t| t.turning_axes());
@@ -203,9 +190,7 @@ fn solved(model: &Model, physical: &Physical<f64>, at: &Point<f64>) -> Option<Ve
     (error.amax() <= CONVERGED).then_some(states)
 }
 
-/// Jacobian, with respect to the states, of position, velocity, unit vectors of the body axes `axes` and angular
-/// velocity of the body that the model claims to describe. Each row is divided by its scale in `sizes`. `None` if the
-/// body cannot be evaluated.
+/// Jacobian of the [`quantities`] with respect to the states; each row is divided by its scale in `sizes`.
 fn jacobian(
     model: &Model,
     states: &[f64],
@@ -229,8 +214,7 @@ fn jacobian(
     Some(out)
 }
 
-/// Components of position, velocity, unit vectors of the body axes `axes` (1, 2 or 3) and angular velocity of the body
-/// that a model claims to describe, concatenated. For a point mass, position and velocity only.
+/// Components of position, velocity, unit vectors of the body axes `axes`, and angular velocity.
 fn quantities<T: Real>(body: &ClaimedBody<T>, axes: &[u8]) -> Vec<T> {
     let mut out: Vec<T> = body.position.iter().copied().collect();
     out.extend(body.velocity.iter());

@@ -7,10 +7,9 @@ pub struct Options {
     pub seed: u64,
     /// Number of random points at which each check evaluates the model.
     pub cases: usize,
-    /// Whether to run mutation testing: the checks are repeated on models with one deliberate change each.
+    /// Whether to run mutation testing.
     pub mutants: bool,
-    /// Whether to check effects: that they change nothing at their null values, and that they agree with their
-    /// reference implementations.
+    /// Whether to check effects.
     pub effects: bool,
 }
 
@@ -25,7 +24,6 @@ impl Default for Options {
     }
 }
 
-/// Maximum error, relative to the sum of the magnitudes of the terms of a value, that counts as rounding in a
-/// comparison of f64 values. Checks with larger numerical errors, such as those of flights, have tolerances of their
+/// Maximum rounding error in f64, relative to the sum of the magnitudes of the terms; flights have tolerances of their
 /// own.
 pub const TOLERANCE: f64 = 1e-12;

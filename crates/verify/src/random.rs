@@ -2,8 +2,7 @@
 
 use oracle::scalar::Prime;
 
-/// SplitMix64 pseudo-random number generator. Its sequence is determined by the seed and the stream name and is the
-/// same on every machine.
+/// SplitMix64 generator, the same on every machine.
 #[derive(Clone, Debug)]
 pub struct Random(u64);
 

@@ -71,7 +71,7 @@ pub enum RecordError {
     /// The text has more than [`MAX_BYTES`] bytes.
     #[error("found more than {MAX_BYTES} bytes, expected the JSON of a verification")]
     TooLong,
-    /// The text is not JSON in the form of a verification. The message ends with line and column.
+    /// The text is not the JSON of a verification; the message ends with line and column.
     #[error("{0}")]
     Malformed(#[from] serde_json::Error),
     /// The format is another one than [`SCHEMA`]; contains the format found.
@@ -95,8 +95,8 @@ impl Record {
         Ok(record)
     }
 
-    /// Describes each difference of a later verification `now` from this one: a hash or a verdict that changed, a model
-    /// or a check that only one of them has. Empty if hashes and verdicts agree.
+    /// Describes each hash and verdict of the later verification `now` that differs, and each model or check that only
+    /// one of them has.
     pub fn differences(&self, now: &Self) -> Vec<String> {
         let mut out = Vec::new();
         for model in &self.models {

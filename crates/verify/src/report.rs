@@ -19,8 +19,7 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// Combined outcome of checks: refuted if any check is refuted, otherwise not verified if any check is unverified
-    /// or there is none, otherwise verified.
+    /// Combined outcome of checks; not verified if there is none.
     pub(crate) fn of(verdicts: impl Iterator<Item = Verdict>) -> Self {
         let outcomes = verdicts.map(|verdict| match verdict {
             Verdict::Holds | Verdict::Skipped => Self::Verified,
@@ -30,7 +29,7 @@ impl Outcome {
         outcomes.max().unwrap_or(Self::NotVerified)
     }
 
-    /// Outcome in words for messages: `verified`, `NOT VERIFIED` or `REFUTED`.
+    /// Outcome in words for messages.
     pub fn words(self) -> &'static str {
         match self {
             Self::Verified => "verified",
@@ -49,21 +48,19 @@ pub struct Report {
     pub seed: u64,
     /// Results of the checks, one entry per check.
     pub rows: Vec<Row>,
-    /// Equations der(state) = … of the model file that disagree with the reference law or the laws of motion, with
-    /// corrections if any were found.
+    /// Equations that disagree with the reference law or the laws of motion, with corrections if any were found.
     pub refuted: Vec<Refutation>,
     /// Results of mutation testing; `None` if not requested.
     pub mutants: Option<crate::mutants::MutationMatrix>,
 }
 
 impl Report {
-    /// Whether no check of the model was refuted; checks that could not be carried out are allowed.
+    /// Whether no check was refuted; checks that could not be carried out are allowed.
     pub fn holds(&self) -> bool {
         self.rows.iter().all(|row| row.verdict != Verdict::Refuted)
     }
 
-    /// Combined outcome of all checks: refuted if any check is refuted, otherwise not verified if any check is
-    /// unverified or the report contains no check, otherwise verified.
+    /// Combined outcome of all checks.
     pub fn outcome(&self) -> Outcome {
         Outcome::of(self.rows.iter().map(|row| row.verdict))
     }

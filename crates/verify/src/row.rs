@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Verdict of a check: whether it holds, is refuted, does not apply or could not be carried out.
+/// Verdict of a check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
@@ -10,21 +10,19 @@ pub enum Verdict {
     Holds,
     /// An error exceeds the tolerance, or the check found a fault.
     Refuted,
-    /// The check does not apply to this model; the detail of the result gives the reason.
+    /// The check does not apply to this model.
     Skipped,
-    /// The check applies but could not be carried out, or not for the whole model; the detail of the result gives the
-    /// reason. The model is then not verified.
+    /// The check applies but could not be carried out for the whole model, so the model is not verified.
     Unverified,
 }
 
 impl Verdict {
-    /// Verdict of a check that was carried out for the whole model: [`Self::Holds`] if `holds`, otherwise
-    /// [`Self::Refuted`].
+    /// [`Self::Holds`] if `holds`, otherwise [`Self::Refuted`].
     pub fn of(holds: bool) -> Self {
         if holds { Self::Holds } else { Self::Refuted }
     }
 
-    /// Verdict in words for messages: `holds`, `refuted`, `skipped` or `not verified`.
+    /// Verdict in words for messages.
     pub fn words(self) -> &'static str {
         match self {
             Self::Holds => "holds",
@@ -39,13 +37,13 @@ impl Verdict {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Measure {
-    /// Absolute error divided by the sum of the magnitudes of the terms that are added to give the value.
+    /// Error relative to the sum of the magnitudes of the terms of the value.
     Relative,
     /// Spacing of f64 numbers at the compared value.
     Ulp,
-    /// Spacing of f64 numbers at the sum of the magnitudes of the terms that are added to give the value.
+    /// Spacing of f64 numbers at the sum of the magnitudes of the terms of the value.
     Magnitude,
-    /// Number of faults found, for a check that has no numerical error.
+    /// Number of faults.
     Count,
 }
 
@@ -54,8 +52,7 @@ pub enum Measure {
 pub struct Row {
     /// Name of the check in reports.
     pub check: &'static str,
-    /// Number of tested points or, for a check that does not draw points, of other tested items, such as flights or the
-    /// check cases in the model file.
+    /// Number of tested points or other items, such as flights or check cases.
     pub cases: usize,
     /// Maximum error over all tested points or cases, in the unit given by `measure`.
     pub worst: f64,
@@ -63,18 +60,17 @@ pub struct Row {
     pub measure: Measure,
     /// Maximum error that is allowed, in the unit given by `measure`.
     pub tolerance: f64,
-    /// Whether the check holds, is refuted, does not apply or could not be carried out.
+    /// Verdict of the check.
     pub verdict: Verdict,
-    /// Where the maximum error occurred, which faults were found, or why the check was skipped or could not be carried
-    /// out; may have several lines.
+    /// Place of the maximum error, faults, or reason why the check was not made; may have several lines.
     pub detail: String,
-    /// What the check does not cover for this model, printed below the table; `None` if there is none.
+    /// What the check does not cover, printed below the table.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub remark: Option<String>,
 }
 
 impl Row {
-    /// Creates the result of a check that holds if its maximum relative error is at most `tolerance`.
+    /// Result of a check that holds if its maximum relative error is at most `tolerance`.
     pub fn judged(check: &'static str, cases: usize, worst: &Worst, tolerance: f64) -> Self {
         Self {
             cases,
@@ -86,8 +82,7 @@ impl Row {
         }
     }
 
-    /// Creates the result of a check that holds if the list of faults is empty. The detail is the text `holds` in that
-    /// case, otherwise the faults. `cases` is the number of points or cases that were tested.
+    /// Result of a check that holds, with the detail `holds`, if there are no faults.
     pub fn counted(check: &'static str, cases: usize, faults: &[String], holds: &str) -> Self {
         let detail = match faults {
             [] => holds.to_owned(),
@@ -101,7 +96,7 @@ impl Row {
         }
     }
 
-    /// Creates the result of a check that applies to the model but could not be carried out; `why` is the reason.
+    /// Result of a check that could not be carried out, with the reason.
     pub fn unverified(check: &'static str, why: impl Into<String>) -> Self {
         Self {
             verdict: Verdict::Unverified,
@@ -109,7 +104,7 @@ impl Row {
         }
     }
 
-    /// Creates the result of a check that does not apply to the model; `why` is the reason.
+    /// Result of a check that does not apply to the model, with the reason.
     pub fn skipped(check: &'static str, why: impl Into<String>) -> Self {
         Self {
             check,
@@ -123,13 +118,13 @@ impl Row {
         }
     }
 
-    /// Returns the result with its remark set to a text on what the check does not cover.
+    /// The result with the remark `remark`.
     pub fn with_remark(mut self, remark: impl Into<String>) -> Self {
         self.remark = Some(remark.into());
         self
     }
 
-    /// Returns the result of the check with its detail text replaced by `detail`.
+    /// The result with the detail `detail`.
     pub fn with_detail(mut self, detail: impl Into<String>) -> Self {
         self.detail = detail.into();
         self
@@ -146,8 +141,7 @@ pub struct Worst {
 }
 
 impl Worst {
-    /// Replaces the maximum if `error` is larger. `place` describes where the error occurred and is called only in this
-    /// case.
+    /// Replaces the maximum if `error` is larger; `place` is called only then.
     pub fn update(&mut self, error: f64, place: impl FnOnce() -> String) {
         let error = if error.is_nan() { f64::INFINITY } else { error };
         if error > self.error {

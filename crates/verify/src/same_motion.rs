@@ -14,9 +14,9 @@ use serde::Serialize;
 pub struct Pair {
     /// Names of the two models.
     pub models: [String; 2],
-    /// Result of comparing the two models' velocities and accelerations at equal physical states.
+    /// Comparison of velocities and accelerations at equal physical states.
     pub accelerations: Row,
-    /// Result of comparing the final states of the two models' flights from equal physical states.
+    /// Comparison of final states of flights from equal physical states.
     pub flights: Row,
 }
 
@@ -26,7 +26,7 @@ impl Pair {
     }
 }
 
-/// Results of the pairwise comparison of models that should describe the same motion.
+/// Pairwise comparison of models that should describe the same motion.
 #[derive(Clone, Debug, Serialize)]
 pub struct SameMotion {
     /// One result per pair of models.
@@ -34,8 +34,7 @@ pub struct SameMotion {
 }
 
 impl SameMotion {
-    /// Whether, for every pair of models, the comparison of accelerations holds and that of the flights was not
-    /// refuted.
+    /// Whether all accelerations agree and no flights were refuted.
     pub fn holds(&self) -> bool {
         self.pairs.iter().all(Pair::holds)
     }
@@ -65,8 +64,7 @@ impl SameMotion {
     }
 }
 
-/// Compares the accelerations and flights of each pair of models. All models must describe the same kind of body, with
-/// equal names for corresponding parameters and coefficients.
+/// Compares each pair of models of the same body, whose corresponding constants have equal names.
 pub fn compare(subjects: &[Subject<'_>], options: &Options) -> SameMotion {
     let mut pairs = Vec::new();
     for (k, a) in subjects.iter().enumerate() {

@@ -6,16 +6,13 @@ use model_spec::unit::{Base, Unit};
 use nalgebra::Vector3;
 use oracle::{Point, Tree};
 
-/// Maximum number of draws of a point within the validity limits. If none succeeds, the distance between the default
-/// point and the last point drawn is halved until the result is within the limits, see [`HALVINGS`].
+/// Maximum number of draws of a point within the validity limits.
 const MAX_DRAWS: usize = 1000;
-/// One more than the maximum number of times that the distance between the default point and a drawn point outside the
-/// validity limits is halved. If the point is still outside after `HALVINGS` − 1 halvings, the default point is used.
+/// Number of halvings of the distance between the default point and a point outside the limits, plus 1.
 const HALVINGS: i32 = 20;
 
-/// Draws a point within the validity limits. States have magnitudes typical of flights, one in four up to 1000 times
-/// smaller. Parameters are drawn around their defaults; coefficients within their bounds, with random signs where the
-/// bounds allow it, never 0. Inputs and marker are random.
+/// Draws a point within the validity limits: states of magnitudes typical of flights, one in four up to 1000 times
+/// smaller; parameters around their defaults; coefficients within their bounds, with random signs, never 0.
 pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
     let mut point = anywhere(model, random);
     for _ in 0..MAX_DRAWS {
@@ -31,13 +28,12 @@ pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
         .unwrap_or(defaults)
 }
 
-/// Draws `count` random points within the validity limits of the model, as [`point`] does.
+/// Draws points as [`point`] does.
 pub fn points(model: &Model, count: usize, random: &mut Random) -> Vec<Point<f64>> {
     (0..count).map(|_| point(model, random)).collect()
 }
 
-/// Interpolates parameters, coefficients, inputs and states linearly between two points; `fraction` is 0 at `from` and
-/// 1 at `to`. The time and the marker position are those of `to`.
+/// Interpolates linearly from `from` (`fraction` 0) to `to` (1); time and marker are those of `to`.
 pub fn between(from: &Point<f64>, to: &Point<f64>, fraction: f64) -> Point<f64> {
     let mix = |from: &[f64], to: &[f64]| -> Vec<f64> {
         let pairs = from.iter().zip(to);
@@ -60,8 +56,7 @@ pub fn is_valid(model: &Model, point: &Point<f64>) -> bool {
     limits.all(|limit| tree.scalar(&limit.value) > limit.bound)
 }
 
-/// Whether a point is inside each validity limit of the model by more than 10 % of max(|bound|, 1), where `bound` is
-/// the bound of the limit.
+/// Whether a point is inside each validity limit by more than 10 % of max(|bound|, 1).
 pub fn within_limits(model: &Model, point: &Point<f64>) -> bool {
     let tree = Tree::new(model, point);
     model
@@ -93,7 +88,7 @@ fn anywhere(model: &Model, random: &mut Random) -> Point<f64> {
     point
 }
 
-/// Magnitude, in SI units, that a quantity with the given unit typically has during a flight.
+/// Typical magnitude in flight of a quantity with the given unit, SI.
 pub fn typical(unit: Unit) -> f64 {
     let [metre, second, radian] =
         [Base::Metre, Base::Second, Base::Radian].map(|base| unit.doubled[base as usize]);
@@ -106,7 +101,7 @@ pub fn typical(unit: Unit) -> f64 {
     }
 }
 
-/// Whether a unit is that of a velocity, up to powers of other base units than metre and second.
+/// Whether a unit is that of a velocity, up to powers of radian and kilogram.
 pub(crate) fn is_velocity(unit: Unit) -> bool {
     let [metre, second] = [Base::Metre, Base::Second].map(|base| unit.doubled[base as usize]);
     (metre, second) == (2, -2)

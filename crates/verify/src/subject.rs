@@ -1,5 +1,6 @@
 //! Subject of a verification: a model, and its equations of motion as functions that can be evaluated.
 
+use crate::pairing::Pairing;
 use crate::row::Row;
 use model_spec::Layout;
 use model_spec::model::{Body, Model};
@@ -24,20 +25,16 @@ pub struct Subject<'a> {
     pub model: &'a Model,
     /// Equations of motion under test.
     pub equations: &'a dyn Equations,
-    /// Reference law that the model names, with its constants and states found in the model by name. `None` if the
-    /// model names none or a name was not found.
+    /// Reference law that the model names; `None` if it names none or cannot be bound.
     pub reference: Option<Reference>,
-    /// Why the constants and states of the reference law cannot be found in the model by name; `None` if they are
-    /// found, or the model names no reference law.
+    /// Why the reference law cannot be bound to the model.
     pub unbound: Option<BindError>,
-    /// Conversion between states and physical quantities: from the reference law, else from the body declared in the
-    /// model; `None` if neither exists.
+    /// Chart of the reference law, else of the declared body.
     pub chart: Option<Chart>,
 }
 
 impl<'a> Subject<'a> {
-    /// Binds a model to its equations, and determines its reference law and the conversion between its states and
-    /// physical quantities ([`Subject::chart`]).
+    /// Binds a model to its equations, its reference law and its chart.
     pub fn new(model: &'a Model, equations: &'a dyn Equations) -> Self {
         let (reference, unbound) = match Reference::bind(model) {
             Some(Ok(reference)) => (Some(reference), None),
@@ -65,40 +62,32 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// Derivative of every state with respect to the true time of flight, rather than recorded time.
+    /// Derivative of every state with respect to true time.
     pub fn flight_rates(&self, point: &Point<f64>) -> Vec<f64> {
         let pace = self.clock(point);
         let rates = self.equations.rates(point);
         rates.into_iter().map(|rate| rate / pace).collect()
     }
 
-    /// Converts a point of this model to a point of the model `other`. Both points have the same physical state of the
-    /// body, time and marker position. Parameters, coefficients, inputs and states that do not belong to the body are
-    /// copied if both models have the name; otherwise they have their default values. `None` if one of the models has
-    /// no [`Chart`], or if the chart of `other` cannot represent the attitude.
+    /// The point of the model `other` with the same time, marker and physical state; other values are copied by name
+    /// where both models have it. `None` without charts, or if the attitude cannot be represented.
     pub fn corresponding_point(
         &self,
         other: &Subject<'_>,
         here: &Point<f64>,
     ) -> Option<Point<f64>> {
         let physical = self.chart.as_ref()?.physical(&here.states);
-        let mut there = Point::defaults(other.model);
-        there.states = other.chart.as_ref()?.states(&physical)?;
+        let mut states = other.chart.as_ref()?.states(&physical)?;
+        let pairing = Pairing::of(&Layout::new(self.model), &Layout::new(other.model));
+        let carried = pairing.carry(here, &Point::defaults(other.model));
         for state in other.model.added_states() {
-            let name = &other.model.states[state].name;
-            if let Some(same) = self.model.states.iter().position(|s| s.name == *name) {
-                there.states[state] = here.states[same];
-            }
+            states[state] = carried.states[state];
         }
-        there.time = here.time;
-        there.marker = here.marker;
-        carry_by_name(self.model, here, other.model, &mut there);
-        Some(there)
+        Some(Point { states, ..carried })
     }
 
-    /// Index and null value of each extra coefficient. A coefficient is extra if the reference law does not contain it
-    /// or, without a reference law, if it belongs to an effect. At its null value a coefficient does not change the
-    /// equations.
+    /// Index and null value of each coefficient that the reference law does not contain or, without one, of each
+    /// effect.
     pub fn extras(&self) -> Vec<(usize, f64)> {
         match &self.reference {
             Some(reference) => reference.null_values(self.model),
@@ -106,36 +95,31 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// Coefficients of all effects of the model: index among the model's coefficients, and null value, at which the
-    /// coefficient does not change the equations.
+    /// Index and null value of the coefficients of all effects.
     fn of_effects(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         let coefficients = self.model.effects.iter().flat_map(|e| &e.coefficients);
         coefficients.map(|c| (c.index, c.null_value))
     }
 
-    /// Indices of the coefficients added by the model's author: coefficients that neither the reference law nor an
-    /// effect contains; empty without a reference law.
+    /// Coefficients that neither the reference law nor an effect contains; empty without a reference law.
     pub fn own_coefficients(&self) -> Vec<usize> {
         let of_effects: Vec<usize> = self.of_effects().map(|(index, _)| index).collect();
         let extras = self.extras().into_iter().map(|(index, _)| index);
         extras.filter(|i| !of_effects.contains(i)).collect()
     }
 
-    /// Whether only the `claim` statement of the model relates its states to the physical quantities of a body: the
-    /// model has such a statement, but no [`Chart`] exists.
+    /// Whether only the `claim` statement relates the states to a body.
     pub fn is_known_by_claim(&self) -> bool {
         self.chart.is_none() && self.model.claim.is_some()
     }
 
-    /// Returns the point with the coefficients of effects at their null values, at which they change nothing. All
-    /// states that are not states of the body, such as those of effects, are set to their default values.
+    /// The point with effects and added states at their null and default values.
     pub fn without_effects(&self, point: Point<f64>) -> Point<f64> {
         self.of_body_alone(point, self.of_effects())
     }
 
-    /// Result of a check that requires a reference law, for a model that names none. The check is skipped if other
-    /// checks apply: the model declares a body, from which its equations are derived, or it claims which body its
-    /// explicitly written equations describe. Otherwise the verdict is "unverified".
+    /// Result of a check that requires a reference law, for a model without one: skipped if a declared or claimed body
+    /// makes up for it, otherwise unverified.
     pub fn without_reference(&self, check: &'static str) -> Row {
         if self.model.body.is_some() {
             return Row::skipped(check, "the model claims no reference");
@@ -148,21 +132,17 @@ impl<'a> Subject<'a> {
         Row::unverified(check, why)
     }
 
-    /// Result, with the verdict "unverified", of a check that needs the conversion between states and physical
-    /// quantities, for a model for which this conversion is unknown.
+    /// Result of a check that needs the meaning of the states, for a model where it is unknown.
     pub fn without_meaning(&self, check: &'static str) -> Row {
         Row::unverified(check, "which state stands for what is not known")
     }
 
-    /// Sets each coefficient that the reference law does not contain to its null value, at which it does not change the
-    /// equations, and returns the point. Without a reference law, these are the coefficients of effects. All states
-    /// that are not states of the body, such as those of effects, are set to their default values.
+    /// The point with the coefficients of [`Self::extras`] and added states at their null and default values.
     pub fn without_extras(&self, point: Point<f64>) -> Point<f64> {
         self.of_body_alone(point, self.extras())
     }
 
-    /// Returns the point with the coefficients set to the given values (index, value), and with all states that are not
-    /// states of the body, such as those of effects, set to their default values.
+    /// The point with the coefficients set to the given values (index, value) and added states at their defaults.
     fn of_body_alone(
         &self,
         mut point: Point<f64>,
@@ -178,29 +158,7 @@ impl<'a> Subject<'a> {
     }
 }
 
-/// Copies parameters, coefficients and inputs by name from `here`, a point of `model`, to `there`, a point of the model
-/// `other`. A value of `there` whose name does not occur in `model` is not changed. Returns true if every name in
-/// `other` occurs in `model`.
-pub(crate) fn carry_by_name(
-    model: &Model,
-    here: &Point<f64>,
-    other: &Model,
-    there: &mut Point<f64>,
-) -> bool {
-    let (own, values) = (Layout::new(model), here.parameters());
-    let mut is_complete = true;
-    let names = Layout::new(other).parameters;
-    for (name, to) in names.iter().zip(there.parameters_mut()) {
-        match own.parameter(name) {
-            Some(index) => *to = values[index.index()],
-            None => is_complete = false,
-        }
-    }
-    is_complete
-}
-
-/// Mass properties of a declared body, with the inertia tensor rotated from the frame of its declaration to the body
-/// frame.
+/// Mass properties of a declared body, with the inertia in the body frame.
 pub(crate) fn body_properties<T: Real>(tree: &Tree<'_, T>, body: &Body) -> MassProperties<T> {
     let mut properties = mass_properties(tree, body);
     if let (Some(rotation), Some(inertia)) = (&body.rotation, properties.inertia) {
@@ -211,11 +169,11 @@ pub(crate) fn body_properties<T: Real>(tree: &Tree<'_, T>, body: &Body) -> MassP
     properties
 }
 
-/// Equations of motion of a model, evaluated by the reference simulator from the model's vector expressions.
+/// Equations of motion evaluated by the oracle from the vector expressions.
 pub struct Interpreted<'a>(&'a Model);
 
 impl<'a> Interpreted<'a> {
-    /// Creates an interpreter of a model's equations of motion.
+    /// [`Unsupported`] if the oracle cannot derive the equations.
     ///
     /// # Errors
     /// [`Unsupported`] if the reference simulator cannot derive the model's equations of motion.
@@ -233,26 +191,4 @@ impl Equations for Interpreted<'_> {
         let seen = self.0.observation.as_ref()?;
         Some(Tree::new(self.0, point).vector(&seen.value))
     }
-}
-
-/// Equations of motion whose Jacobians can be evaluated at a point.
-pub trait Differentiable: Equations {
-    /// State derivatives and observation, with their dense Jacobian with respect to states, parameters, coefficients
-    /// and inputs.
-    fn derivatives(&self, point: &Point<f64>) -> Derivatives;
-    /// State derivatives with their dense Jacobian with respect to the states only, computed by the compiled function
-    /// `f_jac`.
-    fn by_state(&self, point: &Point<f64>) -> Derivatives;
-}
-
-/// Values and dense Jacobian of a model's scalar results. Rows: state derivatives, then observation components.
-/// Columns: states, parameters, coefficients, components of inputs. [`Differentiable::by_state`] returns only the rows
-/// of the state derivatives and the columns of the states.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Derivatives {
-    /// Values of the state derivatives, then of the observation components.
-    pub values: Vec<f64>,
-    /// Jacobian of `values`, indexed by row (result) and column (state, parameter, coefficient or component of an
-    /// input).
-    pub entries: Vec<Vec<f64>>,
 }

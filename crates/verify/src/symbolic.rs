@@ -1,95 +1,135 @@
-//! The prime field as a scalar of the oracle; functions of the model language yield the symbols of [`crate::field`].
+//! The prime field as a scalar of the oracle and of compiled programs; functions of the model language yield the symbols
+//! of [`crate::field`].
 //!
-//! A function value may not exist in the field, and the sine of an angle depends on how the angle was computed. Missing
-//! values and known angles are recorded in a thread-local context while [`evaluate`] runs.
+//! The sine of an angle depends on how the angle was computed. Known angles are recorded in a thread-local context while
+//! [`evaluate`] runs.
 
-use crate::field::{self, Angle};
+use crate::evaluation::{self, Arithmetic, Inputs};
+use crate::field::{self, Angle, FieldPoint};
 use codegen::functions::MathFunction;
+use codegen::program::Program;
+use codegen::table::Tables;
 use num_traits::{One, Zero};
-use oracle::Interpolant;
 use oracle::scalar::{Elementary, Field, Prime, Real};
+use oracle::{Interpolant, Point};
 use std::cell::RefCell;
 
-/// An element of the prime field, with the functions of the model language.
+/// An element of the prime field, with the functions of the model language; `None` for a value that does not exist in
+/// the field, such as the square root of a non-square.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Symbolic(pub Prime);
+pub struct Symbolic(pub Option<Prime>);
 
 #[derive(Default)]
 struct Context {
     angles: Vec<Angle>,
-    is_missing: bool,
+    /// Whether the value of a function that is not rational is a symbol, see [`crate::field`]. If false, such a function
+    /// has no value, except sine and cosine of a known angle.
+    has_symbols: bool,
 }
 
 thread_local! {
     static CONTEXT: RefCell<Context> = RefCell::new(Context::default());
 }
 
-/// Evaluates `task`, which computes with [`Symbolic`] numbers. Each entry of `angles` consists of an angle and its
-/// (sine, cosine); these determine the sines and cosines of the angle and of its small integer multiples in the task.
-/// `None` if the task takes a square root of a non-square of the prime field.
-pub fn evaluate<R>(angles: Vec<Angle>, task: impl FnOnce() -> R) -> Option<R> {
-    let fresh = Context {
-        angles,
-        is_missing: false,
-    };
-    CONTEXT.with_borrow_mut(|context| *context = fresh);
-    let result = task();
-    let context = CONTEXT.take();
-    (!context.is_missing).then_some(result)
+/// Evaluates `task`, which computes with [`Symbolic`] numbers, at a point. Sine and cosine of the states and of their
+/// small integer multiples are those of the point. If `has_symbols`, functions that are not rational yield symbols,
+/// otherwise no value.
+pub fn evaluate<R>(
+    spot: &FieldPoint,
+    has_symbols: bool,
+    task: impl FnOnce(&Point<Symbolic>) -> R,
+) -> R {
+    let states = spot.point.states.iter().zip(&spot.circles);
+    CONTEXT.set(Context {
+        angles: states.map(|(&state, &circle)| (state, circle)).collect(),
+        has_symbols,
+    });
+    let result = task(&spot.point.map(Symbolic::from));
+    CONTEXT.take();
+    result
 }
 
-fn or_missing(value: Option<Prime>) -> Symbolic {
-    Symbolic(value.unwrap_or_else(|| {
-        CONTEXT.with_borrow_mut(|context| context.is_missing = true);
-        Prime::zero()
-    }))
+/// Outputs of a compiled program at a point, with symbols; `None` for an output without a value in the prime field.
+pub fn outputs(program: &Program, spot: &FieldPoint) -> Vec<Option<Prime>> {
+    let outputs = evaluate(spot, true, |point| {
+        evaluation::outputs(program, &Inputs::of(point))
+    });
+    outputs.into_iter().map(|output| output.0).collect()
 }
 
-fn circle(angle: Prime) -> (Prime, Prime) {
-    CONTEXT.with_borrow(|context| {
-        field::known(angle, &context.angles).unwrap_or_else(|| field::circle(angle))
-    })
+/// The value that `value` returns, if functions that are not rational have values.
+fn symbol<R>(value: impl FnOnce() -> R) -> Option<R> {
+    CONTEXT
+        .with_borrow(|context| context.has_symbols)
+        .then(value)
 }
 
-fn polar(y: Prime, x: Prime) -> Symbolic {
-    or_missing(field::angle(y, x).map(|found| {
-        CONTEXT.with_borrow_mut(|context| context.angles.push(found));
-        found.0
-    }))
+fn circle(angle: Prime) -> Option<(Prime, Prime)> {
+    let known = CONTEXT.with_borrow(|context| field::known(angle, &context.angles));
+    known.or_else(|| symbol(|| field::circle(angle)))
 }
 
-oracle::wrapped_ops!(Symbolic(Prime));
+fn polar(y: Prime, x: Prime) -> Option<Prime> {
+    let found = symbol(|| field::angle(y, x))??;
+    CONTEXT.with_borrow_mut(|context| context.angles.push(found));
+    Some(found.0)
+}
+
+impl From<Prime> for Symbolic {
+    fn from(value: Prime) -> Self {
+        Self(Some(value))
+    }
+}
+
+impl Symbolic {
+    fn map(self, f: impl FnOnce(Prime) -> Option<Prime>) -> Self {
+        Self(self.0.and_then(f))
+    }
+
+    fn with(self, other: Self, f: impl FnOnce(Prime, Prime) -> Option<Prime>) -> Self {
+        Self(self.0.zip(other.0).and_then(|(a, b)| f(a, b)))
+    }
+
+    /// Symbol of a function of two scalars whose order does not matter.
+    fn unordered(self, other: Self, function: u64) -> Self {
+        let of = |a: Prime, b: Prime| field::symbol(function, &[a.min(b), a.max(b)]);
+        self.with(other, |a, b| symbol(|| of(a, b)))
+    }
+}
+
+oracle::operators!([] Symbolic {
+    Add add(a, b) => a.with(b, |a, b| Some(a + b)),
+    Sub sub(a, b) => a.with(b, |a, b| Some(a - b)),
+    Mul mul(a, b) => a.with(b, |a, b| Some(a * b)),
+    Div div(a, b) => a.with(b, |a, b| Some(a / b)),
+    -a => a.map(|a| Some(-a)),
+});
 
 impl Zero for Symbolic {
     fn zero() -> Self {
-        Self(Prime::zero())
+        Prime::zero().into()
     }
 
     fn is_zero(&self) -> bool {
-        self.0.is_zero()
+        self.0.is_some_and(|value| value.is_zero())
     }
 }
 
 impl One for Symbolic {
     fn one() -> Self {
-        Self(Prime::one())
+        Prime::one().into()
     }
 }
 
 impl Field for Symbolic {
     fn integer(value: i64) -> Self {
-        Self(Prime::integer(value))
-    }
-
-    fn literal(value: f64, exact: Option<(i64, i64)>) -> Option<Self> {
-        let fraction = exact.map(|(n, d)| Prime::integer(n) / Prime::integer(d));
-        Some(Self(fraction.unwrap_or_else(|| field::literal(value))))
+        Prime::integer(value).into()
     }
 }
 
 impl Real for Symbolic {
     fn lit(value: f64) -> Self {
-        Self(field::literal(value))
+        Self(field::constant(value).or_else(|| symbol(|| field::literal(value))))
     }
 
     /// Constant that replaces the real value in comparisons, because an element of the prime field has none. It is
@@ -100,23 +140,53 @@ impl Real for Symbolic {
 
     fn elementary(self, function: Elementary) -> Self {
         match function {
-            Elementary::Sqrt => or_missing(field::root(self.0)),
-            Elementary::Sin => Self(circle(self.0).0),
-            Elementary::Cos => Self(circle(self.0).1),
-            Elementary::Atan => polar(self.0, Prime::one()),
+            Elementary::Sqrt => self.map(|a| symbol(|| field::root(a))?),
+            Elementary::Sin => self.map(|a| Some(circle(a)?.0)),
+            Elementary::Cos => self.map(|a| Some(circle(a)?.1)),
+            Elementary::Atan => self.map(|a| polar(a, Prime::one())),
             _ => {
                 let function =
                     MathFunction::named(function.name()).expect("a function of the compiler");
-                Self(field::call(function, self.0))
+                self.map(|a| symbol(|| field::call(function, a)))
             }
         }
     }
 
     fn interpolated(self, table: &Interpolant, order: u8) -> Self {
-        Self(field::table(table.fingerprint, order, self.0))
+        self.map(|a| symbol(|| field::table(table.fingerprint, order, a)))
     }
 
     fn atan2(self, x: Self) -> Self {
-        polar(self.0, x.0)
+        self.with(x, polar)
+    }
+}
+
+impl Arithmetic for Symbolic {
+    fn if_zero(self, then: Self, otherwise: Self) -> Self {
+        match self.0 {
+            None => self,
+            Some(value) if value.is_zero() => then,
+            Some(_) => otherwise,
+        }
+    }
+
+    fn call(self, function: MathFunction, tables: &Tables) -> Self {
+        match (function, Elementary::named(function.name())) {
+            (_, Some(function)) => self.elementary(function),
+            (MathFunction::NonZero, _) => self.if_zero(Self::zero(), Self::one()),
+            (MathFunction::Table(function), _) => {
+                let of = tables.table(function.table()).fingerprint;
+                self.map(|a| symbol(|| field::table(of, function.order(), a)))
+            }
+            _ => self.map(|a| symbol(|| field::call(function, a))),
+        }
+    }
+
+    fn least(self, other: Self) -> Self {
+        self.unordered(other, 1)
+    }
+
+    fn greatest(self, other: Self) -> Self {
+        self.unordered(other, 2)
     }
 }

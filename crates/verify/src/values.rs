@@ -1,7 +1,7 @@
-//! A model compiled to values only, without derivatives and without hoisting of parameter-only code. This is sufficient
-//! for mutants and effects, and takes a tenth of the compilation time.
+//! A model compiled to values only, without derivatives and `prepare`: a tenth of the compilation time.
 
-use crate::engine::inputs;
+use crate::engine::outputs;
+use crate::evaluation::Inputs;
 use crate::subject::Equations;
 use codegen::Layout;
 use codegen::program::Program;
@@ -10,17 +10,17 @@ use model_spec::model::Model;
 use nalgebra::Vector3;
 use oracle::Point;
 
-/// Compiled program of the state derivatives and the observation of a model: its operations in evaluation order.
+/// State derivatives and observation of a model as one program.
 pub struct Values {
-    /// Order of the states and parameters among the inputs of `program`.
+    /// Order of the states and parameters.
     pub layout: Layout,
-    /// Compiled program whose outputs are the state derivatives, then the observation.
+    /// Program of the state derivatives, then the observation.
     pub program: Program,
     tape: Tape,
 }
 
 impl Values {
-    /// Compiles the state derivatives and the observation of a model to one program.
+    /// Compiles a model.
     pub fn of(model: &Model) -> Self {
         let (layout, program) = codegen::compile_values(model);
         let tape = Tape::new(&program);
@@ -31,13 +31,13 @@ impl Values {
         }
     }
 
-    /// Number of operations for one evaluation of the state derivatives and the observation.
+    /// Number of operations of one evaluation.
     pub fn operations(&self) -> usize {
         codegen::count::count(&self.program).total()
     }
 
     fn eval(&self, point: &Point<f64>) -> Vec<f64> {
-        evaluated(&self.tape, point)
+        outputs(&self.tape, &Inputs::of(point))
     }
 }
 
@@ -54,12 +54,4 @@ impl Equations for Values {
             _ => None,
         }
     }
-}
-
-/// Floating-point outputs of a tape at a point.
-pub(crate) fn evaluated(tape: &Tape, point: &Point<f64>) -> Vec<f64> {
-    let p = point.parameters();
-    let mut out = vec![0.0; tape.outputs()];
-    tape.eval(inputs(point, &p, &[]), &mut Vec::new(), &mut out);
-    out
 }

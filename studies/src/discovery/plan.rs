@@ -1,11 +1,12 @@
 //! Plan of the discovery study: all its rows.
 
-use oracle::{Law, effect};
+use oracle::Law;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 
 use super::row::{Body, Group, Row, Size};
 use crate::oracle_flights::{NoiseCondition, noise_conditions};
+use crate::seeded::law as effect;
 use crate::seeded::{InputErrors, UNLISTED};
 
 /// Number of runs of one row of the results table, for each [`Group`] of rows. A row is one combination of simulation

@@ -123,7 +123,7 @@ fn discordant(case: &Case, errors: InputErrors, report: &Report) -> Discordant {
 /// For an effect without coefficients, whose states vary from flight to flight: z of its score test / the z at which
 /// the test has power 0.9. `None` if the report lacks these values.
 fn detectability(report: &Report, name: &str, values: &[f64]) -> Option<f64> {
-    let effect = oracle::effect::by_name(name)?;
+    let effect = crate::seeded::law::by_name(name)?;
     let coefficients = effect.coefficients.iter().zip(values);
     let ratios = coefficients.filter_map(|(coefficient, value)| {
         let mut detectable = report.minimum_detectable_effects.iter();

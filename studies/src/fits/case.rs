@@ -4,11 +4,12 @@ use dataset::Dataset;
 use dataset::synthesize::Corruption;
 use model_spec::load::load;
 use model_spec::model::Model;
-use oracle::{Law, effect};
+use oracle::Law;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 
 use crate::oracle_flights::{Plan, TWELVE};
+use crate::seeded::law as effect;
 use crate::seeded::{self, SeededEffects, greatest_angle_of_attack, strength};
 
 /// Range, m, from which the marker displacement by one effect is drawn: RMS difference of the marker coordinates from

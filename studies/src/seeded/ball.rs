@@ -3,13 +3,13 @@
 use dataset::{Dataset, KnownValue, Marker};
 use model_spec::model::Model;
 use nalgebra::Vector3;
-use oracle::effect::ExtendedLaw;
 use oracle::{Physical, Point};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 
 use super::effects::SeededEffects;
 use super::flight::{FlightPlace, seeded_flight};
+use super::law::ExtendedLaw;
 use crate::oracle_flights::{reference_of, sample_times};
 
 /// Distribution of the throws of a ball: each quantity is uniform over a range (minimum, maximum).

@@ -4,12 +4,12 @@ use dataset::Dataset;
 use dataset::synthesize::MARKERS;
 use nalgebra::Vector3;
 use oracle::Physical;
-use oracle::effect::ExtendedLaw;
 use rand::SeedableRng;
 use rand_chacha::ChaCha12Rng;
 
 use super::effects::SeededEffects;
 use super::flight::{FlightPlace, seeded_flight};
+use super::law::ExtendedLaw;
 use crate::oracle_flights::{Plan, disc, disc_constants, empty, reference_of, sample_times};
 
 /// Simulates flights of the disc with the effects and noise in `seeded`. Without effects and noise, they are the exact

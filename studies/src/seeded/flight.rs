@@ -3,11 +3,11 @@
 use dataset::synthesize::corrupt;
 use dataset::{Flight, Role};
 use oracle::Physical;
-use oracle::effect::ExtendedLaw;
 use rand::SeedableRng;
 use rand_chacha::ChaCha12Rng;
 
 use super::effects::SeededEffects;
+use super::law::ExtendedLaw;
 use super::world::SeededWorld;
 use crate::oracle_flights::file_name;
 

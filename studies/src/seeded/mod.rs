@@ -1,5 +1,5 @@
-//! Simulates flights with added effects, some of them from the catalogue (in the oracle's implementation) and some
-//! that are in no catalogue.
+//! Simulates flights with added effects, some of them from the catalogue (in hand-written formulas, see
+//! [`law`]) and some that are in no catalogue.
 //!
 //! Neither the compiler nor the text of an effect is used: forces, integration and observation are implemented by the
 //! oracle and this crate.
@@ -9,6 +9,7 @@ mod disc;
 mod effects;
 mod flight;
 mod input_errors;
+pub mod law;
 mod strength;
 mod unlisted;
 mod world;

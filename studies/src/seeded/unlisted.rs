@@ -2,7 +2,8 @@
 
 use nalgebra::Vector3;
 use oracle::Law;
-use oracle::effect::Flow;
+
+use super::law::Flow;
 
 /// Time constant of the first-order lag with which the lift of the effect `lagging_lift` follows the angle of attack,
 /// s.

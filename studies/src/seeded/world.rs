@@ -2,11 +2,11 @@
 
 use nalgebra::Vector3;
 use oracle::Physical;
-use oracle::effect::{ActiveEffect, ExtendedLaw, Flow, by_name};
 use rand::{Rng, RngExt};
 use rand_distr::StandardNormal;
 
 use super::effects::SeededEffects;
+use super::law::{ActiveEffect, ExtendedLaw, Flow, by_name};
 use super::unlisted::{LAG, UnlistedEffect, unlisted};
 use crate::oracle_flights::{Derivatives, integrate_law};
 
@@ -133,7 +133,7 @@ impl SeededWorld {
 /// Returns an effect of the built-in effects catalogue for one flight. The first of `values` are its coefficients. The
 /// following ones are the standard deviations of the normal distributions from which its states are drawn.
 fn drawn(name: &str, values: &[f64], random: &mut impl Rng) -> ActiveEffect<f64> {
-    let effect = by_name(name).unwrap_or_else(|| panic!("the oracle has no effect `{name}`"));
+    let effect = by_name(name).unwrap_or_else(|| panic!("there is no effect `{name}`"));
     assert_eq!(values.len(), effect.values(), "values of `{name}`");
     let each = values.iter().enumerate().map(|(k, &value)| {
         if k < effect.coefficients.len() {

@@ -4,6 +4,7 @@ mod bodies;
 mod cli;
 mod derivatives;
 mod discovery;
+mod effect_laws;
 mod fits;
 mod measured;
 mod others;

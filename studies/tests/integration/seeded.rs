@@ -3,8 +3,9 @@
 use dataset::synthesize::Corruption;
 use dataset::{Dataset, Role};
 use identify::{FitOptions, fit};
-use oracle::{Law, effect};
+use oracle::Law;
 use studies::oracle_flights::{Plan, TWELVE, disc, flights};
+use studies::seeded::law as effect;
 use studies::seeded::{STRENGTHS, SeededEffects, UNLISTED, ball, dataset, strength};
 
 const FOUR: Plan<'static> = Plan {

@@ -5,7 +5,9 @@ mod ball;
 mod charts;
 mod disc;
 mod discus;
-pub(crate) mod spinning;
+mod spinning;
+
+pub use spinning::Stream;
 
 use crate::chart::Chart;
 use crate::error::BindError;
@@ -85,12 +87,7 @@ impl Law {
 
     /// Force and moment on a body by this law at the physical state `at`, in air of velocity `air`, m/s; `constants`
     /// are in the order of [`Law::constants`].
-    pub(crate) fn load<T: Real>(
-        self,
-        constants: &[T],
-        at: &Physical<T>,
-        air: Vector3<T>,
-    ) -> Load<T> {
+    pub fn load<T: Real>(self, constants: &[T], at: &Physical<T>, air: Vector3<T>) -> Load<T> {
         match self {
             Self::Disc => disc::load(constants, at, air),
             Self::Ball => ball::load(constants, at, air),
@@ -113,10 +110,7 @@ impl Law {
 ///
 /// # Errors
 /// [`BindError::InputFrame`] if the input has components in another frame.
-pub(crate) fn inertial_input(
-    model: &Model,
-    name: &'static str,
-) -> Result<Option<usize>, BindError> {
+fn inertial_input(model: &Model, name: &'static str) -> Result<Option<usize>, BindError> {
     let index = model.inputs.iter().position(|input| input.name == name);
     let frame = index.map(|index| &model.frames[model.inputs[index].frame]);
     match frame {

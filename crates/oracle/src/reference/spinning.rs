@@ -10,7 +10,8 @@ use crate::tree::norm;
 use nalgebra::{Matrix3, Vector3};
 
 /// Motion of a body of revolution relative to the air, in inertial components.
-pub(crate) struct Stream<T> {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stream<T> {
     /// Velocity of the body relative to the air in inertial components, m/s.
     pub through_air: Vector3<T>,
     /// Airspeed, m/s.
@@ -63,6 +64,8 @@ pub(super) struct Body<T> {
 }
 
 impl<T: Real> Stream<T> {
+    /// Motion of the body in the physical state `body` relative to air that moves with the velocity `wind`, m/s, in
+    /// inertial components.
     pub fn new(body: &Physical<T>, wind: Vector3<T>) -> Self {
         let normal = body.attitude.axis(3);
         let through_air = body.velocity - wind;

@@ -194,10 +194,6 @@ impl Field for Big {
     fn integer(value: i64) -> Self {
         Self::new(BigFloat::from_i64(value, PRECISION))
     }
-
-    fn literal(value: f64, _exact: Option<(i64, i64)>) -> Option<Self> {
-        Some(Self::lit(value))
-    }
 }
 
 impl Real for Big {

@@ -63,10 +63,6 @@ impl<T: Field> Field for Dual<T> {
     fn integer(value: i64) -> Self {
         Self::constant(T::integer(value))
     }
-
-    fn literal(value: f64, exact: Option<(i64, i64)>) -> Option<Self> {
-        T::literal(value, exact).map(Self::constant)
-    }
 }
 
 impl<T: Real> Real for Dual<T> {

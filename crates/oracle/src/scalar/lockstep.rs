@@ -78,13 +78,6 @@ impl<A: Field, B: Field> Field for Lockstep<A, B> {
             second: B::integer(value),
         }
     }
-
-    fn literal(value: f64, exact: Option<(i64, i64)>) -> Option<Self> {
-        Some(Self {
-            first: A::literal(value, exact)?,
-            second: B::literal(value, exact)?,
-        })
-    }
 }
 
 impl<A: Real, B: Real> Real for Lockstep<A, B> {

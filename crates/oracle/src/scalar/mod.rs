@@ -45,10 +45,6 @@ pub trait Field:
 {
     /// The integer `value` as a scalar of this type.
     fn integer(value: i64) -> Self;
-
-    /// Numeric literal as a scalar of this type; `exact` is the value of the literal as (numerator, denominator) if
-    /// known. `None` if the type cannot represent the literal.
-    fn literal(value: f64, exact: Option<(i64, i64)>) -> Option<Self>;
 }
 
 /// A [`Field`] of scalars with the functions of the model language, such as sine, and their defined values at singular

@@ -97,10 +97,6 @@ macro_rules! rounded_literals {
             fn integer(value: i64) -> Self {
                 Self::lit(value as f64)
             }
-
-            fn literal(value: f64, _exact: Option<(i64, i64)>) -> Option<Self> {
-                Some(Self::lit(value))
-            }
         }
     };
 }

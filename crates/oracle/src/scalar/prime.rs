@@ -90,14 +90,6 @@ impl Field for Prime {
         let size = Self::new(value.unsigned_abs());
         if value < 0 { -size } else { size }
     }
-
-    fn literal(value: f64, exact: Option<(i64, i64)>) -> Option<Self> {
-        match exact {
-            Some((n, d)) => Some(Self::integer(n) / Self::integer(d)),
-            None if value.fract() == 0.0 && value.abs() < 1e15 => Some(Self::integer(value as i64)),
-            None => None,
-        }
-    }
 }
 
 #[cfg(test)]
@@ -121,10 +113,5 @@ mod tests {
         );
         assert_eq!(a * (b + c), a * b + a * c);
         assert_eq!(a - b, -(b - a));
-        assert_eq!(
-            Field::literal(0.375, Some((3, 8))),
-            Some(Prime::integer(3) / Prime::integer(8))
-        );
-        assert_eq!(Prime::literal(0.1, None), None);
     }
 }

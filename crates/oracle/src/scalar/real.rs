@@ -6,10 +6,6 @@ impl Field for f64 {
     fn integer(value: i64) -> Self {
         value as f64
     }
-
-    fn literal(value: f64, _exact: Option<(i64, i64)>) -> Option<Self> {
-        Some(value)
-    }
 }
 
 impl Real for f64 {

@@ -8,8 +8,8 @@ use oracle::{Point, Tree, Value};
 /// Name of this check in reports: the check cases specified in the model file.
 pub const CASES: &str = "check cases of the model";
 
-/// Compares every value expected by a check case of the model file with the computed value: derivatives from the
-/// equations under test, auxiliary variables from the model's vector expressions.
+/// Compares the values that check cases expect: derivatives from the equations under test, auxiliary variables from the
+/// vector tree.
 pub fn check(subject: &Subject<'_>) -> Row {
     let model = subject.model;
     if model.checks.is_empty() {
@@ -44,7 +44,7 @@ pub fn check(subject: &Subject<'_>) -> Row {
     Row::counted(CASES, model.checks.len(), &faults, "")
 }
 
-/// Point at which a check case of the model file is evaluated: default values, overridden by the settings of the case.
+/// Default values, overridden by the settings of a check case.
 pub fn set(model: &Model, settings: &[(Target, f64)]) -> Point<f64> {
     let mut point = Point::defaults(model);
     for &(target, value) in settings {

@@ -3,7 +3,7 @@
 //! numbers along the model's own equations. States need not be recovered from physical quantities, so the equations may
 //! have any number of states in any parametrization.
 
-use crate::claim::{along, is_fault};
+use crate::claim::{along, errors, is_fault};
 use crate::options::{Options, TOLERANCE};
 use crate::random::Random;
 use crate::row::{Row, Worst};
@@ -17,8 +17,7 @@ use std::collections::BTreeMap;
 /// that its `claim` statement describes.
 pub const CLAIM: &str = "claimed body";
 
-/// Advice for a model whose equations are written explicitly, without a `claim` statement that describes a body and
-/// without a reference law: the statement to add, and what is then checked.
+/// Advice for a model with stated equations and neither a claim nor a reference law.
 const ADVICE: &str = "\
 NOT VERIFIED: nothing says what these equations are about, so nothing can say that they are wrong. Add
     claim body NAME { mass …; inertia … in …; fixed in …; position …; velocity …; angular velocity …; force …; moment …; }
@@ -27,13 +26,11 @@ or, of a body that does not turn,
 Then it is checked that the position changes by the velocity, the attitude by the angular velocity, the momentum by the
 force and the angular momentum by the moment; energy, flights and symmetries; and a wrong equation is named with its term.";
 
-/// Indices, from 1, of the axes of the inertial frame, for messages that name the axis of a deviation.
+/// Axes of the inertial frame.
 const AXES: [u8; 3] = [1, 2, 3];
 
-/// Checks at random points whether explicitly written equations obey the laws of motion of the body that the model
-/// claims to describe. Effects have their null values, at which they change nothing. If the model makes no such claim,
-/// the result states why nothing is checked. `None` for a model that declares a `body`: its equations are derived from
-/// these laws.
+/// Checks whether stated equations obey the laws of the claimed body, effects being absent. `None` for a declared body,
+/// from which the equations are derived.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
     let model = subject.model;
     if model.body.is_some() {
@@ -54,9 +51,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
             return Some(Row::unverified(CLAIM, "there are no equations to evaluate"));
         };
         for balance in body.balances() {
-            let sides = balance.change.iter().zip(balance.cause.iter());
-            for ((change, cause), axis) in sides.zip(AXES) {
-                let error = (*change - *cause).relative_error(0.0);
+            for (error, axis) in errors(&balance).into_iter().zip(AXES) {
                 worst.update(error, || balance.law.formula().to_owned());
                 let so_far = broken.entry(balance.law).or_insert((0.0, axis));
                 if is_fault(error) && error > so_far.0 {
@@ -80,9 +75,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
     Some(row.with_detail(lines.join("\n")))
 }
 
-/// One line of text for each law of motion that no rates of the states can satisfy, for the body that the model's
-/// `claim` statement describes. Such a law means that the claim contradicts itself, whatever equations the model file
-/// contains.
+/// A line for each law that no rates of the states satisfy: the claim then contradicts itself, whatever the equations.
 fn unsatisfied(subject: &Subject<'_>, options: &Options) -> Vec<String> {
     let mut random = Random::new(options.seed, CLAIM);
     let point = subject.without_effects(sample::point(subject.model, &mut random));

@@ -1,13 +1,17 @@
-//! Checks effects at null values: a model whose effects have null coefficients and states must have the derivatives of
-//! the model without effects. With the null values substituted it must compile to no more operations.
+//! Checks of effects. At null values, a model with effects must have the derivatives of the model without effects, and
+//! with the null values substituted it must compile to no more operations. At random values, derivatives and observation
+//! must be those of the oracle, which evaluates the text of the effects without the compiler.
 
-use crate::expressions::{fix_coefficient, fix_state};
+use super::reference;
+use crate::expressions::fix_effects;
 use crate::options::{Options, TOLERANCE};
+use crate::pairing::Pairing;
 use crate::random::Random;
 use crate::row::{Row, Verdict, Worst};
 use crate::sample;
-use crate::subject::{Equations, carry_by_name};
+use crate::subject::Equations;
 use crate::values::Values;
+use model_spec::Layout;
 use model_spec::compose::{Origin, known_effects};
 use model_spec::load::{Loaded, from_text};
 use model_spec::model::Model;
@@ -17,53 +21,77 @@ use oracle::{Point, derivatives};
 /// Name of this check in reports: a model with effects at their null values must compute the same as the model without
 /// effects.
 pub const EFFECTS: &str = "effects at null values";
+/// Name of this check in reports: effects against the oracle's evaluation of their text.
+pub const EFFECT_REFERENCE: &str = "effects: reference";
 
-/// Returns (models with effects, model without effects); effects are optional model extensions. If the loaded model has
-/// effects, it is the only model with effects. Otherwise one model is built for each effect that can be added. A
-/// further model combines all of these effects that are not declared in the model file. Another one combines only the
-/// built-in effects written for the family of models to which this model belongs, such as flying discs: these effects
-/// have reference implementations. `None` if the source does not load without effects.
-pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
-    let source = loaded.sources.first()?;
-    let apply = |with: &[&str]| from_text(&source.name, &source.text, with).ok();
-    let without = apply(&[])?;
-    if let Some(model) = loaded.model.as_ref().filter(|m| !m.effects.is_empty()) {
-        return Some((vec![model.clone()], without));
-    }
-    // A refused effect is for another kind of model, or is a duplicate of another effect.
-    let mut known = known_effects(&without);
-    known.retain(|known| known.refused.is_none());
-    let models = flight::parallel::each(known.len(), |index| apply(&[known[index].effect.name()]));
-    let (mut alone, mut together, mut specific) = (Vec::new(), Vec::new(), Vec::new());
-    for (known, model) in known.iter().zip(models) {
-        let Some(model) = model else {
-            continue;
-        };
-        alone.push(model);
-        let name = known.effect.name().to_owned();
-        if known.origin == Origin::Specific {
-            specific.push(name.clone());
-        }
-        if known.origin != Origin::Own {
-            together.push(name);
-        }
-    }
-    if specific == together {
-        specific.clear();
-    }
-    for several in [together, specific] {
-        let names: Vec<&str> = several.iter().map(String::as_str).collect();
-        if names.len() > 1 {
-            alone.extend(apply(&names));
-        }
-    }
-    Some((alone, without))
+/// A model with effects, and its compiled state derivatives and observation.
+pub struct Variant {
+    /// The model, with at least one effect.
+    pub model: Model,
+    /// Compiled state derivatives and observation of the model.
+    pub values: Values,
 }
 
-/// Checks for each model of `with` that its effects change nothing at their null values. The state derivatives must
-/// equal those of the model `without` effects, and be computed with no more operations. Each model comes with its
-/// compiled state derivatives and observation.
-pub fn check(without: &Model, with: &[(Model, Values)], options: &Options) -> Row {
+impl Variant {
+    /// Compiles the state derivatives and the observation of a model with effects.
+    pub fn new(model: Model) -> Self {
+        let values = Values::of(&model);
+        Self { model, values }
+    }
+
+    /// Names of the effects of the model, for messages.
+    fn names(&self) -> String {
+        let names = self.model.effects.iter().map(|e| e.name.as_str());
+        names.collect::<Vec<_>>().join(" with ")
+    }
+}
+
+/// Both checks of effects: of the loaded model if it has effects, else of models with each effect that can be added,
+/// and with all of these that are not declared in the model file.
+pub fn rows(loaded: &Loaded, options: &Options) -> [Row; 2] {
+    let without = loaded
+        .sources
+        .first()
+        .and_then(|source| from_text(&source.name, &source.text, &[]).ok());
+    match without {
+        Some(without) => {
+            let with = variants(loaded, &without);
+            let with = flight::parallel::each(with.len(), |k| Variant::new(with[k].clone()));
+            [
+                check(&without, &with, options),
+                against_oracle(&with, options),
+            ]
+        }
+        None => {
+            [EFFECTS, EFFECT_REFERENCE].map(|name| Row::unverified(name, "the model is refused"))
+        }
+    }
+}
+
+/// Models with effects that are checked, see [`rows`].
+fn variants(loaded: &Loaded, without: &Model) -> Vec<Model> {
+    if let Some(model) = loaded.model.as_ref().filter(|m| !m.effects.is_empty()) {
+        return vec![model.clone()];
+    }
+    let source = &loaded.sources[0];
+    let apply = |with: &[&str]| from_text(&source.name, &source.text, with).ok();
+    // A refused effect is for another kind of model, or is a duplicate of another effect.
+    let mut known = known_effects(without);
+    known.retain(|known| known.refused.is_none());
+    let alone = flight::parallel::each(known.len(), |k| apply(&[known[k].effect.name()]));
+    let can_be_added = known
+        .iter()
+        .zip(&alone)
+        .filter(|(_, model)| model.is_some());
+    let together = can_be_added.filter(|(known, _)| known.origin != Origin::Own);
+    let together: Vec<&str> = together.map(|(known, _)| known.effect.name()).collect();
+    let together = (together.len() > 1).then(|| apply(&together));
+    let together = together.flatten();
+    alone.into_iter().flatten().chain(together).collect()
+}
+
+/// Checks that effects change nothing at their null values, and cost no operations.
+fn check(without: &Model, with: &[Variant], options: &Options) -> Row {
     if with.is_empty() {
         return Row::skipped(EFFECTS, "no effects for this model");
     }
@@ -71,17 +99,18 @@ pub fn check(without: &Model, with: &[(Model, Values)], options: &Options) -> Ro
     let mut random = Random::new(options.seed, "effects off");
     let mut worst = Worst::default();
     let mut faults = Vec::new();
-    for (model, engine) in with {
-        let names: Vec<&str> = model.effects.iter().map(|e| e.name.as_str()).collect();
-        let names = names.join(" with ");
+    for variant in with {
+        let (model, names) = (&variant.model, variant.names());
+        let pairing = Pairing::of(&Layout::new(model), &Layout::new(without));
         for _ in 0..options.cases.div_ceil(10) {
             let point = off(model, sample::point(model, &mut random));
-            let Some(bare) = bare(without, model, &point) else {
+            if !pairing.is_complete() {
                 faults.push(format!("{names}: the model without it has other names"));
                 break;
-            };
+            }
+            let bare = pairing.carry(&point, &Point::defaults(without));
             let sizes = derivatives(model, &point.lift::<ErrorBound>()).unwrap_or_default();
-            let rates = engine.rates(&point);
+            let rates = variant.values.rates(&point);
             let expected = plain.rates(&bare);
             for ((rate, expected), size) in rates.iter().zip(&expected).zip(sizes) {
                 let error = ErrorBound {
@@ -93,12 +122,7 @@ pub fn check(without: &Model, with: &[(Model, Values)], options: &Options) -> Ro
             }
         }
         let mut fixed = model.clone();
-        for c in model.effects.iter().flat_map(|e| &e.coefficients) {
-            fix_coefficient(&mut fixed, c.index, c.null_value);
-        }
-        for own in model.effects.iter().flat_map(|e| &e.states) {
-            fix_state(&mut fixed, own.index, own.null_value);
-        }
+        fix_effects(&mut fixed);
         let (was, is) = (plain.operations(), Values::of(&fixed).operations());
         if is > was {
             faults.push(format!(
@@ -117,8 +141,32 @@ pub fn check(without: &Model, with: &[(Model, Values)], options: &Options) -> Ro
     }
 }
 
-/// Returns the point with all coefficients and states of the model's effects at their null values, at which the effects
-/// do not act.
+/// Compares state derivatives and observation with those of the oracle. Coefficients of effects are within half of
+/// their bounds, because larger values may make the inertia singular.
+pub fn against_oracle(with: &[Variant], options: &Options) -> Row {
+    if with.is_empty() {
+        return Row::skipped(EFFECT_REFERENCE, "no effects for this model");
+    }
+    let mut random = Random::new(options.seed, EFFECT_REFERENCE);
+    let mut worst = Worst::default();
+    for variant in with {
+        let (model, names) = (&variant.model, variant.names());
+        for _ in 0..options.cases.div_ceil(10) {
+            let mut point = sample::point(model, &mut random);
+            for c in model.effects.iter().flat_map(|e| &e.coefficients) {
+                let (low, high) = model.coefficients[c.index].bounds.unwrap_or((-1.0, 1.0));
+                point.coefficients[c.index] = random.between(low / 2.0, high / 2.0);
+            }
+            let errors = |error, name| worst.update(error, || format!("{name} with {names}"));
+            if let Err(why) = reference::with_tree(model, &variant.values, &point, errors) {
+                return Row::unverified(EFFECT_REFERENCE, why.to_string());
+            }
+        }
+    }
+    Row::judged(EFFECT_REFERENCE, with.len(), &worst, TOLERANCE)
+}
+
+/// The point with all effects at their null values.
 fn off(model: &Model, mut point: Point<f64>) -> Point<f64> {
     for c in model.effects.iter().flat_map(|e| &e.coefficients) {
         point.coefficients[c.index] = c.null_value;
@@ -127,19 +175,4 @@ fn off(model: &Model, mut point: Point<f64>) -> Point<f64> {
         point.states[own.index] = own.null_value;
     }
     point
-}
-
-/// Converts a point of the model `with` effects to a point of the model `without` effects, by the names of states,
-/// parameters, coefficients and inputs. `None` if a name is missing in the model with effects.
-fn bare(without: &Model, with: &Model, point: &Point<f64>) -> Option<Point<f64>> {
-    let mut bare = Point::defaults(without);
-    bare.time = point.time;
-    bare.marker = point.marker;
-    if !carry_by_name(with, point, without, &mut bare) {
-        return None;
-    }
-    for (state, to) in without.states.iter().zip(&mut bare.states) {
-        *to = point.states[with.states.iter().position(|s| s.name == state.name)?];
-    }
-    Some(bare)
 }

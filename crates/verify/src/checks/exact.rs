@@ -3,33 +3,30 @@
 //! points of the field of integers modulo 2^61 − 1. Equality at all points proves equality up to the stated probability
 //! (Schwartz–Zippel lemma).
 
-use crate::field::{Machine, on_circle};
+use crate::evaluation::results;
+use crate::field::FieldPoint;
 use crate::options::Options;
 use crate::random::Random;
 use crate::row::Row;
 use crate::subject::Subject;
+use crate::symbolic::evaluate;
 use codegen::Compiled;
 use model_spec::diagnostic::Span;
 use model_spec::model::{Expr, ExprKind, Input, Load, Model, Shape};
 use model_spec::unit::Unit;
-use num_traits::{One, Zero};
-use oracle::scalar::{Field, Prime};
-use oracle::{Point, free_load_derivatives};
+use oracle::derivatives;
 
 /// Name of this check in reports: derivatives of a rigid body under an arbitrary force and moment, in exact arithmetic.
 pub const EXACT: &str = "rigid body, exact";
 
-/// Number of random points of the prime field at which the compiled state derivatives are compared with those of the
-/// reference simulator. Two different functions of total degree at most d agree at one point with probability at most d
-/// / 2^61.
+/// Number of random points of the prime field. Two functions of total degree at most d agree at one by chance with a
+/// probability of d / 2^61.
 pub const POINTS: usize = 8;
-/// Upper bound of the total degree of the state derivatives, which are compared as rational functions. The probability
-/// that different functions agree at a random point of the prime field follows from it (Schwartz-Zippel lemma).
+/// Upper bound of the total degree of the state derivatives.
 const DEGREE: f64 = 1e3;
 
-/// Compares the compiled derivatives of the model's rigid body with those of the reference simulator in exact
-/// arithmetic. All loads of the model are replaced by one arbitrary force and moment. The check does not apply to a
-/// model without a declared body, whose equations are written explicitly.
+/// Compares the compiled derivatives of the model's body, under one arbitrary force and moment in place of its loads,
+/// with those of the oracle.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     if subject.model.body.is_none() {
         return match &subject.reference {
@@ -41,29 +38,26 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     compare(&model, &codegen::compile(&model), options)
 }
 
-/// Compares the state derivatives of a compiled model with those of the reference simulator at random points of the
-/// prime field. The last two inputs of the model must be the arbitrary force and moment that [`free_loads`] adds.
+/// Compares the state derivatives of a compiled model of [`free_loads`] with those of the oracle.
 pub fn compare(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     let mut random = Random::new(options.seed, EXACT);
     let mut faults = Vec::new();
     for _ in 0..POINTS {
         let spot = FieldPoint::random(model, &mut random);
-        let circle = |i: usize| spot.circles[i];
-        let count = model.inputs.len();
-        let (force, moment) = (spot.point.inputs[count - 2], spot.point.inputs[count - 1]);
-        let expected = match free_load_derivatives(model, &spot.point, circle, force, moment) {
-            Ok(expected) => expected,
+        let rates = evaluate(&spot, false, |point| {
+            let found = results(compiled, [&compiled.f], point).swap_remove(0).1;
+            derivatives(model, point).map(|expected| found.into_iter().zip(expected))
+        });
+        let rates = match rates {
+            Ok(rates) => rates,
             Err(why) => return Row::skipped(EXACT, why.to_string()),
         };
-        let mut machine = Machine::new(&spot.point, &spot.circles, false);
-        machine.prepared = machine.run(&compiled.prepare.program);
-        let found = machine.run(&compiled.f.program);
-        for ((found, expected), state) in found.iter().zip(expected).zip(&model.states) {
-            let Some(found) = found else {
+        for ((found, expected), state) in rates.zip(&model.states) {
+            let (Some(found), Some(expected)) = (found.0, expected.0) else {
                 return Row::skipped(EXACT, format!("der({}) is not rational", state.name));
             };
             let fault = format!("der({}) is another function", state.name);
-            if *found != expected && !faults.contains(&fault) {
+            if found != expected && !faults.contains(&fault) {
                 faults.push(fault);
             }
         }
@@ -73,9 +67,8 @@ pub fn compare(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     Row::counted(EXACT, POINTS, &faults, &says)
 }
 
-/// Returns the model with all loads replaced by one force and one moment that can be chosen freely: they are the last
-/// two inputs, in inertial components. A point mass gets no moment. Equations written explicitly in the model file are
-/// removed, and so is the clock.
+/// The model under one force and moment (no moment on a point) that are its last two inputs, without stated equations
+/// and clock.
 pub fn free_loads(model: &Model) -> Model {
     let mut model = model.clone();
     let mut load = |name: &str| {
@@ -108,38 +101,4 @@ pub fn free_loads(model: &Model) -> Model {
         Vec::new()
     };
     model
-}
-
-/// Random values of a model's variables, as elements of the prime field, with the sine and cosine of every state.
-pub struct FieldPoint {
-    /// Values in the prime field of time, parameters, coefficients, inputs, states and marker.
-    pub point: Point<Prime>,
-    /// (sine, cosine) of every state, as elements of the prime field.
-    pub circles: Vec<(Prime, Prime)>,
-}
-
-impl FieldPoint {
-    /// Draws random values in the prime field for all variables of a model; attitude quaternions have norm 1.
-    pub fn random(model: &Model, random: &mut Random) -> Self {
-        let mut point = Point::defaults(model).map(|_| random.prime());
-        for states in model.quaternions() {
-            for (i, part) in states.into_iter().zip(unit_quaternion(random)) {
-                point.states[i] = part;
-            }
-        }
-        let circles = point.states.iter().map(|_| on_circle(random.prime()));
-        Self {
-            circles: circles.collect(),
-            point,
-        }
-    }
-}
-
-/// Draws a random unit quaternion over the prime field, by a rational parametrization of the sphere.
-fn unit_quaternion(random: &mut Random) -> [Prime; 4] {
-    let v = [random.prime(), random.prime(), random.prime()];
-    let square = v.iter().fold(Prime::zero(), |sum, &t| sum + t * t);
-    let scale = (Prime::one() + square).inverse();
-    let [x, y, z] = v.map(|t| Prime::integer(2) * t * scale);
-    [(Prime::one() - square) * scale, x, y, z]
 }

@@ -4,10 +4,11 @@
 //! of their arguments. Branches and rounded constants, which the field cannot decide, are compared in 256-bit
 //! arithmetic at states of the model.
 
-use super::exact::{FieldPoint, POINTS};
-use super::function_rows::{Variable, differences, functions, law, variables};
+use super::exact::POINTS;
+use super::function_rows::{differences, functions, law, variables};
 use super::long_functions;
-use crate::field::{self, Angle, Machine};
+use crate::evaluation::results;
+use crate::field::{self, FieldPoint};
 use crate::options::Options;
 use crate::random::Random;
 use crate::row::Row;
@@ -16,27 +17,20 @@ use codegen::Compiled;
 use codegen::functions::MathFunction;
 use codegen::program::{Binary, Op, Operand, Unary};
 use model_spec::model::Model;
-use oracle::scalar::{Dual, Prime};
+use oracle::scalar::Dual;
 
-/// Name of this check in reports: compiled state derivatives f, Jacobians J (states) and Jp (parameters) and
-/// observation, compared in exact arithmetic with the model's vector expressions.
+/// Name of this check in reports.
 pub const FUNCTIONS: &str = "f, J and Jp, exact";
 
-/// Maximum number of random trial points of the prime field. A trial point is usable only if the argument of every
-/// square root is a square in the field.
+/// Maximum number of trial points of the prime field: roots do not exist at all of them.
 const MAX_TRIALS: usize = 4096;
 
-/// Upper bound of the total degree of the compared functions, as polynomials in variables and transcendental function
-/// values. The probability that different functions agree at a random point of the prime field follows from it
-/// (Schwartz-Zippel lemma).
+/// Upper bound of the total degree of the compared functions.
 const DEGREE: f64 = 1e4;
-/// Number of random points of the prime field after which the compiled code is reported to contain another square root
-/// than the model. Only points are counted at which all square roots in the model's vector expressions exist in the
-/// field, but one in the compiled code does not.
+/// Number of points, at which roots of the law exist but one of the code does not, after which the code is refuted.
 const LACKING: usize = 64;
 
-/// Compares the state derivatives f, the Jacobians J (states) and Jp (parameters) and the observation of a compiled
-/// model with the model's vector expressions, and returns the result of this check.
+/// Compares f, J, Jp and the observation of a compiled model with its vector expressions.
 pub fn check(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     let mut random = Random::new(options.seed, FUNCTIONS);
     let mut faults: Vec<String> = Vec::new();
@@ -76,9 +70,7 @@ pub fn check(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     Row::counted(FUNCTIONS, good, &faults, &says)
 }
 
-/// Result of the check for functions that cannot be compared in the prime field, for the reason `why`. The result is
-/// refuted if the compiled code and the model's vector expressions differ in 256-bit arithmetic. Otherwise it is
-/// skipped, with `why` as the detail.
+/// Comparison in 256-bit arithmetic where the prime field cannot decide, for the reason `why`: refuted or skipped.
 fn in_long_arithmetic(model: &Model, compiled: &Compiled, options: &Options, why: &str) -> Row {
     let mut random = Random::new(options.seed, "f, J and Jp in 256 bits");
     match long_functions::faults(model, compiled, &mut random) {
@@ -91,69 +83,42 @@ fn in_long_arithmetic(model: &Model, compiled: &Compiled, options: &Options, why
     }
 }
 
-/// Result of comparing compiled code with the model's vector expressions (the law) at one point of the prime field.
+/// Comparison at one point of the prime field.
 enum Compared {
-    /// Names of the values and derivatives in which the compiled code and the model's vector expressions differ; empty
-    /// if all agree.
+    /// Names of the values and derivatives that differ.
     At(Vec<String>),
-    /// The model's vector expressions have no value in the prime field, because the argument of a square root is not a
-    /// square there.
+    /// A root of the vector expressions does not exist.
     NoLaw,
-    /// The compiled code has no value in the prime field, because the argument of a square root is not a square there,
-    /// although the model's vector expressions have values.
+    /// A root of the code does not exist, but those of the vector expressions do.
     NoCode,
 }
 
 fn compare(model: &Model, compiled: &Compiled, spot: &FieldPoint) -> Compared {
-    let mut machine = Machine::new(&spot.point, &spot.circles, true);
-    machine.prepared = machine.run(&compiled.prepare.program);
-    let results = functions(compiled).map(|function| {
-        let values = machine.run(&function.program);
-        Some((
-            function,
-            values.into_iter().collect::<Option<Vec<Prime>>>()?,
-        ))
-    });
-    let results: Option<Vec<_>> = results.into_iter().collect();
-    let mut faults = Vec::new();
-    for variable in variables(model, compiled, &spot.point.states) {
-        let Some(expected) = exact_law(model, spot, &variable) else {
-            return Compared::NoLaw;
-        };
-        let Some(results) = &results else {
-            return Compared::NoCode;
-        };
-        let differ = |found, expected| found != expected;
-        faults.extend(differences(model, results, &variable, &expected, &differ));
-    }
-    faults.sort();
-    faults.dedup();
-    Compared::At(faults)
+    evaluate(spot, true, |point| {
+        let results = results(compiled, functions(compiled), point);
+        let exists = |value: Symbolic| value.0.is_some();
+        let is_complete = results.iter().all(|(_, v)| v.iter().all(|&v| exists(v)));
+        let mut faults = Vec::new();
+        for variable in variables(model, compiled, &point.states) {
+            let expected = law(model, point, &variable).unwrap_or_default();
+            let both = |row: &Dual<Symbolic>| exists(row.value) && exists(row.derivative);
+            if expected.is_empty() || !expected.iter().all(both) {
+                return Compared::NoLaw;
+            }
+            if !is_complete {
+                return Compared::NoCode;
+            }
+            let differ = |found, expected| found != expected;
+            faults.extend(differences(model, &results, &variable, &expected, &differ));
+        }
+        faults.sort();
+        faults.dedup();
+        Compared::At(faults)
+    })
 }
 
-/// Every state derivative and component of the observation, from the model's vector expressions over the prime field,
-/// with its derivative with respect to a variable. `None` if the argument of a square root is not a square in the
-/// field.
-fn exact_law(
-    model: &Model,
-    spot: &FieldPoint,
-    variable: &Variable<'_, Prime>,
-) -> Option<Vec<Dual<Prime>>> {
-    let direction = variable.direction.iter().map(|&d| Symbolic(d)).collect();
-    let variable = variable.along(direction);
-    let states = spot.point.states.iter().zip(&spot.circles);
-    let angles: Vec<Angle> = states.map(|(&s, &circle)| (s, circle)).collect();
-    let rows = evaluate(angles, || law(model, &spot.point.map(Symbolic), &variable))??;
-    let rows = rows.iter();
-    Some(
-        rows.map(|row| Dual::new(row.value.0, row.derivative.0))
-            .collect(),
-    )
-}
-
-/// Reason why different values in the prime field do not prove that the compiled code and the model's vector
-/// expressions differ; `None` if they prove it. The reason is that the code contains branches or rounded constants. The
-/// field represents these by pseudo-random elements, so that equal functions may have different values.
+/// Why different values in the field prove nothing: branches and rounded constants are symbols there. `None` if they
+/// do.
 fn undecided(compiled: &Compiled) -> Option<&'static str> {
     let statements = compiled
         .functions()

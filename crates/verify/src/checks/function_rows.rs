@@ -4,11 +4,10 @@ use codegen::Compiled;
 use codegen::program::Function;
 use model_spec::model::{FrameKind, Model};
 use oracle::scalar::{Dual, Field, Real};
-use oracle::{Point, Tree, derivatives_of};
+use oracle::{Point, Reference, Tree, Unsupported, derivatives_of};
 use std::ops::Range;
 
-/// Compiled functions that are compared with the model's vector expressions: `f`, `f_jac` and `f_jac_par` (state
-/// derivatives, also with their Jacobians), `observe` and `observe_jac` (observation, also with its Jacobians).
+/// Compiled functions that are compared with the vector expressions.
 pub(super) fn functions(compiled: &Compiled) -> [&Function; 5] {
     [
         &compiled.f,
@@ -31,7 +30,7 @@ pub(super) struct Variable<'a, T> {
 }
 
 impl<'a, T> Variable<'a, T> {
-    /// Returns this variable with the given direction of differentiation, a vector in state space.
+    /// The variable with another direction.
     pub fn along<U>(&self, direction: Vec<U>) -> Variable<'a, U> {
         Variable {
             name: self.name,
@@ -41,8 +40,7 @@ impl<'a, T> Variable<'a, T> {
     }
 }
 
-/// Variables by which the functions of a compiled model are differentiated: its states and parameters, each with the
-/// direction in which it varies at the given states.
+/// States and parameters of a compiled model, each with its direction at the given states.
 pub(super) fn variables<'a, T: Field>(
     model: &Model,
     compiled: &'a Compiled,
@@ -58,8 +56,7 @@ pub(super) fn variables<'a, T: Field>(
     names.map(variable).collect()
 }
 
-/// Every state derivative and component of the observation, from the model's vector expressions, with its derivative
-/// with respect to a variable. `None` if the model has no equations of motion.
+/// State derivatives and observation from the vector expressions, with their derivatives with respect to a variable.
 pub(super) fn law<T: Real>(
     model: &Model,
     point: &Point<T>,
@@ -74,11 +71,60 @@ pub(super) fn law<T: Real>(
     {
         value.derivative = T::one();
     }
-    tree_column(model, &point)
+    tree_column(model, &point).ok()
 }
 
-/// Names of the results of compiled functions, and of their derivatives with respect to a variable, that differ from
-/// the `expected` values. `results` contains all outputs of each function.
+/// A scalar result of a compiled function, and its derivative with respect to a variable.
+pub(super) struct Value<'a, T> {
+    model: &'a Model,
+    function: &'static str,
+    variable: &'a str,
+    /// Index of the result among the state derivatives, followed by the components of the observation.
+    pub row: usize,
+    /// The result itself.
+    pub found: T,
+    /// Derivative of the result; `None` if the function does not compute it.
+    pub derivative: Option<T>,
+}
+
+impl<T> Value<'_, T> {
+    /// Name of the result, such as `der(v) in f_jac`.
+    pub fn name(&self) -> String {
+        format!("{} in {}", row_name(self.model, self.row), self.function)
+    }
+
+    /// Name of the derivative, such as `∂der(v)/∂m in f_jac_par`.
+    pub fn entry(&self) -> String {
+        let (row, variable) = (row_name(self.model, self.row), self.variable);
+        format!("∂{row}/∂{variable} in {}", self.function)
+    }
+}
+
+/// Results of compiled functions, given with all their outputs, and their derivatives with respect to a variable;
+/// `rows` is the number of results of the model.
+pub(super) fn compared<'a, T: Field>(
+    model: &'a Model,
+    results: &[(&Function, Vec<T>)],
+    variable: &Variable<'a, T>,
+    rows: usize,
+) -> Vec<Value<'a, T>> {
+    let mut out = Vec::new();
+    for (function, values) in results {
+        let (rows, section, jacobians) = sections(function, model.states.len(), rows);
+        let found = rows.zip(&values[function.range(section)]).enumerate();
+        out.extend(found.map(|(k, (row, &found))| Value {
+            model,
+            function: function.name,
+            variable: variable.name,
+            row,
+            found,
+            derivative: along(function, values, jacobians, k, variable),
+        }));
+    }
+    out
+}
+
+/// Names of results and derivatives that differ from the `expected` values.
 pub(super) fn differences<T: Field>(
     model: &Model,
     results: &[(&Function, Vec<T>)],
@@ -87,27 +133,20 @@ pub(super) fn differences<T: Field>(
     differ: &dyn Fn(T, T) -> bool,
 ) -> Vec<String> {
     let mut faults = Vec::new();
-    for (function, values) in results {
-        let (rows, section, jacobians) = sections(function, model.states.len(), expected.len());
-        let first = function.range(section).start;
-        for (k, row) in rows.enumerate() {
-            let name = row_name(model, row);
-            if differ(values[first + k], expected[row].value) {
-                faults.push(format!("{name} in {}", function.name));
-            }
-            let found = along(function, values, jacobians, k, variable);
-            if found.is_some_and(|found| differ(found, expected[row].derivative)) {
-                faults.push(format!("∂{name}/∂{} in {}", variable.name, function.name));
-            }
+    for value in compared(model, results, variable, expected.len()) {
+        let expected = expected[value.row];
+        if differ(value.found, expected.value) {
+            faults.push(value.name());
+        }
+        if { value.derivative }.is_some_and(|found| differ(found, expected.derivative)) {
+            faults.push(value.entry());
         }
     }
     faults
 }
 
-/// Describes the outputs of a compiled function. A model has `all` scalar results: first `states` state derivatives,
-/// then the components of the observation. Returns the index range of those that the function computes, the name of its
-/// group of outputs with their values, and the names of its groups of outputs with their Jacobians with respect to
-/// states and to parameters.
+/// Outputs of a compiled function: range of its results among the `all` results of the model, name of their group, and
+/// names of the groups of Jacobians by states and by parameters.
 fn sections(
     function: &Function,
     states: usize,
@@ -119,10 +158,8 @@ fn sections(
     }
 }
 
-/// Derivative of one scalar result of a compiled function with respect to a variable. It is computed from the Jacobian
-/// entries in `values`, which contains all outputs of the function. `row` is the row of the result in the Jacobians.
-/// `by_state` and `by_parameter` are the names of the groups of outputs that contain the Jacobians with respect to
-/// states and to parameters. `None` if the function does not compute the required Jacobian.
+/// Derivative of the result `row` of a function with the outputs `values`; the array contains the names of its
+/// Jacobians. `None` if the function has no such Jacobian.
 fn along<T: Field>(
     function: &Function,
     values: &[T],
@@ -174,8 +211,7 @@ pub(super) fn direction<T: Field>(model: &Model, states: &[T], variable: usize) 
     out
 }
 
-/// Name, for messages, of the scalar result (row) of a model with index `row`: `der(v)` for the derivative of the state
-/// v, `observation 1` for a component of the observation.
+/// Name of a result: `der(v)` or `observation 1`.
 pub(super) fn row_name(model: &Model, row: usize) -> String {
     match model.states.get(row) {
         Some(state) => format!("der({})", state.name),
@@ -183,13 +219,28 @@ pub(super) fn row_name(model: &Model, row: usize) -> String {
     }
 }
 
-/// State derivatives, followed by the observation, from the model's vector expressions; `None` if these cannot be
-/// evaluated.
-pub(super) fn tree_column<T: Real>(model: &Model, point: &Point<T>) -> Option<Vec<T>> {
+/// State derivatives and observation from the vector expressions.
+///
+/// # Errors
+/// [`Unsupported`] if the vector expressions cannot be evaluated.
+pub(super) fn tree_column<T: Real>(model: &Model, point: &Point<T>) -> Result<Vec<T>, Unsupported> {
     let tree = Tree::new(model, point);
-    let mut out = derivatives_of(&tree).ok()?;
+    let mut out = derivatives_of(&tree)?;
     if let Some(observed) = &model.observation {
         out.extend(tree.vector(&observed.value).iter());
     }
-    Some(out)
+    Ok(out)
+}
+
+/// Derivatives with respect to true time, and observation, from the reference implementation.
+pub(super) fn reference_column<T: Real>(
+    reference: &Reference,
+    model: &Model,
+    point: &Point<T>,
+) -> Vec<T> {
+    let mut out = reference.derivatives(point);
+    if model.observation.is_some() {
+        out.extend(reference.observation(point).iter());
+    }
+    out
 }

@@ -1,6 +1,6 @@
 //! Checks the balance laws under arbitrary loads: dp/dt = F, dH/dt = M, dE/dt = F·v + M·ω, and dr/dt = v.
 
-use crate::claim::{Bounded, along, compare_sides};
+use crate::claim::{Bounded, along, errors};
 use crate::options::{Options, TOLERANCE};
 use crate::random::Random;
 use crate::row::{Row, Worst};
@@ -8,13 +8,12 @@ use crate::sample;
 use crate::subject::{Subject, body_properties};
 use nalgebra::Vector3;
 use oracle::scalar::{Dual, ErrorBound, Real};
-use oracle::{ClaimedBody, MassProperties, Motion, Point, Tree, Turning, inertia_in_n};
+use oracle::{BalanceLaw, ClaimedBody, MassProperties, Motion, Point, Tree, Turning, inertia_in_n};
 
 /// Name of this check in reports: balances of momentum, angular momentum and energy at random points.
 pub const IDENTITIES: &str = "momentum and energy";
 
-/// Checks at random points the balances of momentum dp/dt = F, angular momentum dH/dt = M, energy dE/dt = F·v + M·ω and
-/// position dr/dt = v. F is the force and M the moment on the body.
+/// Checks the balances dp/dt = F, dH/dt = M, dE/dt = F·v + M·ω and dr/dt = v at random points.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     let model = subject.model;
     if subject.is_known_by_claim() {
@@ -76,9 +75,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     Row::judged(IDENTITIES, options.cases, &worst, TOLERANCE)
 }
 
-/// Checks the balances of momentum, angular momentum, energy and position for the body that the model's explicitly
-/// written equations are declared to describe. Effects have their null values, at which they change nothing;
-/// coefficients added by the model's author have random values.
+/// Checks the balances of a claimed body; effects have their null values, coefficients of the author random ones.
 fn of_claim(subject: &Subject<'_>, options: &Options) -> Row {
     let mut random = Random::new(options.seed, IDENTITIES);
     let mut worst = Worst::default();
@@ -92,28 +89,27 @@ fn of_claim(subject: &Subject<'_>, options: &Options) -> Row {
     Row::judged(IDENTITIES, options.cases, &worst, TOLERANCE)
 }
 
-/// Compares both sides of each balance of a body whose derivatives are those with respect to time.
+/// Compares both sides of each balance; derivatives are those with respect to time.
 fn compare_balances(body: &ClaimedBody<Bounded>, worst: &mut Worst) {
-    let value = |v: &Vector3<Bounded>| v.map(|d| d.value);
-    let derivative = |v: &Vector3<Bounded>| v.map(|d| d.derivative);
-    if let Some(turning) = &body.turning {
-        let change = derivative(&body.angular_momentum());
-        compare_sides(worst, "dH/dt against M", change, value(&turning.moment));
+    for balance in body.balances() {
+        let names = match balance.law {
+            BalanceLaw::AngularMomentum => "dH/dt against M",
+            BalanceLaw::Momentum => "dp/dt against F",
+            BalanceLaw::Position => "dr/dt against v",
+            BalanceLaw::Attitude => continue,
+        };
+        for error in errors(&balance) {
+            worst.update(error, || names.to_owned());
+        }
     }
-    let (change, force) = (derivative(&body.momentum()), value(&body.force));
-    compare_sides(worst, "dp/dt against F", change, force);
-    let (change, velocity) = (derivative(&body.position), value(&body.velocity));
-    compare_sides(worst, "dr/dt against v", change, velocity);
-    let (energy, power) = (body.kinetic_energy().derivative, body.power().value);
-    let (change, power) = (Vector3::repeat(energy), Vector3::repeat(power));
-    compare_sides(worst, "dE/dt against F·v + M·ω", change, power);
+    let energy = body.kinetic_energy().derivative - body.power().value;
+    let name = || String::from("dE/dt against F·v + M·ω");
+    worst.update(energy.relative_error(0.0), name);
 }
 
-/// Force (N) and moment (N·m) in inertial components, and mass properties in the body frame, at a point. Force and
-/// moment are those of the model's body or, without one, those of the reference law. The mass properties are those of
-/// the reference law, so that a wrong mass in the model is detected. If there is no reference law, or if `with_own` is
-/// true (coefficients added by the model's author are not at their null values), they are those of the body. `None` if
-/// the required body or reference law does not exist.
+/// Force (N) and moment (N·m) in inertial components, of the body or else the reference law, and mass properties, of
+/// the reference law so that a wrong mass is detected, or else (`with_own`: coefficients of the author act) of the
+/// body.
 fn loads(
     subject: &Subject<'_>,
     point: &Point<ErrorBound>,

@@ -3,7 +3,7 @@
 //! differences.
 
 use super::function_rows::{differences, functions, law, variables};
-use crate::evaluation::{Inputs, magnitudes, outputs};
+use crate::evaluation::long_results;
 use crate::random::Random;
 use crate::sample;
 use codegen::Compiled;
@@ -12,24 +12,17 @@ use model_spec::model::Model;
 use oracle::Point;
 use oracle::scalar::{Big, Dual, ErrorBound, Lockstep, Real, with_numbers};
 
-/// Number of points at which the compiled functions are compared with the model's vector expressions. It is more than
-/// one so that functions with branches are likely to be compared on every branch.
+/// Number of points, so that functions are likely to be compared on every branch.
 const POINTS: usize = 8;
-/// Maximum number of random draws to find a point at which rounding cannot change the result of a branch, such as that
-/// of abs.
+/// Maximum number of draws of a point at which rounding decides no branch.
 const MAX_DRAWS: usize = 30;
-/// Maximum difference between a value of the compiled code and that of the model's vector expressions, relative to the
-/// magnitude of the terms of the value. It is about a thousand times the error of a constant that the code rounds to
-/// f64.
+/// Maximum difference, relative to the magnitude of the terms: a thousand times that of a constant rounded to f64.
 const TOLERANCE: f64 = 1e-13;
 
-/// A floating-point number with a 256-bit mantissa, together with the sum of the magnitudes of the terms of the sum
-/// that yields it, to which its error is relative.
+/// A 256-bit number with the sum of the magnitudes of its terms.
 type Bounded = Lockstep<Big, ErrorBound>;
 
-/// Names of the values and derivatives in which the compiled functions differ from the model's vector expressions;
-/// empty if all agree. `None` if nothing was compared, because rounding may change the result of a branch at every
-/// drawn point.
+/// Names of the values and derivatives that differ; `None` if rounding may decide a branch at every drawn point.
 pub fn faults(model: &Model, compiled: &Compiled, random: &mut Random) -> Option<Vec<String>> {
     let (mut faults, mut compared) = (Vec::new(), 0);
     for _ in 0..MAX_DRAWS {
@@ -47,10 +40,14 @@ pub fn faults(model: &Model, compiled: &Compiled, random: &mut Random) -> Option
     (compared > 0).then_some(faults)
 }
 
-/// Names of the values and derivatives in which the compiled functions differ from the model's vector expressions at a
-/// point; `None` if rounding may change the result of a branch, such as that of abs, at this point.
+/// Names of the values and derivatives that differ at a point; `None` if rounding may decide a branch there.
 fn at(model: &Model, compiled: &Compiled, point: &Point<f64>) -> Option<Vec<String>> {
-    let results = evaluated(compiled, point)?;
+    let results = long_results(compiled, functions(compiled), point, true)?.into_iter();
+    let results = results.map(|(function, values)| {
+        let values = values.into_iter().map(bounded);
+        (function, values.collect())
+    });
+    let results: Vec<(&Function, Vec<Bounded>)> = results.collect();
     let (exact, bounds) = (point.lift::<Big>(), point.lift::<ErrorBound>());
     let exact_variables = variables(model, compiled, &exact.states);
     let bound_variables = variables(model, compiled, &bounds.states);
@@ -71,32 +68,11 @@ fn at(model: &Model, compiled: &Compiled, point: &Point<f64>) -> Option<Vec<Stri
     Some(faults)
 }
 
-/// All outputs of each compiled function that is compared, at a point; `None` if rounding may change the result of a
-/// branch, such as that of abs.
-fn evaluated<'a>(
-    compiled: &'a Compiled,
-    point: &Point<f64>,
-) -> Option<Vec<(&'a Function, Vec<Bounded>)>> {
-    let mut bounds: Inputs<ErrorBound> = Inputs::of(point);
-    let mut inputs: Inputs<Big> = Inputs::of(point);
-    let prepare = &compiled.prepare.program;
-    bounds.prepared = magnitudes(prepare, &bounds, Some(&inputs))?;
-    inputs.prepared = outputs(prepare, &inputs);
-    let each = functions(compiled).into_iter().map(|function| {
-        let bounds = magnitudes(&function.program, &bounds, Some(&inputs))?;
-        let values = outputs(&function.program, &inputs).into_iter().zip(bounds);
-        Some((function, values.map(bounded).collect()))
-    });
-    each.collect()
-}
-
 fn bounded((first, second): (Big, ErrorBound)) -> Bounded {
     Lockstep { first, second }
 }
 
-/// Whether a value `found` by the compiled code differs from the value `expected` from the model's vector expressions
-/// by more than [`TOLERANCE`], which allows for constants rounded to f64. The difference is relative to the expected
-/// value or, if that is larger, to the magnitude of the terms of either value.
+/// Whether two values differ by more than [`TOLERANCE`] of the value or of the magnitude of its terms.
 fn differ(found: Bounded, expected: Bounded) -> bool {
     let difference = (found.first - expected.first).re().abs();
     let size = expected.first.re().abs();

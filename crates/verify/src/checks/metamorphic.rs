@@ -24,8 +24,7 @@ use oracle::{Physical, PhysicalRate, Point, Quaternion, Tree};
 /// image.
 pub const METAMORPHIC: &str = "metamorphic relations";
 
-/// Maximum allowed relative error. It is larger than rounding errors because the states are computed with arcsines,
-/// which lose digits near ±1.
+/// Maximum relative error: arcsines lose digits near ±1.
 const TOLERANCE: f64 = 1e-10;
 
 /// A transformation, such as a translation, under which the laws of motion are invariant.
@@ -50,10 +49,8 @@ impl Relation {
     ];
 }
 
-/// Checks that the motion is invariant under every transformation that applies to the model. Coefficients that the
-/// reference law does not contain have their null values, at which they change nothing. The detail of the result also
-/// lists, for each such coefficient, the transformations under which the motion is not invariant if the coefficient is
-/// not null; this is not a fault.
+/// Checks that the motion is invariant under every transformation that applies. Coefficients that the reference law
+/// does not contain have their null values; the detail lists the relations that each breaks, which is no fault.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     let Some(meaning) = Meaning::of(subject) else {
         return subject.without_meaning(METAMORPHIC);
@@ -147,9 +144,8 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     row.with_detail(lines.join("\n").trim().to_owned())
 }
 
-/// Parameters of the transformations under which the motion should be invariant: shift (m), boost (m/s), delay (s) and
-/// angle (rad), which are drawn randomly, and the body's axis of revolution. The angle is that of a rotation about the
-/// vertical or about the axis of revolution.
+/// Random parameters of the transformations: shift (m), boost (m/s), delay (s), angle (rad) about the vertical or the
+/// axis of revolution.
 struct RandomTransformation {
     shift: Vector3<f64>,
     boost: Vector3<f64>,
@@ -171,9 +167,8 @@ impl RandomTransformation {
     }
 }
 
-/// Maximum relative error of the motion at a point under the transformation `symmetry`. The physical state is
-/// transformed, and the rates of motion (velocities and accelerations) at the transformed state are compared with the
-/// transformed rates at the original state. `None` if the states or rates cannot be determined.
+/// Maximum relative difference of the rates at the transformed state from the transformed rates; `None` if they cannot
+/// be determined.
 fn error(
     subject: &Subject<'_>,
     meaning: &Meaning<'_>,
@@ -195,8 +190,8 @@ fn error(
     let pace = subject.clock(&seen);
     let got = meaning.rate(&seen, &subject.flight_rates(&seen), pace)?;
     let mut worst = Worst::default();
-    for (what, error) in rate_differences(&got, &expected) {
-        worst.update(error, || what.to_owned());
+    for (_, error) in rate_differences(&got, &expected) {
+        worst.update(error, String::new);
     }
     Some(worst.error)
 }
@@ -216,16 +211,15 @@ fn transform(
         Relation::Translation => p.position += draw.shift,
         Relation::Heading => {
             let turn = heading.matrix();
-            p = map(&p, &turn, &turn, heading.times(p.attitude));
-            change = map_change(&change, &turn, &turn);
+            let attitude = heading.times(p.attitude);
+            map(&mut p, &mut change, turn, turn, attitude);
             inputs.iter_mut().for_each(|v| *v = turn * *v);
         }
         Relation::Mirror => {
             let polar = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0));
             // Conjugating a rotation matrix with a reflection gives a rotation; a symmetric body is mapped to itself.
             let attitude = Quaternion::from_matrix(&(polar * p.attitude.matrix() * polar));
-            p = map(&p, &polar, &-polar, attitude);
-            change = map_change(&change, &polar, &-polar);
+            map(&mut p, &mut change, polar, -polar, attitude);
             for (input, v) in model.inputs.iter().zip(&mut inputs) {
                 *v = match input.unit.doubled[Base::Metre as usize] {
                     0 => -polar * *v,
@@ -249,31 +243,27 @@ fn transform(
     (p, inputs, change)
 }
 
+/// Maps a physical state and its rate: polar vectors by `polar`, axial ones by `axial`.
 fn map(
-    p: &Physical<f64>,
-    polar: &Matrix3<f64>,
-    axial: &Matrix3<f64>,
+    p: &mut Physical<f64>,
+    change: &mut PhysicalRate,
+    polar: Matrix3<f64>,
+    axial: Matrix3<f64>,
     attitude: Quaternion<f64>,
-) -> Physical<f64> {
-    Physical {
-        position: polar * p.position,
-        velocity: polar * p.velocity,
-        attitude,
-        angular_velocity: axial * p.angular_velocity,
+) {
+    for v in [&mut p.position, &mut p.velocity] {
+        *v = polar * *v;
     }
+    for v in [&mut change.velocity, &mut change.acceleration] {
+        *v = polar * *v;
+    }
+    p.attitude = attitude;
+    p.angular_velocity = axial * p.angular_velocity;
+    change.angular_velocity = axial * change.angular_velocity;
+    change.angular_acceleration = axial * change.angular_acceleration;
 }
 
-fn map_change(c: &PhysicalRate, polar: &Matrix3<f64>, axial: &Matrix3<f64>) -> PhysicalRate {
-    PhysicalRate {
-        velocity: polar * c.velocity,
-        acceleration: polar * c.acceleration,
-        angular_velocity: axial * c.angular_velocity,
-        angular_acceleration: axial * c.angular_acceleration,
-    }
-}
-
-/// Whether the model's body is its own mirror image: its inertia tensor is invariant under reflection of the second
-/// axis of the frame in which it is declared (products of inertia 12 and 23 are 0).
+/// Whether the body is its own mirror image: products of inertia 12 and 23 are 0.
 fn is_symmetric(model: &Model, point: &Point<f64>) -> bool {
     let rotation = model.body.as_ref().and_then(|b| b.rotation.as_ref());
     let claimed = model.claim.as_ref().and_then(|c| c.rotation.as_ref());
@@ -286,8 +276,7 @@ fn is_symmetric(model: &Model, point: &Point<f64>) -> bool {
     })
 }
 
-/// Axis of revolution of the body (1, 2 or 3): the axis of the rotation from the frame in which the inertia is declared
-/// to the body frame. `None` if the inertia is declared in the body frame.
+/// Axis of revolution (1, 2 or 3): that of the rotation from the frame of the inertia to the body frame.
 fn axis_of_revolution(model: &Model) -> Option<u8> {
     let rotation = model.body.as_ref()?.rotation.as_ref()?;
     match model.frames[rotation.body_frame].kind {
@@ -298,7 +287,7 @@ fn axis_of_revolution(model: &Model) -> Option<u8> {
     }
 }
 
-/// Whether the model has an input with the unit of a velocity. Such an input is assumed to be the velocity of the air.
+/// Whether an input has the unit of a velocity, and so is the velocity of the air.
 fn has_wind(model: &Model) -> bool {
     model.inputs.iter().any(|input| is_velocity(input.unit))
 }

@@ -1,11 +1,9 @@
 //! The checks of a model, one module per check.
 
 pub mod backends;
-mod bounded;
 pub mod cases;
 pub mod claim;
 pub mod derivatives;
-pub mod effect_reference;
 pub mod effects;
 pub mod exact;
 pub mod exact_functions;

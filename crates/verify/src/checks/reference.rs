@@ -1,13 +1,14 @@
 //! Compares derivatives and observation with the reference implementation and with the model's vector expressions.
 
-use super::bounded::{compare_observation, compare_rates};
+use super::function_rows::{reference_column, tree_column};
 use crate::options::{Options, TOLERANCE};
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;
-use crate::subject::Subject;
+use crate::subject::{Equations, Subject};
+use model_spec::model::Model;
 use oracle::scalar::ErrorBound;
-use oracle::{Reference, Tree, derivatives_of};
+use oracle::{Point, Reference, Unsupported};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Name in reports of the check of the state derivatives and the observation against the reference implementation.
@@ -15,8 +16,8 @@ pub const REFERENCE: &str = "reference";
 /// Name in reports of the check against the model's vector expressions, as evaluated by the reference simulator.
 pub const TREE: &str = "vector tree";
 
-/// Compares state derivatives and observation with those of the reference law that the model names. Coefficients of the
-/// model that the law does not contain have their null values, at which they do not act.
+/// Compares state derivatives and observation with those of the reference law; coefficients that it does not contain
+/// have their null values.
 pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
     if let Some(why) = &subject.unbound {
         return Row::counted(REFERENCE, 1, &[why.to_string()], "");
@@ -32,19 +33,15 @@ pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
     let mut refused: Vec<String> = Vec::new();
     for _ in 0..options.cases {
         let point = subject.without_extras(sample::point(model, &mut random));
-        let lifted = point.lift::<ErrorBound>();
-        let got = subject.flight_rates(&point);
-        let mut errors = |error: f64, name: String| {
+        let mut found = subject.flight_rates(&point);
+        found.extend(subject.equations.observation(&point).iter().flatten());
+        let expected = reference_column(reference, model, &point.lift());
+        compare(model, &expected, &found, &added, |error, name| {
             if error > TOLERANCE && !refused.contains(&name) {
                 refused.push(name.clone());
             }
             worst.update(error, || name);
-        };
-        let expected = reference.derivatives(&lifted);
-        compare_rates(model, &expected, &got, &added, &mut errors);
-        if let Some(observed) = subject.equations.observation(&point) {
-            compare_observation(&reference.observation(&lifted), &observed, &mut errors);
-        }
+        });
     }
     let row = Row::judged(REFERENCE, options.cases, &worst, TOLERANCE);
     if refused.is_empty() {
@@ -64,9 +61,8 @@ pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
     ))
 }
 
-/// Lists the coefficients added by the model's author that make the equations differ from the reference law, one line
-/// (coefficient and the state derivatives that differ) each; `None` if there are none. Each coefficient is tested at
-/// random nonzero values and at its default value in the model file.
+/// A line for each coefficient of the author that makes the equations differ from the reference law, tested at random
+/// and default values.
 fn uncovered(
     subject: &Subject<'_>,
     reference: &Reference,
@@ -115,27 +111,55 @@ fn uncovered(
     Some(lines.collect())
 }
 
-/// Compares state derivatives and observation of the equations under test with those of the reference simulator. The
-/// simulator computes them from the vector expressions of the model. All coefficients have random nonzero values.
+/// Compares state derivatives and observation with those of the oracle's vector tree, all coefficients being random.
 pub fn tree(subject: &Subject<'_>, options: &Options) -> Row {
     let model = subject.model;
     let mut random = Random::new(options.seed, TREE);
     let mut worst = Worst::default();
     for _ in 0..options.cases {
         let point = sample::point(model, &mut random);
-        let lifted = point.lift::<ErrorBound>();
-        let tree = Tree::new(model, &lifted);
-        let expected = match derivatives_of(&tree) {
-            Ok(expected) => expected,
-            Err(why) => return Row::unverified(TREE, why.to_string()),
-        };
-        let got = subject.equations.rates(&point);
-        let mut errors = |error, name| worst.update(error, || name);
-        compare_rates(model, &expected, &got, &[], &mut errors);
-        let observed = subject.equations.observation(&point);
-        if let Some((observed, stated)) = observed.zip(model.observation.as_ref()) {
-            compare_observation(&tree.vector(&stated.value), &observed, &mut errors);
+        let errors = |error, name| worst.update(error, || name);
+        if let Err(why) = with_tree(model, subject.equations, &point, errors) {
+            return Row::unverified(TREE, why.to_string());
         }
     }
     Row::judged(TREE, options.cases, &worst, TOLERANCE)
+}
+
+/// Passes the error of every state derivative and component of the observation to `errors`, with its name.
+///
+/// # Errors
+/// [`Unsupported`] if the vector expressions cannot be evaluated.
+pub(super) fn with_tree(
+    model: &Model,
+    equations: &dyn Equations,
+    point: &Point<f64>,
+    errors: impl FnMut(f64, String),
+) -> Result<(), Unsupported> {
+    let expected = tree_column(model, &point.lift::<ErrorBound>())?;
+    let mut found = equations.rates(point);
+    found.extend(equations.observation(point).iter().flatten());
+    compare(model, &expected, &found, &[], errors);
+    Ok(())
+}
+
+/// Passes the error of each value, except the derivatives of the states `except`, to `errors`, relative to the sum of
+/// the magnitudes of the terms of the expected value.
+fn compare(
+    model: &Model,
+    expected: &[ErrorBound],
+    found: &[f64],
+    except: &[usize],
+    mut errors: impl FnMut(f64, String),
+) {
+    for (i, expected) in expected.iter().enumerate() {
+        if !except.contains(&i) {
+            let error = |&found: &f64| expected.relative_error(found);
+            let name = match model.states.get(i) {
+                Some(state) => format!("der({})", state.name),
+                None => String::from("the observation"),
+            };
+            errors(found.get(i).map_or(f64::INFINITY, error), name);
+        }
+    }
 }

@@ -11,8 +11,7 @@ use std::f64::consts::FRAC_PI_2;
 /// Name of this check in reports: finite results at singular points.
 pub const SINGULAR: &str = "singular points";
 
-/// Checks that every result of every compiled function is finite on every backend, at each of the singular points,
-/// given with descriptions.
+/// Checks that all results of every backend are finite at the singular points.
 pub fn check(points: &[(String, Point<f64>)], compiled: &Compiled, runs: &[Run]) -> Row {
     let mut faults = Vec::new();
     for run in runs {
@@ -29,73 +28,56 @@ pub fn check(points: &[(String, Point<f64>)], compiled: &Compiled, runs: &[Run])
     Row::counted(SINGULAR, points.len() * runs.len(), &faults, "")
 }
 
-/// Points, with descriptions, at which a divisor in the model's equations may vanish. Points outside the model's
-/// validity limits are left out. For singular attitudes, such as a pitch of 90° with Euler angles, only limits written
-/// in the model file count, not those that the language adds.
+/// Points, with descriptions, at which a divisor may vanish, within the validity limits; of singular attitudes only
+/// limits written in the model file count.
 pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
     let base = moving(model);
-    let states = 0..model.states.len();
-    let velocities: Vec<usize> = states
-        .filter(|&state| is_velocity(model.states[state].unit))
-        .collect();
-    let mut out = vec![
-        (
-            String::from("every state at its default"),
-            Point::defaults(model),
-        ),
-        (
-            String::from("every state 0"),
-            with(&base, 0..model.states.len(), 0.0),
-        ),
-        (
-            String::from("no velocity"),
-            with(&base, velocities.iter().copied(), 0.0),
-        ),
-    ];
+    let all = 0..model.states.len();
+    let is_velocity = |&state: &usize| is_velocity(model.states[state].unit);
+    let velocities: Vec<usize> = all.clone().filter(is_velocity).collect();
+    let mut out = Vec::new();
+    let mut add = |name: &str, point| out.push((name.to_owned(), point));
+    add("every state at its default", Point::defaults(model));
+    add("every state 0", with(&base, all, 0.0));
+    add("no velocity", with(&base, velocities.clone(), 0.0));
     // Only one velocity component is nonzero; for the disc the third one is along its axis.
     for &kept in &velocities {
         let others = velocities.iter().copied().filter(|&i| i != kept);
-        out.push((
-            format!("no velocity but {}", model.states[kept].name),
-            with(&base, others, 0.0),
-        ));
+        let name = format!("no velocity but {}", model.states[kept].name);
+        add(&name, with(&base, others, 0.0));
     }
-    for wind in 0..model.inputs.len() {
+    for (wind, input) in model.inputs.iter().enumerate() {
         // The airspeed is zero in a model whose axes are parallel to the inertial axes.
-        let mut point = with(&Point::defaults(model), 0..0, 0.0);
+        let mut point = Point::defaults(model);
         for (axis, &state) in velocities.iter().take(3).enumerate() {
             point.states[state] = 3.0;
             point.inputs[wind][axis] = 3.0;
         }
-        out.push((format!("as fast as {}", model.inputs[wind].name), point));
+        add(&format!("as fast as {}", input.name), point);
     }
-    let tiny = with(&base, velocities.iter().copied(), 1e-160);
-    out.push((String::from("velocities whose squares vanish"), tiny));
+    let tiny = with(&base, velocities, 1e-160);
+    add("velocities whose squares vanish", tiny);
     out.retain(|(_, point)| is_valid(model, point));
     // At singular attitudes of the coordinates the results must be finite too, so only limits stated in the model
     // exclude them.
-    let mut attitudes = Vec::new();
-    for frame in &model.frames {
-        let FrameKind::Turned { angle, .. } = frame.kind else {
-            continue;
-        };
-        for (how, value) in [
-            ("at", FRAC_PI_2),
-            ("near", FRAC_PI_2 - 1e-8),
-            ("at minus", -FRAC_PI_2),
-        ] {
+    let angles = model.frames.iter().filter_map(|frame| match frame.kind {
+        FrameKind::Turned { angle, .. } => Some(angle),
+        _ => None,
+    });
+    let near = FRAC_PI_2 - 1e-8;
+    for angle in angles {
+        for (how, value) in [("at", FRAC_PI_2), ("near", near), ("at minus", -FRAC_PI_2)] {
             let name = &model.states[angle].name;
             let point = with(&base, [angle], value);
-            attitudes.push((format!("{name} {how} a right angle"), point));
+            if is_within_stated(model, &point) {
+                out.push((format!("{name} {how} a right angle"), point));
+            }
         }
     }
-    attitudes.retain(|(_, point)| is_within_stated(model, point));
-    out.extend(attitudes);
     out
 }
 
-/// Whether a point is within every validity limit that is written in the model file, as opposed to limits that the
-/// language adds.
+/// Whether a point is within every limit that is written in the model file.
 fn is_within_stated(model: &Model, point: &Point<f64>) -> bool {
     let tree = Tree::new(model, point);
     let mut limits = model.limits.iter().filter(|l| !model.is_automatic(l));

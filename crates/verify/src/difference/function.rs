@@ -3,104 +3,58 @@
 //! comparison shows a difference.
 
 use super::values::Everything;
-use crate::checks::exact::FieldPoint;
+use crate::field::FieldPoint;
 use crate::options::TOLERANCE;
+use crate::pairing::Pairing;
 use crate::random::Random;
 use crate::sample;
 use model_spec::model::Model;
-use oracle::scalar::{ErrorBound, Field, Real};
+use oracle::scalar::{ErrorBound, Real};
 use oracle::{Point, Tree, derivatives_of};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// Number of random points of the prime field at which the values of two functions must be equal for the functions to
-/// count as equal.
+/// Number of random points of the prime field at which the values of equal functions are equal.
 const POINTS: usize = 4;
-/// Maximum number of random trial points of the prime field. A trial point is usable only if the argument of every
-/// square root is a square in the field.
+/// Maximum number of trial points of the prime field: roots do not exist at all of them.
 const MAX_TRIALS: usize = 4096;
-/// Lower bound, in SI units, of the magnitude by which the difference of two auxiliary variables or loads is divided.
-/// Because of this bound, values that are 0 except for rounding count as equal.
+/// Lower bound, SI, of the divisor of the difference of auxiliary variables or loads.
 const MIN_MAGNITUDE: f64 = 1e-6;
-/// Number of random points at which an output of the old model and one of the new model are compared in floating-point
-/// arithmetic.
+/// Number of random points of the comparison in floating-point arithmetic.
 const NUMBERS: usize = 24;
 
-/// Result of comparing one output of the old model with the corresponding output of the new model: a state derivative,
-/// a component of the observation, a validity limit, an auxiliary variable or a load.
+/// Result of comparing one output of two models, such as a state derivative, an auxiliary variable or a load.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Sameness {
-    /// The outputs of the old and the new model are the same function, as decided by exact evaluation at random points
-    /// of the prime field.
+    /// The same function, by exact evaluation at random points of the prime field.
     Same,
-    /// The values of the two models' outputs in the prime field differ or do not exist, but their floating-point values
-    /// agree within the tolerance.
+    /// Not equal or not decided in the prime field, but equal in floating-point arithmetic.
     Agrees,
-    /// The outputs of the old and the new model are different functions, also in floating-point arithmetic.
+    /// Different functions, also in floating-point arithmetic.
     Changed,
 }
 
-/// Result of comparing one output, such as a state derivative, of the old model with the corresponding one of the new
-/// model.
+/// Comparison of one output of two models.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Compared {
-    /// Whether the outputs of the two models are the same function.
+    /// Whether the outputs are the same function.
     pub sameness: Sameness,
-    /// Maximum difference between the two outputs at random points, relative to the sum of the magnitudes of their
-    /// terms.
+    /// Maximum difference at random points, relative to the sum of the magnitudes of the terms.
     pub error: f64,
 }
 
 impl Compared {
-    /// Whether the outputs of the two models are different functions.
+    /// Whether the outputs are different functions.
     pub fn is_changed(self) -> bool {
         self.sameness == Sameness::Changed
     }
 }
 
-/// States and parameters of the new model, with the index of that of the same name in the old model; `None` for one
-/// that only the new model has.
-struct Pairing {
-    states: Vec<Option<usize>>,
-    parameters: Vec<Option<usize>>,
-}
-
-impl Pairing {
-    fn of(old: &Everything<'_>, new: &Everything<'_>) -> Self {
-        let by_name = |old: &[String], new: &[String]| {
-            let place = |name| old.iter().position(|o| o == name);
-            new.iter().map(place).collect()
-        };
-        let (old, new) = (&old.code.layout, &new.code.layout);
-        Self {
-            states: by_name(&old.states, &new.states),
-            parameters: by_name(&old.parameters, &new.parameters),
-        }
-    }
-
-    /// Returns a copy of the point `there` of the new model. The values of all paired states and parameters, the time
-    /// and the marker position are taken from the point `here` of the old model.
-    fn carry<T: Field>(&self, here: &Point<T>, there: &Point<T>) -> Point<T> {
-        let given = here.parameters();
-        let mut out = there.clone();
-        out.time = here.time;
-        out.marker = here.marker;
-        for (to, from) in out.states.iter_mut().zip(&self.states) {
-            *to = from.map_or(*to, |from| here.states[from]);
-        }
-        for (to, from) in out.parameters_mut().zip(&self.parameters) {
-            *to = from.map_or(*to, |from| given[from]);
-        }
-        out
-    }
-}
-
-/// Compares every row, auxiliary variable and load that both models have, as a function of the states and parameters.
-/// A state or parameter that only one of the models has takes random values. The keys are the names of rows, or class
-/// and name.
+/// Compares every row, auxiliary variable and load that both models have, by name, as functions of states and
+/// parameters. What only one of the models has takes random values.
 pub fn compare(old: &Everything<'_>, new: &Everything<'_>) -> BTreeMap<String, Compared> {
-    let pairing = Pairing::of(old, new);
+    let pairing = Pairing::of(&old.code.layout, &new.code.layout);
     let (before, after) = (old.groups(), new.groups());
     let both = after.into_iter().filter_map(|(name, new)| {
         let old = before.get(&name)?;
@@ -130,8 +84,7 @@ pub fn compare(old: &Everything<'_>, new: &Everything<'_>) -> BTreeMap<String, C
     named.flatten().collect()
 }
 
-/// For each pair of outputs (index in the old model, index in the new model), whether both have the same value at
-/// random points of the prime field; `None` if the values exist in the field at too few points.
+/// For each pair of outputs, whether both are equal in the prime field; `None` if they exist at too few points.
 fn exactly(
     old: &Everything<'_>,
     new: &Everything<'_>,
@@ -170,8 +123,7 @@ fn exactly(
         .collect()
 }
 
-/// For each pair of outputs (index in the old model, index in the new model), the maximum relative difference at random
-/// floating-point points.
+/// For each pair of outputs, the maximum relative difference in floating-point arithmetic.
 fn in_numbers(
     old: &Everything<'_>,
     new: &Everything<'_>,
@@ -199,10 +151,8 @@ fn in_numbers(
     worst
 }
 
-/// Lower bound of the divisor that makes the difference of an output between two models relative; `k` is the index of
-/// the output. For a state derivative or component of the observation: `sizes[k]`, the sum of the magnitudes of its
-/// terms. For an auxiliary variable or load: the maximum absolute value of its components, or [`MIN_MAGNITUDE`] if that
-/// is larger. For a validity limit: 0, so that its value alone determines the divisor.
+/// Lower bound of the divisor of the difference of the output `k`: the sum of the magnitudes of its terms, for an
+/// auxiliary variable or load the greatest of its components and [`MIN_MAGNITUDE`], else 0.
 fn size(model: &Everything<'_>, sizes: &[f64], values: &[f64], k: usize) -> f64 {
     if let Some(size) = sizes.get(k) {
         return *size;
@@ -214,8 +164,7 @@ fn size(model: &Everything<'_>, sizes: &[f64], values: &[f64], k: usize) -> f64 
     })
 }
 
-/// Sum of the magnitudes of the terms of each state derivative, followed by that of each component of the observation;
-/// empty if the state derivatives cannot be evaluated.
+/// Sums of the magnitudes of the terms of state derivatives and observation; empty if there are none.
 fn magnitudes(model: &Model, point: &Point<f64>) -> Vec<f64> {
     let lifted = point.lift::<ErrorBound>();
     let tree = Tree::new(model, &lifted);

@@ -39,8 +39,7 @@ pub struct End {
     pub time_s: f64,
     /// Event that ended the flight, such as `ground`, or `time`.
     pub reason: String,
-    /// Position of the body, m, by the names of its states; for a model without a body, the states x, y and z, or all
-    /// states if it has no such states, in SI units.
+    /// Position of the body, m, by name; without a body x, y and z, or all states, SI.
     pub state: BTreeMap<String, f64>,
 }
 
@@ -54,8 +53,7 @@ pub struct LandingError {
     pub source: ReleaseError,
 }
 
-/// Flies a release, a file or the name of a built-in one, with the old and the new model. The model that the release
-/// names is ignored.
+/// Flies a release, a file or a built-in one, with both models; the model that it names is ignored.
 ///
 /// # Errors
 /// [`LandingError`] if the release cannot be read, or contains names that one of the models does not have.

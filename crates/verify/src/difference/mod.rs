@@ -11,13 +11,13 @@
 //! assert_eq!(difference.changed_rows(), ["der(vx)", "der(vy)", "der(vz)"]);
 //! ```
 
-mod function;
+pub(crate) mod function;
 mod landings;
 mod reach;
 mod statements;
 mod terms;
 mod text;
-mod values;
+pub(crate) mod values;
 
 pub use function::Sameness;
 pub use landings::{End, Flown, Landing, LandingError, landing};
@@ -31,7 +31,7 @@ use statements::Key;
 use std::collections::BTreeMap;
 use values::Everything;
 
-/// Values of one quantity, such as an operation count, for the old and for the new version of a model.
+/// A quantity of the old and of the new version of a model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Pair<T> {
     /// Value of the quantity for the old model.
@@ -40,21 +40,18 @@ pub struct Pair<T> {
     pub new: T,
 }
 
-/// Comparison of one row, that is, one scalar function of the models: a state derivative, a component of the
-/// observation, or a validity limit.
+/// Comparison of a row: a state derivative, a component of the observation, or a validity limit.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct RowChange {
-    /// Name of the compared scalar function: `der(u)`, `observation x`, `limit 1`.
+    /// Name of the row: `der(u)`, `observation x`, `limit 1`.
     pub row: String,
-    /// Result of the comparison; `None` for a scalar function that only one of the models has.
+    /// Result of the comparison; `None` for a row of one model only.
     pub sameness: Option<Sameness>,
-    /// Whether only the new model has the compared scalar function.
+    /// Whether only the new model has the row.
     pub added: bool,
-    /// Maximum difference between the scalar function in the old and in the new model at random points, relative to the
-    /// sum of the magnitudes of its terms; 0 for a function that only one of the models has.
+    /// Maximum difference, relative to the sum of the magnitudes of the terms; 0 for a row of one model only.
     pub error: f64,
-    /// Statements (added, removed or changed) that cause the difference of the scalar function, each described with the
-    /// terms that differ.
+    /// Statements that cause the difference, each with the terms that differ.
     pub causes: Vec<String>,
 }
 
@@ -71,11 +68,9 @@ pub struct Difference {
     pub rows: Vec<RowChange>,
     /// Statements that differ between the two model files.
     pub statements: Vec<Statement>,
-    /// For each model, the unit errors that the language checker reports for it but not for the other model; empty in
-    /// the result of [`compare`].
+    /// Unit errors of only one of the models; empty in the result of [`compare`].
     pub unit_faults: Pair<Vec<String>>,
-    /// Numbers of elementary operations of the functions of the generated code, see [`operations`]; empty in the result
-    /// of [`compare`].
+    /// Operations of the generated code, see [`operations`]; empty in the result of [`compare`].
     pub operations: BTreeMap<&'static str, Pair<usize>>,
     /// Ends of the flights from named releases, see [`landing`]; empty in the result of [`compare`].
     pub landings: Vec<Landing>,
@@ -87,8 +82,7 @@ impl Difference {
         self.changed
     }
 
-    /// Sets the unit errors that the language checker reports for the old and for the new model. Messages common to
-    /// both are dropped.
+    /// Sets the unit errors of both models; common messages are dropped.
     pub fn set_unit_faults(&mut self, old: &[String], new: &[String]) {
         let only = |list: &[String], other: &[String]| -> Vec<String> {
             let lines = list.iter().filter(|line| !other.contains(line));
@@ -108,7 +102,7 @@ impl Difference {
 }
 
 impl RowChange {
-    /// Whether the compared scalar function differs between the two models, or only one of the models has it.
+    /// Whether the row differs, or only one of the models has it.
     pub fn is_changed(&self) -> bool {
         self.sameness.is_none_or(|s| s == Sameness::Changed)
     }
@@ -179,8 +173,7 @@ fn has_same_frame(old: &Model, new: &Model, name: &str) -> bool {
     frame(old) == frame(new)
 }
 
-/// Numbers of elementary operations, in both models, of each compiled function: `f` (state derivatives), `f_jac` (with
-/// their Jacobian with respect to the states), `f_jac_par` (also with respect to the parameters).
+/// Numbers of elementary operations of `f`, `f_jac` and `f_jac_par`, in both models.
 pub fn operations(old: &Model, new: &Model) -> BTreeMap<&'static str, Pair<usize>> {
     let (a, b) = (codegen::compile(old), codegen::compile(new));
     let count = |name| {

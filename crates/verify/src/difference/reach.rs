@@ -6,9 +6,7 @@ use model_spec::model::Model;
 use model_spec::syntax::ast::{Expr, ExprKind};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Whether the row with the index `row` depends directly on a statement. The rows are: state derivatives, components of
-/// the observation, validity limits. The rates of the attitude count as depending on the moments, although moments
-/// affect only angular accelerations.
+/// Whether a row depends directly on a statement. The rates of the attitude count as depending on the moments.
 fn is_root(model: &Model, row: usize, (class, name): &Key) -> bool {
     let Some(state) = model.states.get(row) else {
         let observed = if model.observation.is_some() { 3 } else { 0 };
@@ -38,8 +36,7 @@ pub struct Reach {
 }
 
 impl Reach {
-    /// Determines which statements of a model's file depend on which others. `rows` are the names of the rows: state
-    /// derivatives, components of the observation, validity limits.
+    /// Dependencies of the statements of a model and of the rows with these names.
     pub fn of(model: &Model, rows: &[String]) -> Self {
         let items = keyed(&model.tree);
         let by_name = |name: &str| -> Vec<Key> {
@@ -93,9 +90,7 @@ fn derivatives(e: &Expr, out: &mut BTreeSet<String>) {
     e.children(&mut |child| derivatives(child, out));
 }
 
-/// Descriptions of the statements that cause the difference of a row. These are the added, removed and changed
-/// statements on which the row depends in the old or the new model, whose dependencies are `reach`. Each description
-/// contains the terms that differ.
+/// Added, removed and changed statements on which the row depends in one of the models, with their terms that differ.
 pub fn causes(statements: &[Statement], reach: &[Reach; 2], row: &str) -> Vec<String> {
     let reached = reach.each_ref().map(|reach| reach.of_row(row));
     let is_cause = |s: &&Statement| {

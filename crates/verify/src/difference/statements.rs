@@ -12,18 +12,18 @@ pub enum Change {
     Added,
     /// Only the old model has the statement.
     Removed,
-    /// The text of the statement differs, and so does the function that the statement computes.
+    /// Another function.
     Changed,
-    /// The text of the statement differs, but the function that it computes is the same.
+    /// Another text of the same function.
     Rewritten,
-    /// The declaration of a constant, an input or a state differs, in its default value, unit or bounds.
+    /// Another default value, unit or bounds of a constant, an input or a state.
     Restated,
 }
 
 /// A statement that differs between the two models.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Statement {
-    /// How the statement differs between the two models: added, removed, changed, rewritten or restated.
+    /// How the statement differs.
     pub change: Change,
     /// Class and name of the statement, such as `let alpha` or `der(u)`.
     pub what: String,
@@ -31,24 +31,21 @@ pub struct Statement {
     pub old: Option<String>,
     /// Text of the statement in the new model; `None` if it was removed.
     pub new: Option<String>,
-    /// Terms of the sum on the statement's right-hand side that only the old model has.
+    /// Terms of its sum that only the old model has.
     pub terms_removed: Vec<String>,
-    /// Terms of the sum on the statement's right-hand side that only the new model has.
+    /// Terms of its sum that only the new model has.
     pub terms_added: Vec<String>,
     #[serde(skip)]
     pub(super) key: Key,
 }
 
-/// Class (such as `let`) and name of a statement. Parameters and coefficients have the same class, so that a parameter
-/// that becomes a coefficient is still recognized.
+/// Class, such as `let`, and name of a statement; parameters and coefficients have the same class.
 pub type Key = (&'static str, String);
 
-/// Function that decides whether a statement of this class and name computes the same function in both files; `None` if
-/// that is unknown.
+/// Whether a statement computes the same function in both files; `None` if that is unknown.
 pub type IsSame<'a> = dyn Fn(&Key) -> Option<bool> + 'a;
 
-/// Compares the statements of two model files and returns those that differ. `is_same` decides whether a statement with
-/// changed text still computes the same function.
+/// Statements that differ between two model files.
 pub fn compare(old: &File, new: &File, is_same: &IsSame<'_>) -> Vec<Statement> {
     let (olds, news) = (keyed(old), keyed(new));
     let find = |list: &[(Key, &'_ Item)], key: &Key| list.iter().any(|(k, _)| k == key);
@@ -97,8 +94,7 @@ fn changed(key: &Key, old: &Item, new: &Item, is_same: &IsSame<'_>) -> Option<St
 }
 
 impl Statement {
-    /// Creates the description of a change of the statement with class and name `key`; texts and differing terms
-    /// are empty.
+    /// Change of the statement `key`, without texts and terms.
     fn new(change: Change, key: &Key) -> Self {
         Self {
             change,
@@ -111,7 +107,7 @@ impl Statement {
         }
     }
 
-    /// Describes the statement as the cause of a difference between the models: class, name and differing terms.
+    /// The statement as the cause of a difference, with its terms.
     pub(super) fn cause(&self) -> String {
         match self.change {
             Change::Added => format!("{} added", self.what),
@@ -140,8 +136,7 @@ pub fn title((class, name): &Key) -> String {
     }
 }
 
-/// Statements of a model file, each with its class and name, such as `let alpha`. Statements that do not influence the
-/// motion are left out: the model's name, reference law, check cases and effects.
+/// Statements of a model file that influence the motion, by class and name.
 pub fn keyed(file: &File) -> Vec<(Key, &Item)> {
     let mut limits = 0;
     let mut key = |item: &Item| {
@@ -172,8 +167,7 @@ pub fn keyed(file: &File) -> Vec<(Key, &Item)> {
     items.filter_map(|item| Some((key(item)?, item))).collect()
 }
 
-/// The expression on the right-hand side of a statement; `None` for a statement of a kind that has none or several,
-/// such as a declaration.
+/// Right-hand side of a statement that has one.
 pub fn value(item: &Item) -> Option<&Expr> {
     match &item.kind {
         ItemKind::Limit(l) => Some(&l.value),

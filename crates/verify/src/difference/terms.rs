@@ -2,8 +2,7 @@
 
 use model_spec::syntax::ast::{BinaryOp, Expr, ExprKind};
 
-/// Words of a text that may be names declared in a model. A word `in_F` also gives `F` (name of a frame), and a word
-/// `w_x`, `w_y` or `w_z` also gives `w` (name of an input with these components).
+/// Words of a text that may be names; `in_F` also gives the frame `F`, `w_x` the input `w`.
 pub fn words(text: &str) -> Vec<&str> {
     let mut out: Vec<&str> = Vec::new();
     for word in text.split(is_separator).filter(|word| !word.is_empty()) {
@@ -21,8 +20,7 @@ fn is_separator(c: char) -> bool {
     !c.is_alphanumeric() && c != '_'
 }
 
-/// Terms, with signs, in which two sums differ: first those only in `old`, then those only in `new`. If the sums
-/// differ only inside one inner sum, the terms of this inner sum are compared.
+/// Terms in which two sums, or their only different inner sums, differ: those only in `old`, those only in `new`.
 pub fn differing_terms(old: &Expr, new: &Expr) -> (Vec<String>, Vec<String>) {
     let (before, after) = (terms(old), terms(new));
     let olds: Vec<String> = before.iter().map(Term::to_string).collect();
@@ -39,8 +37,7 @@ pub fn differing_terms(old: &Expr, new: &Expr) -> (Vec<String>, Vec<String>) {
     (pick(&olds, &gone), pick(&news, &come))
 }
 
-/// If two expressions differ only inside one sum, possibly nested in factors or arguments, the outermost such sum of
-/// each expression; otherwise `None`.
+/// The outermost sum of each expression inside which alone they differ.
 fn inner_sums<'a>(old: &'a Expr, new: &'a Expr) -> Option<(&'a Expr, &'a Expr)> {
     let (mut a, mut b) = (old, new);
     loop {
@@ -51,8 +48,7 @@ fn inner_sums<'a>(old: &'a Expr, new: &'a Expr) -> Option<(&'a Expr, &'a Expr)> 
     }
 }
 
-/// Returns the pair of operands or arguments (old, new) in which two expressions differ, if both expressions are the
-/// same operation or function and exactly one such pair differs; otherwise `None`.
+/// The only pair of operands or arguments in which two expressions of the same kind differ.
 fn one_part<'a>(old: &'a Expr, new: &'a Expr) -> Option<(&'a Expr, &'a Expr)> {
     match (&old.kind, &new.kind) {
         (ExprKind::Binary(a, ..), ExprKind::Binary(b, ..)) if a == b && *a != BinaryOp::Pow => {}
@@ -69,8 +65,7 @@ fn one_part<'a>(old: &'a Expr, new: &'a Expr) -> Option<(&'a Expr, &'a Expr)> {
     (parts.next().is_none() && is_equal_count).then_some(first)
 }
 
-/// Multiset difference: indices of the elements of `list` that remain after one equal element is removed for each
-/// element of `other`.
+/// Multiset difference: indices of the elements of `list` that `other` lacks.
 fn without(list: &[String], other: &[String]) -> Vec<usize> {
     let mut left = other.to_vec();
     let mut missing = Vec::new();

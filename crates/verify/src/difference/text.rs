@@ -4,7 +4,7 @@ use super::{Change, Difference, End, Flown, Landing, Pair, RowChange, Sameness, 
 use std::fmt::Write;
 
 impl Difference {
-    /// Summarises in one sentence whether the two models compute the same functions, and which rows differ.
+    /// Sentence on whether the models compute the same functions.
     pub fn sentence(&self) -> String {
         let changed = self.changed_rows();
         if changed.is_empty() {
@@ -22,7 +22,7 @@ impl Difference {
         format!("another function: {}", changed.join(", "))
     }
 
-    /// Names of the rows (such as state derivatives) whose comparison has the given result.
+    /// Names of the rows with the given result.
     fn rows_that_are(&self, sameness: Sameness) -> Vec<&str> {
         let rows = self.rows.iter();
         rows.filter(|row| row.sameness == Some(sameness))
@@ -30,7 +30,7 @@ impl Difference {
             .collect()
     }
 
-    /// Formats all results of the comparison of the two models as text for a terminal.
+    /// The comparison as text for a terminal.
     pub fn text(&self) -> String {
         let Pair { old, new } = &self.models;
         let mut out = format!("{old} → {new}: {}\n", self.sentence());
@@ -65,7 +65,7 @@ impl Difference {
     }
 }
 
-/// Appends a section to a text: a heading, and a line for each item; nothing if there are no items.
+/// Appends a heading and a line for each item, if there are any.
 fn section<T>(
     out: &mut String,
     heading: &str,
@@ -79,7 +79,7 @@ fn section<T>(
 }
 
 impl RowChange {
-    /// Describes how the scalar function (such as a state derivative) differs between the two models.
+    /// Sentence on the difference of the row.
     fn sentence(&self) -> String {
         match (self.sameness, self.added) {
             (None, true) => format!("{} is new", self.row),
@@ -90,7 +90,7 @@ impl RowChange {
 }
 
 impl Statement {
-    /// Kind of change, class and name, followed by the lines that only one of the models has.
+    /// Change, class and name, then the lines that only one of the models has.
     fn text(&self) -> String {
         let mut out = format!("{:9} {}", self.change.word(), self.what);
         for (sign, text) in [('-', &self.old), ('+', &self.new)] {

@@ -1,9 +1,10 @@
 //! Evaluates every value of a model, in floating-point numbers and in the prime field: derivatives, observation,
 //! limits, named quantities, loads.
 
-use crate::checks::exact::FieldPoint;
-use crate::field::Machine;
-use crate::values::evaluated;
+use crate::engine::outputs;
+use crate::evaluation::Inputs;
+use crate::field::FieldPoint;
+use crate::symbolic;
 use codegen::EveryValue;
 use codegen::tape::Tape;
 use model_spec::model::{AuxVariable, Expr, ExprKind, Load, Model, Shape};
@@ -12,37 +13,31 @@ use oracle::scalar::Prime;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// A model compiled to one program that computes all its values, such as state derivatives and auxiliary variables.
-/// Vectors given by their components in other frames are also computed in inertial components, so that vectors given in
-/// different frames can be compared.
+/// A model compiled to one program of all its values. Vectors in other frames are also computed in inertial components,
+/// to be compared.
 pub struct Everything<'a> {
     /// Model whose values are evaluated.
     pub model: &'a Model,
-    /// Program that computes all values of the model. Its outputs are the state derivatives, the observation, the
-    /// validity limits and the auxiliary variables. After them come, in inertial components, all loads and those vector
-    /// auxiliary variables that are given in another frame.
+    /// Program of state derivatives, observation, limits and auxiliary variables; then, in inertial components, loads
+    /// and vectors of other frames.
     pub code: EveryValue,
-    /// For each auxiliary variable and load, its class, its name and the indices of its values among the outputs of
-    /// `code`.
+    /// Auxiliary variables and loads with their outputs of `code`.
     pub named: Vec<Named>,
     tape: Tape,
 }
 
-/// An auxiliary variable or load of a model, with the indices of its values among the outputs of the program that
-/// computes all values of the model.
+/// An auxiliary variable or load, with its outputs.
 pub struct Named {
     /// Class of the statement: `let`, `force` or `moment`.
     pub class: &'static str,
     /// Name of the auxiliary variable or load.
     pub name: String,
-    /// Indices of the values among the outputs of the program that computes all values of the model: one for a scalar,
-    /// three for a vector in the inertial frame.
+    /// Indices of its outputs: one of a scalar, three of a vector.
     pub outputs: Range<usize>,
 }
 
 impl<'a> Everything<'a> {
-    /// Compiles a model to one program that computes its state derivatives, observation, validity limits, auxiliary
-    /// variables and loads.
+    /// Compiles a model.
     pub fn of(model: &'a Model) -> Self {
         let mut extended = model.clone();
         let mut sources: Vec<(&'static str, String, usize)> = Vec::new();
@@ -83,7 +78,7 @@ impl<'a> Everything<'a> {
         }
     }
 
-    /// Names of the rows that are compared: state derivatives, components of the observation, validity limits.
+    /// Names of state derivatives, components of the observation and limits.
     pub fn rows(&self) -> Vec<String> {
         let states = self.code.layout.states.iter();
         let observed = ["x", "y", "z"].into_iter().take(self.code.observed);
@@ -95,7 +90,7 @@ impl<'a> Everything<'a> {
             .collect()
     }
 
-    /// Indices of the outputs of each row, by its name, and of each auxiliary variable and load, by class and name.
+    /// Outputs by name of the row, or by class and name.
     pub fn groups(&self) -> BTreeMap<String, Range<usize>> {
         let rows = self.rows().into_iter().zip(0..);
         let rows = rows.map(|(row, k)| (row, k..k + 1));
@@ -104,21 +99,18 @@ impl<'a> Everything<'a> {
         rows.chain(named).collect()
     }
 
-    /// Values of the model at a point, in floating-point arithmetic: all outputs of the program [`Everything::code`],
-    /// in order.
+    /// All outputs in floating-point arithmetic.
     pub fn numbers(&self, point: &Point<f64>) -> Vec<f64> {
-        evaluated(&self.tape, point)
+        outputs(&self.tape, &Inputs::of(point))
     }
 
-    /// Values of the model at a point of the prime field: all outputs of the program [`Everything::code`], in order.
-    /// `None` for a value that does not exist in the field, such as the square root of a non-square.
+    /// All outputs in the prime field; `None` for a value that does not exist.
     pub fn exact(&self, spot: &FieldPoint) -> Vec<Option<Prime>> {
-        Machine::new(&spot.point, &spot.circles, true).run(&self.code.program)
+        symbolic::outputs(&self.code.program, spot)
     }
 }
 
-/// Appends an auxiliary variable with the expression `value` to a model and returns its index. A vector given by its
-/// components in another frame is converted to inertial components, so that it can be compared.
+/// Appends an auxiliary variable, in inertial components, and returns its index.
 fn add(model: &mut Model, value: Expr) -> usize {
     let index = model.aux_variables.len();
     let value = match value.shape {

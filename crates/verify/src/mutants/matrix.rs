@@ -6,22 +6,19 @@ use crate::row::Row;
 use crate::table::plain_table;
 use serde::Serialize;
 
-/// Numbers of mutants that the checks kill (refute), by mutation operator and check, and descriptions of the mutants
-/// that no check kills.
+/// Numbers of mutants that the checks kill, and mutants that no check kills.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct MutationMatrix {
-    /// Names of the checks that are run on every mutant, in ascending order of computing effort.
+    /// Names of the checks, in ascending order of effort.
     pub checks: Vec<&'static str>,
     /// Counts of mutants, one row of the matrix per mutation operator.
     pub rows: Vec<MutationRow>,
-    /// Descriptions of the mutants that no check refutes, although the reference implementation contains all terms of
-    /// the model.
+    /// Mutants that no check kills, although the reference implementation contains all terms.
     pub survivors: Vec<String>,
-    /// Descriptions of the mutants that no check refutes, for a model without a reference implementation or with terms
-    /// that the reference implementation does not contain.
+    /// Mutants that no check kills, for a model without a reference or with terms that it lacks.
     #[serde(rename = "unwatched")]
     pub not_covered: Vec<String>,
-    /// Descriptions of the mutants proved equivalent to the model, each with the kind of proof.
+    /// Mutants proved equivalent to the model, with the kind of proof.
     pub equivalent: Vec<(String, &'static str)>,
 }
 
@@ -30,19 +27,18 @@ pub struct MutationMatrix {
 pub struct MutationRow {
     /// Name of the mutation operator, such as `sign flipped`.
     pub operator: &'static str,
-    /// Number of mutants, without those that are equivalent to the model or contained in `MutationMatrix::not_covered`.
+    /// Number of mutants, without equivalent ones and those not covered.
     pub mutants: usize,
     /// Number of the operator's mutants that at least one check refutes.
     pub killed: usize,
-    /// For each check in `MutationMatrix::checks`, the number of mutants that it kills and that no earlier check in
-    /// that list kills.
+    /// For each check, the number of mutants that it is the first to kill.
     pub first: Vec<usize>,
-    /// For each check in `MutationMatrix::checks`, the number of mutants that it kills.
+    /// For each check, the number of mutants that it kills.
     pub noticed: Vec<usize>,
 }
 
 impl MutationMatrix {
-    /// Counts the mutants by mutation operator and check, from the status of each mutant.
+    /// Counts the mutants by operator and check.
     pub fn of(mutants: &[Mutant], statuses: &[MutantStatus]) -> Self {
         let kills = |check: usize| {
             let mut statuses = statuses.iter();
@@ -54,26 +50,26 @@ impl MutationMatrix {
             checks: CHECKS[..count].to_vec(),
             ..Self::default()
         };
-        for operator in Operator::ALL {
+        for (operator, name) in Operator::ALL {
             let mut row = MutationRow {
-                operator: operator.name(),
+                operator: name,
                 first: vec![0; count],
                 noticed: vec![0; count],
                 ..MutationRow::default()
             };
             let own = mutants.iter().zip(statuses);
             for (mutant, fate) in own.filter(|(m, _)| m.operator == operator) {
-                let name = || format!("{}: {}", mutant.place, mutant.change);
+                let mutant = || format!("{}: {}", mutant.place, mutant.change);
                 match fate {
                     MutantStatus::Equivalent(reason) => {
-                        table.equivalent.push((name(), reason));
+                        table.equivalent.push((mutant(), reason));
                         continue;
                     }
                     MutantStatus::NotCovered => {
-                        table.not_covered.push(name());
+                        table.not_covered.push(mutant());
                         continue;
                     }
-                    MutantStatus::Survived => table.survivors.push(name()),
+                    MutantStatus::Survived => table.survivors.push(mutant()),
                     MutantStatus::Killed(by) => {
                         row.killed += 1;
                         row.first[by[0]] += 1;
@@ -87,8 +83,7 @@ impl MutationMatrix {
         table
     }
 
-    /// Total number of mutants, without those proved equivalent to the model and those that the reference
-    /// implementation does not cover.
+    /// Number of mutants, without equivalent ones and those not covered.
     pub fn mutants(&self) -> usize {
         self.rows.iter().map(|row| row.mutants).sum()
     }
@@ -98,8 +93,7 @@ impl MutationMatrix {
         self.rows.iter().map(|row| row.killed).sum()
     }
 
-    /// Result of mutation testing as one check of the report; the check holds if every mutant that must be refuted is
-    /// refuted.
+    /// Row of a report; it holds if no mutant survives.
     pub fn row(&self) -> Row {
         let (mutants, killed, same) = (self.mutants(), self.killed(), self.equivalent.len());
         let not_covered = match self.not_covered.len() {
@@ -110,35 +104,31 @@ impl MutationMatrix {
         Row::counted("mutants", mutants, &self.survivors, "").with_detail(says)
     }
 
-    /// Formats the matrix as text. A cell `first/all` contains the number of mutants for which the check is the first
-    /// to kill them, and the number of all mutants that the check kills.
+    /// Text of the matrix; cells `first/all`: killed by this check first, and killed by it.
     pub fn table(&self) -> String {
         let mut header = vec!["mutation operator", "mutants", "killed"];
         header.extend(&self.checks);
         let mut table = plain_table(&header);
-        let sum = |pick: fn(&MutationRow) -> &Vec<usize>, k: usize| -> usize {
-            self.rows.iter().map(|row| pick(row)[k]).sum()
+        let sums = |pick: fn(&MutationRow) -> &Vec<usize>| {
+            let checks = 0..self.checks.len();
+            let sum = |k| self.rows.iter().map(|row| pick(row)[k]).sum();
+            checks.map(sum).collect()
         };
-        for row in self.rows.iter().filter(|row| row.mutants > 0) {
-            let mut cells = vec![
-                row.operator.to_owned(),
-                row.mutants.to_string(),
-                row.killed.to_string(),
-            ];
-            let counts = row.first.iter().zip(&row.noticed);
-            cells.extend(counts.map(|(first, all)| format!("{first}/{all}")));
-            table.add_row(cells);
+        let all = MutationRow {
+            operator: "all",
+            mutants: self.mutants(),
+            killed: self.killed(),
+            first: sums(|row| &row.first),
+            noticed: sums(|row| &row.noticed),
+        };
+        let rows = self.rows.iter().filter(|row| row.mutants > 0);
+        for row in rows.chain([&all]) {
+            let counts = [row.mutants, row.killed].map(|count| count.to_string());
+            let by_check = row.first.iter().zip(&row.noticed);
+            let by_check = by_check.map(|(first, all)| format!("{first}/{all}"));
+            let cells = [row.operator.to_owned()].into_iter().chain(counts);
+            table.add_row(cells.chain(by_check));
         }
-        let mut cells = vec![
-            String::from("all"),
-            self.mutants().to_string(),
-            self.killed().to_string(),
-        ];
-        cells.extend(
-            (0..self.checks.len())
-                .map(|k| format!("{}/{}", sum(|r| &r.first, k), sum(|r| &r.noticed, k))),
-        );
-        table.add_row(cells);
         let mut text = format!("{table}\nEach cell: killed by this check first / killed by it.\n");
         for (mutant, reason) in &self.equivalent {
             text.push_str(&format!("equivalent: {mutant} ({reason})\n"));

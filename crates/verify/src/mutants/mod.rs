@@ -4,39 +4,39 @@ pub mod equivalence;
 mod matrix;
 mod names;
 mod rewrite;
-mod run;
 mod sites;
 mod statement;
 pub mod status;
 
+use crate::options::Options;
+use equivalence::Original;
+use flight::parallel;
 pub use matrix::{MutationMatrix, MutationRow};
 use model_spec::model::Source;
 use model_spec::syntax::ast::{File, FrameKind, Name};
 use names::Names;
-pub use run::run;
+use status::evaluate;
 
-/// Kinds of mutations: small deliberate changes of a model, with which the checks of the verification are tested.
+/// Kinds of mutations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Operator {
     /// Changes a sign in an expression of the model.
     Sign,
     /// Multiplies an expression of the model by 2, 0.5 or 1.1.
     Factor,
-    /// Replaces the name of a coordinate frame by that of another frame of the model.
+    /// Replaces the name of a frame by that of another.
     Frame,
-    /// Replaces the number of an axis or vector component by another one, or interchanges two components of a vector or
-    /// inertia.
+    /// Replaces the number of an axis or component, or interchanges two components.
     Axis,
-    /// Replaces the axis, the parent frame or the angle in the declaration of a rotated frame.
+    /// Replaces the axis, the parent or the angle of a rotated frame.
     Turn,
-    /// Interchanges sine and cosine, replaces a call of `sqrt`, `unit` or `abs` by its argument, or changes the
-    /// interpolation of a table.
+    /// Interchanges sine and cosine, drops `sqrt`, `unit` or `abs`, or changes the interpolation of a table.
     Function,
-    /// Deletes a term or factor of an expression, or a force or moment.
+    /// Deletes a term or factor, or a force or moment.
     Dropped,
     /// Changes an exponent in an expression by one.
     Exponent,
-    /// Replaces a name in an expression by another name of the model, or turns a force into a moment or vice versa.
+    /// Replaces a name by another, or turns a force into a moment or vice versa.
     Exchanged,
     /// Changes the unit in a declaration.
     Unit,
@@ -45,60 +45,64 @@ pub enum Operator {
 }
 
 impl Operator {
-    /// All mutation operators, in the order of the rows of a [`MutationMatrix`].
-    pub const ALL: [Self; 11] = [
-        Self::Sign,
-        Self::Factor,
-        Self::Dropped,
-        Self::Exchanged,
-        Self::Frame,
-        Self::Axis,
-        Self::Turn,
-        Self::Function,
-        Self::Exponent,
-        Self::Order,
-        Self::Unit,
+    /// All mutation operators, in the order of the rows of a [`MutationMatrix`], with their names in tables.
+    pub const ALL: [(Self, &'static str); 11] = [
+        (Self::Sign, "sign flipped"),
+        (Self::Factor, "factor changed"),
+        (Self::Dropped, "left out"),
+        (Self::Exchanged, "other name"),
+        (Self::Frame, "other frame"),
+        (Self::Axis, "other axis"),
+        (Self::Turn, "other turn"),
+        (Self::Function, "other function"),
+        (Self::Exponent, "other exponent"),
+        (Self::Order, "arguments swapped"),
+        (Self::Unit, "wrong unit"),
     ];
-
-    /// Name of the mutation operator in tables, such as `sign flipped`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Sign => "sign flipped",
-            Self::Factor => "factor changed",
-            Self::Frame => "other frame",
-            Self::Axis => "other axis",
-            Self::Turn => "other turn",
-            Self::Function => "other function",
-            Self::Dropped => "left out",
-            Self::Exponent => "other exponent",
-            Self::Exchanged => "other name",
-            Self::Unit => "wrong unit",
-            Self::Order => "arguments swapped",
-        }
-    }
 }
 
 /// A mutation of a part of a model file.
 struct Mutation<T> {
-    /// Mutation operator, such as the change of a sign, that produced the mutation.
+    /// Mutation operator.
     operator: Operator,
     /// Short description of the mutation, such as `components 1 and 2 swapped`.
     how: String,
-    /// Mutated part, which replaces the original part of the model file.
+    /// Mutated part.
     to: T,
 }
 
-/// A model with one mutation, with which the checks of the verification are tested.
+/// A model with one mutation.
 #[derive(Clone, Debug)]
 pub struct Mutant {
-    /// Mutation operator, such as the change of a sign, that made the mutant.
+    /// Mutation operator.
     pub operator: Operator,
-    /// Description of the mutated statement for messages, such as `der(u)` or `frame B`.
+    /// Mutated statement, such as `der(u)` or `frame B`.
     pub place: String,
-    /// Description of the mutation, such as `exponent 3 for 2`, usually with the source text of the mutated expression.
+    /// Description such as `exponent 3 for 2`, usually with the text of the expression.
     pub change: String,
     /// Syntax tree of the mutated model.
     pub file: File,
+}
+
+/// Maximum number of random points per check of a mutant.
+const MAX_CASES: usize = 6;
+
+/// Runs the checks on every mutant of a model file, in parallel.
+pub fn run(
+    file: &File,
+    sources: &[Source],
+    original: &Original<'_>,
+    options: &Options,
+) -> MutationMatrix {
+    let options = Options {
+        cases: options.cases.min(MAX_CASES),
+        ..*options
+    };
+    let mutants = mutants(file, sources);
+    let statuses = parallel::each(mutants.len(), |index| {
+        evaluate(&mutants[index], sources, original, &options)
+    });
+    MutationMatrix::of(&mutants, &statuses)
 }
 
 /// Generates all mutants of a model file, in the order of its statements.

@@ -2,8 +2,8 @@
 
 use model_spec::syntax::ast::{File, ItemKind, Parameter};
 
-/// Names that a mutation may exchange: all frames, constants (with unit) and auxiliary variables (with the index of the
-/// declaring statement) of a model file.
+/// Names that a mutation may exchange: frames, constants with units, auxiliary variables with the index of the
+/// statement.
 pub struct Names {
     frames: Vec<String>,
     constants: Vec<(String, String)>,
@@ -21,7 +21,7 @@ impl Names {
         for (index, item) in file.items.iter().enumerate() {
             match &item.kind {
                 ItemKind::Frame(f) => names.frames.push(f.name.text.clone()),
-                ItemKind::Parameter(c) => names.constants.push((c.name.text.clone(), unit_text(c))),
+                ItemKind::Parameter(c) => names.constants.push((c.name.text.clone(), unit(c))),
                 ItemKind::Let(l) => names.lets.push((index, l.name.text.clone())),
                 _ => {}
             }
@@ -39,9 +39,8 @@ impl Names {
         self.frames.iter().filter(move |f| *f != name)
     }
 
-    /// Plausible replacements of a name that occurs in the statement with index `item`. For a constant: at most two
-    /// constants of the same unit and one of another unit. For an auxiliary variable: those declared before this
-    /// statement, at most two positions away in the list of auxiliary variables.
+    /// Plausible replacements of a name in the statement `item`: at most two constants of the same unit and one of
+    /// another; auxiliary variables declared before, at most two places away.
     pub fn exchanges(&self, name: &str, item: usize) -> Vec<String> {
         let mut out = Vec::new();
         if let Some(at) = self.constants.iter().position(|(n, _)| n == name) {
@@ -73,9 +72,7 @@ impl Names {
     }
 }
 
-fn unit_text(constant: &Parameter) -> String {
-    let factors = constant.value.unit.iter().flat_map(|u| &u.factors);
-    factors
-        .map(|f| format!("{}^{} ", f.symbol, f.doubled))
-        .collect()
+fn unit(constant: &Parameter) -> String {
+    let unit = constant.value.unit.as_ref();
+    unit.map(ToString::to_string).unwrap_or_default()
 }

@@ -4,10 +4,8 @@ use super::names::Names;
 use super::{Mutation, Operator};
 use model_spec::syntax::ast::{BinaryOp, Expr, ExprKind, Name};
 
-/// Generates the mutations of the expression `e` in the statement with index `item`. Its subexpressions are not
-/// mutated, except the exponent of a power. If `root` is true, `e` is a whole right-hand side and is multiplied by each
-/// of the factors 2, 0.5 and 1.1. Otherwise, if `e` is a name or number, it is multiplied by one of these factors,
-/// chosen by `serial` (index of `e` in the right-hand side) modulo 3.
+/// Mutations of the expression `e` in the statement `item`, not of its subexpressions. A whole right-hand side (`root`)
+/// is multiplied by 2, 0.5 and 1.1, a name or number by one of these, chosen by `serial`.
 pub fn rewrites(
     e: &Expr,
     names: &Names,

@@ -2,8 +2,7 @@
 
 use model_spec::syntax::ast::{BinaryOp, BodyPartKind, Expr, ExprKind, Item, ItemKind};
 
-/// Root expressions in a statement that are mutated, by mutable reference. Empty for statements whose expressions do
-/// not describe physics, such as validity limits and check cases.
+/// Root expressions of a statement that are mutated; none where they do not describe physics.
 pub fn roots(item: &mut Item) -> Vec<&mut Expr> {
     match &mut item.kind {
         ItemKind::Body(body) => {
@@ -18,7 +17,7 @@ pub fn roots(item: &mut Item) -> Vec<&mut Expr> {
     }
 }
 
-/// Describes a statement in messages by its kind and the name that it declares, for example `frame B` or `der(u)`.
+/// Kind and name of a statement for messages, such as `frame B` or `der(u)`.
 pub fn statement_name(item: &Item) -> String {
     match &item.kind {
         ItemKind::Parameter(c) => format!("declaration of {}", c.name.text),
@@ -36,8 +35,7 @@ pub fn statement_name(item: &Item) -> String {
     }
 }
 
-/// Direct subexpressions of an expression that are mutated separately, by mutable reference. The exponent of a power is
-/// not included.
+/// Direct subexpressions that are mutated separately, not the exponent of a power.
 pub fn children(e: &mut Expr) -> Vec<&mut Expr> {
     match &mut e.kind {
         ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Derivative(_) => Vec::new(),
@@ -50,12 +48,12 @@ pub fn children(e: &mut Expr) -> Vec<&mut Expr> {
     }
 }
 
-/// Number of expressions in the syntax tree of `e`, including `e`.
+/// Number of expressions in the tree of `e`.
 pub fn count(e: &mut Expr) -> usize {
     1 + children(e).into_iter().map(count).sum::<usize>()
 }
 
-/// Expression with index `n` in the syntax tree of `e`, in preorder with `e` at index 0; `None` if out of range.
+/// Expression with index `n`, in preorder.
 pub fn nth(e: &mut Expr, n: usize) -> Option<&mut Expr> {
     if n == 0 {
         return Some(e);

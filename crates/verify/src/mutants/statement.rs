@@ -8,8 +8,8 @@ use model_spec::syntax::ast::{
     UnitFactor,
 };
 
-/// Generates the mutations of a statement other than those of its expressions, such as another unit or axis; a mutation
-/// to `None` deletes the statement. `angles` are the names that may replace a frame's angle.
+/// Mutations of a statement other than those of its expressions; `None` deletes it. `angles` may replace a frame's
+/// angle.
 pub fn changes(item: &Item, names: &Names, angles: &[Name]) -> Vec<Mutation<Option<Item>>> {
     let mut out = Changes {
         item,
@@ -80,8 +80,7 @@ impl Changes<'_> {
     }
 }
 
-/// Adds to `out` mutations of the frame to which the components of an input or a marker refer. Each mutation replaces
-/// it by one of the other frames of the model.
+/// Mutations of the frame of an input or a marker.
 fn frame_of_components(out: &mut Changes<'_>, frame: &Name, names: &Names) {
     for other in names.other_frames(&frame.text) {
         out.push(
@@ -96,8 +95,7 @@ fn frame_of_components(out: &mut Changes<'_>, frame: &Name, names: &Names) {
     }
 }
 
-/// Adds the mutations of an interpolated table to `out`: one changed value per knot, and another interpolation of the
-/// same knots.
+/// Mutations of a table: a value of each knot, and another interpolation.
 fn table(out: &mut Changes<'_>, table: &Table) {
     let mut change = |operator, how: String, change: &dyn Fn(&mut Table)| {
         out.push(operator, how, &|item| {
@@ -158,8 +156,7 @@ fn frame(out: &mut Changes<'_>, kind: &FrameKind, names: &Names, angles: &[Name]
     }
 }
 
-/// Adds to `out` the mutations of one part of a body declaration, such as inertia or velocity: another frame, and
-/// interchanged components. `index` is the position of the part in the declaration.
+/// Mutations of the part `index` of a body: another frame, interchanged components.
 fn body_part(out: &mut Changes<'_>, index: usize, part: &BodyPartKind, names: &Names) {
     let mut push = |operator, how: String, change: &dyn Fn(&mut BodyPartKind)| {
         out.push(operator, how, &|item| {
@@ -210,8 +207,7 @@ fn body_part(out: &mut Changes<'_>, index: usize, part: &BodyPartKind, names: &N
     }
 }
 
-/// Frame that a part of a body declaration refers to, with a name of the part for descriptions, such as `inertia`.
-/// `None` for the mass, which refers to no frame.
+/// Frame of a part of a body, with a name of the part; `None` for the mass.
 fn frame_of_part(part: &mut BodyPartKind) -> Option<(&'static str, &mut Name)> {
     Some(match part {
         BodyPartKind::Mass(_) => return None,

@@ -6,25 +6,16 @@ use crate::checks::{cases, claim, identities, metamorphic, reference};
 use crate::options::Options;
 use crate::row::{Row, Verdict};
 use crate::subject::{Interpreted, Subject};
-use crate::values::Values;
 use model_spec::check;
 use model_spec::diagnostic::{Diagnostic, Kind};
 use model_spec::model::{Model, Source};
 
-/// Name of the language checker's check of units, in the list [`CHECKS`] of the checks that are run on mutants.
-pub const UNITS: &str = "units";
-/// Name of the language checker's check of frames, in the list [`CHECKS`] of the checks that are run on mutants.
-pub const FRAMES: &str = "frames";
-/// Name of the language checker's checks other than those of units and frames, in the list [`CHECKS`] of the checks
-/// that are run on mutants.
-pub const GRAMMAR: &str = "names and shapes";
-
-/// Names of the checks that are run on mutants, in ascending order of cost. The last one applies only to models with a
-/// `claim` statement, which declares the meaning of their equations.
+/// Names of the checks that are run on mutants, in ascending order of cost. The first three are those of the language
+/// checker; the last one applies only to models with a `claim` statement, which declares the meaning of their equations.
 pub const CHECKS: [&str; 8] = [
-    UNITS,
-    FRAMES,
-    GRAMMAR,
+    "units",
+    "frames",
+    "names and shapes",
     cases::CASES,
     reference::REFERENCE,
     identities::IDENTITIES,
@@ -35,14 +26,13 @@ pub const CHECKS: [&str; 8] = [
 /// Result of running the checks of the verification on a mutant.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum MutantStatus {
-    /// At least one check refutes the mutant. Contains the indices of these checks in [`CHECKS`]; never empty.
+    /// Killed by the checks with these indices in [`CHECKS`]; never empty.
     Killed(Vec<usize>),
-    /// The mutant is proved equivalent to the model. Contains a text that states how this is proved.
+    /// Proved equivalent to the model, for this reason.
     Equivalent(&'static str),
-    /// No check refutes the mutant, but the model has no reference implementation, or has terms that the reference
-    /// implementation does not contain.
+    /// Not killed, but the model has terms without a reference implementation.
     NotCovered,
-    /// No check refutes the mutant, although the reference implementation contains all terms of the model.
+    /// Not killed, although the reference implementation contains all terms.
     Survived,
 }
 
@@ -63,10 +53,7 @@ pub fn evaluate(
     if !killers.is_empty() {
         return MutantStatus::Killed(killers);
     }
-    match checked
-        .model
-        .and_then(|model| original.same(&Values::of(&model)))
-    {
+    match checked.model.and_then(|model| original.same(&model)) {
         Some(reason) => MutantStatus::Equivalent(reason),
         None if original.has_uncovered_terms() => MutantStatus::NotCovered,
         None => MutantStatus::Survived,
@@ -81,8 +68,8 @@ fn killer(fault: &Diagnostic) -> usize {
     }
 }
 
-/// Indices, in [`CHECKS`], of the numerical checks that refute a mutant. The checks evaluate the mutant's equations
-/// from its vector expressions, without compiling them.
+/// Indices, in [`CHECKS`], of the checks that refute a mutant, whose vector expressions they evaluate without compiling
+/// them.
 fn refusals(model: &Model, original: &Original<'_>, options: &Options) -> Vec<usize> {
     let Ok(equations) = Interpreted::new(model) else {
         return vec![2];

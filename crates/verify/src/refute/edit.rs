@@ -6,26 +6,23 @@ use model_spec::model::{Expr, ExprKind, Function, Model};
 /// A small change, such as another sign, of an expression in a model file that may correct a misprint.
 #[derive(Clone)]
 pub struct Edit {
-    /// Description of the mistake in the original expression that the change corrects; part of a sentence, without a
-    /// full stop.
+    /// Mistake that the change corrects; part of a sentence.
     pub says: String,
-    /// Rank of likelihood, most likely first: 0 extra factor, 1 wrong sign, 2 divisor applied to too many terms of a
-    /// sum, 3 sine for cosine or vice versa, 4 missing factor.
+    /// Rank of likelihood: 0 extra factor, 1 wrong sign, 2 divisor of too many terms, 3 sine for cosine or vice versa,
+    /// 4 missing factor.
     pub rank: u8,
     /// The complete corrected expression, which replaces the original one.
     pub to: Expr,
 }
 
-/// Generates small changes of an expression, such as another sign, that may correct a misprint in an equation
-/// der(state) = … of the model file.
+/// Generates small changes that may correct a misprint in an equation.
 pub struct Editor<'a> {
     model: &'a Model,
     factors: Vec<(String, Expr)>,
 }
 
 impl<'a> Editor<'a> {
-    /// Creates a generator of small changes that may correct a misprint in an equation of a model. Its changes do not
-    /// include multiplying a term by a missing factor.
+    /// Generator without missing factors.
     pub fn new(model: &'a Model) -> Self {
         Self {
             model,
@@ -33,14 +30,13 @@ impl<'a> Editor<'a> {
         }
     }
 
-    /// Creates a generator whose changes include multiplying a term of a sum by one of the given factors (name,
-    /// expression).
+    /// Generator that also multiplies a term of a sum by one of the factors (name, expression).
     pub fn lacking(model: &'a Model, factors: Vec<(String, Expr)>) -> Self {
         Self { model, factors }
     }
 
-    /// Generates all corrections that make one change in `e` or in one of its subexpressions. `term` is the source text
-    /// of the term of a sum in which `e` occurs; the descriptions of the changes quote this text.
+    /// All corrections with one change in `e` or its subexpressions. `term` is the text of the term of a sum in which
+    /// `e` occurs, for descriptions.
     pub fn edits(&self, e: &Expr, term: &str) -> Vec<Edit> {
         let mut out = Vec::new();
         self.edits_of_root(e, term, &mut out);
@@ -122,8 +118,8 @@ impl<'a> Editor<'a> {
         }
     }
 
-    /// Generates the corrections of `(a ± b ± …)/d` in which only the leading terms are divided by `d`, for example
-    /// `a/d ± b`. Each correction is passed to `push` as (rank, description, corrected expression).
+    /// Corrections of `(a ± b ± …)/d` in which only the leading terms are divided, such as `a/d ± b`, passed to `push`
+    /// as (rank, description, expression).
     fn divisor_of_some(&self, sum: &Expr, divisor: &Expr, push: &mut impl FnMut(u8, String, Expr)) {
         let (ExprKind::Add(left, _) | ExprKind::Sub(left, _)) = &sum.kind else {
             return;

@@ -18,28 +18,23 @@ use oracle::scalar::{ErrorBound, Field};
 use oracle::{Point, Tree, Value, claimed_rates};
 use serde::Serialize;
 
-/// An equation der(state) = … of the model file that disagrees with the state's derivative according to the reference:
-/// the reference law that the model names or, without one, the laws of motion of the body that it claims to describe.
+/// An equation that disagrees with the reference law or, without one, with the laws of motion of the claimed body.
 #[derive(Clone, Debug, Serialize)]
 pub struct Refutation {
-    /// Name of the state whose derivative the equation defines, such as `vz`.
+    /// Name of the state, such as `vz`.
     pub state: String,
     /// Source text of the right-hand side of the equation.
     pub equation: String,
-    /// Maximum difference, over random points, between the equation's right-hand side and the derivative according to
-    /// the reference law or the laws of motion. It is relative to the sum of the magnitudes of the terms.
+    /// Maximum difference from the correct derivative, relative to the sum of the magnitudes of the terms.
     pub error: f64,
-    /// Descriptions of the corrections that together make the equation agree with the reference law or the laws of
-    /// motion; empty if no such corrections were found.
+    /// Corrections that together make the equation agree; empty if none were found.
     pub corrections: Vec<String>,
-    /// Maximum difference, over random points, between the right-hand side with all corrections and the derivative
-    /// according to the reference law or the laws of motion. It is relative to the sum of the magnitudes of the terms.
-    /// Equal to `error` if there are no corrections.
+    /// The same difference with all corrections; equal to `error` if there are none.
     pub error_corrected: f64,
 }
 
 impl Refutation {
-    /// Describes in one sentence that the equation is wrong, and the corrections found for it.
+    /// Sentence on the wrong equation and its corrections.
     pub fn sentence(&self) -> String {
         let Self {
             state,
@@ -61,9 +56,8 @@ impl Refutation {
 
 const POINTS: usize = 8;
 
-/// Compares every equation der(state) = … of the model file with the reference: the reference law that the model names
-/// or, without one, the laws of motion of the body that it claims to describe. Returns the equations that disagree,
-/// with corrections that make them agree.
+/// Compares every stated equation with the reference law or, without one, with the laws of motion of the claimed body.
+/// Returns the equations that disagree, with corrections.
 pub fn refutations(subject: &Subject<'_>, options: &Options) -> Vec<Refutation> {
     let model = subject.model;
     let Some(points) = points(subject, options) else {
@@ -95,9 +89,7 @@ pub fn refutations(subject: &Subject<'_>, options: &Options) -> Vec<Refutation> 
         .collect()
 }
 
-/// Draws the random points at which the equations der(state) = … of the model file are compared with a reference law or
-/// with the laws of motion. `None` if the model neither names a reference law nor has a `claim` block, which describes
-/// a body, because nothing can be compared then.
+/// Random points of the comparison; `None` without a reference law and a claim.
 fn points(subject: &Subject<'_>, options: &Options) -> Option<Vec<Point<ErrorBound>>> {
     let mut random = Random::new(options.seed, "refute");
     let has_reference = subject.reference.is_some();
@@ -115,20 +107,16 @@ fn points(subject: &Subject<'_>, options: &Options) -> Option<Vec<Point<ErrorBou
     Some(drawn.collect())
 }
 
-/// Rate of each state with respect to the time of flight at a point, as implied by the laws of motion of the body that
-/// the model claims to describe. The inner `None` marks a state whose rate the laws do not determine. The outer `None`
-/// means that the rates cannot be computed, or that a law that contains rates cannot be satisfied, so that the model's
-/// claim itself is wrong.
+/// Rate of each state with respect to true time, as implied by the laws of motion of the claimed body; an inner `None`
+/// marks a rate that they do not determine. `None` if the claim itself is wrong.
 fn implied(model: &Model, point: &Point<ErrorBound>) -> Option<Vec<Option<ErrorBound>>> {
     let pace = Tree::new(model, point).clock();
     let implied = claimed_rates(model, point, ErrorBound::integer(1) / pace)?;
     implied.solves_the_others.then_some(implied.rates)
 }
 
-/// Auxiliary variables that represent the derivative of a state. The model contains such a variable, with the
-/// right-hand side of the state's equation as its expression, if other equations use the derivative. `truth` contains
-/// the correct rate of each state, `None` if unknown. Returns (index among the model's auxiliary variables, correct
-/// rate) for each variable whose rate is known.
+/// Auxiliary variables that are the derivative of a state, used by other equations, with the correct rate. They have
+/// the expression of the equation.
 fn used_derivatives(
     model: &Model,
     truth: &[Option<ErrorBound>],
@@ -145,26 +133,23 @@ fn used_derivatives(
     out
 }
 
-/// A random point at which the model's equations are compared with a reference law or with the laws of motion.
+/// A random point of the comparison.
 struct ReferencePoint<'a> {
-    /// Evaluator of the model's expressions at the point. State derivatives that occur in the expressions have the
-    /// values in `rates` where these are known.
+    /// The model at the point; derivatives that occur in expressions have the values in `rates` where known.
     tree: Tree<'a, ErrorBound>,
-    /// Rate of each state according to the reference law or the laws of motion; `None` for a rate that these do not
-    /// determine.
+    /// Correct rate of each state; `None` if unknown.
     rates: Vec<Option<ErrorBound>>,
 }
 
-/// Comparison of a model's equations with a reference law or with the laws of motion, at random points.
+/// Comparison of a model's equations with correct rates at random points.
 struct Examination<'a> {
     model: &'a Model,
     points: Vec<ReferencePoint<'a>>,
 }
 
 impl Examination<'_> {
-    /// Maximum, over the random points, of the difference between the expression `e` and the correct derivative of the
-    /// state with index `state`. It is relative to the sum of the magnitudes of the terms. The evaluation stops at the
-    /// first point whose error exceeds `stop`.
+    /// Maximum relative difference of the expression `e` from the correct derivative of the state; stops at the first
+    /// error above `stop`.
     fn error(&self, state: usize, e: &Expr, stop: f64) -> f64 {
         let mut worst = 0.0_f64;
         for point in &self.points {
@@ -209,10 +194,8 @@ impl Examination<'_> {
         })
     }
 
-    /// Searches for corrections of the equation `e` that make it agree with the correct derivative of the state. It
-    /// tries one correction, then one correction including the insertion of a missing factor, then two, then three
-    /// corrections. Returns the descriptions of the corrections and the remaining error; `None` if no correction makes
-    /// the equation agree.
+    /// Searches for corrections with which the equation agrees: one, one including a missing factor, two, three.
+    /// Returns them with the remaining error.
     fn corrections(&self, state: usize, e: &Expr) -> Option<(Vec<String>, f64)> {
         let whole = self.model.text(e.span);
         let plain = Editor::new(self.model);
@@ -258,8 +241,8 @@ impl Examination<'_> {
     }
 }
 
-/// Factors (name, expression) that a misprinted term may lack: 2, 1/2, the parameters, sines and cosines of frame
-/// angles, and the inverses of the parameters, sines and cosines. The expressions have the source location of `at`.
+/// Factors (name, expression) that a misprinted term may lack: 2, 1/2, parameters, sines and cosines of frame angles,
+/// and their inverses. They have the source location of `at`.
 fn factors(model: &Model, at: &Expr) -> Vec<(String, Expr)> {
     let scalar = |kind| Expr {
         kind,

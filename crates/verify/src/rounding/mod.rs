@@ -11,7 +11,7 @@ pub mod statements;
 mod table;
 
 use crate::checks::backends::{self, Run};
-use crate::evaluation::{Inputs, magnitudes, outputs};
+use crate::evaluation::long_results;
 use crate::options::Options;
 use crate::random::Random;
 use crate::row::{Measure, Row, Verdict};
@@ -20,15 +20,14 @@ use crate::subject::Subject;
 use codegen::Compiled;
 use codegen::program::Function;
 use oracle::Point;
-use oracle::scalar::{Big, ErrorBound, Real, with_numbers};
+use oracle::scalar::{Big, Real, with_numbers};
 use serde::Serialize;
 use statements::{Loss, REPORTED_BITS};
 
 /// Name in reports of the check of rounding errors.
 pub const ROUNDING: &str = "rounding";
 
-/// Maximum allowed rounding error of a computed value, in units of the spacing of f64 numbers at the sum of the
-/// magnitudes of a value's terms. It corresponds to 128 rounding errors of half a unit with the same sign.
+/// Maximum allowed error, ulp of the magnitude: 128 rounding errors of half a unit with the same sign.
 pub const ALLOWED: f64 = 64.0;
 
 /// Numbers of points at which the rounding errors of a model's code are measured.
@@ -43,13 +42,13 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// Numbers of points for the check of rounding errors that is part of every verification.
+    /// Numbers of points of the row of a report.
     pub const ROW: Effort = Effort {
         random: 12,
         flights: 2,
         states: 4,
     };
-    /// Numbers of points for the detailed report of the command-line option `--rounding`.
+    /// Numbers of points of the option `--rounding`.
     pub const DETAILS: Effort = Effort {
         random: 200,
         flights: 10,
@@ -57,8 +56,7 @@ impl Effort {
     };
 }
 
-/// Rounding errors of one group of outputs of a compiled function, such as its Jacobian, on one backend. The unit is
-/// the spacing of f64 numbers (ulp) at the sum of the magnitudes of a value's terms.
+/// Rounding errors of one group of outputs of a compiled function on one backend, ulp of the magnitude.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Error {
     /// Name of the backend that computed the values.
@@ -67,34 +65,28 @@ pub struct Error {
     pub fuses: bool,
     /// Name of the compiled function whose results are compared.
     pub function: &'static str,
-    /// Group of outputs of the function: `f` (state derivatives), `J`, `Jp` (their Jacobians with respect to states and
-    /// parameters), `y` (observation), `dy/dx` or `dy/dp` (its Jacobians).
+    /// Group of outputs: `f`, `J`, `Jp` (Jacobians by states and parameters), `y` (observation), `dy/dx` or `dy/dp`.
     pub values: &'static str,
-    /// Number of values, over all outputs of the group and all points, that were compared with the exact values.
+    /// Number of compared values, over all outputs and points.
     pub compared: usize,
-    /// Maximum error over the compared values, in units of the spacing of f64 numbers (ulp) at the sum of the
-    /// magnitudes of a value's terms.
+    /// Maximum error, ulp of the magnitude.
     pub worst: f64,
-    /// Median error over the compared values, in units of the spacing of f64 numbers (ulp) at the sum of the magnitudes
-    /// of a value's terms.
+    /// Median error, ulp of the magnitude.
     pub median: f64,
     /// Name of the computed value with the maximum error.
     pub place: String,
 }
 
-/// Rounding errors of a model's compiled functions on all backends, and the bits that each statement of the model
-/// loses.
+/// Rounding errors of a model on all backends, and the bits that each statement loses.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Rounding {
     /// Text that names the unit of the rounding errors in reports.
     pub measure: &'static str,
-    /// Number of random points and number of states along flights that were drawn to measure rounding errors, including
-    /// those counted in `left_out`.
+    /// Numbers of random points and of states along flights, those in `left_out` included.
     pub points: [usize; 2],
-    /// Number of points left out because a value is not finite there, or because rounding may change the result of a
-    /// branch, such as that of abs, whose argument is close to the branch point.
+    /// Number of points left out because a value is not finite or rounding may decide a branch.
     pub left_out: usize,
-    /// Rounding errors by backend, compiled function and group of outputs of the function, such as its Jacobian.
+    /// Rounding errors by backend, function and group of outputs.
     pub errors: Vec<Error>,
     /// Statements of the model that lose bits, in descending order of the loss.
     pub losses: Vec<Loss>,
@@ -106,10 +98,9 @@ const MEASURE: &str =
 
 /// Results of a compiled function at one point, computed with [`PRECISION`](oracle::scalar::PRECISION) bits.
 struct Exact {
-    /// Index of the function in [`Compiled::functions`].
-    function: usize,
-    /// For each value: the f64 nearest to the exact value, the remainder exact − nearest, and the sum of the magnitudes
-    /// of the value's terms.
+    /// Name of the function.
+    name: &'static str,
+    /// For each value: the nearest f64, exact − nearest, and the sum of the magnitudes of the terms.
     values: Vec<(f64, f64, f64)>,
 }
 
@@ -144,30 +135,24 @@ pub fn measure(
     }
 }
 
-/// Rounding errors of each backend, by compiled function and group of its outputs, such as its Jacobian. Also returns
-/// the number of points left out because a value is not finite there or because rounding may change the result of a
-/// branch, such as that of abs.
+/// Rounding errors of each backend, and the number of points left out because a value is not finite or rounding may
+/// decide a branch.
 pub fn errors(compiled: &Compiled, points: &[Point<f64>], runs: &[Run]) -> (Vec<Error>, usize) {
     let exact: Vec<Option<Vec<Exact>>> = points.iter().map(|p| exact(compiled, p)).collect();
     let left_out = exact.iter().filter(|e| e.is_none()).count();
     let mut errors = Vec::new();
     for run in runs {
-        for (index, function) in compiled.functions().into_iter().enumerate() {
+        for function in compiled.functions() {
             for (values, range) in sections(function) {
-                let mut all: Vec<(f64, usize)> = Vec::new();
-                for (exact, results) in exact.iter().zip(&run.results) {
-                    let Some(exact) = exact else { continue };
-                    let Some(exact) = exact.iter().find(|e| e.function == index) else {
-                        continue;
-                    };
-                    let start = offset(compiled, index);
-                    for k in range.clone() {
-                        let Some(&got) = results.get(start + k) else {
-                            continue;
-                        };
-                        all.push((error(exact.values[k], got), k));
-                    }
-                }
+                let points = exact.iter().zip(&run.results);
+                let pairs = points.filter_map(|(exact, results)| {
+                    let exact = exact.as_ref()?.iter().find(|e| e.name == function.name)?;
+                    let results = backends::results_of(compiled, results, function.name);
+                    Some(exact.values.iter().zip(results).enumerate())
+                });
+                let pairs = pairs.flatten().filter(|(k, _)| range.contains(k));
+                let errors_of = pairs.map(|(k, (exact, &got))| (error(*exact, got), k));
+                let mut all: Vec<(f64, usize)> = errors_of.collect();
                 sort_largest_first(&mut all);
                 let Some(&(worst, place)) = all.first() else {
                     continue;
@@ -193,8 +178,7 @@ fn sort_largest_first(errors: &mut [(f64, usize)]) {
     errors.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
 }
 
-/// Creates the result of the check of rounding errors for the verification report. The check holds if no backend's
-/// error exceeds [`ALLOWED`]. Statements of the model that lose digits are listed in a remark.
+/// Row of a report: holds if no error exceeds [`ALLOWED`]; a remark lists statements that lose digits.
 pub fn row(rounding: &Rounding) -> Row {
     let [random, flown] = rounding.points;
     let cases = random + flown - rounding.left_out;
@@ -231,43 +215,27 @@ pub fn row(rounding: &Rounding) -> Row {
     }
 }
 
-/// Evaluates in 256-bit arithmetic, at one point, the compiled functions whose rounding errors are measured: those of
-/// the state derivatives, the observation and their Jacobians. `None` if a value is not finite, or if rounding may
-/// change the result of a branch, such as that of abs.
+/// Measured functions in 256-bit arithmetic; `None` if a value is not finite or rounding may decide a branch.
 fn exact(compiled: &Compiled, point: &Point<f64>) -> Option<Vec<Exact>> {
+    let functions = compiled.functions().into_iter();
+    let measured = functions.filter(|function| !sections(function).is_empty());
     with_numbers(|| {
-        let mut bounds: Inputs<ErrorBound> = Inputs::of(point);
-        bounds.prepared = magnitudes(&compiled.prepare.program, &bounds, None)?;
-        let mut inputs: Inputs<Big> = Inputs::of(point);
-        inputs.prepared = outputs(&compiled.prepare.program, &inputs);
-        let mut all = Vec::new();
-        for (index, function) in compiled.functions().into_iter().enumerate() {
-            if sections(function).is_empty() {
-                continue;
-            }
-            let bounds = magnitudes(&function.program, &bounds, None)?;
-            let values = outputs(&function.program, &inputs).into_iter().zip(bounds);
-            let values = values.map(|(value, bound)| {
+        let all = long_results(compiled, measured, point, false)?.into_iter();
+        let all = all.map(|(function, values)| {
+            let values = values.into_iter().map(|(value, bound)| {
                 let rounded = value.re();
                 (rounded, (value - Big::lit(rounded)).re(), bound.magnitude)
             });
             let values: Vec<(f64, f64, f64)> = values.collect();
-            let finite = |v: &(f64, f64, f64)| v.0.is_finite() && v.2.is_finite();
-            if !values.iter().all(finite) {
-                return None;
-            }
-            all.push(Exact {
-                function: index,
-                values,
-            });
-        }
-        Some(all)
+            let mut finite = values.iter().map(|v| v.0.is_finite() && v.2.is_finite());
+            let name = function.name;
+            finite.all(|f| f).then_some(Exact { name, values })
+        });
+        all.collect()
     })
 }
 
-/// Error of the computed result `got`, in units of the spacing of f64 numbers at the sum of the magnitudes of the
-/// result's terms. The first argument describes the exact result as a tuple: (exact value rounded to f64, exact −
-/// rounded, sum of the magnitudes of the terms).
+/// Error of the result `got`, ulp of the magnitude; the other argument is one of [`Exact::values`].
 fn error((rounded, rest, magnitude): (f64, f64, f64), got: f64) -> f64 {
     // The subtraction is exact for close values (Sterbenz); for others its rounding does not matter.
     let error = (got - rounded - rest).abs();
@@ -279,8 +247,7 @@ fn error((rounded, rest, magnitude): (f64, f64, f64), got: f64) -> f64 {
     if error.is_nan() { f64::INFINITY } else { error }
 }
 
-/// Groups of outputs of a compiled function (such as state derivatives and Jacobian) whose rounding errors are
-/// measured: name in tables, and index range in the outputs.
+/// Measured groups of outputs of a function: name in tables, and index range.
 fn sections(function: &Function) -> Vec<(&'static str, std::ops::Range<usize>)> {
     let names: &[(&'static str, &str)] = match function.name {
         "f" => &[("f", "dx")],
@@ -294,10 +261,4 @@ fn sections(function: &Function) -> Vec<(&'static str, std::ops::Range<usize>)> 
         .iter()
         .map(|&(says, name)| (says, function.range(name)));
     ranges.filter(|(_, range)| !range.is_empty()).collect()
-}
-
-/// Index, among the concatenated results of all functions, of the first result of the function with the given index.
-fn offset(compiled: &Compiled, index: usize) -> usize {
-    let before = compiled.functions().into_iter().take(index);
-    before.map(|f| f.program.outputs.len()).sum()
 }

@@ -9,18 +9,14 @@ use oracle::Point;
 
 /// Duration of each flight along which states are sampled, s.
 const DURATION: f64 = 0.5;
-/// Maximum number of integration steps between two points sampled along a flight. Flights from most random points need
-/// fewer than 300; from a few random points, the motion is so fast that 100,000 do not suffice.
+/// Maximum number of integration steps between two points; a few random points need over 100,000.
 const MAX_STEPS: usize = 2_000;
-/// Maximum number of random starting points that are tried for each flight. The first start is used from which at least
-/// one point along the flight can be sampled.
+/// Maximum number of starts that are tried for each flight.
 const MAX_STARTS: usize = 4;
-/// Values that a state is set to in order to measure rounding near 0, relative to the state's typical magnitude.
+/// Values of a state near 0, relative to its typical magnitude.
 const NEAR_ZERO: [f64; 2] = [1e-3, 1e-7];
 
-/// Points along `flights` simulated flights from random points, at most `each` per flight. A flight ends early if it
-/// leaves the model's validity limits or its integration fails. Another flight is attempted if it ends before its first
-/// sampled point.
+/// Points along flights from random points, at most `each` per flight, within the validity limits.
 pub fn flown(
     subject: &Subject<'_>,
     flights: usize,
@@ -37,8 +33,7 @@ pub fn flown(
     points
 }
 
-/// Points along a simulated flight that starts at the point `at`, at intervals of `DURATION / count`, without the
-/// start. Fewer than `count` if the integration fails or the flight leaves the model's validity limits.
+/// Points along a flight at intervals of `DURATION / count`, without the start, until it fails or leaves the limits.
 fn flight(subject: &Subject<'_>, mut at: Point<f64>, count: usize) -> Vec<Point<f64>> {
     let points = (0..count).map_while(|_| {
         at = flown_on(subject, &at, DURATION / count as f64)?;
@@ -47,8 +42,7 @@ fn flight(subject: &Subject<'_>, mut at: Point<f64>, count: usize) -> Vec<Point<
     points.collect()
 }
 
-/// Point reached by a flight `seconds` after the point `from`; `None` if the integration fails or a state is not
-/// finite.
+/// Point reached after `seconds`; `None` if the integration fails or a state is not finite.
 fn flown_on(subject: &Subject<'_>, from: &Point<f64>, seconds: f64) -> Option<Point<f64>> {
     let options = IntegrationOptions {
         max_steps: MAX_STEPS,
@@ -59,8 +53,7 @@ fn flown_on(subject: &Subject<'_>, from: &Point<f64>, seconds: f64) -> Option<Po
     end.states.iter().all(|v| v.is_finite()).then_some(end)
 }
 
-/// Random points at which one state is near 0, each with a description. For every state there is one point per
-/// relative magnitude in the constant `NEAR_ZERO`. Points outside the model's validity limits are left out.
+/// Random points, with descriptions, at which one state is near 0.
 pub fn near_zero(subject: &Subject<'_>, random: &mut Random) -> Vec<(String, Point<f64>)> {
     let mut points = Vec::new();
     for (index, state) in subject.model.states.iter().enumerate() {

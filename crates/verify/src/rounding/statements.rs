@@ -19,20 +19,16 @@ use oracle::scalar::{Big, Real, with_numbers};
 use serde::Serialize;
 use std::path::Path;
 
-/// Number of lost bits above which a statement is reported. At a random point, cancellation loses this many bits by
-/// chance once in a million.
+/// Number of lost bits above which a statement is reported: by chance, once in a million points.
 pub const REPORTED_BITS: f64 = 20.0;
 
-/// Minimum magnitude of values whose lost bits are counted. Smaller values may be subnormal f64 numbers, which have
-/// fewer digits.
+/// Minimum magnitude of values whose lost bits are counted; smaller ones may be subnormal.
 const MIN_NORM: f64 = 1e-290;
 
-/// A statement of the model whose value is inaccurate because of rounding or cancellation, with the number of lost
-/// bits.
+/// A statement whose value loses bits.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Loss {
-    /// Name of what the statement declares: an auxiliary variable, a force or moment, a derivative such as `der(v)`, an
-    /// observation, `clock`, `mass` or `inertia`.
+    /// Name of what the statement declares, such as `alpha`, `der(v)`, `clock`, `mass` or `inertia`.
     pub name: String,
     /// File name of the model or effect, without folders.
     pub source: String,
@@ -40,9 +36,9 @@ pub struct Loss {
     pub line: usize,
     /// Source text of the line with the statement.
     pub text: String,
-    /// Maximum, over the points, of the number of bits that the statement loses, out of the 53 bits of an f64.
+    /// Maximum number of lost bits over the points, out of 53.
     pub bits: f64,
-    /// Median, over the points, of the number of bits that the statement loses.
+    /// Median number of lost bits.
     pub median_bits: f64,
     /// Description of the point at which the statement loses the most bits.
     pub place: String,
@@ -54,8 +50,7 @@ struct Statement {
     span: Span,
 }
 
-/// Number of bits of precision that each statement loses at the given points (description, point), in descending order.
-/// Statements that lose no bits are left out.
+/// Bits that each statement loses at points with descriptions, in descending order, without those that lose none.
 pub fn losses(model: &Model, points: &[(String, Point<f64>)]) -> Vec<Loss> {
     let (alone, statements) = separated(model);
     let whole = compile_every_value(model);
@@ -67,18 +62,15 @@ pub fn losses(model: &Model, points: &[(String, Point<f64>)]) -> Vec<Loss> {
     let mut lost: Vec<Vec<(f64, usize)>> = vec![Vec::new(); statements.len()];
     for (place, (_, point)) in points.iter().enumerate() {
         with_numbers(|| {
-            let values: Vec<Big> = outputs(&whole.program, &Inputs::of(point));
+            let mut exact: Inputs<Big> = Inputs::of(&point.lift());
+            let values = outputs(&whole.program, &exact);
             let given = &values[start..];
-            let p = point.parameters();
-            let exact_p: Vec<Big> = p.iter().copied().map(Big::lit).collect();
             let near: Vec<f64> = given.iter().map(|v| v.re()).collect();
-            let p = rearranged(model, &whole.lets, &p, &near);
-            let exact_p = rearranged(model, &whole.lets, &exact_p, given);
-            let inputs = Inputs::of(point).with_parameters(exact_p);
-            let exact: Vec<Big> = outputs(&parts.program, &inputs);
-            let mut rounded = vec![0.0; tape.outputs()];
-            let inputs = engine::inputs(point, &p, &[]);
-            tape.eval(inputs, &mut Vec::new(), &mut rounded);
+            let mut rounded = Inputs::of(point);
+            rounded.parameters = rearranged(model, &whole.lets, &rounded.parameters, &near);
+            exact.parameters = rearranged(model, &whole.lets, &exact.parameters, given);
+            let exact = outputs(&parts.program, &exact);
+            let rounded = engine::outputs(&tape, &rounded);
             let mut at = start_alone;
             for (statement, &width) in parts.lets.iter().enumerate() {
                 let range = at..at + width;
@@ -98,10 +90,9 @@ pub fn losses(model: &Model, points: &[(String, Point<f64>)]) -> Vec<Loss> {
     losses
 }
 
-/// Builds the parameter vector of the model that [`separated`] returns, in which auxiliary variables are inputs. Its
-/// order is: parameters, scalar auxiliary variables, coefficients, inputs, vector auxiliary variables. `all` is the
-/// parameter vector of the original model. `given` contains the components of its auxiliary variables, one variable
-/// after the other; `lets` contains the number of components of each variable, 1 or 3.
+/// Parameter vector of the model of [`separated`]: parameters, scalar auxiliary variables, coefficients, inputs, vector
+/// auxiliary variables. `all`: parameter vector of the original model; `given`: components of its auxiliary variables,
+/// `lets` of each.
 fn rearranged<T: Copy>(model: &Model, lets: &[usize], all: &[T], given: &[T]) -> Vec<T> {
     let (mut scalars, mut vectors, mut rest) = (Vec::new(), Vec::new(), given);
     for &width in lets {
@@ -116,8 +107,8 @@ fn rearranged<T: Copy>(model: &Model, lets: &[usize], all: &[T], given: &[T]) ->
     [params, &scalars, rest, &vectors].concat()
 }
 
-/// Number of inaccurate bits of a scalar or a vector: log2 of the error relative to the norm, in units of the f64
-/// epsilon. `None` if the norm is below [`MIN_NORM`] or not finite in f64.
+/// Lost bits of a scalar or vector: log2 of the error in units of the f64 epsilon of the norm. `None` if the norm is
+/// below [`MIN_NORM`] or not finite.
 fn bits(exact: &[Big], rounded: &[f64]) -> Option<f64> {
     let norm = |values: Vec<f64>| values.iter().fold(0.0, |sum: f64, v| sum.hypot(*v));
     let size = norm(exact.iter().map(|v| v.re()).collect());
@@ -154,9 +145,8 @@ fn loss(
     })
 }
 
-/// Builds a model in which every statement becomes an auxiliary variable and reads the original auxiliary variables as
-/// inputs. The rounding error of a statement then does not include the errors of the auxiliary variables that it uses.
-/// Also returns the statements, in the order of the auxiliary variables of the built model.
+/// Model in which every statement is an auxiliary variable that reads the original ones as inputs, so that their errors
+/// do not count; and the statements in this order.
 fn separated(model: &Model) -> (Model, Vec<Statement>) {
     let mut alone = model.clone();
     let mut statements: Vec<Statement> = Vec::new();

@@ -8,8 +8,7 @@ use crate::table::plain_table;
 const LISTED: usize = 10;
 
 impl Loss {
-    /// Describes the loss in one sentence: file, line and name of the statement, how many of the 53 bits of an f64 are
-    /// inaccurate, and at which point.
+    /// Sentence on the loss: file, line, name, bits and point.
     pub fn sentence(&self) -> String {
         format!(
             "{}, line {}: `{}` loses {:.0} of 53 bits at {} (median {:.0}): {}",
@@ -19,8 +18,7 @@ impl Loss {
 }
 
 impl Rounding {
-    /// Formats tables of the rounding errors by backend and function, and a list of the statements that lose digits.
-    /// Backends with equal errors share a table.
+    /// Tables of the rounding errors, one for backends with equal errors, and the statements that lose digits.
     pub fn table(&self) -> String {
         let [random, flown] = self.points;
         let mut text = format!(

@@ -176,7 +176,7 @@ fn metamorphic_relations() {
 fn derivatives() {
     let (model, old) = (disc(), stale("C_La*alpha", "1.01*C_La*alpha"));
     let engine = Engine::new(&old);
-    let rows = derivatives::check(&Subject::new(&model, &engine), &engine, &QUICK);
+    let rows = derivatives::check(&Subject::new(&model, &engine), &old, &QUICK);
     assert_eq!(rows.len(), derivatives::CHECKS.len());
     for row in rows {
         assert_eq!(row.verdict, Verdict::Refuted, "{}", row.check);

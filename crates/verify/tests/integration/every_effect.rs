@@ -1,8 +1,10 @@
 //! Every check holds of every model with every effect of the catalogue switched on.
 
-use crate::support::{QUICK, refuted};
+use crate::support::{QUICK, refuted, row};
+use model_spec::compose::known_effects;
 use model_spec::load::{EFFECTS, inspect, load};
 use verify::Options;
+use verify::checks::effects::EFFECT_REFERENCE;
 
 const MODELS: [&str; 4] = ["disc", "disc_quaternion", "discus", "ball"];
 
@@ -32,5 +34,20 @@ fn a_model_with_all_effects_is_verified() {
         let names = EFFECTS.iter().map(|(name, _)| *name);
         let names: Vec<&str> = names.filter(|name| load(model, &[name]).is_ok()).collect();
         verified(model, &names, &Options { cases: 8, ..QUICK });
+    }
+}
+
+#[test]
+fn the_row_has_each_effect_alone_and_all_together() {
+    for name in ["disc", "ball"] {
+        let known = known_effects(&load(name, &[]).unwrap());
+        let offered = known.iter().filter(|known| known.refused.is_none()).count();
+        let specific = EFFECTS
+            .iter()
+            .filter(|e| load(name, &[e.0]).is_ok())
+            .count();
+        assert!(offered >= specific, "{name}");
+        let report = verify::run(&inspect(name, &[]).unwrap(), &QUICK);
+        assert_eq!(row(&report, EFFECT_REFERENCE).cases, offered + 1, "{name}");
     }
 }

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use verify::Options;
 use verify::checks::backends::{self, Run};
 use verify::checks::claim::CLAIM;
-use verify::checks::{cases, effect_reference, effects, exact, exact_functions, identities};
+use verify::checks::{cases, effects, exact, exact_functions, identities};
 use verify::checks::{derivatives, metamorphic, reference, singular, units};
 use verify::flights::{INVARIANTS, MOMENTA};
 use verify::mutants::MutationMatrix;
@@ -17,6 +17,7 @@ use verify::random::Random;
 use verify::report::{Row, Verdict};
 use verify::rounding::{self, ROUNDING, Rounding};
 use verify::sample;
+use verify::values::Values;
 
 /// Text of the ball model as a user might change it: another name and an additional side force.
 fn own_text() -> String {
@@ -252,9 +253,9 @@ fn breakages() -> Vec<(&'static str, Breakage, Breakage)> {
             By(|base| effect_row(base, "drag = rho_air*V^2/2*A*C_D*(1 + 0.001*cos(C_x))")),
         ),
         (
-            effect_reference::EFFECT_REFERENCE,
-            Text("-m*g_here*N.3", "m*g_here*N.3"),
-            Text("-m*g_here*N.3", "m*g_here*N.3"),
+            effects::EFFECT_REFERENCE,
+            By(|base| code_of_effect(base, "C_L", "C_L0 + C_La*alpha + C_x")),
+            By(|base| code_of_effect(base, "drag", "rho_air*V^2/2*A*C_D*(1 + C_x)")),
         ),
         ("mutants", By(|_| a_survivor()), By(|_| a_survivor())),
     ];
@@ -275,6 +276,30 @@ fn effect_row(base: &Base, law: &str) -> Row {
         ..base.clone()
     };
     row_of(&verify::run(&with.loaded(), &QUICK), effects::EFFECTS).clone()
+}
+
+/// Result of the comparison of effects with the oracle, for an effect that replaces the quantity `name` by `law`, if its
+/// code was compiled from a text in which its coefficient counts a millionth more.
+fn code_of_effect(base: &Base, name: &str, law: &str) -> Row {
+    let model = |law: &str| {
+        let effect = format!(
+            "effect shift {{ site drag; coefficient C_x = 0 in -1 .. 1; negligible C_x 0.001; replace {name} = {law}; }}"
+        );
+        let text = base.text.clone() + &effect;
+        inspect_text(base.name, &text, &["shift"])
+            .unwrap()
+            .model
+            .unwrap()
+    };
+    let row = |code: &str| {
+        let variant = effects::Variant {
+            model: model(law),
+            values: Values::of(&model(code)),
+        };
+        effects::against_oracle(&[variant], &QUICK)
+    };
+    assert_eq!(row(law).verdict, Verdict::Holds);
+    row(&law.replace("C_x", "1.000001*C_x"))
 }
 
 fn a_survivor() -> Row {
@@ -361,6 +386,10 @@ fn breakages_of_claimed() -> Vec<(&'static str, Breakage)> {
         (
             effects::EFFECTS,
             By(|base| effect_row(base, "drag = pressure_force*C_D*(1 + 0.001*cos(C_x))")),
+        ),
+        (
+            effects::EFFECT_REFERENCE,
+            By(|base| code_of_effect(base, "drag", "pressure_force*C_D*(1 + C_x)")),
         ),
     ];
     let of_code = || Code("lift/(m*V)", "1.01*lift/(m*V)");

@@ -125,9 +125,10 @@ const KNOTS: [(f64, f64); 6] = [
 fn a_model_with_tables_holds() {
     for way in WAYS {
         let model = with_table(&KNOTS, way);
-        let engine = Engine::new(&codegen::compile(&model));
+        let compiled = codegen::compile(&model);
+        let engine = Engine::new(&compiled);
         let subject = Subject::new(&model, &engine);
-        for row in &derivatives::check(&subject, &engine, &QUICK)[..3] {
+        for row in &derivatives::check(&subject, &compiled, &QUICK)[..3] {
             assert_eq!(
                 row.verdict,
                 Verdict::Holds,
@@ -185,9 +186,10 @@ fn code_with_another_table_is_refuted() {
         let values = Values::of(&other);
         let row = reference::tree(&Subject::new(&model, &values), &QUICK);
         assert_eq!(row.verdict, Verdict::Refuted, "{what}: {}", row.worst);
-        let engine = Engine::new(&codegen::compile(&other));
+        let compiled = codegen::compile(&other);
+        let engine = Engine::new(&compiled);
         let subject = Subject::new(&model, &engine);
-        let rows = derivatives::check(&subject, &engine, &QUICK);
+        let rows = derivatives::check(&subject, &compiled, &QUICK);
         assert_eq!(
             rows[0].verdict,
             Verdict::Refuted,

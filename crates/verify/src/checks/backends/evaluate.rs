@@ -1,149 +1,181 @@
-//! Evaluates all functions of a model at many points: by tapes, and by generated code for `f64`.
+//! Evaluates all functions of a model at many points: by tapes, and by generated code.
 
+use crate::evaluation::Inputs;
 use codegen::program::Program;
-use codegen::tape::{Inputs, Tape};
+use codegen::tape::Tape;
+use generated::{Equations, Visitor};
 use lanes::{Isa, Kernel, Lanes, Real, dispatch_with};
 use oracle::Point;
+use std::marker::PhantomData;
 
-/// Inputs of the compiled functions at a point, in the order of the compiled model's variables: time, states,
-/// parameters, marker position.
-pub(super) struct Numbers<T> {
-    t: T,
-    x: Vec<T>,
-    p: Vec<T>,
-    marker: Vec<T>,
-}
+/// Implementation of all functions of a model for any scalar type.
+pub trait Functions {
+    /// Concatenated results of all functions, in the order of [`codegen::Compiled::functions`].
+    fn results<T: Real>(&self, inputs: Inputs<T>) -> Vec<T>;
 
-impl Numbers<f64> {
-    pub fn of(point: &Point<f64>) -> Self {
-        Self {
-            t: point.time,
-            x: point.states.clone(),
-            p: point.parameters(),
-            marker: point.marker.iter().copied().collect(),
-        }
+    /// Results at each point, computed with one SIMD instruction set; `None` if this machine lacks it.
+    fn on_lanes(&self, isa: Isa, points: &[Point<f64>]) -> Option<Vec<Vec<f64>>>
+    where
+        Self: Sized,
+    {
+        let functions = self;
+        dispatch_with(isa, Batch { functions, points })
     }
 }
 
 /// Tapes of all functions of a model, in the order of [`codegen::Compiled::functions`]. The first tape computes values
 /// that depend on parameters only; the other tapes read them.
-pub(super) struct Tapes(Vec<Tape>);
+pub struct Tapes(Vec<Tape>);
 
 impl Tapes {
+    /// Creates the tapes of the programs of all functions.
     pub fn new<'a>(programs: impl IntoIterator<Item = &'a Program>) -> Self {
         Self(programs.into_iter().map(Tape::new).collect())
     }
+}
 
-    /// Concatenated results of all compiled functions of the model at a point, in the order of
-    /// [`codegen::Compiled::functions`].
+impl Functions for Tapes {
     #[inline(always)]
-    pub fn results<T: Real>(&self, at: &Numbers<T>) -> Vec<T> {
-        let (mut all, mut prepared, mut scratch) = (Vec::new(), Vec::new(), Vec::new());
+    fn results<T: Real>(&self, mut inputs: Inputs<T>) -> Vec<T> {
+        let (mut all, mut scratch) = (Vec::new(), Vec::new());
         for (k, tape) in self.0.iter().enumerate() {
             let mut out = vec![T::splat(0.0); tape.outputs()];
-            let inputs = Inputs {
-                t: at.t,
-                x: &at.x,
-                p: &at.p,
-                prepared: &prepared,
-                marker: &at.marker,
-            };
-            tape.eval(inputs, &mut scratch, &mut out);
+            tape.eval(inputs.of_tape(), &mut scratch, &mut out);
             if k == 0 {
-                prepared.clone_from(&out);
+                inputs.prepared.clone_from(&out);
             }
             all.extend(out);
         }
         all
     }
+}
 
-    /// Concatenated results of all compiled functions of the model at each point, computed with one SIMD instruction
-    /// set; `None` if this machine lacks it.
-    pub fn on_lanes(&self, isa: Isa, points: &[Point<f64>]) -> Option<Vec<Vec<f64>>> {
-        dispatch_with(
-            isa,
-            Batch {
-                tapes: self,
-                points,
-            },
-        )
+/// Generated code of the model `E`.
+struct Generated<E>(PhantomData<E>);
+
+impl<E: Equations> Functions for Generated<E> {
+    #[inline(always)]
+    fn results<T: Real>(&self, at: Inputs<T>) -> Vec<T> {
+        let (t, x, p, marker) = (at.time, &*at.states, &*at.parameters, &*at.marker);
+        let m = E::MODEL;
+        let zeros = |len: usize| vec![T::splat(0.0); len];
+        let k = &mut zeros(m.prepared.len());
+        E::prepare(p, k);
+        let (dx, j) = (&mut zeros(m.states.len()), &mut zeros(m.j_pattern.len()));
+        let jp = &mut zeros(m.jp_pattern.len());
+        let mut all = vec![k.clone()];
+        E::f(t, x, p, k, dx);
+        all.push(dx.clone());
+        E::f_jac(t, x, p, k, dx, j);
+        all.extend([dx.clone(), j.clone()]);
+        E::f_jac_par(t, x, p, k, dx, j, jp);
+        all.extend([dx.clone(), j.clone(), jp.clone()]);
+        if m.observed {
+            let y = &mut zeros(3);
+            let patterns = [m.dy_dx_pattern, m.dy_dp_pattern, m.dy_dmarker_pattern];
+            let [mut by_x, mut by_p, mut by_marker] = patterns.map(|pattern| zeros(pattern.len()));
+            E::observe(t, x, p, k, marker, y);
+            all.push(y.clone());
+            let [a, b, c] = [&mut by_x, &mut by_p, &mut by_marker];
+            E::observe_jac(t, x, p, k, marker, y, a, b, c);
+            all.extend([y.clone(), by_x, by_p, by_marker]);
+        }
+        let q = &mut zeros(m.quantity_names.len());
+        let l = &mut zeros(m.limit_bounds.len());
+        E::quantities(t, x, p, k, q);
+        E::limits(t, x, p, k, l);
+        all.extend([q.clone(), l.clone()]);
+        all.concat()
     }
 }
 
-struct Batch<'a> {
-    tapes: &'a Tapes,
+struct Batch<'a, F> {
+    functions: &'a F,
     points: &'a [Point<f64>],
 }
 
-impl Kernel for Batch<'_> {
+impl<F: Functions> Kernel for Batch<'_, F> {
     type Output = Vec<Vec<f64>>;
 
     #[inline(always)]
     fn run<T: Lanes>(self) -> Vec<Vec<f64>> {
         let mut results = Vec::with_capacity(self.points.len());
         for chunk in self.points.chunks(T::WIDTH) {
-            let each: Vec<Numbers<f64>> = chunk.iter().map(Numbers::of).collect();
+            let each: Vec<Inputs<f64>> = chunk.iter().map(Inputs::of).collect();
             // Lanes beyond the last point repeat the last point.
-            let pick = |value: &dyn Fn(&Numbers<f64>) -> f64| {
-                T::from_fn(|lane| value(&each[lane.min(each.len() - 1)]))
+            let lanes = |values: &dyn Fn(&Inputs<f64>) -> Vec<f64>| -> Vec<T> {
+                let each: Vec<Vec<f64>> = each.iter().map(values).collect();
+                let of_lane = |k: usize, lane: usize| each[lane.min(each.len() - 1)][k];
+                let count = 0..each[0].len();
+                count.map(|k| T::from_fn(|lane| of_lane(k, lane))).collect()
             };
-            let at = Numbers {
-                t: pick(&|n| n.t),
-                x: (0..each[0].x.len()).map(|i| pick(&|n| n.x[i])).collect(),
-                p: (0..each[0].p.len()).map(|i| pick(&|n| n.p[i])).collect(),
-                marker: (0..3).map(|i| pick(&|n| n.marker[i])).collect(),
-            };
-            let out = self.tapes.results(&at);
+            let out = self.functions.results(Inputs {
+                time: lanes(&|at| vec![at.time])[0],
+                states: lanes(&|at| at.states.clone()),
+                parameters: lanes(&|at| at.parameters.clone()),
+                marker: lanes(&|at| at.marker.clone()),
+                prepared: Vec::new(),
+            });
             results.extend((0..chunk.len()).map(|lane| out.iter().map(|v| v.lane(lane)).collect()));
         }
         results
     }
 }
 
-/// Concatenated `f64` results, at a point, of all functions of the Rust code generated from a model, in the order of
-/// [`Tapes::results`].
-pub(super) fn generated_results(m: &generated::Model, at: &Numbers<f64>) -> Vec<f64> {
-    let zeros = |n: usize| vec![0.0; n];
-    let (n, Numbers { t, x, p, marker }) = (m.states.len(), at);
-    let mut k = zeros(m.prepared.len());
-    (m.prepare)(p, &mut k);
-    let mut all = k.clone();
-    let mut push = |parts: Vec<Vec<f64>>| all.extend(parts.into_iter().flatten());
-    let (mut dx, mut j, mut jp) = (
-        zeros(n),
-        zeros(m.j_pattern.len()),
-        zeros(m.jp_pattern.len()),
-    );
-    (m.f)(*t, x, p, &k, &mut dx);
-    push(vec![dx.clone()]);
-    (m.f_jac)(*t, x, p, &k, &mut dx, &mut j);
-    push(vec![dx.clone(), j.clone()]);
-    (m.f_jac_par)(*t, x, p, &k, &mut dx, &mut j, &mut jp);
-    push(vec![dx, j, jp]);
-    if m.observed {
-        let (mut y, mut by_x) = (zeros(3), zeros(m.dy_dx_pattern.len()));
-        let (mut by_p, mut by_marker) = (
-            zeros(m.dy_dp_pattern.len()),
-            zeros(m.dy_dmarker_pattern.len()),
-        );
-        (m.observe)(*t, x, p, &k, marker, &mut y);
-        push(vec![y.clone()]);
-        (m.observe_jac)(
-            *t,
-            x,
-            p,
-            &k,
-            marker,
-            &mut y,
-            &mut by_x,
-            &mut by_p,
-            &mut by_marker,
-        );
-        push(vec![y, by_x, by_p, by_marker]);
+/// Visitor that evaluates the generated code of a model with every instruction set of this machine.
+pub(super) struct OnLanes<'a>(pub &'a [Point<f64>]);
+
+impl Visitor for OnLanes<'_> {
+    type Output = Vec<(Isa, Vec<Vec<f64>>)>;
+
+    fn visit<E: Equations>(self) -> Self::Output {
+        on_lanes(&Generated::<E>(PhantomData), self.0)
     }
-    let (mut q, mut l) = (zeros(m.quantity_names.len()), zeros(m.limit_bounds.len()));
-    (m.quantities)(*t, x, p, &k, &mut q);
-    (m.limits)(*t, x, p, &k, &mut l);
-    push(vec![q, l]);
-    all
+}
+
+/// Results at each point with every instruction set of this machine.
+pub(super) fn on_lanes(
+    functions: &impl Functions,
+    points: &[Point<f64>],
+) -> Vec<(Isa, Vec<Vec<f64>>)> {
+    let run = |isa: Isa| Some((isa, functions.on_lanes(isa, points)?));
+    Isa::ALL.into_iter().filter_map(run).collect()
+}
+
+/// Concatenated `f64` results of all functions of the Rust code generated from a model, in the order of
+/// [`Functions::results`].
+pub(super) fn generated_results(m: &generated::Model, at: &Inputs<f64>) -> Vec<f64> {
+    let (t, x, p, marker) = (at.time, &at.states, &at.parameters, &at.marker);
+    let (n, j, jp) = (m.states.len(), m.j_pattern.len(), m.jp_pattern.len());
+    let k = &written([m.prepared.len()], |[k]| (m.prepare)(p, k));
+    let mut all = vec![
+        k.clone(),
+        written([n], |[dx]| (m.f)(t, x, p, k, dx)),
+        written([n, j], |[dx, j]| (m.f_jac)(t, x, p, k, dx, j)),
+        written([n, j, jp], |[dx, j, jp]| {
+            (m.f_jac_par)(t, x, p, k, dx, j, jp);
+        }),
+    ];
+    if m.observed {
+        let patterns = [m.dy_dx_pattern, m.dy_dp_pattern, m.dy_dmarker_pattern];
+        let [by_x, by_p, by_marker] = patterns.map(<[_]>::len);
+        all.push(written([3], |[y]| (m.observe)(t, x, p, k, marker, y)));
+        all.push(written([3, by_x, by_p, by_marker], |[y, a, b, c]| {
+            (m.observe_jac)(t, x, p, k, marker, y, a, b, c);
+        }));
+    }
+    let (q, l) = (m.quantity_names.len(), m.limit_bounds.len());
+    all.push(written([q], |[q]| (m.quantities)(t, x, p, k, q)));
+    all.push(written([l], |[l]| (m.limits)(t, x, p, k, l)));
+    all.concat()
+}
+
+/// Concatenated values that `function` writes into slices of the given lengths.
+fn written<const N: usize>(
+    lengths: [usize; N],
+    function: impl FnOnce([&mut [f64]; N]),
+) -> Vec<f64> {
+    let mut results = lengths.map(|len| vec![f64::INFINITY; len]);
+    function(results.each_mut().map(Vec::as_mut_slice));
+    results.concat()
 }

@@ -1,14 +1,16 @@
 //! Compares every backend with every other: the tape and the generated code, for `f64` and for the lanes of every
 //! instruction set of this machine. Backends with fused multiply-add must agree bit for bit, and so must backends
-//! without it; the two groups differ by rounding. Generated code runs on lanes as recorded programs, see `record`.
+//! without it; the two groups differ by rounding.
 
 mod evaluate;
-mod record;
 
+use crate::evaluation::Inputs;
 use crate::row::{Measure, Row, Verdict, Worst};
 use codegen::compile::Compiled;
+use codegen::program::Function;
 use codegen::rust::source_hash;
-use evaluate::{Numbers, Tapes, generated_results};
+pub(super) use evaluate::{Functions, Tapes};
+use evaluate::{OnLanes, generated_results, on_lanes};
 use lanes::Isa;
 use model_spec::model::Model;
 use oracle::Point;
@@ -16,15 +18,13 @@ use oracle::Point;
 /// Name in reports of the check of bitwise agreement between backends.
 pub const BACKENDS: &str = "backends";
 
-/// Name in reports of the comparison between backends with and without fused multiply-add; a backend is the generated
-/// code or the bytecode interpreter.
+/// Name in reports of the comparison of backends with and without fused multiply-add.
 pub const FMA: &str = "FMA and non-FMA";
 
 /// Name of the check that the running executable contains code generated from the model's current text.
 pub const GENERATED: &str = "generated code";
 
-/// Maximum allowed difference caused by fused multiply-add, relative to the largest absolute result of the compiled
-/// function. The value allows for an amplification of rounding errors by 1e4 through cancellation.
+/// Maximum difference by fused multiply-add, relative to the largest result of the function: 1e4 rounding errors.
 const FMA_TOLERANCE: f64 = 1e-12;
 
 /// Results of one backend at a list of points.
@@ -34,52 +34,53 @@ pub struct Run {
     pub backend: String,
     /// Whether the backend computes with fused multiply-add operations.
     pub fuses: bool,
-    /// For each point, the concatenated results of all compiled functions of the model, in the order of
-    /// `codegen::Compiled::functions`.
+    /// Concatenated results of all compiled functions, by point.
     pub results: Vec<Vec<f64>>,
 }
 
-/// Name and number of results of each compiled function, in the order in which a [`Run`] concatenates the results.
-pub fn functions(compiled: &Compiled) -> Vec<(&'static str, usize)> {
-    compiled
-        .functions()
-        .map(|f| (f.name, f.program.outputs.len()))
-        .into()
+/// Results of the function `name` among the concatenated ones; empty if there is none.
+pub fn results_of<'a>(compiled: &Compiled, results: &'a [f64], name: &str) -> &'a [f64] {
+    let functions = compiled.functions().into_iter();
+    let before = functions.take_while(|function| function.name != name);
+    let start: usize = before.map(|function| function.program.outputs.len()).sum();
+    let count = compiled
+        .function(name)
+        .map_or(0, |function| function.program.outputs.len());
+    results.get(start..start + count).unwrap_or_default()
 }
 
-/// Evaluates all compiled functions on all backends at the points. The generated code in the running executable is
-/// included only if the hash stored with it equals that of the current text of the model.
+/// Evaluates all functions on all backends; generated code only if it is of the current text of the model.
 pub fn runs(model: &Model, compiled: &Compiled, points: &[Point<f64>]) -> Vec<Run> {
+    let inputs = || points.iter().map(Inputs::of);
+    let on = |name: &str, each: Vec<(Isa, Vec<Vec<f64>>)>| {
+        let run = |(isa, results): (Isa, _)| Run {
+            backend: format!("{name} on {}", isa.name()),
+            fuses: isa.fuses(),
+            results,
+        };
+        each.into_iter().map(run).collect::<Vec<_>>()
+    };
     let tapes = Tapes::new(compiled.functions().map(|f| &f.program));
     let mut runs = vec![Run {
         backend: "tape".into(),
         fuses: false,
-        results: points
-            .iter()
-            .map(|p| tapes.results(&Numbers::of(p)))
-            .collect(),
+        results: inputs().map(|at| tapes.results(at)).collect(),
     }];
-    runs.extend(on_lanes("tape", &tapes, points));
+    runs.extend(on("tape", on_lanes(&tapes, points)));
     let same_text = |code: &&generated::Model| code.source_hash == source_hash(model);
     if let Some(code) = generated::model(&model.name).filter(same_text) {
-        let results = points
-            .iter()
-            .map(|p| generated_results(code, &Numbers::of(p)));
         runs.push(Run {
             backend: "generated".into(),
             fuses: Isa::best().fuses(),
-            results: results.collect(),
+            results: inputs().map(|at| generated_results(code, &at)).collect(),
         });
-        if let Some(programs) = record::programs(code.name) {
-            runs.extend(on_lanes("generated", &Tapes::new(&programs), points));
-        }
+        let each = generated::visit(code.name, OnLanes(points));
+        runs.extend(on("generated", each.unwrap_or_default()));
     }
     runs
 }
 
-/// Checks whether the running executable contains code generated from the model's current text. The check is skipped if
-/// the executable contains no code of this model or the model has effects. It is skipped with a remark if the code was
-/// generated from another text of the model.
+/// Whether the program has code generated from the current text of the model; another text is said in a remark.
 pub fn generated_code(model: &Model) -> Row {
     match generated::model(&model.name) {
         _ if !model.effects.is_empty() => {
@@ -97,25 +98,12 @@ pub fn generated_code(model: &Model) -> Row {
     }
 }
 
-fn on_lanes(name: &str, tapes: &Tapes, points: &[Point<f64>]) -> Vec<Run> {
-    let run = |isa: Isa| {
-        Some(Run {
-            backend: format!("{name} on {}", isa.name()),
-            fuses: isa.fuses(),
-            results: tapes.on_lanes(isa, points)?,
-        })
-    };
-    Isa::ALL.into_iter().filter_map(run).collect()
-}
-
-/// Results of the first backend that fuses multiply and add (`fuses` true) or does not (`fuses` false); `None` if
-/// `runs` contains no such backend.
+/// First backend that fuses, or does not.
 fn first(runs: &[Run], fuses: bool) -> Option<&Run> {
     runs.iter().find(|run| run.fuses == fuses)
 }
 
-/// Checks for bitwise agreement of the backends: the results of all backends that fuse multiply and add must be equal,
-/// and those of all backends that do not fuse must be equal.
+/// Compares all backends that fuse bit for bit, and all that do not.
 pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
     let mut worst = Worst::default();
     for run in runs {
@@ -148,41 +136,36 @@ pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
     }
 }
 
-/// Compares the results of the first backend that fuses multiply and add with those of the first backend that does not.
-/// Errors are relative to the largest absolute result of the same compiled function at the same point.
+/// Compares the first backends that fuse and that do not, relative to the largest result of the function.
 pub fn check_fma(compiled: &Compiled, runs: &[Run]) -> Row {
     let (Some(plain), Some(fused)) = (first(runs, false), first(runs, true)) else {
         return Row::skipped(FMA, "no backend fuses on this machine");
     };
     let mut worst = Worst::default();
     for (plain, fused) in plain.results.iter().zip(&fused.results) {
-        let mut start = 0;
-        for (function, len) in functions(compiled) {
-            let range = start..start + len;
-            start += len;
-            let size = plain[range.clone()]
-                .iter()
-                .fold(f64::MIN_POSITIVE, |most, v| most.max(v.abs()));
-            for (a, b) in plain[range.clone()].iter().zip(&fused[range]) {
-                worst.update((a - b).abs() / size, || function.to_string());
+        for Function { name, .. } in compiled.functions() {
+            let [plain, fused] = [plain, fused].map(|all| results_of(compiled, all, name));
+            let sizes = plain.iter().map(|v| v.abs());
+            let size = sizes.fold(f64::MIN_POSITIVE, f64::max);
+            for (a, b) in plain.iter().zip(fused) {
+                worst.update((a - b).abs() / size, || (*name).to_owned());
             }
         }
     }
     Row::judged(FMA, plain.results.len(), &worst, FMA_TOLERANCE)
 }
 
-/// Name of the compiled function to which the result with the given index belongs; the index counts the concatenated
-/// results of all functions.
+/// Name of the function of a result among the concatenated ones.
 pub fn function_at(compiled: &Compiled, index: usize) -> &'static str {
     let mut end = 0;
-    let found = functions(compiled).into_iter().find(|(_, len)| {
-        end += len;
+    let found = compiled.functions().into_iter().find(|function| {
+        end += function.program.outputs.len();
         index < end
     });
-    found.map_or("nothing", |(name, _)| name)
+    found.map_or("nothing", |function| function.name)
 }
 
-/// Distance of two values in units in the last place; 0 if both are NaN, infinite if only one is NaN.
+/// Distance of two values in units in the last place.
 fn ulps(a: f64, b: f64) -> f64 {
     if a == b || (a.is_nan() && b.is_nan()) {
         return 0.0;

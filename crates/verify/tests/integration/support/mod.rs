@@ -6,8 +6,7 @@ use codegen::tape::{Inputs, Tape};
 use model_spec::load::{Loaded, inspect, inspect_text};
 use oracle::Point;
 use verify::Options;
-use verify::checks::effect_reference::EFFECT_REFERENCE;
-use verify::checks::effects::EFFECTS;
+use verify::checks::effects::{EFFECT_REFERENCE, EFFECTS};
 use verify::report::{Report, Row, Verdict};
 
 /// Options for fast verifications: few random points, since most faults show at almost every point, and no mutation

@@ -1,9 +1,9 @@
 //! Forces and moments that effects add to those of a law of motion.
 
 use super::Flow;
-use crate::physical::Load;
-use crate::scalar::Real;
 use nalgebra::Vector3;
+use oracle::Load;
+use oracle::scalar::Real;
 use std::f64::consts::PI;
 
 /// Airspeed at which the Reynolds-number term of the drag is 0, m/s.
@@ -24,25 +24,25 @@ const CRISIS: (f64, f64) = (1e5, 2e4);
 /// effect that adds no load. `values` are those of the effect's coefficients and states. The force of the added mass,
 /// which depends on all other forces, is not included.
 pub(super) fn load<T: Real>(name: &str, values: &[T], flow: &Flow<'_, T>) -> Load<T> {
-    let lift = |change: T| Load::force(flow.lift(values[0] * change));
+    let lift = |change: T| force(flow.lift(values[0] * change));
     let side = |by: T| {
         let [_, left] = flow.forward_and_left();
-        Load::force(flow.pressure_force(values[0] * by, left))
+        force(flow.pressure_force(values[0] * by, left))
     };
     let roll = |by: T| {
         let [forward, _] = flow.forward_and_left();
-        Load::moment(flow.pressure_moment(values[0] * by, forward))
+        moment(flow.pressure_moment(values[0] * by, forward))
     };
     let pitch = |by: T| {
         let [_, left] = flow.forward_and_left();
-        Load::moment(flow.pressure_moment(values[0] * by, left))
+        moment(flow.pressure_moment(values[0] * by, left))
     };
     match name {
         "stall" => lift(stall(flow)),
         "lift_by_spin" => lift(flow.advance_ratio().abs()),
         "ground_effect" => lift(near_ground(flow)),
         "zero_lift_drag_angle" | "drag_by_spin" | "drag_by_reynolds" => {
-            Load::force(flow.drag(drag_change(name, values[0], flow)))
+            force(flow.drag(drag_change(name, values[0], flow)))
         }
         "side_force_by_spin" => side(flow.advance_ratio()),
         "side_force_by_spin_and_angle" => side(flow.alpha() * flow.advance_ratio()),
@@ -57,13 +57,23 @@ pub(super) fn load<T: Real>(name: &str, values: &[T], flow: &Flow<'_, T>) -> Loa
         "cubic_pitching_moment" => pitch(flow.alpha().powi(3)),
         "pitching_moment_by_spin" => pitch(flow.advance_ratio().abs()),
         "quadratic_spin_down" | "spin_down_by_pressure" | "spin_down_by_angle" => {
-            Load::moment(spin_down(name, values[0], flow))
+            moment(spin_down(name, values[0], flow))
         }
         "magnus" | "spin_decay" | "drag_crisis" | "buoyancy" => {
-            Load::force(on_ball(name, values[0], flow))
+            force(on_ball(name, values[0], flow))
         }
-        _ => Load::zero(),
+        _ => force(Vector3::zeros()),
     }
+}
+
+fn force<T: Real>(force: Vector3<T>) -> Load<T> {
+    let moment = Vector3::zeros();
+    Load { force, moment }
+}
+
+fn moment<T: Real>(moment: Vector3<T>) -> Load<T> {
+    let force = Vector3::zeros();
+    Load { force, moment }
 }
 
 /// Negative square of the angle of attack beyond stall, rad².

@@ -1,7 +1,7 @@
 //! Effects on the surroundings: wind, air density, gravity, and the clock of the measurement.
 
-use crate::scalar::Real;
 use nalgebra::Vector3;
+use oracle::scalar::Real;
 
 /// Velocity that the effect called `name` adds to the wind at the height `height` (m), m/s, in inertial components; 0
 /// for an effect on something else. `values` are those of the effect's coefficients and states.

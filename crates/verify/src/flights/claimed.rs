@@ -1,9 +1,8 @@
-//! Checks on integrated flights of claimed bodies: conservation of energy and angular momentum without air, and the
-//! changes of position, momentum, angular momentum and energy compared with the time integrals of their causes.
+//! Flights of claimed bodies: the changes of position, momentum, angular momentum and energy are compared with the time
+//! integrals of their causes.
 
-use crate::flights::{
-    DURATION, Flying, INVARIANTS, MOMENTA, OTHER_LOADS, OWN_CLOCK, RELEASES, TOLERANCE, airless,
-    integrate,
+use super::{
+    DURATION, Flying, MAX_DRAWS, MOMENTA, OWN_CLOCK, RELEASES, TOLERANCE, integrate, unreleased,
 };
 use crate::options::Options;
 use crate::random::Random;
@@ -14,53 +13,18 @@ use nalgebra::Vector3;
 use ode::IntegrationError;
 use oracle::{ClaimedBody, Point, Quaternion, Tree};
 
-/// Maximum number of draws of a release until one is within the model's validity limits.
-const MAX_DRAWS: usize = 100;
-/// Maximum deviation of a state of a random release from the state's default, relative to the typical magnitude of
-/// quantities with the state's unit.
+/// Maximum deviation of a state from its default, relative to its typical magnitude.
 const SPREAD: f64 = 0.2;
 
-/// Checks that energy and angular momentum are conserved in flights without air of the body that the model claims to
-/// describe.
-pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
-    let mut random = Random::new(options.seed, INVARIANTS);
-    let mut worst = Worst::default();
-    let mut flown = 0;
-    for _ in 0..RELEASES {
-        let Some(mut point) = release(subject, &mut random) else {
-            return Row::unverified(INVARIANTS, UNRELEASED);
-        };
-        airless(subject, &mut point);
-        if subject.clock(&point) != 1.0 {
-            return Row::skipped(INVARIANTS, OWN_CLOCK);
-        }
-        let Some((end, _)) = fly(subject, &point) else {
-            continue;
-        };
-        let [Some(before), Some(after)] = [&point, &end].map(|at| flying(subject, at)) else {
-            return subject.without_meaning(INVARIANTS);
-        };
-        if !before.is_under_load_of(&after) {
-            return Row::skipped(INVARIANTS, OTHER_LOADS);
-        }
-        flown += 1;
-        before.compare_invariants(&after, &mut worst);
-    }
-    if flown == 0 {
-        return Row::skipped(INVARIANTS, "without air it leaves the limits of the model");
-    }
-    Row::judged(INVARIANTS, flown, &worst, TOLERANCE)
-}
-
-/// Compares the changes of position, momentum, angular momentum and energy in flights of the body that the model claims
-/// to describe with the time integrals of velocity, force, moment and power.
-pub fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
+/// Compares the changes of position, momentum, angular momentum and energy with the integrals of velocity, force,
+/// moment and power.
+pub(super) fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
     let mut random = Random::new(options.seed, "flight by momenta");
     let mut worst = Worst::default();
     let mut flown = 0;
     for _ in 0..RELEASES {
         let Some(point) = release(subject, &mut random) else {
-            return Row::unverified(MOMENTA, UNRELEASED);
+            return unreleased(subject, MOMENTA);
         };
         if subject.clock(&point) != 1.0 {
             return Row::skipped(MOMENTA, OWN_CLOCK);
@@ -102,14 +66,13 @@ pub fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
     Row::judged(MOMENTA, flown, &worst, TOLERANCE)
 }
 
-const UNRELEASED: &str = "no release was found within the limits of the model";
-
-/// Quantities, at a point, of the body that the model claims to describe; `None` if the model makes no such claim.
+/// The claimed body at a point.
 fn body(subject: &Subject<'_>, point: &Point<f64>) -> Option<ClaimedBody<f64>> {
     ClaimedBody::of(&Tree::new(subject.model, point))
 }
 
-fn flying(subject: &Subject<'_>, point: &Point<f64>) -> Option<Flying> {
+/// The claimed body at a point; `None` if the model makes no such claim.
+pub(super) fn flying(subject: &Subject<'_>, point: &Point<f64>) -> Option<Flying> {
     let body = body(subject, point)?;
     Some(Flying {
         position: body.position,
@@ -117,12 +80,12 @@ fn flying(subject: &Subject<'_>, point: &Point<f64>) -> Option<Flying> {
         angular_momentum: body.angular_momentum(),
         force: body.force,
         moment: body.turning.map_or_else(Vector3::zeros, |t| t.moment),
+        properties: None,
     })
 }
 
-/// Draws a release near the default state of the model, with random inputs and without effects. `None` if no draw is
-/// within the model's validity limits.
-fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
+/// Draws a release near the default state, with random inputs and without effects.
+pub(super) fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     let model = subject.model;
     (0..MAX_DRAWS).find_map(|_| {
         let mut point = Point::defaults(model);
@@ -145,10 +108,9 @@ fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     })
 }
 
-/// Integrates flights of 1, 0.3, 0.1 and 0.03 times [`DURATION`] until one ends within the validity limits of the
-/// model. Returns its final point and ten time integrals: three components each of velocity, force and moment, then
-/// power. `None` if no flight ends within the limits.
-fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Option<(Point<f64>, Vec<f64>)> {
+/// First flight of 1, 0.3, 0.1 and 0.03 times [`DURATION`] that ends within the limits: final point, and integrals of
+/// velocity, force, moment (three components each) and power.
+pub(super) fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Option<(Point<f64>, Vec<f64>)> {
     if !is_valid(subject.model, from) {
         return None;
     }
@@ -157,8 +119,7 @@ fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Option<(Point<f64>, Vec<f64>
     flights.find(|(end, _)| is_valid(subject.model, end))
 }
 
-/// Integrates the model's equations from a point for `duration` (s). Returns the final point and ten time integrals for
-/// the body that the model claims to describe: three components each of velocity, force and moment, then power.
+/// Final point after `duration`, s, and the ten integrals of [`fly`].
 fn fly_with_sums(
     subject: &Subject<'_>,
     from: &Point<f64>,

@@ -1,10 +1,10 @@
 //! State of a body in the air, and constants of its law: the arguments of an effect.
 
-use crate::physical::Physical;
-use crate::reference::Law;
-use crate::reference::spinning::Stream;
-use crate::scalar::Real;
 use nalgebra::Vector3;
+use oracle::Law;
+use oracle::Physical;
+use oracle::Stream;
+use oracle::scalar::Real;
 
 /// State of a body relative to the air, with the constants of its law of motion.
 pub struct Flow<'a, T> {
@@ -43,7 +43,7 @@ impl<'a, T: Real> Flow<'a, T> {
     /// Value of the constant `name` of the law of motion.
     ///
     /// # Panics
-    /// If the law has no such constant. A built-in effect cannot cause this, since its list
+    /// If the law has no such constant. An effect of the table cannot cause this, since its list
     /// [`Effect::laws`](super::Effect::laws) contains only laws with the constants that the effect uses.
     pub fn constant(&self, name: &str) -> T {
         let place = self.law.constants().iter().position(|n| *n == name);

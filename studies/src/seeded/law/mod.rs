@@ -1,15 +1,10 @@
-//! Reference implementations of the built-in effects: the change that each effect makes to a reference law, formulated
-//! in vectors from the physics.
+//! The effects of the catalogue, written by hand: the change that each effect makes to a law of motion of the oracle,
+//! formulated in vectors from the physics.
 //!
-//! The texts in `model-spec/effects` are checked against these implementations, which do not read them. Names,
-//! coefficients and the fixed constants of an effect's form (stall angle, height of the ground effect) are the same in
-//! both.
-//!
-//! A new effect is a row of `EFFECTS`, and its formula in the file of what it changes: loads, surroundings, inertia or
-//! observation.
+//! Flights with hidden effects are simulated with these formulas and not with the texts in `model-spec/effects`, so that
+//! a diagnosis is not tested with the text that it looks for. A test compares the two.
 
 mod extended_law;
-mod extended_reference;
 mod flow;
 mod inertia;
 mod loads;
@@ -17,12 +12,11 @@ mod observation;
 mod surroundings;
 
 pub use extended_law::{ActiveEffect, ExtendedLaw};
-pub use extended_reference::ExtendedReference;
 pub use flow::Flow;
 
-use crate::reference::Law;
+use oracle::Law;
 
-/// A built-in effect with a reference implementation. The effect is absent if all its coefficients and states are 0.
+/// An effect of the catalogue with a hand-written formula. The effect is absent if all its coefficients and states are 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effect {
     /// Name of the effect in the model language.
@@ -31,7 +25,7 @@ pub struct Effect {
     pub coefficients: &'static [&'static str],
     /// Names of the states that the effect adds. They are constant during a flight and estimated for each flight.
     pub states: &'static [&'static str],
-    /// Reference laws to which the effect can be applied.
+    /// Laws of motion to which the effect can be applied.
     pub laws: &'static [Law],
 }
 
@@ -117,12 +111,12 @@ impl Effect {
     }
 }
 
-/// All built-in effects that have a reference implementation.
+/// All effects that have a hand-written formula.
 pub fn all() -> impl Iterator<Item = &'static Effect> + Clone {
     EFFECTS.iter()
 }
 
-/// Built-in effect with the given name; `None` if there is none.
+/// Effect with the given name; `None` if it has no hand-written formula.
 pub fn by_name(name: &str) -> Option<&'static Effect> {
     all().find(|effect| effect.name == name)
 }

@@ -1,6 +1,8 @@
 //! Checks on integrated flights: conservation of energy and angular momentum without air, agreement with the reference
 //! law integrated in momenta, and agreement of two models.
 
+mod claimed;
+
 use crate::comparison::relative_difference;
 use crate::integration::{self, RightHandSide};
 use crate::options::Options;
@@ -14,33 +16,32 @@ use oracle::{MassProperties, Physical, Point, Quaternion, Reference, Tree, inert
 
 /// Name in reports of the check that energy and angular momentum are conserved in a flight without air.
 pub const INVARIANTS: &str = "flight without air";
-/// Name in reports of the check that compares flights computed from the model's equations with flights computed from
-/// the reference law. The reference law is integrated with momentum and angular momentum as states.
+/// Name in reports of the check of flights against the reference law, with momenta as states.
 pub const MOMENTA: &str = "flight: reference in momenta";
 /// Name in reports of the check that compares the flights of two models.
 const FLIGHTS: &str = "flights";
 
 /// Maximum allowed relative difference in the flight checks, such as that of two final states.
-pub(crate) const TOLERANCE: f64 = 1e-8;
+const TOLERANCE: f64 = 1e-8;
 /// Relative tolerance with which the flights of the flight checks are integrated.
 const RTOL: f64 = 1e-11;
-/// Reason given in the report for skipping a check, for a model in which recorded time does not advance by 1 s per
-/// second of flight.
-pub(crate) const OWN_CLOCK: &str = "its clock does not keep to the seconds of the flight";
-/// Reason given in the report for skipping the check of energy and angular momentum.
-pub(crate) const OTHER_LOADS: &str =
+/// Reason for skipping a model whose recorded time is not that of the flight.
+const OWN_CLOCK: &str = "its clock does not keep to the seconds of the flight";
+/// Reason for skipping the check of invariants.
+const OTHER_LOADS: &str =
     "without air and with its coefficients at 0, loads are left that are not a constant force";
 /// Number of simulated flights per flight check.
-pub(crate) const RELEASES: usize = 3;
+const RELEASES: usize = 3;
 /// Maximum number of draws of a release until one is within the model's validity limits.
 const MAX_DRAWS: usize = 100;
 /// Duration of a simulated flight in the flight checks, s.
-pub(crate) const DURATION: f64 = 1.0;
+const DURATION: f64 = 1.0;
 
-/// Checks that energy and angular momentum are conserved in a flight without air.
+/// Checks that energy and angular momentum are conserved in flights without air.
 pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
     let mut random = Random::new(options.seed, INVARIANTS);
     let mut worst = Worst::default();
+    let mut flown = 0;
     for _ in 0..RELEASES {
         let Some(mut point) = release(subject, &mut random) else {
             return unreleased(subject, INVARIANTS);
@@ -49,37 +50,41 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
         if subject.clock(&point) != 1.0 {
             return Row::skipped(INVARIANTS, OWN_CLOCK);
         }
-        let Some((_, _, properties)) = loads(subject, &point) else {
+        let Some(before) = Flying::of(subject, &point, None) else {
             return Row::unverified(INVARIANTS, "neither loads nor a reference say what acts");
         };
-        let end = match fly(subject, &point) {
-            Ok(end) => end,
+        let end = match fly_within_limits(subject, &point) {
+            Ok(Some(end)) => end,
+            Ok(None) => continue,
             Err(why) if subject.reference.is_none() => {
                 return Row::unverified(INVARIANTS, format!("without air it cannot fly: {why}"));
             }
             Err(why) => return Row::counted(INVARIANTS, RELEASES, &[why.to_string()], ""),
         };
-        if !is_valid(subject.model, &point) || !is_valid(subject.model, &end) {
-            return Row::skipped(INVARIANTS, "without air it leaves the limits of the model");
-        }
-        let [Some(before), Some(after)] = [&point, &end].map(|at| flying(subject, at, &properties))
-        else {
+        let Some(after) = Flying::of(subject, &end, before.properties) else {
             return subject.without_meaning(INVARIANTS);
         };
         if subject.reference.is_none() && !before.is_under_load_of(&after) {
             return Row::skipped(INVARIANTS, OTHER_LOADS);
         }
+        flown += 1;
         worst.update(before.moment.norm(), || {
             String::from("a moment is left where there is no air")
         });
         before.compare_invariants(&after, &mut worst);
     }
-    Row::judged(INVARIANTS, RELEASES, &worst, TOLERANCE)
+    if flown == 0 {
+        return Row::skipped(INVARIANTS, "without air it leaves the limits of the model");
+    }
+    Row::judged(INVARIANTS, flown, &worst, TOLERANCE)
 }
 
-/// Compares the final states of flights computed from the model's equations with those of flights computed from the
-/// reference law, which is integrated in momentum, angular momentum and attitude quaternion.
+/// Compares final states with those of the reference law, integrated in momenta and attitude quaternion; of a claimed
+/// body, changes of momenta with the integrals of their causes.
 pub fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
+    if subject.is_known_by_claim() {
+        return claimed::momenta(subject, options);
+    }
     let Some(reference) = &subject.reference else {
         return subject.without_reference(MOMENTA);
     };
@@ -132,27 +137,27 @@ pub fn same_flights(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row 
     Row::judged(FLIGHTS, RELEASES, &worst, TOLERANCE)
 }
 
-/// Result, with the verdict "unverified", of a flight check for a model for which no release within the model's
-/// validity limits was found.
+/// Result of a flight check without a release.
 fn unreleased(subject: &Subject<'_>, check: &'static str) -> Row {
-    if subject.chart.is_none() {
+    if subject.chart.is_none() && !subject.is_known_by_claim() {
         return subject.without_meaning(check);
     }
     Row::unverified(check, "no release was found within the limits of the model")
 }
 
-/// Draws a release within the validity limits of the model; `None` if no draw is within these limits or the meaning of
-/// the states is unknown.
+/// Draws a release within the validity limits; `None` if none is found.
 fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
+    if subject.is_known_by_claim() {
+        return claimed::release(subject, random);
+    }
     (0..MAX_DRAWS).find_map(|_| {
         let point = any_release(subject, random)?;
         is_valid(subject.model, &point).then_some(point)
     })
 }
 
-/// Draws a release, with default constants and random inputs. The velocity along the first inertial axis is uniformly
-/// distributed in 12 ± 3 m/s, the spin about the third body axis in −40 ± 10 rad/s. The other components of velocity
-/// and spin and the tilt angles of the body are small. `None` if the meaning of the states is unknown.
+/// Draws a release with random inputs: 12 ± 3 m/s along the first inertial axis, spin of −40 ± 10 rad/s about the third
+/// body axis, all else small.
 fn any_release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     let chart = subject.chart.as_ref()?;
     let mut point = Point::defaults(subject.model);
@@ -180,10 +185,9 @@ fn any_release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>>
     Some(point)
 }
 
-/// Changes a point so that no air acts. The parameter `rho` (air density) is set to 0. Every extra coefficient (see
-/// [`Subject::extras`]) is set to its null value, at which it has no effect. Every other coefficient is set to 0 or, if
-/// its bounds exclude 0, to the bound closest to 0.
-pub(crate) fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
+/// Removes the air: `rho` is 0, extra coefficients have their null values, all others the value of their bounds closest
+/// to 0.
+fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
     for (constant, value) in subject.model.params.iter().zip(&mut point.params) {
         if constant.name == "rho" {
             *value = 0.0;
@@ -199,16 +203,28 @@ pub(crate) fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
     }
 }
 
-/// Integrates the model equations from a point for the duration of the flight checks, [`DURATION`], and returns the
-/// final point.
+/// Final point of a flight of [`DURATION`].
 fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Result<Point<f64>, IntegrationError> {
     let rates = |at: &Point<f64>| subject.equations.rates(at);
     let options = IntegrationOptions::with_tolerance(RTOL);
     integration::fly(&rates, from, DURATION, &options)
 }
 
-/// Integrates the reference law in position, momentum, attitude and angular momentum. Returns the physical state after
-/// the duration of the flight checks.
+/// Final point of a flight within the validity limits of the model; `None` if it leaves them. The flights of a claimed
+/// body are shortened until they stay within the limits.
+fn fly_within_limits(
+    subject: &Subject<'_>,
+    from: &Point<f64>,
+) -> Result<Option<Point<f64>>, IntegrationError> {
+    if subject.is_known_by_claim() {
+        return Ok(claimed::fly(subject, from).map(|(end, _)| end));
+    }
+    let end = fly(subject, from)?;
+    let is_valid = [from, &end].iter().all(|at| is_valid(subject.model, at));
+    Ok(is_valid.then_some(end))
+}
+
+/// Final physical state by the reference law, integrated in position, momentum, attitude and angular momentum.
 fn fly_by_momenta(
     reference: &Reference,
     point: &Point<f64>,
@@ -254,9 +270,8 @@ fn fly_by_momenta(
     integrate(&mut moving, &start, DURATION).map(|end| read(&end))
 }
 
-/// Integrates dx/dt = `rhs` from the state `start` over a duration (s), with the tolerance of all flight checks, and
-/// returns the final state.
-pub(crate) fn integrate(
+/// Final state of dx/dt = `rhs`, with the tolerance of all flight checks.
+fn integrate(
     rhs: &mut RightHandSide<'_>,
     start: &[f64],
     duration: f64,
@@ -279,26 +294,56 @@ fn compare(worst: &mut Worst, a: &Physical<f64>, b: &Physical<f64>) {
 }
 
 /// A flying body at one instant, in inertial components and SI units.
-pub(crate) struct Flying {
-    pub position: Vector3<f64>,
-    pub kinetic_energy: f64,
-    pub angular_momentum: Vector3<f64>,
-    pub force: Vector3<f64>,
-    pub moment: Vector3<f64>,
+struct Flying {
+    position: Vector3<f64>,
+    kinetic_energy: f64,
+    angular_momentum: Vector3<f64>,
+    force: Vector3<f64>,
+    moment: Vector3<f64>,
+    /// Mass properties of a body that is not claimed, in the body frame.
+    properties: Option<MassProperties<f64>>,
 }
 
 impl Flying {
-    /// Whether the load here and `later` is the same force without a moment. Without air, a model may still contain
-    /// other loads, such as the tension of a cord, whose work is unknown.
-    pub fn is_under_load_of(&self, later: &Self) -> bool {
+    /// The body of a model at a point, with the mass properties `known` or, if `None`, those at the point. `None` if
+    /// nothing says what acts on the body.
+    fn of(
+        subject: &Subject<'_>,
+        point: &Point<f64>,
+        known: Option<MassProperties<f64>>,
+    ) -> Option<Self> {
+        if subject.is_known_by_claim() {
+            return claimed::flying(subject, point);
+        }
+        let (force, moment, properties) = loads(subject, point)?;
+        let properties = known.unwrap_or(properties);
+        let body = subject.chart.as_ref()?.physical(&point.states);
+        let axes = body.attitude.matrix();
+        let angular_momentum = properties.inertia.map_or_else(Vector3::zeros, |inertia| {
+            inertia_in_n(&axes, &inertia) * body.angular_velocity
+        });
+        let energy = properties.mass * body.velocity.norm_squared()
+            + angular_momentum.dot(&body.angular_velocity);
+        Some(Self {
+            position: body.position,
+            kinetic_energy: energy / 2.0,
+            angular_momentum,
+            force,
+            moment,
+            properties: Some(properties),
+        })
+    }
+
+    /// Whether the load is the same force `later`, without a moment. Other loads, such as of a cord, do unknown work.
+    fn is_under_load_of(&self, later: &Self) -> bool {
         let size = self.force.norm() + later.force.norm();
         self.moment.norm() == 0.0
             && later.moment.norm() == 0.0
             && (self.force - later.force).norm() <= TOLERANCE * size
     }
 
-    /// Compares the energy, less the work F·Δr of the constant force, and the angular momentum with those `later`.
-    pub fn compare_invariants(&self, later: &Self, worst: &mut Worst) {
+    /// Compares the energy, less the work F·Δr of the force, and the angular momentum.
+    fn compare_invariants(&self, later: &Self, worst: &mut Worst) {
         let fall = self.force.dot(&(later.position - self.position));
         let energies = (self.kinetic_energy, later.kinetic_energy);
         let size = (energies.0 + energies.1).max(f64::MIN_POSITIVE);
@@ -310,33 +355,7 @@ impl Flying {
     }
 }
 
-/// The body of a model at a point, with the mass properties of the release; `None` if the model has neither a reference
-/// law nor a body, or the meaning of its states is unknown.
-fn flying(
-    subject: &Subject<'_>,
-    point: &Point<f64>,
-    properties: &MassProperties<f64>,
-) -> Option<Flying> {
-    let (force, moment, _) = loads(subject, point)?;
-    let body = subject.chart.as_ref()?.physical(&point.states);
-    let axes = body.attitude.matrix();
-    let angular_momentum = properties.inertia.map_or_else(Vector3::zeros, |inertia| {
-        inertia_in_n(&axes, &inertia) * body.angular_velocity
-    });
-    let energy = properties.mass * body.velocity.norm_squared()
-        + angular_momentum.dot(&body.angular_velocity);
-    Some(Flying {
-        position: body.position,
-        kinetic_energy: energy / 2.0,
-        angular_momentum,
-        force,
-        moment,
-    })
-}
-
-/// Force (N) on the body and moment (N·m) about its centre of mass, in inertial components, and its mass properties in
-/// the body frame, for the time, states and parameters of `point`. They are taken from the reference law or, without
-/// one, from the model's body. `None` if the model has neither.
+/// Force (N), moment (N·m) and mass properties of the reference law or, without one, of the body.
 fn loads(
     subject: &Subject<'_>,
     point: &Point<f64>,

@@ -1,9 +1,9 @@
 //! Effects on the observation: marker positions on the body, sampling times, axes and scale of the measurement.
 
-use crate::attitude::Quaternion;
-use crate::physical::Physical;
-use crate::scalar::Real;
 use nalgebra::Vector3;
+use oracle::Physical;
+use oracle::Quaternion;
+use oracle::scalar::Real;
 
 /// Vector from the measured position `marker` of a marker on the body to its true position by the effect called `name`,
 /// in the body frame, m. `which` has a 1 at the index of the observed marker.

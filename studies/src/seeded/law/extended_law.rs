@@ -1,15 +1,14 @@
 //! Reference law with active effects, evaluated for given values.
 
 use super::{Effect, Flow, inertia, loads, observation, surroundings};
-use crate::physical::{Load, Motion, Physical};
-use crate::reference::Law;
-use crate::scalar::Real;
 use nalgebra::Vector3;
+use oracle::scalar::Real;
+use oracle::{Law, Load, Motion, Physical};
 
-/// A built-in effect with the values of its coefficients and states.
+/// An effect of the catalogue with the values of its coefficients and states.
 #[derive(Clone, Debug)]
 pub struct ActiveEffect<T> {
-    /// Description of the effect: names of its coefficients and states, and its reference implementation.
+    /// Description of the effect: names of its coefficients and states, and its laws.
     pub effect: &'static Effect,
     /// Values of the coefficients of the effect, then of its states.
     pub values: Vec<T>,

@@ -1,8 +1,8 @@
 //! Effects on mass and inertia of a disc.
 
 use super::Flow;
-use crate::scalar::Real;
 use nalgebra::{Matrix3, Vector3};
+use oracle::scalar::Real;
 
 /// Inertia tensor that the effect called `name` adds to that of the disc, in the body frame, kg·m²; 0 for an effect on
 /// something else. `values` are those of the effect's coefficients.
