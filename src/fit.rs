@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use dataset::Dataset;
-use identify::{CancellationToken, DataFault, FitOptions, FitReport, LackOfFit, Prior, Progress};
+use identify::{CancellationToken, DataFault, FitOptions, FitReport, Prior, Progress};
 use model_spec::compose::ModelTree;
 use statrs::distribution::{ContinuousCDF, Normal};
 
@@ -91,8 +91,8 @@ impl FitBuilder {
 
     fn run_on(&self, dataset: &Dataset, progress: Option<&dyn Progress>) -> Result<Fit, Error> {
         let options = self.options(progress);
-        let mut fit = identify::fit(self.model.checked(), dataset, &options)?;
-        fit.report.lack_of_fit = LackOfFit::of_fit(&fit, options.threads())?;
+        let fit = identify::fit(self.model.checked(), dataset, &options)?;
+        let fit = fit.with_lack_of_fit(options.threads())?;
         let tree = ModelTree::of(self.model.checked());
         Fit::new(fit, &tree, dataset)
     }

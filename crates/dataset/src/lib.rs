@@ -86,6 +86,17 @@ pub enum Role {
     HeldOut,
 }
 
+impl Role {
+    /// The role as `dataset.toml` spells it.
+    #[doc(hidden)]
+    pub fn name(self) -> &'static str {
+        match self {
+            Role::Fit => "fit",
+            Role::HeldOut => "held-out",
+        }
+    }
+}
+
 /// Value, for one flight, of a quantity of the model that was measured independently of the markers and sensors or was
 /// set, such as the wind.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,7 +5,7 @@ use identify::DataFault;
 use crate::figure::Figure;
 use crate::figures::svg::{STYLE, escape, without_style};
 use crate::html::Html;
-use crate::table::{Column, Table};
+use crate::table::Table;
 use identify::wording::{capitalized, counted};
 
 /// Maximum number of faults in the measured data that the table of a page lists.
@@ -140,20 +140,12 @@ impl Page {
 
 /// Table of the first [`MAX_FAULTS`] faults of the measured data.
 pub(crate) fn data_faults(faults: &[DataFault]) -> Table {
-    use Column::{File, Plain, Text};
-    let mut table = Table::new()
-        .with(File, &["flight"])
-        .with(Plain, &["fault"])
-        .with(Text, &["found", "correction"]);
-    for fault in faults.iter().take(MAX_FAULTS) {
-        table.row([
-            (&fault.file).into(),
-            fault.fault.name().replace('_', " ").into(),
-            (&fault.detail).into(),
-            (&fault.correction).into(),
-        ]);
-    }
-    table
+    Table::of(faults.iter().take(MAX_FAULTS))
+        .file("flight", |fault| &fault.file)
+        .plain("fault", |fault| fault.fault.name().replace('_', " "))
+        .text("found", |fault| &fault.detail)
+        .text("correction", |fault| &fault.correction)
+        .table()
 }
 
 /// Link to the CSV table of a figure: a data URI, or the path of the file if the table is large.
@@ -194,21 +186,15 @@ pub(crate) fn flight_link(name: &str, text: &str) -> Html {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figures::{Layout, Line, Panel};
+    use crate::figures::{Layout, Panel};
 
     #[test]
     fn texts_are_escaped_and_figures_are_drawn_twice() {
-        let mut table = Table::new()
-            .with(Column::Name, &["name"])
-            .with(Column::Number, &["value, m"]);
-        table.row(["<x>".into(), "1.5".into()]);
-        let panel = Panel {
-            lines: vec![Line {
-                name: String::new(),
-                points: vec![(0.0, 0.0), (1.0, 2.0)],
-            }],
-            ..Panel::default()
-        };
+        let table = Table::of([("<x>", "1.5")])
+            .name("name", |row| row.0)
+            .number("value, m", |row| row.1)
+            .table();
+        let panel = Panel::default().line("", [(0.0, 0.0), (1.0, 2.0)]);
         let mut body = Html::new();
         body.table(&table);
         body.figure(

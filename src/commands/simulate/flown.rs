@@ -7,7 +7,7 @@ use flight::throw::{Throw, ThrownModel};
 use flight::{BoundModel, CompiledModel};
 use model_spec::model::Model;
 use ode::Trajectory;
-use report::{Cell, Column, Table};
+use report::Table;
 use serde_json::{Value, json};
 
 use crate::commands::hundredths;
@@ -121,19 +121,17 @@ impl Flown {
         if let Some((least, greatest)) = self.alpha {
             let _ = writeln!(text, "  angle of attack {least:.1} to {greatest:.1} deg");
         }
-        let mut table = Table::new()
-            .with(Column::Name, &[""])
-            .with(Column::Number, &["release", "end"]);
-        let number = |value: f64| Cell::from(format!("{:.2}", hundredths(value)));
-        for (name, unit, ..) in flight::throw::FIELDS {
-            if let (Some(first), Some(last)) = (self.release.field(name), self.end.field(name)) {
-                table.row([
-                    format!("{name}, {unit}").into(),
-                    number(first),
-                    number(last),
-                ]);
-            }
-        }
+        let fields = flight::throw::FIELDS.into_iter();
+        let rows = fields.filter_map(|(name, unit, ..)| {
+            let ends = (self.release.field(name)?, self.end.field(name)?);
+            Some((format!("{name}, {unit}"), ends))
+        });
+        let number = |value: f64| format!("{:.2}", hundredths(value));
+        let table = Table::of(rows)
+            .name("", |(name, _)| name.clone())
+            .number("release", |(_, (release, _))| number(*release))
+            .number("end", |(_, (_, end))| number(*end))
+            .table();
         text + &table.text(usize::MAX)
     }
 

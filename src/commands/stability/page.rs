@@ -1,9 +1,9 @@
 //! The report page of a stability analysis: modes at release, along the flight, in steady flight, and over speed and
 //! spin.
 
-use analysis::stability::{Instant, Mode, ModeKind, Modes};
-use report::figures::{Dots, Layout, Line, Look, Panel};
-use report::{Cell, Column, Figure, Html, Page, Table};
+use analysis::stability::{Criteria, Instant, Mode, ModeKind, Modes};
+use report::figures::{Layout, Look, Panel};
+use report::{Figure, Html, Page, Table};
 
 use super::Found;
 use super::words::{INSTANT, lead, nutation, of_criteria, slowest, steady};
@@ -61,165 +61,90 @@ pub fn page(model: &str, found: &Found) -> (Page, Vec<Figure>) {
 
 /// Table of the modes of the linearised motion.
 pub fn table(modes: &Modes) -> Table {
-    let head = [
-        "frequency, rad/s",
-        "decay, 1/s",
-        "damping ratio",
-        "period, s",
-        "axis",
-        "path",
-        "speed",
-        "spin",
-    ];
-    let mut table = Table::new()
-        .with(Column::Name, &["mode"])
-        .with(Column::Number, &head);
-    for mode in &modes.modes {
+    let period = |mode: &Mode| {
         let frequency = Some(mode.frequency()).filter(|f| *f > 1e-9);
-        let period = frequency.map(|f| format!("{:.4}", std::f64::consts::TAU / f));
-        let mut row: Vec<Cell> = vec![
-            mode.kind.name().into(),
-            format!("{:.4}", mode.frequency()).into(),
-            format!("{:.5}", mode.decay()).into(),
-            format!("{:.4}", mode.damping_ratio()).into(),
-            period.unwrap_or_default().into(),
-        ];
-        let shares = mode.shares.map(|share| format!("{:.0} %", 100.0 * share));
-        row.extend(shares.map(Cell::from));
-        table.row(row);
+        frequency.map_or_else(String::new, |f| format!("{:.4}", std::f64::consts::TAU / f))
+    };
+    let mut rows = Table::of(&modes.modes)
+        .name("mode", |mode| mode.kind.name())
+        .number("frequency, rad/s", |mode| {
+            format!("{:.4}", mode.frequency())
+        })
+        .number("decay, 1/s", |mode| format!("{:.5}", mode.decay()))
+        .number("damping ratio", |mode| {
+            format!("{:.4}", mode.damping_ratio())
+        })
+        .number("period, s", |mode| period(mode));
+    for (i, share) in ["axis", "path", "speed", "spin"].into_iter().enumerate() {
+        rows = rows.number(share, |mode| format!("{:.0} %", 100.0 * mode.shares[i]));
     }
-    table
+    rows.table()
 }
 
 fn along(flight: &[Instant]) -> Figure {
-    let of = |value: &dyn Fn(&Instant) -> f64| {
-        flight
-            .iter()
-            .map(|i| (i.time, value(i)))
-            .collect::<Vec<_>>()
+    let nutation = |title: &str, of: fn(&Mode) -> f64, closed: fn(&Criteria) -> f64| {
+        let modes = |i: &Instant| nutation(&i.modes).map_or(f64::NAN, of);
+        Panel::new(title, "time, s")
+            .line("modes", flight.iter().map(|i| (i.time, modes(i))))
+            .line(
+                "closed",
+                flight.iter().map(|i| (i.time, closed(&i.criteria))),
+            )
     };
-    let line = |name: &str, points| Line {
-        name: name.into(),
-        points,
-    };
-    let fast = |i: &Instant, of: &dyn Fn(&Mode) -> f64| nutation(&i.modes).map_or(f64::NAN, of);
-    let panel = |title: &str, lines| Panel {
-        title: title.into(),
-        across: "time, s".into(),
-        lines,
-        ..Panel::default()
-    };
-    let slow = |of: &dyn Fn(&Mode) -> f64| {
+    let slow = |title: &str, of: fn(&Mode) -> f64| {
+        let is_slow = |mode: &&Mode| !matches!(mode.kind, ModeKind::Nutation | ModeKind::Incidence);
         let points = flight.iter().flat_map(|i| {
-            let modes = i
-                .modes
-                .modes
-                .iter()
-                .filter(|mode| !matches!(mode.kind, ModeKind::Nutation | ModeKind::Incidence));
-            modes.map(|mode| (i.time, of(mode))).collect::<Vec<_>>()
+            let modes = i.modes.modes.iter().filter(is_slow);
+            modes.map(|mode| (i.time, of(mode)))
         });
-        points.collect::<Vec<_>>()
-    };
-    let dots = |title: &str, points| Panel {
-        dots: vec![Dots {
-            look: Look::Colour(0),
-            points,
-        }],
-        ..panel(title, Vec::new())
+        Panel::new(title, "time, s").dots(Look::Colour(0), points)
     };
     let panels = [
-        panel(
-            "Frequency of the nutation, rad/s",
-            vec![
-                line("modes", of(&|i| fast(i, &Mode::frequency))),
-                line("closed", of(&|i| i.criteria.nutation)),
-            ],
-        ),
-        panel(
-            "Decay of the nutation, 1/s",
-            vec![
-                line("modes", of(&|i| fast(i, &Mode::decay))),
-                line("closed", of(&|i| i.criteria.nutation_decay)),
-            ],
-        ),
-        dots("Decay of the slow modes, 1/s", slow(&Mode::decay)),
-        dots("Their frequencies, rad/s", slow(&Mode::frequency)),
+        nutation("Frequency of the nutation, rad/s", Mode::frequency, |c| {
+            c.nutation
+        }),
+        nutation("Decay of the nutation, 1/s", Mode::decay, |c| {
+            c.nutation_decay
+        }),
+        slow("Decay of the slow modes, 1/s", Mode::decay),
+        slow("Their frequencies, rad/s", Mode::frequency),
     ];
     let caption =
         "Blue: eigenvalues of the whole body. Red, dashed: the closed forms of the criteria.";
-    Figure::of_panels(
-        "modes",
-        "Modes along the flight",
-        caption,
-        Layout::COLUMN,
-        &panels,
-    )
+    let title = "Modes along the flight";
+    Figure::of_panels("modes", title, caption, Layout::COLUMN, &panels)
 }
 
 fn over(map: &[Instant]) -> Figure {
     let mut speeds: Vec<f64> = map.iter().map(|i| i.throw.speed).collect();
     speeds.dedup();
     let step = speeds.len().div_ceil(LINES).max(1);
-    let chosen: Vec<f64> = speeds
-        .iter()
-        .copied()
-        .skip(step / 2)
-        .step_by(step)
-        .collect();
-    let panel = |title: &str, of: &dyn Fn(&Instant) -> f64, levels: Vec<f64>| Panel {
-        title: title.into(),
-        across: "spin, rpm".into(),
-        lines: chosen
-            .iter()
-            .map(|speed| {
-                let own = map.iter().filter(|i| i.throw.speed == *speed);
-                Line {
-                    name: format!("{speed} m/s"),
-                    points: own.map(|i| (i.throw.spin.unwrap_or(0.0), of(i))).collect(),
-                }
-            })
-            .collect(),
-        levels,
-        ..Panel::default()
+    let spin = |i: &Instant| i.throw.spin.unwrap_or(0.0);
+    let panel = |title: &str, of: &dyn Fn(&Instant) -> f64| {
+        let chosen = speeds.iter().skip(step / 2).step_by(step);
+        chosen.fold(Panel::new(title, "spin, rpm"), |panel, speed| {
+            let own = map.iter().filter(|i| i.throw.speed == *speed);
+            panel.line(format!("{speed} m/s"), own.map(|i| (spin(i), of(i))))
+        })
     };
     let points = |holds: bool| {
         let own = map.iter().filter(move |i| i.criteria.is_stable() == holds);
-        own.map(|i| (i.throw.spin.unwrap_or(0.0), i.throw.speed))
-            .collect::<Vec<_>>()
+        own.map(|i| (spin(i), i.throw.speed))
     };
+    let fast = |i: &Instant| nutation(&i.modes).map_or(f64::NAN, Mode::frequency);
     let panels = [
-        panel(
-            "Frequency of the fast mode, rad/s",
-            &|i| nutation(&i.modes).map_or(f64::NAN, Mode::frequency),
-            Vec::new(),
-        ),
-        panel(
-            "Least decay of the other modes, 1/s",
-            &|i| slowest(&i.modes),
-            vec![0.0],
-        ),
+        panel("Frequency of the fast mode, rad/s", &fast),
         Panel {
-            title: "Criteria: speed, m/s".into(),
-            across: "spin, rpm".into(),
-            dots: vec![
-                Dots {
-                    look: Look::Colour(0),
-                    points: points(true),
-                },
-                Dots {
-                    look: Look::Cross,
-                    points: points(false),
-                },
-            ],
-            ..Panel::default()
+            levels: vec![0.0],
+            ..panel("Least decay of the other modes, 1/s", &|i| {
+                slowest(&i.modes)
+            })
         },
+        Panel::new("Criteria: speed, m/s", "spin, rpm")
+            .dots(Look::Colour(0), points(true))
+            .dots(Look::Cross, points(false)),
     ];
     let caption = "Last panel: dots where all three criteria hold, crosses where one fails.";
-    Figure::of_panels(
-        "map",
-        "Over speed and spin",
-        caption,
-        Layout::COLUMN,
-        &panels,
-    )
+    let title = "Over speed and spin";
+    Figure::of_panels("map", title, caption, Layout::COLUMN, &panels)
 }

@@ -1,8 +1,7 @@
 //! Sentences of a stability analysis, and its JSON and CSV.
 
-use std::fmt::Write;
-
 use analysis::stability::{Criteria, Instant, Mode, ModeKind, Modes, Trim};
+use report::CsvTable;
 use serde_json::{Value, json};
 
 use super::Found;
@@ -168,26 +167,21 @@ pub fn json(model: &str, found: &Found) -> Value {
 /// CSV table of the modes at the given instants: one line per instant and mode, with the stability criteria at the
 /// instant (1 if fulfilled, otherwise 0).
 pub fn csv(instants: &[Instant]) -> String {
-    let mut text = String::from(
-        "t_s,speed_m_s,spin_rpm,mode,real_1_s,imaginary_rad_s,gyroscopic,incidence,wobble\n",
-    );
-    for instant in instants {
-        let c = &instant.criteria;
-        for mode in &instant.modes.modes {
-            let _ = writeln!(
-                text,
-                "{},{},{},{},{},{},{},{},{}",
-                instant.time,
-                instant.throw.speed,
-                instant.throw.spin.unwrap_or(0.0),
-                mode.kind.name(),
-                mode.value.re,
-                mode.value.im,
-                u8::from(c.gyroscopic),
-                u8::from(c.slow),
-                u8::from(c.wobble)
-            );
-        }
-    }
-    text
+    let all = instants.iter().flat_map(|instant| {
+        let modes = instant.modes.modes.iter();
+        modes.map(move |mode| (instant, mode))
+    });
+    CsvTable::of(all)
+        .column("t_s", |(instant, _)| instant.time)
+        .column("speed_m_s", |(instant, _)| instant.throw.speed)
+        .column("spin_rpm", |(instant, _)| instant.throw.spin.unwrap_or(0.0))
+        .column("mode", |(_, mode)| mode.kind.name())
+        .column("real_1_s", |(_, mode)| mode.value.re)
+        .column("imaginary_rad_s", |(_, mode)| mode.value.im)
+        .column("gyroscopic", |(instant, _)| {
+            u8::from(instant.criteria.gyroscopic)
+        })
+        .column("incidence", |(instant, _)| u8::from(instant.criteria.slow))
+        .column("wobble", |(instant, _)| u8::from(instant.criteria.wobble))
+        .text()
 }

@@ -7,6 +7,7 @@ mod explanations;
 mod finding;
 mod limits;
 mod page;
+pub mod tables;
 mod text;
 mod words;
 

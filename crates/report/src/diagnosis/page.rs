@@ -9,7 +9,7 @@ use super::{DiagnosisPage, coefficients, evidence, explanations, limits, words};
 use crate::figure::Figure;
 use crate::html::Html;
 use crate::page::Page;
-use crate::table::{Column, Table};
+use crate::table::Table;
 use identify::wording::{counted, durations, names, sentence, short, truncated};
 
 /// Maximum number of characters of the extended model's text shown in the HTML report.
@@ -161,12 +161,10 @@ fn extension(page: &DiagnosisPage<'_>) -> Html {
             "It fails an independent check: do not rely on it."
         };
         content.element_with_id("p", "verified", "words", outcome);
-        let mut table = Table::new()
-            .with(Column::Name, &["check"])
-            .with(Column::Text, &["result"]);
-        for (name, result) in verified.checks.iter().take(MAX_NOTES) {
-            table.row([short(name).into(), short(result).into()]);
-        }
+        let table = Table::of(verified.checks.iter().take(MAX_NOTES))
+            .name("check", |(name, _)| short(name))
+            .text("result", |(_, result)| short(result))
+            .table();
         content.table(&table);
     }
     content

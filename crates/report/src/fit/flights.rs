@@ -9,7 +9,7 @@ use super::draw::MAX_FLIGHTS;
 use crate::figure::Figure;
 use crate::html::Html;
 use crate::page::flight_link;
-use crate::table::{Column, Table};
+use crate::table::Table;
 use identify::numbers::{millimetres, plain};
 use identify::wording::short;
 
@@ -74,34 +74,22 @@ pub(super) fn worst_first(mut flights: Vec<&FlightReport>, most: usize) -> Vec<&
 
 /// Table of the first [`MAX_ROWS`] flights.
 pub(super) fn table(page: &FitPage<'_>, flights: &[&FlightReport]) -> Table {
-    use Column::{File, Number, Text};
-    let mut table = Table::new()
-        .with(File, &["flight"])
-        .with(Number, &["samples", "rms", "outliers"])
-        .with(Text, &["cut", "notes"]);
-    for flight in flights.iter().take(MAX_ROWS) {
-        let cut = flight.cut.as_ref().map(|cut| {
-            let (t, samples) = (plain(cut.t, 3), cut.samples);
-            format!(
-                "after {t} s, {samples} samples not used: {}",
-                short(&cut.reason)
-            )
-        });
-        let rms = if flight.is_used() {
-            millimetres(flight.rms())
-        } else {
-            "–".to_owned()
-        };
-        table.row([
-            links(page, &flight.file).into(),
-            flight.samples.to_string().into(),
-            rms.into(),
-            flight.outliers.to_string().into(),
-            cut.unwrap_or_default().into(),
-            short(&flight.notes.join("; ")).into(),
-        ]);
-    }
-    table
+    let cut = |flight: &FlightReport| {
+        let cut = flight.cut.as_ref()?;
+        let (t, samples) = (plain(cut.t, 3), cut.samples);
+        let reason = short(&cut.reason);
+        Some(format!("after {t} s, {samples} samples not used: {reason}"))
+    };
+    Table::of(flights.iter().take(MAX_ROWS))
+        .file("flight", |flight| links(page, &flight.file))
+        .number("samples", |flight| flight.samples)
+        .number("rms", |flight| {
+            flight.is_used().then(|| millimetres(flight.rms()))
+        })
+        .number("outliers", |flight| flight.outliers)
+        .text("cut", |flight| cut(flight).unwrap_or_default())
+        .text("notes", |flight| short(&flight.notes.join("; ")))
+        .table()
 }
 
 /// Links to the flight in three dimensions and to its figures, where they are drawn.

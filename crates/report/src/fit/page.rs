@@ -10,7 +10,7 @@ use super::{Figures, FitPage, coefficients, flights, words};
 use crate::figure::Figure;
 use crate::html::Html;
 use crate::page::Page;
-use crate::table::{Column, Table};
+use crate::table::Table;
 use identify::numbers::{millimetres, percent, plain};
 use identify::wording::{durations, names, sentence};
 
@@ -211,27 +211,17 @@ fn noise(report: &FitReport) -> Html {
 /// Table of the measurement noise: one row for each axis, then one for all axes together.
 pub(super) fn noise_table(report: &FitReport) -> Table {
     let noise = report.leading_noise();
-    let mut table = Table::new().with(Column::Name, &["axis"]).with(
-        Column::Number,
-        &[
-            "standard deviation",
-            "lag-1 autocorrelation",
-            "correlation time",
-        ],
-    );
-    let mut row = |axis: &str, sigma: f64, ar1: f64| {
-        table.row([
-            axis.into(),
-            millimetres(sigma).into(),
-            plain(ar1, 2).into(),
-            correlation_time(ar1, noise.interval_s).into(),
-        ]);
-    };
-    for (axis, n) in noise.axes.iter().take(3) {
-        row(axis, n.sigma, n.lag1_autocorrelation);
-    }
-    row("all", noise.sigma, noise.lag1_autocorrelation);
-    table
+    let axes = noise.axes.iter().take(3);
+    let axes = axes.map(|(axis, n)| (axis.as_str(), n.sigma, n.lag1_autocorrelation));
+    let all = ("all", noise.sigma, noise.lag1_autocorrelation);
+    Table::of(axes.chain([all]))
+        .name("axis", |row| row.0)
+        .number("standard deviation", |row| millimetres(row.1))
+        .number("lag-1 autocorrelation", |row| plain(row.2, 2))
+        .number("correlation time", |row| {
+            correlation_time(row.2, noise.interval_s)
+        })
+        .table()
 }
 
 /// Lag at which the autocorrelation of the noise has fallen to 1/e; `–` if the noise is nearly uncorrelated.

@@ -6,7 +6,7 @@ use model_spec::sort_by_number;
 use super::{Distance, ImportPage, ImportedFlight, ImportedTake, draw};
 use crate::html::Html;
 use crate::page::Page;
-use crate::table::{Cell, Column, Table};
+use crate::table::Table;
 use identify::numbers::plain;
 use identify::wording::{capitalized, names, short};
 
@@ -57,12 +57,10 @@ pub(super) fn html(page: &ImportPage) -> String {
 fn section(take: &ImportedTake, number: usize, drawn: usize) -> Html {
     let mut content = Html::new();
     content.heading("What was decided");
-    let mut decisions = Table::new()
-        .with(Column::Name, &[""])
-        .with(Column::Text, &[""]);
-    for (what, decision) in &take.decisions {
-        decisions.row([what.into(), decision.into()]);
-    }
+    let decisions = Table::of(&take.decisions)
+        .name("", |(what, _)| what)
+        .text("", |(_, decision)| decision)
+        .table();
     content.table(&decisions);
     content.alarms("Notes", take.notes.iter().map(|note| capitalized(note)));
     if take.flights.is_empty() {
@@ -88,27 +86,15 @@ fn section(take: &ImportedTake, number: usize, drawn: usize) -> Html {
 }
 
 fn flights(take: &ImportedTake) -> Table {
-    use Column::{Name, Number, Text};
-    let mut table = Table::new()
-        .with(Name, &["table"])
-        .with(Number, &["from, s"])
-        .with(Text, &["because"])
-        .with(Number, &["to, s"])
-        .with(Text, &["because"])
-        .with(Number, &["samples"])
-        .with(Text, &["not seen"]);
-    for flight in &take.flights {
-        table.row([
-            (&flight.file).into(),
-            plain(flight.release.time, 3).into(),
-            short(&flight.release.reason).into(),
-            plain(flight.end.time, 3).into(),
-            short(&flight.end.reason).into(),
-            flight.samples.to_string().into(),
-            unseen(flight).into(),
-        ]);
-    }
-    table
+    Table::of(&take.flights)
+        .name("table", |flight| &flight.file)
+        .number("from, s", |flight| plain(flight.release.time, 3))
+        .text("because", |flight| short(&flight.release.reason))
+        .number("to, s", |flight| plain(flight.end.time, 3))
+        .text("because", |flight| short(&flight.end.reason))
+        .number("samples", |flight| flight.samples)
+        .text("not seen", |flight| unseen(flight))
+        .table()
 }
 
 /// Text on the gaps of a flight and on its markers with missing samples.
@@ -157,22 +143,12 @@ fn pairs(take: &ImportedTake) -> Table {
         }
     }
     sort_by_number(&mut worst, |found| -found.farthest);
-    let mut table = Table::new()
-        .with(Column::Name, &["pair"])
-        .with(
-            Column::Number,
-            &["template, mm", "median, mm", "farthest from it, mm"],
-        )
-        .with(Column::Plain, &["in"]);
-    let millimetres = |metres: f64| Cell::from(plain(1e3 * metres, 1));
-    for found in worst.iter().take(MAX_PAIRS) {
-        table.row([
-            (&found.pair.name).into(),
-            millimetres(found.pair.template),
-            millimetres(found.median),
-            millimetres(found.farthest),
-            found.file.into(),
-        ]);
-    }
-    table
+    let millimetres = |metres: f64| plain(1e3 * metres, 1);
+    Table::of(worst.iter().take(MAX_PAIRS))
+        .name("pair", |found| &found.pair.name)
+        .number("template, mm", |found| millimetres(found.pair.template))
+        .number("median, mm", |found| millimetres(found.median))
+        .number("farthest from it, mm", |found| millimetres(found.farthest))
+        .plain("in", |found| found.file)
+        .table()
 }
