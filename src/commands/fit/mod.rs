@@ -38,11 +38,12 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
         deadline,
         ..inputs.options()
     };
+    let threads = asked.threads();
     let fitted = identify::fit(model, dataset, &asked);
     drop(progress);
     let mut fitted = fitted.with_context(|| inputs.failed("fit"))?;
     fitted.report.dataset.clone_from(name);
-    let fitted = fitted.with_lack_of_fit(asked.threads())?;
+    let fitted = fitted.with_lack_of_fit(threads)?;
     let page = FitPage {
         report: &fitted.report,
         fit: Some(&fitted),
