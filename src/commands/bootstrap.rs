@@ -24,7 +24,7 @@ const MIN_FLIGHTS: usize = 5;
 /// `Answer::No` if this run completes the refits and the fit to the original flights is not reliable.
 pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
     let share = options.part.as_deref().map(super::share).transpose()?;
-    let inputs = Inputs::read(&options.inputs, None)?;
+    let inputs = Inputs::read(&options.inputs, None, &[])?;
     let (dataset, model) = (&inputs.dataset, &inputs.model);
     let asked = FitOptions {
         unbounded: options.unbounded,

@@ -16,7 +16,7 @@ use crate::input_error::InputError;
 use crate::pose::distance;
 
 /// Maximum size of `dataset.toml`, bytes.
-const MAX_BYTES: u64 = 4 << 20;
+pub(super) const MAX_BYTES: u64 = 4 << 20;
 /// Maximum number of markers, and of sensors, of a dataset.
 pub(super) const MAX_MARKERS: usize = 1000;
 /// Maximum absolute coordinate of a marker in the body frame, m; larger values suggest millimetres.
@@ -56,8 +56,17 @@ pub(super) fn read(path: &Path) -> Result<Manifest, InputError> {
 }
 
 pub(super) fn parse(file: &Path, text: &str) -> Result<Manifest, InputError> {
+    with_document(file, text, |checker, document| checker.manifest(document))
+}
+
+/// Parses the text of a file as TOML and passes the document to `read`.
+pub(super) fn with_document<T>(
+    file: &Path,
+    text: &str,
+    read: impl FnOnce(&Checker<'_>, &DeTable<'_>) -> Result<T, InputError>,
+) -> Result<T, InputError> {
     let document = DeTable::parse(text).map_err(|error| syntax(file, text, &error))?;
-    Checker(Fields { file, text }).manifest(document.get_ref())
+    read(&Checker(Fields { file, text }), document.get_ref())
 }
 
 fn syntax(file: &Path, text: &str, error: &toml::de::Error) -> InputError {
@@ -91,14 +100,7 @@ impl Checker<'_> {
         ];
         fields.keys(document, "", &KEYS)?;
         let model = self.model(document)?;
-        let mut parameters = BTreeMap::new();
-        if let Some(table) = fields.table(document, "parameters")? {
-            for (name, value) in table {
-                let name = name.get_ref().to_string();
-                let number = self.constant(&name, value)?;
-                parameters.insert(name, number);
-            }
-        }
+        let parameters = self.parameters(document)?;
         let mut unplaced = Vec::new();
         let mut markers = self.markers(document, &mut unplaced)?;
         let mut sigma = self.sigma(document)?;
@@ -118,7 +120,21 @@ impl Checker<'_> {
         })
     }
 
-    fn model(&self, document: &DeTable<'_>) -> Result<String, InputError> {
+    /// Reads the known constants of the table `[parameters]`.
+    pub(super) fn parameters(
+        &self,
+        document: &DeTable<'_>,
+    ) -> Result<BTreeMap<String, f64>, InputError> {
+        let table = self.0.table(document, "parameters")?;
+        let constants = table.into_iter().flatten().map(|(name, value)| {
+            let name = name.get_ref().to_string();
+            let number = self.constant(&name, value)?;
+            Ok((name, number))
+        });
+        constants.collect()
+    }
+
+    pub(super) fn model(&self, document: &DeTable<'_>) -> Result<String, InputError> {
         let expected = "a name or a path, as in model = \"disc\"";
         let Some(value) = document.get("model") else {
             return Err(self.0.fault(0..0, "no model", expected));
@@ -160,7 +176,7 @@ impl Checker<'_> {
             .ok_or_else(|| self.0.fault(span.clone(), format!("no {key}"), expected))
     }
 
-    fn markers(
+    pub(super) fn markers(
         &self,
         document: &DeTable<'_>,
         unplaced: &mut Vec<Unplaced>,

@@ -6,10 +6,9 @@ use crate::figure::Figure;
 use crate::figures::svg::{STYLE, escape, without_style};
 use crate::html::Html;
 use crate::table::Table;
+use crate::thin::MAX_ROWS;
 use identify::wording::{capitalized, counted};
 
-/// Maximum number of faults in the measured data that the table of a page lists.
-const MAX_FAULTS: usize = 60;
 /// Maximum size in bytes of a CSV table that is embedded in a page; the page links to the file of a larger table.
 const MAX_EMBEDDED: usize = 10_000;
 
@@ -91,14 +90,20 @@ impl Html {
             counted(faults.len(), "fault")
         ));
         content.table(&data_faults(faults));
-        if faults.len() > MAX_FAULTS {
+        if faults.len() > MAX_ROWS {
             let all = faults.len();
             content.note(format!(
-                "The first {MAX_FAULTS} of {all}; all are in report.json."
+                "The first {MAX_ROWS} of {all}; all are in report.json."
             ));
         }
         self.section("data-faults", "Faults of the data", content);
     }
+}
+
+/// Heading of a page: two names, and between them words that stand back.
+pub(crate) fn heading(name: &str, words: &'static str, other: &str) -> Html {
+    let words = Html::of("span", "", words);
+    Html::from(name).then(" ").then(words).then(" ").then(other)
 }
 
 /// One HTML page.
@@ -138,9 +143,9 @@ impl Page {
     }
 }
 
-/// Table of the first [`MAX_FAULTS`] faults of the measured data.
+/// Table of the first [`MAX_ROWS`] faults of the measured data.
 pub(crate) fn data_faults(faults: &[DataFault]) -> Table {
-    Table::of(faults.iter().take(MAX_FAULTS))
+    Table::of(faults.iter().take(MAX_ROWS))
         .file("flight", |fault| &fault.file)
         .plain("fault", |fault| fault.fault.name().replace('_', " "))
         .text("found", |fault| &fault.detail)
@@ -181,6 +186,14 @@ pub(crate) fn encoded(text: &str) -> String {
 /// Link to a flight in the page of flights in three dimensions; `name` is its name there.
 pub(crate) fn flight_link(name: &str, text: &str) -> Html {
     Html::link(&format!("flights.html#{}", encoded(name)), text)
+}
+
+/// Sentence on the page of flights in three dimensions.
+pub(crate) fn watch() -> Html {
+    let link = Html::link("flights.html", "flights.html");
+    Html::from("The flights can be watched in ")
+        .then(link)
+        .then(".")
 }
 
 #[cfg(test)]

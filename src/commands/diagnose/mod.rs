@@ -28,7 +28,8 @@ const CASES: usize = 12;
 /// folder is given. Returns `Answer::No` if there are reasons not to rely on the diagnosis.
 pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     let deadline = deadline(options.max_seconds)?;
-    let inputs = Inputs::read(&options.inputs, options.out.as_deref())?;
+    let out = options.out.as_deref();
+    let inputs = Inputs::read(&options.inputs, out, &options.figures)?;
     let (dataset, model, name) = (&inputs.dataset, &inputs.model, &inputs.name);
     let progress = Progress::new()?;
     let asked = DiagnosisOptions {
@@ -51,24 +52,19 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     let (mut found, verified) = found.with_context(|| inputs.failed("diagnose"))?;
     found.set_verified(verified.transpose()?);
     let has_extension = found.after.is_some();
-    if let Some(folder) = &inputs.folder {
-        found.report.extended_model = has_extension.then(|| EXTENDED.to_owned());
-        let mut files = results(dataset, name, &found)?;
-        output::add_figures(&mut files, &options.figures)?;
-        output::replace(folder, &files)?;
+    if has_extension && inputs.out.is_some() {
+        found.report.extended_model = Some(EXTENDED.to_owned());
     }
-    output::print(report::diagnosis::text(&found.report))?;
-    if let Some(folder) = &options.out {
+    if let Some(out) = &inputs.out {
         let extended = if has_extension {
             "the extended model, "
         } else {
             ""
         };
-        eprintln!(
-            "report.html, report.json, {extended}figures and tables are in {}",
-            folder.display()
-        );
+        let what = format!("report.html, report.json, {extended}figures and tables");
+        out.write(results(dataset, name, &found)?, &what)?;
     }
+    output::print(report::diagnosis::text(&found.report))?;
     if found.report.reliable {
         return Ok(Answer::Yes);
     }

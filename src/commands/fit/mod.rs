@@ -5,11 +5,12 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Context, bail};
 use dataset::{Dataset, Role};
-use flight::files::{ResultFile, ResultFolder};
+use flight::files::ResultFile;
 use identify::{FitOptions, FlightEvidence, FlightId, Prior};
 use model_spec::ModelTree;
 use model_spec::model::Model;
 use model_spec::sort_by_number;
+use report::FigureKind;
 use report::fit::{Figure, FitPage, tables};
 use report::viewer::View;
 
@@ -28,7 +29,8 @@ pub(super) const FLIGHTS: &str = "flights.html";
 /// given. Returns `Answer::No` if the estimates are not reliable.
 pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     let deadline = deadline(options.max_seconds)?;
-    let inputs = Inputs::read(&options.inputs, options.out.as_deref())?;
+    let out = options.out.as_deref();
+    let inputs = Inputs::read(&options.inputs, out, &options.figures)?;
     let (dataset, model, name) = (&inputs.dataset, &inputs.model, &inputs.name);
     let progress = Progress::new()?;
     let asked = FitOptions {
@@ -51,23 +53,16 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
         model,
         dataset: name,
     };
-    if let Some(folder) = &inputs.folder {
+    if let Some(out) = &inputs.out {
         let evidence = evidence(&fitted, &drawn(&fitted));
         let page = FitPage {
             evidence: &evidence,
             ..page
         };
-        let mut files = results(&page, dataset, &fitted)?;
-        output::add_figures(&mut files, &options.figures)?;
-        output::replace(folder, &files)?;
+        let what = format!("report.html, report.json, {FITTED}, figures and tables");
+        out.write(results(&page, dataset, &fitted)?, &what)?;
     }
     output::print(report::fit::text(&page))?;
-    if let Some(folder) = &options.out {
-        eprintln!(
-            "report.html, report.json, {FITTED}, figures and tables are in {}",
-            folder.display()
-        );
-    }
     if fitted.report.reliable {
         return Ok(Answer::Yes);
     }
@@ -83,7 +78,7 @@ pub(super) struct Inputs<'a> {
     given: &'a FitInputs,
     fixed: Vec<(String, Option<f64>)>,
     priors: Vec<Prior>,
-    pub(super) folder: Option<ResultFolder>,
+    pub(super) out: Option<output::Results<'a>>,
     pub(super) dataset: Dataset,
     pub(super) model: Model,
     /// Name of the dataset in reports: the name of its folder.
@@ -91,12 +86,16 @@ pub(super) struct Inputs<'a> {
 }
 
 impl<'a> Inputs<'a> {
-    pub(super) fn read(given: &'a FitInputs, out: Option<&Path>) -> anyhow::Result<Inputs<'a>> {
+    pub(super) fn read(
+        given: &'a FitInputs,
+        out: Option<&'a Path>,
+        figures: &'a [FigureKind],
+    ) -> anyhow::Result<Inputs<'a>> {
         let fixed = given.hold.iter().map(|text| held(text));
         let fixed = fixed.collect::<anyhow::Result<_>>()?;
         let priors = given.prior.iter().map(|text| prior(text));
         let priors = priors.collect::<anyhow::Result<_>>()?;
-        let folder = output::folder(out)?;
+        let out = output::results(out, figures)?;
         let dataset = dataset::load_on(&given.dataset, given.threads)?;
         let model = model_of(given.model.as_ref(), &given.dataset, &dataset)?;
         let name = given.dataset.file_name();
@@ -107,7 +106,7 @@ impl<'a> Inputs<'a> {
             given,
             fixed,
             priors,
-            folder,
+            out,
             dataset,
         })
     }

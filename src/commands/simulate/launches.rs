@@ -1,21 +1,20 @@
 //! Flies all throws of a launch monitor and lists them in a table of results.
 
-use flight::files::{ResultFile, ResultFolder};
+use flight::files::ResultFile;
 use flight::release::Release;
+use flight::throw::FlownThrow;
 use flight::{CompiledModel, simulate, trajectory_csv};
 use model_spec::model::Model;
 use ode::IntegrationOptions;
-use report::{CsvTable, Table};
+use report::{CsvTable, Table, hundredths};
 
-use super::flown::Flown;
 use super::techdisc::Row;
 use super::{check_rows, summary_file, throws};
 use crate::cli::Simulate;
-use crate::commands::hundredths;
 use crate::{Answer, output};
 
 /// A throw of a launch monitor and its flight, or why it could not be flown.
-type Flight<'r> = (&'r Row, Result<Flown, String>);
+type Flight<'r> = (&'r Row, Result<FlownThrow, String>);
 
 /// Simulates every throw recorded by a launch monitor; prints the table of results, and writes the table and a folder
 /// per flight if an output folder is given. Returns `Answer::No` if a throw could not be simulated.
@@ -23,7 +22,7 @@ pub fn run(
     options: &Simulate,
     rows: &[Row],
     (model, body, release): (&Model, &CompiledModel, &Release),
-    out: Option<&ResultFolder>,
+    out: Option<&output::Results<'_>>,
 ) -> anyhow::Result<Answer> {
     let names: Vec<&str> = model.states.iter().map(|s| s.name.as_str()).collect();
     let settings = IntegrationOptions::with_tolerance(options.tolerance);
@@ -43,7 +42,7 @@ pub fn run(
         };
         seconds += flight.end;
         check_rows(options, seconds)?;
-        let Some(flown) = Flown::of(model, body, &own, &flight) else {
+        let Some(flown) = FlownThrow::of(model, body, &own, &flight) else {
             continue;
         };
         if out.is_some() {
@@ -55,17 +54,12 @@ pub fn run(
         }
         flights.push((row, Ok(flown)));
     }
-    if let Some(folder) = out {
+    if let Some(out) = out {
         files.push(ResultFile::new("results.csv", csv(&flights)));
-        output::replace(folder, &files)?;
+        let what = "results.csv, and trajectory.csv and summary.json of each row,";
+        out.write(files, what)?;
     }
     output::print(table(&flights))?;
-    if let Some(folder) = &options.out {
-        eprintln!(
-            "results.csv, and trajectory.csv and summary.json of each row, are in {}",
-            folder.display()
-        );
-    }
     Ok(if flights.iter().all(|(_, flown)| flown.is_ok()) {
         Answer::Yes
     } else {
@@ -75,11 +69,11 @@ pub fn run(
 
 /// Table of the throws for the terminal.
 fn table(flights: &[Flight<'_>]) -> String {
-    let number = |flown: &Result<Flown, String>, of: fn(&Flown) -> f64| {
+    let number = |flown: &Result<FlownThrow, String>, of: fn(&FlownThrow) -> f64| {
         let flown = flown.as_ref().ok();
         flown.map_or_else(String::new, |flown| format!("{:.2}", hundredths(of(flown))))
     };
-    let failure = |row: &Row, flown: &Result<Flown, String>| match flown {
+    let failure = |row: &Row, flown: &Result<FlownThrow, String>| match flown {
         Ok(_) => String::new(),
         Err(why) => format!("not flown: line {}: {why}", row.line),
     };
@@ -98,7 +92,7 @@ fn table(flights: &[Flight<'_>]) -> String {
 
 /// CSV table of the throws.
 fn csv(flights: &[Flight<'_>]) -> String {
-    type Number = (&'static str, fn(&Flown) -> Option<f64>);
+    type Number = (&'static str, fn(&FlownThrow) -> Option<f64>);
     let numbers: [Number; 13] = [
         ("speed_m_s", |flown| Some(flown.release.speed)),
         ("launch_deg", |flown| Some(flown.release.launch)),

@@ -93,12 +93,8 @@ impl<'t> Reader<'t> {
         let Some(value) = document.get(key) else {
             return Vec::new();
         };
-        let Some(table) = value.get_ref().as_table() else {
-            self.wrong_type(value, key, &format!("a table, as in [{key}]"));
-            return Vec::new();
-        };
+        let table = self.as_table(value, key).into_iter().flatten();
         table
-            .iter()
             .map(|(key, value)| (&**key.get_ref(), key.span(), value))
             .collect()
     }

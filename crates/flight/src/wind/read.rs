@@ -72,8 +72,7 @@ impl<'t> Reader<'t> {
         let Some(value) = document.get("wind") else {
             return none;
         };
-        let Some(table) = value.get_ref().as_table() else {
-            self.wrong_type(value, "wind", "a table, as in [wind]");
+        let Some(table) = self.as_table(value, "wind") else {
             return none;
         };
         self.known_keys(table, " in [wind]", KEYS.into_iter());

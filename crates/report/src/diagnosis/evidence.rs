@@ -4,14 +4,14 @@ use dataset::Role;
 use diagnose::{CandidateTest, FlightGain, LackOfFit, Report};
 use identify::SmoothMisfit;
 use identify::wording::count;
-use model_spec::sort_by_number;
 
 use super::draw::{Figures, unmoved};
-use super::{DiagnosisPage, MAX_ROWS, OPEN, words};
+use super::{DiagnosisPage, OPEN, words};
 use crate::fit::words::{PREDICTIONS, RESIDUALS};
 use crate::html::Html;
 use crate::page::flight_link;
 use crate::table::{Cell, Table};
+use crate::thin::{MAX_ROWS, largest_first};
 use identify::numbers::{
     equivalent_z, millimetres, percent, plain, probability, probability_of_ln, significant,
 };
@@ -155,20 +155,12 @@ fn misfits(test: &LackOfFit) -> Table {
 /// residuals, in descending order.
 fn flights(page: &DiagnosisPage<'_>, figures: &Figures) -> Table {
     let report = page.report;
-    let mut all: Vec<&FlightGain> = report.flights.iter().collect();
-    if all.len() > MAX_ROWS {
-        let size = |f: &FlightGain| match f.rms_before_m {
-            Some(rms) if rms.is_nan() => f64::INFINITY,
-            Some(rms) => rms,
-            None => f64::NEG_INFINITY,
-        };
-        sort_by_number(&mut all, |flight| -size(flight));
-        all.truncate(MAX_ROWS);
-    }
+    let all: Vec<&FlightGain> = report.flights.iter().collect();
+    let all = largest_first(all, MAX_ROWS, |flight| flight.rms_before_m);
     let tested = report.lack_of_fit.as_ref().map(|test| &test.flights);
     let p = |flight: &FlightGain| tested?.get(&flight.file).copied();
     let gain = |flight: &FlightGain| Some(flight.rms_before_m? - flight.rms_after_m?);
-    Table::of(all)
+    Table::of(all.into_iter().take(MAX_ROWS))
         .file("flight", |flight| links(page, figures, &flight.file))
         .number("rms before", |flight| flight.rms_before_m.map(millimetres))
         .number("rms extended", |flight| flight.rms_after_m.map(millimetres))

@@ -7,13 +7,11 @@ use super::{DiagnosisPage, words};
 use crate::equation::of_effect;
 use crate::html::Html;
 use crate::table::Table;
+use crate::thin::MAX_FLIGHTS;
 use identify::numbers::{
     Digits, equivalent_z, millimetres, percent, plain, probability, significant, stated, unit,
 };
 use identify::wording::{sentence, short};
-
-/// Maximum number of explanations shown in the HTML report.
-const MAX_EXPLANATIONS: usize = 12;
 
 /// The accepted explanations of the report, best fit first, and the proposed throw.
 pub(super) fn section(page: &DiagnosisPage<'_>) -> Html {
@@ -42,7 +40,7 @@ pub(super) fn section(page: &DiagnosisPage<'_>) -> Html {
              data reject none. The best is first{throw}."
         ));
     }
-    let shown = report.explanations.iter().take(MAX_EXPLANATIONS);
+    let shown = report.explanations.iter().take(MAX_FLIGHTS);
     for (i, found) in shown.enumerate() {
         let mut name = words::readable(&found.name());
         if number > 1 {
@@ -50,8 +48,8 @@ pub(super) fn section(page: &DiagnosisPage<'_>) -> Html {
         }
         content.element("div", "card", card(page, found, &name));
     }
-    if number > MAX_EXPLANATIONS {
-        let more = number - MAX_EXPLANATIONS;
+    if number > MAX_FLIGHTS {
+        let more = number - MAX_FLIGHTS;
         content.note(format!("{more} more explanations are in report.json."));
     }
     if let Some(next) = &report.proposed_throw {

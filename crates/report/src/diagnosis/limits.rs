@@ -2,9 +2,10 @@
 
 use diagnose::{NotIdentifiable, Report, StepwiseTerm};
 
-use super::{MAX_ROWS, words};
+use super::words;
 use crate::html::Html;
 use crate::table::Table;
+use crate::thin::MAX_ROWS;
 use identify::numbers::{Digits, significant, unit};
 use identify::wording::names;
 

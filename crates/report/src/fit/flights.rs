@@ -2,19 +2,15 @@
 
 use dataset::Role;
 use identify::FlightReport;
-use model_spec::sort_by_number;
 
 use super::FitPage;
-use super::draw::MAX_FLIGHTS;
 use crate::figure::Figure;
 use crate::html::Html;
 use crate::page::flight_link;
 use crate::table::Table;
+use crate::thin::{MAX_FLIGHTS, MAX_ROWS, largest_first};
 use identify::numbers::{millimetres, plain};
 use identify::wording::short;
-
-/// Maximum number of flights that a table of the report lists.
-const MAX_ROWS: usize = 50;
 
 /// Section of the flights, with a histogram of their residuals.
 pub(super) fn section(page: &FitPage<'_>, histogram: Option<&Figure>) -> Html {
@@ -54,22 +50,15 @@ pub(super) fn section(page: &FitPage<'_>, histogram: Option<&Figure>) -> Html {
 /// Appends the table of `flights`.
 fn worst(content: &mut Html, page: &FitPage<'_>, flights: Vec<&FlightReport>) {
     let all = flights.len();
-    content.table(&table(page, &worst_first(flights, MAX_ROWS)));
+    content.table(&table(
+        page,
+        &largest_first(flights, MAX_ROWS, |flight| Some(flight.rms())),
+    ));
     if all > MAX_ROWS {
         content.note(format!(
             "The {MAX_ROWS} with the largest rms, of {all}; all are in flights.csv."
         ));
     }
-}
-
-/// The flights in dataset order or, if there are more than `most`, in descending order of their RMS residuals.
-pub(super) fn worst_first(mut flights: Vec<&FlightReport>, most: usize) -> Vec<&FlightReport> {
-    if flights.len() > most {
-        // A flight without a finite RMS residual ranks as the worst.
-        let size = |rms: f64| if rms.is_nan() { f64::INFINITY } else { rms };
-        sort_by_number(&mut flights, |flight| -size(flight.rms()));
-    }
-    flights
 }
 
 /// Table of the first [`MAX_ROWS`] flights.

@@ -5,12 +5,12 @@ use identify::FitReport;
 use identify::wording::count;
 use model_spec::sort_by_number;
 
-use super::draw::MAX_FLIGHTS;
 use super::{Figures, FitPage, coefficients, flights, words};
 use crate::figure::Figure;
 use crate::html::Html;
-use crate::page::Page;
+use crate::page::{Page, heading, watch};
 use crate::table::Table;
+use crate::thin::{MAX_FLIGHTS, MAX_ROWS};
 use identify::numbers::{millimetres, percent, plain};
 use identify::wording::{durations, names, sentence};
 
@@ -18,8 +18,6 @@ use identify::wording::{durations, names, sentence};
 const OPEN: usize = 3;
 /// Number of flights whose figures of marker paths are expanded when the page is opened.
 const OPEN_TRACKS: usize = 6;
-/// Maximum number of non-identifiable directions in parameter space that are listed in the report of a fit.
-const MAX_UNDETERMINED: usize = 20;
 /// Maximum number of non-identifiable directions that the summary names.
 const MAX_NAMED: usize = 3;
 
@@ -42,15 +40,10 @@ pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
     );
     body.section("noise", "Noise", noise(report));
     body.section("how", "How it was computed", how(report));
-    let soft = |text: &str| Html::of("span", "", text);
     Page {
         kind: "hyzer fit",
         title: format!("{} fitted to {}", report.model, page.dataset),
-        heading: Html::from(&report.model)
-            .then(" ")
-            .then(soft("fitted to"))
-            .then(" ")
-            .then(page.dataset),
+        heading: heading(&report.model, "fitted to", page.dataset),
         body,
     }
     .html()
@@ -65,10 +58,8 @@ fn summary(page: &FitPage<'_>, figures: &Figures) -> Html {
     for text in words::summary(page) {
         lead.element("p", "", text);
     }
-    let mut unknown = report
-        .not_identifiable
-        .iter()
-        .map(|u| names(&u.combination));
+    let unknown = report.not_identifiable.iter();
+    let mut unknown = unknown.map(|u| names(&u.combination));
     let named: Vec<String> = unknown.by_ref().take(MAX_NAMED).collect();
     if !named.is_empty() {
         let more = if unknown.next().is_some() {
@@ -91,14 +82,10 @@ fn summary(page: &FitPage<'_>, figures: &Figures) -> Html {
         lead.element("p", "calm", words::NO_WARNINGS);
     }
     lead.alarms("Warnings", alarms);
-    let watch = Html::from("The flights can be watched in ");
-    let watch = watch.then(Html::link("flights.html", "flights.html"));
-    lead.element("p", "", watch.then("."));
+    lead.element("p", "", watch());
     let mut picture = Html::new();
-    picture.figures(
-        figures.precision.clone().map(Figure::reachable).iter(),
-        true,
-    );
+    let precision = figures.precision.clone().map(Figure::reachable);
+    picture.figures(&precision, true);
     let mut opening = Html::from("\n");
     opening.element("div", "words lead", Html::from("\n").then(lead));
     opening.element("div", "picture", picture);
@@ -110,7 +97,7 @@ fn summary(page: &FitPage<'_>, figures: &Figures) -> Html {
 /// Non-identifiable directions in parameter space.
 fn undetermined(report: &FitReport) -> Html {
     let mut content = Html::new();
-    let found = report.not_identifiable.iter().take(MAX_UNDETERMINED);
+    let found = report.not_identifiable.iter().take(MAX_ROWS);
     let items = found.map(|u| {
         let mut text = Html::strong(names(&u.combination));
         text.push(format!(": {}", sentence(&u.reason)));

@@ -5,17 +5,14 @@ use model_spec::sort_by_number;
 
 use super::{Distance, ImportPage, ImportedFlight, ImportedTake, draw};
 use crate::html::Html;
-use crate::page::Page;
+use crate::page::{Page, heading};
 use crate::table::Table;
+use crate::thin::MAX_ROWS;
 use identify::numbers::plain;
 use identify::wording::{capitalized, names, short};
 
-/// Maximum number of imported flights that are drawn, over all recordings.
-const MAX_FLIGHTS: usize = 60;
 /// Maximum number of gaps that are listed for each flight.
 const MAX_GAPS: usize = 5;
-/// Maximum number of marker pairs whose distances are listed for each recording.
-const MAX_PAIRS: usize = 30;
 
 /// Renders the HTML page that reports an import of recordings.
 pub(super) fn html(page: &ImportPage) -> String {
@@ -31,7 +28,7 @@ pub(super) fn html(page: &ImportPage) -> String {
     for (number, take) in page.takes.iter().enumerate() {
         let content = section(take, number + 1, drawn);
         body.section("", &take.file, content);
-        drawn = (drawn + take.flights.len()).min(MAX_FLIGHTS);
+        drawn = (drawn + take.flights.len()).min(MAX_ROWS);
     }
     if flights > drawn {
         body.note(format!("{} more flights are not drawn.", flights - drawn));
@@ -40,14 +37,10 @@ pub(super) fn html(page: &ImportPage) -> String {
     body.note(format!(
         "hyzer {version}. The same decisions are in import.txt."
     ));
-    let heading = Html::from(&page.dataset).then(" ");
-    let heading = heading
-        .then(Html::of("span", "", "for the model"))
-        .then(" ");
     Page {
         kind: "hyzer import",
         title: format!("Import of {}", page.dataset),
-        heading: heading.then(&page.model),
+        heading: heading(&page.dataset, "for the model", &page.model),
         body,
     }
     .html()
@@ -70,9 +63,9 @@ fn section(take: &ImportedTake, number: usize, drawn: usize) -> Html {
         content.table(&flights(take));
     }
     content.figure(&draw::take(number, take), false);
-    let room = take.flights.iter().take(MAX_FLIGHTS - drawn).enumerate();
+    let room = take.flights.iter().take(MAX_ROWS - drawn).enumerate();
     let figures = room.map(|(i, flight)| draw::flight(drawn + i + 1, flight));
-    content.grid(&figures.collect::<Vec<_>>(), MAX_FLIGHTS, true);
+    content.grid(&figures.collect::<Vec<_>>(), MAX_ROWS, true);
     let pairs = pairs(take);
     if !pairs.is_empty() {
         content.heading("Distances between markers");
@@ -144,7 +137,7 @@ fn pairs(take: &ImportedTake) -> Table {
     }
     sort_by_number(&mut worst, |found| -found.farthest);
     let millimetres = |metres: f64| plain(1e3 * metres, 1);
-    Table::of(worst.iter().take(MAX_PAIRS))
+    Table::of(worst.iter().take(MAX_ROWS))
         .name("pair", |found| &found.pair.name)
         .number("template, mm", |found| millimetres(found.pair.template))
         .number("median, mm", |found| millimetres(found.median))

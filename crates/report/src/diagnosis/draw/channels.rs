@@ -8,27 +8,23 @@ use crate::figures::axis::{power_of_ten, range};
 use crate::figures::csv::Table;
 use crate::figures::{Layout, Panel, figure_of};
 use crate::fit::draw::not_drawn;
-use crate::thin::stride;
+use crate::thin::{MAX_FLIGHTS, stride};
 use identify::numbers::{percent, raised};
 
-/// Maximum number of load channels drawn, one figure each.
-const MAX_CHANNELS: usize = 12;
-/// Maximum number of time histories drawn for each load.
-const MAX_HISTORIES: usize = 12;
 /// Maximum number of points with which a load history is drawn.
 const MAX_POINTS: usize = 120;
 
 /// Draws the time histories of the loads that the model lacks, one figure for each load channel.
 pub(super) fn channels(report: &Report) -> Vec<Figure> {
     let all = report.unattributed.iter().flat_map(|o| &o.channels);
-    let all = all.filter(|c| !c.histories.is_empty()).take(MAX_CHANNELS);
+    let all = all.filter(|c| !c.histories.is_empty()).take(MAX_FLIGHTS);
     all.enumerate()
         .map(|(i, channel)| figure(i, channel))
         .collect()
 }
 
 fn figure(index: usize, channel: &LoadChannel) -> Figure {
-    let histories = channel.histories.iter().take(MAX_HISTORIES);
+    let histories = channel.histories.iter().take(MAX_FLIGHTS);
     let histories: Vec<(&str, Vec<[f64; 3]>)> =
         histories.map(|h| (h.file.as_str(), points(h))).collect();
     let mut table = Table::new(&["flight", "t_s", "value", "std_error"]);
@@ -48,7 +44,7 @@ fn figure(index: usize, channel: &LoadChannel) -> Figure {
         words::site(&channel.site),
         percent(channel.explained_fraction)
     );
-    let left_out = channel.histories.len().saturating_sub(MAX_HISTORIES);
+    let left_out = channel.histories.len().saturating_sub(MAX_FLIGHTS);
     let left_out = not_drawn(left_out, "more flights");
     let caption = format!(
         "Estimated history of an additional coefficient in each flight; in the title the share of the misfit that it \

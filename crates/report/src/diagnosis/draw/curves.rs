@@ -5,11 +5,8 @@ use diagnose::{CoefficientCurve, Report};
 use super::super::DiagnosisPage;
 use crate::figure::Figure;
 use crate::figures::{Layout, Panel, samples_below, symbol};
-use crate::thin::MAX_CURVE_POINTS;
+use crate::thin::{MAX_CURVE_POINTS, MAX_FIGURES};
 use identify::numbers::with_unit;
-
-/// Maximum number of coefficient curves drawn in the report.
-const MAX_CURVES: usize = 24;
 
 /// Whether the effects that the diagnosis added to the model change the coefficient curve, by more than rounding.
 fn moves(curve: &CoefficientCurve) -> bool {
@@ -24,7 +21,7 @@ pub(super) fn curves(report: &Report) -> Vec<Figure> {
     let mut curves: Vec<&CoefficientCurve> =
         report.curves.iter().filter(|c| !c.x.is_empty()).collect();
     curves.sort_by_key(|c| !moves(c));
-    let figures = curves.into_iter().take(MAX_CURVES).enumerate();
+    let figures = curves.into_iter().take(MAX_FIGURES).enumerate();
     figures.map(|(i, curve)| figure(i, curve)).collect()
 }
 

@@ -7,12 +7,10 @@ use model_spec::sort_by_number;
 use super::gain::{before_and_after, of_flight};
 use crate::figure::Figure;
 use crate::figures::{Layout, Look, Panel};
-use crate::thin::stride;
+use crate::thin::{MAX_DOTS, stride};
 
 /// Maximum number of flights drawn as one chart row each; more flights are drawn as dots in order of their residual.
 const MAX_ROWS: usize = 16;
-/// Maximum number of flights drawn as dots. Each flight has two dots, so that a figure has at most twice as many dots.
-const MAX_DOTS: usize = 2000;
 
 /// Draws the RMS residuals of the fitted flights, without and with the effects added to the model; `None` if no effect
 /// was added.

@@ -2,15 +2,12 @@
 
 use dataset::Role;
 use diagnose::{FlightGain, Report};
-use model_spec::sort_by_number;
 
 use crate::figure::Figure;
 use crate::figures::Layout;
 use crate::figures::chart::{Chart, Row, Shape, axis_for};
 use crate::fit::draw::not_drawn;
-
-/// Maximum number of held-out flights whose prediction errors are drawn, one chart row each.
-const MAX_FLIGHTS: usize = 12;
+use crate::thin::{MAX_FLIGHTS, largest_first};
 
 /// Draws the RMS prediction errors without and with the effects added to the model, mm: one chart row for all flights
 /// and one for each held-out flight. `None` if the errors were not compared.
@@ -22,19 +19,16 @@ pub(super) fn gain(report: &Report) -> Option<Figure> {
         held_out.extend(all.filter(|f| f.role == Role::HeldOut && f.rms_after_m.is_some()));
     }
     let number = held_out.len();
-    if number > MAX_FLIGHTS {
-        let size = |f: &FlightGain| f.rms_before_m.unwrap_or(f64::NEG_INFINITY);
-        sort_by_number(&mut held_out, |flight| -size(flight));
-        held_out.truncate(MAX_FLIGHTS);
-    }
+    let held_out = largest_first(held_out, MAX_FLIGHTS, |flight| flight.rms_before_m);
     let mut all = row("all", Some(gain.rms_before_m), Some(gain.rms_after_m));
     all.class = "strong";
     let (after, error) = (1e3 * gain.rms_after_m, 1e3 * gain.std_error_m);
     let reach = Shape::Span((after - error).max(0.0), after + error, "reach");
     all.shapes.insert(1, reach);
     // A single flight would repeat the row of all flights.
-    let shown = if number > 1 { &held_out[..] } else { &[] };
-    let rows = std::iter::once(all).chain(shown.iter().map(|flight| of_flight(flight)));
+    let most = if number > 1 { MAX_FLIGHTS } else { 0 };
+    let shown = held_out.iter().take(most);
+    let rows = std::iter::once(all).chain(shown.map(|flight| of_flight(flight)));
     let across = "RMS prediction error, mm";
     let chart = before_and_after("Prediction errors", rows, across, gain.noise_m);
     let left_out = not_drawn(number.saturating_sub(MAX_FLIGHTS), "more flights");

@@ -8,14 +8,12 @@ use crate::figure::Figure;
 use crate::figures::Layout;
 use crate::figures::chart::{Axis, Chart, Row, Shape};
 use crate::fit::draw::not_drawn;
-
-/// Maximum number of candidate effects whose score tests are drawn.
-const MAX_CANDIDATES: usize = 60;
+use crate::thin::MAX_ROWS;
 
 /// Draws the score test of each candidate effect as a bar of the equivalent standard normal quantile z, the most
 /// significant first; `None` if there are no candidates.
 pub(super) fn score_tests(report: &Report) -> Option<Figure> {
-    let mut chart = chart(report, "Score tests of the effects", MAX_CANDIDATES)?;
+    let mut chart = chart(report, "Score tests of the effects", MAX_ROWS)?;
     let has_explanation = !report.explanations.is_empty();
     let significant = if has_explanation {
         "significant alone, explained by the selected effects"

@@ -22,9 +22,6 @@ pub(super) use whiteness::whiteness;
 
 use identify::FlightEvidence;
 
-/// Maximum number of flights in a figure that shows all flights, and maximum number of figures of single flights.
-pub(crate) const MAX_FLIGHTS: usize = 12;
-
 /// Sentence on the number of items that a figure leaves out, with a leading space; empty if it leaves out none. `what`
 /// describes the items, such as `more flights`.
 pub(crate) fn not_drawn(number: usize, what: &str) -> String {

@@ -10,11 +10,10 @@ use crate::bands::std_error;
 use crate::figure::Figure;
 use crate::figures::Layout;
 use crate::figures::chart::{Axis, Chart, Row, Shape};
+use crate::thin::MAX_FIGURES;
 
 /// Minimum and maximum of the chart axis on which relative standard errors are drawn, %.
 const AXIS: (f64, f64) = (0.1, 1e3);
-/// Maximum number of coefficients whose relative standard errors are drawn, one chart row each.
-const MAX_ROWS: usize = 24;
 
 /// Draws the relative standard error of each estimated coefficient, the smallest first; `None` if no coefficient was
 /// estimated.
@@ -23,8 +22,8 @@ pub(in super::super) fn precision(page: &FitPage<'_>) -> Option<Figure> {
     let mut found = page.coefficients();
     found.retain(|(_, c)| !c.fixed && size(c).is_finite());
     sort_by_number(&mut found, |(_, c)| size(c));
-    let left_out = found.len().saturating_sub(MAX_ROWS);
-    let rows = found.iter().take(MAX_ROWS).map(|(name, c)| {
+    let left_out = found.len().saturating_sub(MAX_FIGURES);
+    let rows = found.iter().take(MAX_FIGURES).map(|(name, c)| {
         let size = size(c);
         let class = if size < 1.0 { "bar" } else { "bar loose" };
         let bar = Shape::Bar((1e2 * size).clamp(AXIS.0, AXIS.1), class);

@@ -8,16 +8,15 @@ use model_spec::sort_by_number;
 use crate::figure::Figure;
 use crate::figures::axis::power_of_ten;
 use crate::figures::{Layout, Look, Mark, Panel};
+use crate::thin::MAX_FIGURES;
 
 /// Deviance of the profile likelihood above which a value of the coefficient is rejected at the 5 % level: 95 %
 /// quantile of χ²(1).
 const LEVEL: f64 = 3.84;
-/// Maximum number of profile likelihoods drawn, one figure each.
-const MAX_PROFILES: usize = 24;
 
 /// Draws one figure for each profile likelihood in the report.
 pub(in super::super) fn profiles(report: &FitReport) -> Vec<Figure> {
-    let wanted = report.profiles.iter().take(MAX_PROFILES).enumerate();
+    let wanted = report.profiles.iter().take(MAX_FIGURES).enumerate();
     wanted
         .map(|(i, profile)| figure(i, profile, report))
         .collect()

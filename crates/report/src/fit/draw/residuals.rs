@@ -4,14 +4,12 @@
 use dataset::Role;
 use identify::{FlightEvidence, NoiseReport};
 
-use super::{MAX_FLIGHTS, points, samples};
+use super::{points, samples};
 use crate::figure::Figure;
 use crate::figures::csv::of_panels;
 use crate::figures::{Dots, Layout, Look, Mark, Panel, figure_of};
-use crate::thin::stride;
+use crate::thin::{MAX_DOTS, MAX_FLIGHTS, stride};
 
-/// Maximum number of residuals drawn as dots in a panel, over all series.
-const MAX_DOTS: usize = 1500;
 /// Maximum number of residuals drawn as dots on a narrow screen in a panel, over all series.
 const NARROW_DOTS: usize = 600;
 /// Maximum number of outliers drawn as crosses in a panel.

@@ -4,16 +4,14 @@
 use identify::FlightEvidence;
 use model_spec::model::Model;
 
-use super::{MAX_FLIGHTS, samples};
+use super::samples;
 use crate::figure::Figure;
 use crate::figures::{Layout, Panel, StateLabel, panels_of_states, symbol};
-use crate::thin::{MAX_CURVE_POINTS, curve};
+use crate::thin::{MAX_CURVE_POINTS, MAX_FIGURES, MAX_FLIGHTS, curve};
 
 /// Maximum ratio of the peak magnitudes of two states that share a panel. In a small panel, the nutation of the
 /// angular rates must remain visible next to the spin.
 const APART: f64 = 3.0;
-/// Maximum number of states that a figure of one flight shows.
-const MAX_LINES: usize = 24;
 /// Quantities that are drawn in addition to the states if the model defines them: name, title and unit.
 const QUANTITIES: [(&str, &str, &str); 3] = [
     ("alpha", "Angle of attack α", "rad"),
@@ -50,7 +48,7 @@ fn state_panels(flight: &FlightEvidence, model: &Model) -> Vec<Panel> {
         let state = model.states.iter().find(|s| s.name == name);
         state.map_or("", |s| s.unit_text.as_str())
     };
-    let names = flight.state_names.iter().take(MAX_LINES);
+    let names = flight.state_names.iter().take(MAX_FIGURES);
     let labels = names.map(|name| StateLabel {
         name,
         unit: unit(name),

@@ -2,11 +2,11 @@
 
 use identify::FlightEvidence;
 
-use super::{MAX_FLIGHTS, MeasuredPoint, not_drawn, points, predicted, samples};
+use super::{MeasuredPoint, not_drawn, points, predicted, samples};
 use crate::figure::Figure;
 use crate::figures::axis::range;
 use crate::figures::{Layout, Look, Panel};
-use crate::thin::{MAX_CURVE_POINTS, stride};
+use crate::thin::{MAX_CURVE_POINTS, MAX_FLIGHTS, stride};
 
 /// Maximum number of markers whose paths are drawn: the number of distinct line colours.
 const MAX_MARKERS: usize = 4;

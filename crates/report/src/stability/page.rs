@@ -1,9 +1,9 @@
 //! The report page of a stability analysis: modes at release, along the flight, in steady flight, and over speed and
 //! spin.
 
+use crate::figures::{Layout, Look, Panel};
+use crate::{Figure, Html, Page, Table};
 use analysis::stability::{Criteria, Instant, Mode, ModeKind, Modes};
-use report::figures::{Layout, Look, Panel};
-use report::{Figure, Html, Page, Table};
 
 use super::Found;
 use super::words::{INSTANT, lead, nutation, of_criteria, slowest, steady};
@@ -60,7 +60,7 @@ pub fn page(model: &str, found: &Found) -> (Page, Vec<Figure>) {
 }
 
 /// Table of the modes of the linearised motion.
-pub fn table(modes: &Modes) -> Table {
+pub(super) fn table(modes: &Modes) -> Table {
     let period = |mode: &Mode| {
         let frequency = Some(mode.frequency()).filter(|f| *f > 1e-9);
         frequency.map_or_else(String::new, |f| format!("{:.4}", std::f64::consts::TAU / f))

@@ -6,15 +6,13 @@ use analysis::design::{
 };
 use flight::throw::FIELDS;
 use nalgebra::{Vector2, Vector3};
-use report::figures::{Layout, Look, Mark, Panel};
-use report::{Figure, Html, Page, Table};
 
-use crate::commands::hundredths;
+use crate::figures::{Layout, Look, Mark, Panel};
+use crate::thin::{MAX_DOTS, stride};
+use crate::{Figure, Html, Page, Table, hundredths};
 
 /// Number of line segments with which the figures of a throw design show a path; an ellipse has half as many.
 const POINTS: usize = 200;
-/// Maximum number of sampled landings that the figure shows as dots.
-const MAX_DOTS: usize = 1500;
 
 /// Report page of a throw design, the result of `hyzer design`, and its figures.
 pub fn page(
@@ -59,8 +57,16 @@ pub fn page(
     (page, figures)
 }
 
+/// Text of a throw design for the terminal: the throw, its landing and the spread of the landings.
+pub fn text(found: &Design, bounds: &Bounds, spread: &Spread) -> String {
+    let sentences = nearest(found).into_iter().chain(lead(found));
+    let lines: String = sentences.map(|sentence| sentence + "\n").collect();
+    let table = throw(found, bounds).text(usize::MAX);
+    lines + &table + &spread_words(spread, bounds).join("\n") + "\n"
+}
+
 /// Sentence on a throw that does not serve its purpose; `None` if it does.
-pub fn nearest(found: &Design) -> Option<String> {
+fn nearest(found: &Design) -> Option<String> {
     (!found.feasible).then(|| {
         format!(
             "{}: not possible within these bounds, as far as {} throws and the descents from the best of them can tell; what comes \
@@ -73,7 +79,7 @@ pub fn nearest(found: &Design) -> Option<String> {
 }
 
 /// Sentences on the goal, the landing and the way there.
-pub fn lead(found: &Design) -> Vec<String> {
+fn lead(found: &Design) -> Vec<String> {
     let (figure, unit) = found.goal.figure();
     let mut words = vec![format!(
         "{}: {figure} {:.4} {unit}. The throw lands at x {:.2} m, y {:.2} m after {:.2} s.",
@@ -96,7 +102,7 @@ pub fn lead(found: &Design) -> Vec<String> {
 }
 
 /// Table of the numbers of the throw, their bounds, and what a unit of each does.
-pub fn throw(found: &Design, bounds: &Bounds) -> Table {
+fn throw(found: &Design, bounds: &Bounds) -> Table {
     let value = |s: &Sensitivity| {
         let name = FIELDS[s.field].0;
         let value = numbers(&found.throw).find(|(own, _)| *own == name);
@@ -191,8 +197,8 @@ fn figure_of_landings(found: &Design, bounds: &Bounds, spread: &Spread) -> Figur
         ..Panel::new("y, m", "x, m").line("linear", points(ellipse(&spread.linear)))
     };
     if let Some(sampled) = &spread.sampled {
-        let step = sampled.points.len().div_ceil(MAX_DOTS).max(1);
-        let landings = sampled.points.iter().step_by(step).map(|p| (p.x, p.y));
+        let landings = stride(&sampled.points, MAX_DOTS);
+        let landings = landings.into_iter().map(|p| (p.x, p.y));
         panel = panel
             .line("sampled", points(ellipse(&sampled.landings)))
             .dots(Look::Pale, landings);
@@ -206,7 +212,7 @@ fn figure_of_landings(found: &Design, bounds: &Bounds, spread: &Spread) -> Figur
 }
 
 /// Sentences on the spread of the landings of a throw whose release, wind and parameters vary at random.
-pub fn spread_words(spread: &Spread, bounds: &Bounds) -> Vec<String> {
+fn spread_words(spread: &Spread, bounds: &Bounds) -> Vec<String> {
     let of = |landings: &Landings| {
         let (long, short, _) = landings.ellipse(0.5);
         format!("half axes {long:.2} m and {short:.2} m")

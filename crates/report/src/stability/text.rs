@@ -1,7 +1,7 @@
 //! Text of a stability analysis for the terminal.
 
+use crate::Table;
 use analysis::stability::{Instant, Mode};
-use report::Table;
 
 use super::words::{INSTANT, lead, nutation, of_criteria, steady};
 use super::{Found, page};

@@ -1,17 +1,17 @@
 //! Sentences of a stability analysis, and its JSON and CSV.
 
 use analysis::stability::{Criteria, Instant, Mode, ModeKind, Modes, Trim};
-use report::CsvTable;
 use serde_json::{Value, json};
 
 use super::Found;
+use crate::CsvTable;
 
 /// Warning on the modes of a body that is no body of revolution.
-pub const INSTANT: &str = "The motion depends on the turn about the body's axis. For a spinning body the modes are those of an instant alone, and \
+pub(super) const INSTANT: &str = "The motion depends on the turn about the body's axis. For a spinning body the modes are those of an instant alone, and \
      the criteria do not apply.";
 
 /// Sentence on the steady flight at the spin of release.
-pub fn steady(trim: &Trim) -> String {
+pub(super) fn steady(trim: &Trim) -> String {
     format!(
         "At the spin of release, held, the body can fly at {:.2} m/s, {:.2}° below the horizontal, nose {:.2}°, hyzer {:.2}°, \
          its heading turning by {:+.2}°/s. Its modes there:",
@@ -24,7 +24,7 @@ pub fn steady(trim: &Trim) -> String {
 }
 
 /// Sentences on the nutation at release and on the modes that grow.
-pub fn lead(found: &Found) -> Vec<String> {
+pub(super) fn lead(found: &Found) -> Vec<String> {
     let mut lead = Vec::new();
     if let Some(mode) = nutation(&found.release.modes) {
         lead.push(format!(
@@ -57,7 +57,7 @@ pub fn lead(found: &Found) -> Vec<String> {
 }
 
 /// Sentences on the aerodynamic derivatives and the stability criteria at one instant of a flight.
-pub fn of_criteria(instant: &Instant) -> Vec<String> {
+pub(super) fn of_criteria(instant: &Instant) -> Vec<String> {
     let (d, c) = (&instant.derivatives, &instant.criteria);
     let holds = |holds: bool| if holds { "holds" } else { "fails" };
     let mut lines = vec![
@@ -96,14 +96,14 @@ fn factor(criteria: &Criteria) -> String {
 }
 
 /// The nutation mode (wobble) or, if there is none, the short-period mode; `None` if the motion has neither.
-pub fn nutation(modes: &Modes) -> Option<&Mode> {
+pub(super) fn nutation(modes: &Modes) -> Option<&Mode> {
     let kinds = [ModeKind::Nutation, ModeKind::ShortPeriod];
     modes.modes.iter().find(|mode| kinds.contains(&mode.kind))
 }
 
 /// Minimum decay rate, 1/s, of all modes except those of the kinds nutation, heading and spin; negative if one of the
 /// examined modes grows, infinite if there is none.
-pub fn slowest(modes: &Modes) -> f64 {
+pub(super) fn slowest(modes: &Modes) -> f64 {
     let others = modes.modes.iter().filter(|mode| {
         !matches!(
             mode.kind,
