@@ -1,6 +1,7 @@
 //! Typed access to TOML values with source locations; a value of the wrong type is an error that states what was
 //! found.
 
+use std::fmt::Display;
 use std::ops::Range;
 use std::path::Path;
 
@@ -29,6 +30,17 @@ impl Fields<'_> {
         InputError::at(self.file, place, found, expected)
     }
 
+    /// Error for the value of a key, shown as `found`.
+    pub fn refused(
+        &self,
+        value: &Value<'_>,
+        key: &str,
+        found: impl Display,
+        expected: impl Into<String>,
+    ) -> InputError {
+        self.fault(value.span(), format!("{key} = {found}"), expected)
+    }
+
     fn wrong_kind(&self, value: &Value<'_>, key: &str, expected: &str) -> InputError {
         let found = match value.get_ref() {
             DeValue::String(text) => format!("the text {}", shown(text)),
@@ -38,7 +50,7 @@ impl Fields<'_> {
             DeValue::Array(items) => format!("a list of {}", items.len()),
             other => format!("a {}", other.type_str()),
         };
-        self.fault(value.span(), format!("{key} = {found}"), expected)
+        self.refused(value, key, found, expected)
     }
 
     /// Returns an error if the TOML table has a key not in `known`; `of` names the table in the message, for example

@@ -141,8 +141,7 @@ impl Checker<'_> {
         };
         let model = self.0.text(value, "model", expected)?;
         if model.trim().is_empty() || model.chars().any(char::is_control) {
-            let found = format!("model = {}", shown(&model));
-            return Err(self.0.fault(value.span(), found, expected));
+            return Err(self.0.refused(value, "model", shown(&model), expected));
         }
         Ok(model)
     }
@@ -155,10 +154,7 @@ impl Checker<'_> {
             bounds: None,
         };
         match rule.expected_instead_of(number) {
-            Some(expected) => {
-                let found = format!("{name} = {number}");
-                Err(self.0.fault(value.span(), found, expected))
-            }
+            Some(expected) => Err(self.0.refused(value, name, number, expected)),
             None => Ok(number),
         }
     }
@@ -241,8 +237,8 @@ impl Checker<'_> {
             return Ok(Some(errors));
         }
         let expected = format!("standard errors from 0 to {MAX_SIGMA} m");
-        let found = format!("origin_error = {errors:?}");
-        Err(self.0.fault(value.span(), found, expected))
+        let found = format!("{errors:?}");
+        Err(self.0.refused(value, "origin_error", found, expected))
     }
 
     /// Creates the record of the marker with the index `marker`, whose position is unknown. `value` is its entry in
@@ -267,8 +263,8 @@ impl Checker<'_> {
             if word == "unknown" {
                 return Ok(None);
             }
-            let found = format!("position = the text {}", shown(&word));
-            return Err(self.0.fault(value.span(), found, expected));
+            let found = format!("the text {}", shown(&word));
+            return Err(self.0.refused(value, "position", found, expected));
         }
         let position = self.0.vector(value, "position")?;
         match position.iter().find(|axis| axis.abs() > MAX_COORDINATE) {
@@ -301,9 +297,7 @@ impl Checker<'_> {
             ""
         };
         let expected = format!("a standard deviation above 0 and up to {MAX_SIGMA} m{hint}");
-        Err(self
-            .0
-            .fault(value.span(), format!("sigma = {sigma}"), expected))
+        Err(self.0.refused(value, "sigma", sigma, expected))
     }
 
     fn flights(&self, document: &DeTable<'_>) -> Result<Vec<Entry>, InputError> {
@@ -344,8 +338,7 @@ impl Checker<'_> {
             "held-out" => Ok(Role::HeldOut),
             other => {
                 let expected = format!("{expected}{}", meant(other, ["fit", "held-out"]));
-                let found = format!("role = {}", shown(other));
-                Err(self.0.fault(value.span(), found, expected))
+                Err(self.0.refused(value, "role", shown(other), expected))
             }
         }
     }

@@ -139,12 +139,9 @@ impl<'t> BoundsReader<'t> {
         self.0
             .known_keys(table, " in [obstacle]", names.into_iter());
         let mut metres = |name| {
-            let given = table.get(name);
-            if given.is_none() {
-                let message = format!("found no {name} in [obstacle]; expected x, y and radius, m");
-                self.0.fault(value.span(), message);
-            }
-            self.number(given?, name, "a number of metres")
+            let absent = format!("found no {name} in [obstacle]; expected x, y and radius, m");
+            let given = self.0.required(table, name, value.span(), absent)?;
+            self.number(given, name, "a number of metres")
         };
         let (radius, x, y) = (metres("radius"), metres("x"), metres("y"));
         let side = match table.get("side") {
@@ -176,13 +173,8 @@ impl<'t> BoundsReader<'t> {
         let table = self.0.as_table(value, "circle")?;
         self.0
             .known_keys(table, " in [circle]", ["radius"].into_iter());
-        let Some(radius) = table.get("radius") else {
-            self.0.fault(
-                value.span(),
-                "found no radius in [circle]; expected radius = … (m)",
-            );
-            return None;
-        };
+        let absent = "found no radius in [circle]; expected radius = … (m)";
+        let radius = self.0.required(table, "radius", value.span(), absent)?;
         let number = self.number(radius, "radius", "a number of metres")?;
         if number <= 0.0 {
             self.0.fault(

@@ -99,6 +99,21 @@ impl<'t> Reader<'t> {
             .collect()
     }
 
+    /// Value of a key of a table; records the fault `absent` at `span` and returns `None` if the table lacks the key.
+    pub fn required<'d>(
+        &mut self,
+        table: &'d DeTable<'t>,
+        key: &str,
+        span: Range<usize>,
+        absent: impl Into<String>,
+    ) -> Option<&'d Value<'t>> {
+        let value = table.get(key);
+        if value.is_none() {
+            self.fault(span, absent);
+        }
+        value
+    }
+
     /// Records a fault for each key of a table that is not in `names`; `context` follows the key in the message, as in
     /// `" in [throw]"`.
     pub fn known_keys<'n>(
