@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use crate::manifest::{MAX_BYTES, with_document};
+use crate::fields::Fields;
+use crate::manifest::{Checker, MAX_BYTES, parsed};
 use crate::{InputError, Marker, file};
 
 /// Contents of a `dataset.toml` that are valid for any recording of the same body.
@@ -24,24 +25,24 @@ impl BodyTemplate {
     /// [`InputError`] for the first fault of the file, or if it declares no marker or one without a position.
     pub fn read(path: &Path) -> Result<BodyTemplate, InputError> {
         let bytes = file::bytes(path, MAX_BYTES, "a TOML file with [[markers]]")?;
-        with_document(path, file::text(path, &bytes)?, |checker, document| {
-            let mut unplaced = Vec::new();
-            let markers = checker.markers(document, &mut unplaced)?;
-            if let Some(first) = unplaced.first() {
-                let name = &markers[first.marker].name;
-                let found = format!("no position of the marker {name}");
-                return Err(InputError::of_file(path, found, "x, y and z in m"));
-            }
-            if markers.is_empty() {
-                let expected = "the name and position of each tracked point";
-                return Err(InputError::of_file(path, "no [[markers]]", expected));
-            }
-            let model = document.get("model");
-            Ok(BodyTemplate {
-                model: model.map(|_| checker.model(document)).transpose()?,
-                parameters: checker.parameters(document)?,
-                markers,
-            })
+        let text = file::text(path, &bytes)?;
+        let document = parsed(path, text)?;
+        let (document, mut unplaced) = (document.get_ref(), Vec::new());
+        let checker = Checker(Fields { file: path, text });
+        let markers = checker.markers(document, &mut unplaced)?;
+        if let Some(first) = unplaced.first() {
+            let found = format!("no position of the marker {}", markers[first.marker].name);
+            return Err(InputError::of_file(path, found, "x, y and z in m"));
+        }
+        if markers.is_empty() {
+            let expected = "the name and position of each tracked point";
+            return Err(InputError::of_file(path, "no [[markers]]", expected));
+        }
+        let model = document.get("model");
+        Ok(BodyTemplate {
+            model: model.map(|_| checker.model(document)).transpose()?,
+            parameters: checker.parameters(document)?,
+            markers,
         })
     }
 }

@@ -5,6 +5,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use model_spec::location::line_and_column;
+use toml::Spanned;
 use toml::de::DeTable;
 
 use super::fields::{Fields, Value};
@@ -56,17 +57,13 @@ pub(super) fn read(path: &Path) -> Result<Manifest, InputError> {
 }
 
 pub(super) fn parse(file: &Path, text: &str) -> Result<Manifest, InputError> {
-    with_document(file, text, |checker, document| checker.manifest(document))
+    let document = parsed(file, text)?;
+    Checker(Fields { file, text }).manifest(document.get_ref())
 }
 
-/// Parses the text of a file as TOML and passes the document to `read`.
-pub(super) fn with_document<T>(
-    file: &Path,
-    text: &str,
-    read: impl FnOnce(&Checker<'_>, &DeTable<'_>) -> Result<T, InputError>,
-) -> Result<T, InputError> {
-    let document = DeTable::parse(text).map_err(|error| syntax(file, text, &error))?;
-    read(&Checker(Fields { file, text }), document.get_ref())
+/// Parses the text of a file as TOML.
+pub(super) fn parsed<'t>(file: &Path, text: &'t str) -> Result<Spanned<DeTable<'t>>, InputError> {
+    DeTable::parse(text).map_err(|error| syntax(file, text, &error))
 }
 
 fn syntax(file: &Path, text: &str, error: &toml::de::Error) -> InputError {

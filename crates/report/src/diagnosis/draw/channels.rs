@@ -40,7 +40,7 @@ fn figure(index: usize, channel: &LoadChannel) -> Figure {
         power => format!(", in 10{}", raised(power)),
     };
     let title = format!(
-        "{}: {} explained{scale}",
+        "{}{scale}: {} explained",
         words::site(&channel.site),
         percent(channel.explained_fraction)
     );
@@ -79,7 +79,7 @@ fn panels(histories: &[(&str, Vec<[f64; 3]>)]) -> (Vec<Panel>, i32) {
             up: Some((low * scale, high * scale)),
             along: Some(along),
             height: Some(84.0),
-            ..Panel::new(*file, "").line("", points.iter().map(|[t, v, _]| (*t, v * scale)))
+            ..Panel::new(*file, "time, s").line("", points.iter().map(|[t, v, _]| (*t, v * scale)))
         }
     };
     (histories.iter().map(panel).collect(), power)
