@@ -70,9 +70,9 @@ pub(super) fn terms(terms: &[StepwiseTerm]) -> Table {
         .number("χ²", |term| significant(term.score_chi2, 4))
         .number("coefficient", |term| digits(term).one(term.value))
         .number("standard error", |term| digits(term).one(term.std_error))
-        .plain("", |term| match term.selected {
-            true => Html::tag("selected"),
-            false => Html::new(),
+        .plain("", |term| {
+            let tag = term.selected.then(|| Html::tag("selected"));
+            tag.unwrap_or_default()
         })
         .table()
 }
