@@ -91,8 +91,8 @@ impl FitBuilder {
 
     fn run_on(&self, dataset: &Dataset, progress: Option<&dyn Progress>) -> Result<Fit, Error> {
         let options = self.options(progress);
-        let mut fit = identify::fit(self.model.checked(), dataset, &options)?;
-        fit.test_residuals(options.threads())?;
+        let fit = identify::fit(self.model.checked(), dataset, &options)?;
+        let fit = fit.with_lack_of_fit(options.threads())?;
         let tree = ModelTree::of(self.model.checked());
         Fit::new(fit, &tree, dataset)
     }

@@ -154,14 +154,8 @@ impl Model {
     pub(crate) fn release_from(&self, state: Vec<f64>) -> Release {
         let names = self.checked.states.iter().map(|state| state.name.clone());
         Release {
-            model: self.name().to_owned(),
-            stop: release::Stop::Ground,
-            parameters: Vec::new(),
-            coefficients: Vec::new(),
             initial: names.zip(state).collect(),
-            wind: [0.0; 3],
-            wind_field: None,
-            known: Vec::new(),
+            ..Release::of(&self.checked)
         }
     }
 

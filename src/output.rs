@@ -20,11 +20,54 @@ pub fn write(path: &Path, contents: impl AsRef<[u8]>) -> anyhow::Result<()> {
     progress::writing(whole).with_context(|| format!("cannot write {}", path.display()))
 }
 
+/// Folder of results that the option `--out` names, and the kinds of figures written there besides SVG.
+pub struct Results<'a> {
+    folder: ResultFolder,
+    path: &'a Path,
+    kinds: &'a [FigureKind],
+}
+
 /// Opens the folder that the option `--out` names, if given, so that an unusable folder is an error before any work is
 /// done.
-pub fn folder(out: Option<&Path>) -> anyhow::Result<Option<ResultFolder>> {
-    let open = |path| ResultFolder::open(path).context("--out");
+pub fn results<'a>(
+    out: Option<&'a Path>,
+    kinds: &'a [FigureKind],
+) -> anyhow::Result<Option<Results<'a>>> {
+    let open = |path| {
+        let folder = ResultFolder::open(path).context("--out")?;
+        Ok(Results {
+            folder,
+            path,
+            kinds,
+        })
+    };
     out.map(open).transpose()
+}
+
+impl Results<'_> {
+    /// Replaces the results of an earlier run by `files`, all at once, with each SVG figure in the other kinds too, and
+    /// tells where they are. `what` names them.
+    pub fn write(&self, mut files: Vec<ResultFile>, what: &str) -> anyhow::Result<()> {
+        for kind in FigureKind::ALL
+            .iter()
+            .filter(|kind| self.kinds.contains(kind))
+        {
+            let mut drawn = Vec::new();
+            for file in &files {
+                let Some(stem) = file.path.strip_suffix(".svg") else {
+                    continue;
+                };
+                let svg = std::str::from_utf8(&file.contents).context("--figures")?;
+                let picture = kind.draw(svg);
+                let picture = picture.with_context(|| format!("--figures: {}", file.path))?;
+                drawn.push(ResultFile::new(format!("{stem}.{}", kind.name()), picture));
+            }
+            files.extend(drawn);
+        }
+        progress::writing(|| self.folder.replace(&files)).context("--out")?;
+        eprintln!("{what} are in {}", self.path.display());
+        Ok(())
+    }
 }
 
 /// Checks that an output folder can be created, before any work is done. A folder that already contains files is
@@ -32,32 +75,7 @@ pub fn folder(out: Option<&Path>) -> anyhow::Result<Option<ResultFolder>> {
 pub fn new_folder(path: &Path) -> anyhow::Result<()> {
     let holds_files = std::fs::read_dir(path).is_ok_and(|mut entries| entries.next().is_some());
     if !holds_files {
-        folder(Some(path))?;
-    }
-    Ok(())
-}
-
-/// Replaces the results of an earlier run in a folder by `files`, all at once.
-pub fn replace(folder: &ResultFolder, files: &[ResultFile]) -> anyhow::Result<()> {
-    progress::writing(|| folder.replace(files)).context("--out")
-}
-
-/// Appends to `files` a conversion of each SVG figure among them to each of the requested `kinds`.
-pub fn add_figures(files: &mut Vec<ResultFile>, kinds: &[FigureKind]) -> anyhow::Result<()> {
-    for kind in FigureKind::ALL.iter().filter(|kind| kinds.contains(kind)) {
-        let mut drawn = Vec::new();
-        for file in files.iter() {
-            let path = &file.path;
-            let Some(stem) = path.strip_suffix(".svg") else {
-                continue;
-            };
-            let svg = std::str::from_utf8(&file.contents).context("--figures")?;
-            let picture = kind
-                .draw(svg)
-                .with_context(|| format!("--figures: {path}"))?;
-            drawn.push(ResultFile::new(format!("{stem}.{}", kind.name()), picture));
-        }
-        files.extend(drawn);
+        results(Some(path), &[])?;
     }
     Ok(())
 }

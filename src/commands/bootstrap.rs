@@ -10,7 +10,7 @@ use identify::{Fit, FitOptions};
 use model_spec::model::Model;
 use serde_json::{Value, json};
 
-use super::fit::{held, model_of, priors};
+use super::fit::Inputs;
 use crate::cli::{Bootstrap, FitInputs};
 use crate::progress::{self, Progress};
 use crate::{Answer, output};
@@ -23,20 +23,12 @@ const MIN_FLIGHTS: usize = 5;
 /// output folder does not hold yet are computed. Prints the distribution of the estimates over all refits. Returns
 /// `Answer::No` if this run completes the refits and the fit to the original flights is not reliable.
 pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
-    let inputs = &options.inputs;
-    let (fixed, priors) = (held(&inputs.hold)?, priors(&inputs.prior)?);
     let share = options.part.as_deref().map(super::share).transpose()?;
-    let dataset = dataset::load_on(&inputs.dataset, inputs.threads)?;
-    let model = model_of(inputs.model.as_ref(), &inputs.dataset, &dataset)?;
-    let model = model_spec::load::load(&model, &super::names(&inputs.with))?;
+    let inputs = Inputs::read(&options.inputs, None, &[])?;
+    let (dataset, model) = (&inputs.dataset, &inputs.model);
     let asked = FitOptions {
-        fixed: &fixed,
-        free: &inputs.free,
-        priors: &priors,
         unbounded: options.unbounded,
-        trust_data: inputs.trust_data,
-        threads: inputs.threads,
-        ..FitOptions::default()
+        ..inputs.options()
     };
     asked.validate()?;
     let count = parts::count(options.refits);
@@ -46,7 +38,7 @@ pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
     };
     let begun =
         json!({ "schema": "hyzer.bootstrap-parts/1", "refits": options.refits, "parts": count });
-    let folder = PartsFolder::open(&options.out, work(options, &dataset, &model), begun);
+    let folder = PartsFolder::open(&options.out, work(options, dataset, model), begun);
     let folder = folder.context("--out")?;
     if let Some(summary) = folder.summary() {
         output::print(summary::text(&summary))?;
@@ -54,15 +46,12 @@ pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
     }
     progress::resumes();
     let bar = Progress::new()?;
-    let fit = identify::fit(
-        &model,
-        &dataset,
-        &FitOptions {
-            progress: Some(&bar),
-            ..asked
-        },
-    );
-    let fit = fit.with_context(|| format!("cannot fit {}", inputs.dataset.display()))?;
+    let shown = FitOptions {
+        progress: Some(&bar),
+        ..asked
+    };
+    let fit = identify::fit(model, dataset, &shown);
+    let fit = fit.with_context(|| inputs.failed("fit"))?;
     let fitted = flights(&fit);
     if fitted < MIN_FLIGHTS {
         bail!(
@@ -111,10 +100,7 @@ fn answer(summary: &Value) -> Answer {
 
 /// Number of flights to which `fit` fitted the model, without the excluded flights.
 fn flights(fit: &Fit) -> usize {
-    let flights = fit.report.flights.iter();
-    flights
-        .filter(|flight| flight.role == Role::Fit && flight.is_used())
-        .count()
+    fit.report.used(Role::Fit).count()
 }
 
 /// Hash of everything on which the estimates of a bootstrap depend: program version, model, options and dataset. A run

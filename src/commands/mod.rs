@@ -74,8 +74,3 @@ fn vector(option: &str, text: &str, unit: &str) -> anyhow::Result<[f64; 3]> {
     };
     Ok([number(option, x)?, number(option, y)?, number(option, z)?])
 }
-
-/// Rounds a value to hundredths for a message; a negative zero becomes 0.
-fn hundredths(value: f64) -> f64 {
-    (100.0 * value).round() / 100.0 + 0.0
-}

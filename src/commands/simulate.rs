@@ -13,7 +13,7 @@ use flight::files::ResultFile;
 use flight::release::{
     BUILT_IN, Release, Stop, Vocabulary, built_in, read, read_file, read_file_in_wind, read_in_wind,
 };
-use flight::throw::Throw;
+use flight::throw::{FlownThrow, Throw};
 use flight::{CompiledModel, simulate, trajectory_csv};
 use model_spec::load::load;
 use model_spec::model::Model;
@@ -21,7 +21,6 @@ use ode::{IntegrationOptions, Trajectory};
 use report::figures::{StateLabel, flight as picture};
 use report::viewer::View;
 
-use self::flown::Flown;
 use super::number;
 use crate::cli::Simulate;
 use crate::{Answer, output};
@@ -42,7 +41,7 @@ pub fn run(options: &Simulate) -> anyhow::Result<Answer> {
         return Ok(Answer::Yes);
     }
     check_numbers(options)?;
-    let out = output::folder(options.out.as_deref())?;
+    let out = output::results(options.out.as_deref(), &options.figures)?;
     let mut rows = match &options.throw.techdisc {
         Some(file) => techdisc::read(file)?,
         None => Vec::new(),
@@ -63,38 +62,28 @@ pub fn run(options: &Simulate) -> anyhow::Result<Answer> {
     throws::apply(&options.throw, throw, &model, &mut release)?;
     let settings = IntegrationOptions::with_tolerance(options.tolerance);
     let flight = simulate(&body, &release, &settings)?;
-    let flown = Flown::of(&model, &body, &release, &flight);
-    if let Some(folder) = &out {
+    let flown = FlownThrow::of(&model, &body, &release, &flight);
+    if let Some(out) = &out {
         check_rows(options, flight.end)?;
         let mut files = results(&model, &body, &release, &flight, options);
-        files.extend(
-            flown
-                .as_ref()
-                .map(|flown| summary_file("summary.json", flown, &model)),
-        );
-        output::add_figures(&mut files, &options.figures)?;
-        output::replace(folder, &files)?;
+        let what = match &flown {
+            Some(flown) => {
+                files.push(summary_file("summary.json", flown, &model));
+                "trajectory.csv, summary.json, flight.svg and flight.html"
+            }
+            None => "trajectory.csv, flight.svg and flight.html",
+        };
+        out.write(files, what)?;
     }
     let mut text = summary(&model, &body, &flight);
-    text.extend(flown.iter().map(Flown::table));
+    text.extend(flown.iter().map(flown::table));
     output::print(text)?;
-    if let Some(folder) = &options.out {
-        let summary = if flown.is_some() {
-            "summary.json, "
-        } else {
-            ""
-        };
-        eprintln!(
-            "trajectory.csv, {summary}flight.svg and flight.html are in {}",
-            folder.display()
-        );
-    }
     Ok(Answer::Yes)
 }
 
 /// Result file `path` with the characteristics of a simulated flight, such as duration and range, as JSON.
-fn summary_file(path: &str, flown: &Flown, model: &Model) -> ResultFile {
-    let text = format!("{:#}\n", flown.json(&model.name));
+fn summary_file(path: &str, flown: &FlownThrow, model: &Model) -> ResultFile {
+    let text = format!("{:#}\n", flown::json(flown, &model.name));
     ResultFile::new(path, text)
 }
 

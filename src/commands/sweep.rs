@@ -6,6 +6,7 @@ use std::time::Instant;
 
 use analysis::sweep::{Plan, SweepOptions, plan, run as fly};
 use anyhow::{Context, bail};
+use report::Table;
 use serde_json::Value;
 
 use crate::cli::Sweep;
@@ -83,29 +84,16 @@ fn table(plan: &Plan, summary: &Value) -> String {
     for (status, count) in summary["statuses"].as_object().into_iter().flatten() {
         let _ = write!(text, ", {count} {status}");
     }
-    let heads = ["mean", "sd", "5 %", "median", "95 %"];
-    let _ = write!(text, "\n  {:16}", "");
-    for head in heads {
-        let _ = write!(text, " {head:>12}");
+    let number = |value: &Value| match value.as_f64() {
+        Some(value) => format!("{value:.5}"),
+        None => "–".to_owned(),
+    };
+    let mut rows = Table::of(summary["columns"].as_object().into_iter().flatten())
+        .name("", |(name, _)| *name)
+        .number("mean", |(_, column)| number(&column["mean"]))
+        .number("sd", |(_, column)| number(&column["sd"]));
+    for (head, key) in [("5 %", "0.05"), ("median", "0.5"), ("95 %", "0.95")] {
+        rows = rows.number(head, |(_, column)| number(&column["quantiles"][key]));
     }
-    text.push('\n');
-    for (name, column) in summary["columns"].as_object().into_iter().flatten() {
-        let quantiles = &column["quantiles"];
-        let values = [
-            &column["mean"],
-            &column["sd"],
-            &quantiles["0.05"],
-            &quantiles["0.5"],
-            &quantiles["0.95"],
-        ];
-        let _ = write!(text, "  {name:16}");
-        for value in values {
-            let _ = match value.as_f64() {
-                Some(value) => write!(text, " {value:>12.5}"),
-                None => write!(text, " {:>12}", "–"),
-            };
-        }
-        text.push('\n');
-    }
-    text
+    format!("{text}\n{}", rows.table().text(usize::MAX))
 }

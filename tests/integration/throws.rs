@@ -215,12 +215,12 @@ fn every_row_of_a_table_is_flown() {
         .arg(&out);
     let (status, text, errors) = told(&mut command);
     assert_eq!(status, 0, "{errors}");
-    let expected = "\x20row id                    m/s  range, m   left, m height, m time, s\n\
-\x20  1 flat                24.59     23.15     10.52     11.25    4.16\n\
-\x20  2 hyzer               26.02     28.17     18.90     10.72    3.84\n\
-\x20  3 nose-up             23.42     22.48     13.28     11.20    3.89\n\
-\x20  4 anhyzer             24.18     24.81     -0.05     10.61    4.84\n\
-\x20  5 left-hander         24.59     23.15    -10.52     11.25    4.16\n";
+    let expected = "\x20 row  id             m/s  range, m  left, m  height, m  time, s\n\
+\x20   1  flat         24.59     23.15    10.52      11.25     4.16\n\
+\x20   2  hyzer        26.02     28.17    18.90      10.72     3.84\n\
+\x20   3  nose-up      23.42     22.48    13.28      11.20     3.89\n\
+\x20   4  anhyzer      24.18     24.81    -0.05      10.61     4.84\n\
+\x20   5  left-hander  24.59     23.15   -10.52      11.25     4.16\n";
     assert_eq!(text, expected);
     let results = std::fs::read_to_string(out.join("results.csv")).expect("results");
     assert_eq!(results.lines().count(), 6);

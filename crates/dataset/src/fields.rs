@@ -1,18 +1,17 @@
 //! Typed access to TOML values with source locations; a value of the wrong type is an error that states what was
 //! found.
 
+use std::fmt::Display;
 use std::ops::Range;
 use std::path::Path;
 
+pub(super) use flight::release::Value;
+use flight::release::number_of;
 use model_spec::location::line_and_column;
-use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::words::{listed, meant, shown};
 use crate::input_error::InputError;
-
-/// A TOML value with its byte range in the text of the document.
-pub(super) type Value<'t> = Spanned<DeValue<'t>>;
 
 /// Path and text of a TOML document, used for the locations of errors.
 pub(super) struct Fields<'a> {
@@ -31,6 +30,17 @@ impl Fields<'_> {
         InputError::at(self.file, place, found, expected)
     }
 
+    /// Error for the value of a key, shown as `found`.
+    pub fn refused(
+        &self,
+        value: &Value<'_>,
+        key: &str,
+        found: impl Display,
+        expected: impl Into<String>,
+    ) -> InputError {
+        self.fault(value.span(), format!("{key} = {found}"), expected)
+    }
+
     fn wrong_kind(&self, value: &Value<'_>, key: &str, expected: &str) -> InputError {
         let found = match value.get_ref() {
             DeValue::String(text) => format!("the text {}", shown(text)),
@@ -40,7 +50,7 @@ impl Fields<'_> {
             DeValue::Array(items) => format!("a list of {}", items.len()),
             other => format!("a {}", other.type_str()),
         };
-        self.fault(value.span(), format!("{key} = {found}"), expected)
+        self.refused(value, key, found, expected)
     }
 
     /// Returns an error if the TOML table has a key not in `known`; `of` names the table in the message, for example
@@ -77,16 +87,7 @@ impl Fields<'_> {
     /// Reads a finite number from the TOML value `value`; integers are accepted. Returns an error, which names `key`,
     /// if the value is of another type or not finite.
     pub fn number(&self, value: &Value<'_>, key: &str) -> Result<f64, InputError> {
-        let number = match value.get_ref() {
-            DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
-            DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
-                .map(|integer| integer as f64)
-                // Integers outside the range of 64 bits.
-                .or_else(|_| integer.as_str().parse())
-                .ok(),
-            _ => None,
-        };
-        match number {
+        match number_of(value) {
             Some(number) if number.is_finite() => Ok(number),
             Some(_) => Err(self.wrong_kind(value, key, "a finite number")),
             None => Err(self.wrong_kind(value, key, "a number")),

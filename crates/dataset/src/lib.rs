@@ -4,6 +4,7 @@
 //! later by the fit: a flight of one sample, or a dataset whose flights are all held out, is a valid dataset.
 //! [`synthesize`] creates datasets whose true coefficients are known.
 
+mod body_template;
 mod c3d;
 mod fields;
 mod file;
@@ -31,6 +32,7 @@ mod write;
 use std::collections::BTreeMap;
 use std::path::Path;
 
+pub use body_template::BodyTemplate;
 use flight::parallel;
 pub use input_error::InputError;
 pub use sensor::{Reading, Sensor, SensorKind, attitude, points_on_body, points_seen};
@@ -84,6 +86,17 @@ pub enum Role {
     Fit,
     /// The flight is excluded from the estimation and used to test predictions.
     HeldOut,
+}
+
+impl Role {
+    /// The role as `dataset.toml` spells it.
+    #[doc(hidden)]
+    pub fn name(self) -> &'static str {
+        match self {
+            Role::Fit => "fit",
+            Role::HeldOut => "held-out",
+        }
+    }
 }
 
 /// Value, for one flight, of a quantity of the model that was measured independently of the markers and sensors or was

@@ -5,6 +5,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use model_spec::location::line_and_column;
+use toml::Spanned;
 use toml::de::DeTable;
 
 use super::fields::{Fields, Value};
@@ -16,7 +17,7 @@ use crate::input_error::InputError;
 use crate::pose::distance;
 
 /// Maximum size of `dataset.toml`, bytes.
-const MAX_BYTES: u64 = 4 << 20;
+pub(super) const MAX_BYTES: u64 = 4 << 20;
 /// Maximum number of markers, and of sensors, of a dataset.
 pub(super) const MAX_MARKERS: usize = 1000;
 /// Maximum absolute coordinate of a marker in the body frame, m; larger values suggest millimetres.
@@ -56,8 +57,13 @@ pub(super) fn read(path: &Path) -> Result<Manifest, InputError> {
 }
 
 pub(super) fn parse(file: &Path, text: &str) -> Result<Manifest, InputError> {
-    let document = DeTable::parse(text).map_err(|error| syntax(file, text, &error))?;
+    let document = parsed(file, text)?;
     Checker(Fields { file, text }).manifest(document.get_ref())
+}
+
+/// Parses the text of a file as TOML.
+pub(super) fn parsed<'t>(file: &Path, text: &'t str) -> Result<Spanned<DeTable<'t>>, InputError> {
+    DeTable::parse(text).map_err(|error| syntax(file, text, &error))
 }
 
 fn syntax(file: &Path, text: &str, error: &toml::de::Error) -> InputError {
@@ -91,14 +97,7 @@ impl Checker<'_> {
         ];
         fields.keys(document, "", &KEYS)?;
         let model = self.model(document)?;
-        let mut parameters = BTreeMap::new();
-        if let Some(table) = fields.table(document, "parameters")? {
-            for (name, value) in table {
-                let name = name.get_ref().to_string();
-                let number = self.constant(&name, value)?;
-                parameters.insert(name, number);
-            }
-        }
+        let parameters = self.parameters(document)?;
         let mut unplaced = Vec::new();
         let mut markers = self.markers(document, &mut unplaced)?;
         let mut sigma = self.sigma(document)?;
@@ -118,15 +117,28 @@ impl Checker<'_> {
         })
     }
 
-    fn model(&self, document: &DeTable<'_>) -> Result<String, InputError> {
+    /// Reads the known constants of the table `[parameters]`.
+    pub(super) fn parameters(
+        &self,
+        document: &DeTable<'_>,
+    ) -> Result<BTreeMap<String, f64>, InputError> {
+        let table = self.0.table(document, "parameters")?;
+        let constants = table.into_iter().flatten().map(|(name, value)| {
+            let name = name.get_ref().to_string();
+            let number = self.constant(&name, value)?;
+            Ok((name, number))
+        });
+        constants.collect()
+    }
+
+    pub(super) fn model(&self, document: &DeTable<'_>) -> Result<String, InputError> {
         let expected = "a name or a path, as in model = \"disc\"";
         let Some(value) = document.get("model") else {
             return Err(self.0.fault(0..0, "no model", expected));
         };
         let model = self.0.text(value, "model", expected)?;
         if model.trim().is_empty() || model.chars().any(char::is_control) {
-            let found = format!("model = {}", shown(&model));
-            return Err(self.0.fault(value.span(), found, expected));
+            return Err(self.0.refused(value, "model", shown(&model), expected));
         }
         Ok(model)
     }
@@ -139,10 +151,7 @@ impl Checker<'_> {
             bounds: None,
         };
         match rule.expected_instead_of(number) {
-            Some(expected) => {
-                let found = format!("{name} = {number}");
-                Err(self.0.fault(value.span(), found, expected))
-            }
+            Some(expected) => Err(self.0.refused(value, name, number, expected)),
             None => Ok(number),
         }
     }
@@ -160,7 +169,7 @@ impl Checker<'_> {
             .ok_or_else(|| self.0.fault(span.clone(), format!("no {key}"), expected))
     }
 
-    fn markers(
+    pub(super) fn markers(
         &self,
         document: &DeTable<'_>,
         unplaced: &mut Vec<Unplaced>,
@@ -225,8 +234,8 @@ impl Checker<'_> {
             return Ok(Some(errors));
         }
         let expected = format!("standard errors from 0 to {MAX_SIGMA} m");
-        let found = format!("origin_error = {errors:?}");
-        Err(self.0.fault(value.span(), found, expected))
+        let found = format!("{errors:?}");
+        Err(self.0.refused(value, "origin_error", found, expected))
     }
 
     /// Creates the record of the marker with the index `marker`, whose position is unknown. `value` is its entry in
@@ -251,8 +260,8 @@ impl Checker<'_> {
             if word == "unknown" {
                 return Ok(None);
             }
-            let found = format!("position = the text {}", shown(&word));
-            return Err(self.0.fault(value.span(), found, expected));
+            let found = format!("the text {}", shown(&word));
+            return Err(self.0.refused(value, "position", found, expected));
         }
         let position = self.0.vector(value, "position")?;
         match position.iter().find(|axis| axis.abs() > MAX_COORDINATE) {
@@ -285,9 +294,7 @@ impl Checker<'_> {
             ""
         };
         let expected = format!("a standard deviation above 0 and up to {MAX_SIGMA} m{hint}");
-        Err(self
-            .0
-            .fault(value.span(), format!("sigma = {sigma}"), expected))
+        Err(self.0.refused(value, "sigma", sigma, expected))
     }
 
     fn flights(&self, document: &DeTable<'_>) -> Result<Vec<Entry>, InputError> {
@@ -328,8 +335,7 @@ impl Checker<'_> {
             "held-out" => Ok(Role::HeldOut),
             other => {
                 let expected = format!("{expected}{}", meant(other, ["fit", "held-out"]));
-                let found = format!("role = {}", shown(other));
-                Err(self.0.fault(value.span(), found, expected))
+                Err(self.0.refused(value, "role", shown(other), expected))
             }
         }
     }

@@ -113,9 +113,8 @@ impl Checker<'_> {
         match known.find(|(_, name)| *name == kind) {
             Some((found, _)) => Ok(Some(*found)),
             None => {
-                let found = format!("kind = {}", shown(&kind));
                 let expected = format!("one of {}{}", listed(all()), meant(&kind, all()));
-                Err(self.0.fault(value.span(), found, expected))
+                Err(self.0.refused(value, "kind", shown(&kind), expected))
             }
         }
     }
@@ -131,8 +130,6 @@ impl Checker<'_> {
             return Ok(Some(number));
         }
         let expected = "a standard deviation above 0";
-        Err(self
-            .0
-            .fault(value.span(), format!("{key} = {number}"), expected))
+        Err(self.0.refused(value, key, number, expected))
     }
 }

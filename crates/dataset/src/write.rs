@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use super::recording::Recording;
 use super::sensor::channels;
-use super::{Dataset, Flight, KnownValue, Marker, Role, Sensor, assemble, manifest, names, table};
+use super::{Dataset, Flight, KnownValue, Marker, Sensor, assemble, manifest, names, table};
 use crate::input_error::InputError;
 use flight::files::{ResultFile, write_new_folder};
 
@@ -202,10 +202,7 @@ pub fn manifest_text(dataset: &Dataset) -> String {
         let _ = writeln!(text, "\n[noise]\nsigma = {sigma:?}");
     }
     for flight in &dataset.flights {
-        let role = match flight.role {
-            Role::Fit => "fit",
-            Role::HeldOut => "held-out",
-        };
+        let role = flight.role.name();
         let file = quoted(&flight.file);
         let _ = writeln!(text, "\n[[flights]]\nfile = {file}\nrole = \"{role}\"");
         if !flight.known.is_empty() {

@@ -63,7 +63,7 @@ pub use power::{MinDetectableEffect, NotIdentifiable};
 pub use report::{
     CandidateTest, Coefficient, CoefficientCurve, Consensus, Estimate, Explanation,
     ExplanationEffect, FlightGain, LoadChannel, RemainingEffect, Report, ScoreCorrelations,
-    Threshold, Unattributed, Verdict, Verified,
+    Threshold, Unattributed, Verdict, Verified, intervals,
 };
 pub use selection::StepwiseTerm;
 pub use validation::PredictiveGain;

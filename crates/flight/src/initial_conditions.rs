@@ -44,6 +44,22 @@ impl Release {
     /// ground, s.
     pub const MAX_DURATION: f64 = 600.0;
 
+    /// Release of a model with its default values and without wind, which ends at the ground.
+    #[doc(hidden)]
+    pub fn of(model: &Model) -> Release {
+        let states = model.states.iter();
+        Release {
+            model: model.name.clone(),
+            stop: Stop::Ground,
+            parameters: Vec::new(),
+            coefficients: Vec::new(),
+            initial: states.map(|s| (s.name.clone(), s.value)).collect(),
+            wind: [0.0; 3],
+            wind_field: None,
+            known: Vec::new(),
+        }
+    }
+
     /// Initial state vector, SI units, in the model's order of states.
     pub fn state(&self) -> Vec<f64> {
         self.initial.iter().map(|(_, value)| *value).collect()

@@ -7,6 +7,9 @@ use identify::{
 };
 use nalgebra::{DMatrix, DVector};
 
+/// Half width of a 95 % confidence interval, in standard errors.
+pub(crate) const WIDTH_95: f64 = 1.96;
+
 /// Standard errors of the predicted marker positions of a held-out flight, for the confidence bands of a figure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PredictionBand {

@@ -134,23 +134,20 @@ pub fn not_offered(model: &str) -> Result<Vec<NotOffered>, LoadError> {
 }
 
 fn of(model: &Model, effect: &AppliedEffect, known: &KnownEffect) -> Listed {
-    let part = |name: &str, unit: &str, own: &EffectUnknown| Part {
+    let part = |own: &EffectUnknown, name: &str, unit: &str, of_each_flight: bool| Part {
         name: name.to_owned(),
         unit: unit.to_owned(),
         null_value: plain(own.null_value),
         negligible: own.smallest_effect_of_interest.map(plain),
-        of_each_flight: false,
+        of_each_flight,
     };
     let coefficients = effect.coefficients.iter().map(|own| {
         let constant = &model.coefficients[own.index];
-        part(&constant.name, &constant.unit_text, own)
+        part(own, &constant.name, &constant.unit_text, false)
     });
     let states = effect.states.iter().map(|own| {
         let state = &model.states[own.index];
-        Part {
-            of_each_flight: true,
-            ..part(&state.name, &state.unit_text, own)
-        }
+        part(own, &state.name, &state.unit_text, true)
     });
     Listed {
         name: effect.name.clone(),
@@ -243,7 +240,7 @@ fn row(page: &mut String, effect: &Listed, linked: bool) {
         }
         false => format!("`{}`", effect.name),
     };
-    let parts = effect.parts.iter().map(|part| {
+    let part = |part: &Part| {
         let unit = match part.unit.as_str() {
             "1" => String::new(),
             unit => format!(" in {unit}"),
@@ -254,20 +251,17 @@ fn row(page: &mut String, effect: &Listed, linked: bool) {
             ""
         };
         format!("`{}`{unit}{each}", part.name)
-    });
-    let vanishes = effect.parts.iter().map(|part| part.null_value.clone());
-    let negligible = effect.parts.iter().map(|part| {
-        let size = part.negligible.clone();
-        size.unwrap_or_else(|| "–".to_owned())
-    });
+    };
+    let negligible = |part: &Part| part.negligible.clone().unwrap_or_else(|| "–".to_owned());
+    let parts = || effect.parts.iter();
     let _ = writeln!(
         page,
         "| {name} | {} | {} | {} | {} | {} | {} | {} | {} |",
         cell(&effect.says),
         effect.variables.join(", "),
-        stacked(parts),
-        stacked(vanishes),
-        stacked(negligible),
+        stacked(parts().map(part)),
+        stacked(parts().map(|part| part.null_value.clone())),
+        stacked(parts().map(negligible)),
         stacked(effect.needs.iter().map(|need| format!("`{need}`"))),
         models(effect),
         cell(&effect.source),

@@ -5,6 +5,7 @@
 
 mod angle;
 mod bands;
+pub mod design;
 pub mod diagnosis;
 pub mod effects;
 mod equation;
@@ -16,6 +17,7 @@ mod html;
 pub mod import;
 pub mod literature;
 mod page;
+pub mod stability;
 mod table;
 mod text;
 mod thin;
@@ -24,6 +26,12 @@ pub mod viewer;
 pub use bands::{PredictionBand, prediction_band};
 pub use figure::Figure;
 pub use figure_file::{FigureError, FigureKind};
+pub use figures::csv::{CsvCell, CsvTable};
 pub use html::Html;
 pub use page::Page;
-pub use table::{Cell, Column, Table};
+pub use table::{Cell, Rows, Table};
+
+/// Rounds a value to hundredths for a sentence or a table; a negative zero becomes 0.
+pub fn hundredths(value: f64) -> f64 {
+    (100.0 * value).round() / 100.0 + 0.0
+}

@@ -5,11 +5,10 @@ use identify::DataFault;
 use crate::figure::Figure;
 use crate::figures::svg::{STYLE, escape, without_style};
 use crate::html::Html;
-use crate::table::{Column, Table};
+use crate::table::Table;
+use crate::thin::MAX_ROWS;
 use identify::wording::{capitalized, counted};
 
-/// Maximum number of faults in the measured data that the table of a page lists.
-const MAX_FAULTS: usize = 60;
 /// Maximum size in bytes of a CSV table that is embedded in a page; the page links to the file of a larger table.
 const MAX_EMBEDDED: usize = 10_000;
 
@@ -91,14 +90,20 @@ impl Html {
             counted(faults.len(), "fault")
         ));
         content.table(&data_faults(faults));
-        if faults.len() > MAX_FAULTS {
+        if faults.len() > MAX_ROWS {
             let all = faults.len();
             content.note(format!(
-                "The first {MAX_FAULTS} of {all}; all are in report.json."
+                "The first {MAX_ROWS} of {all}; all are in report.json."
             ));
         }
         self.section("data-faults", "Faults of the data", content);
     }
+}
+
+/// Heading of a page: two names, and between them words that stand back.
+pub(crate) fn heading(name: &str, words: &'static str, other: &str) -> Html {
+    let words = Html::of("span", "", words);
+    Html::from(name).then(" ").then(words).then(" ").then(other)
 }
 
 /// One HTML page.
@@ -138,22 +143,14 @@ impl Page {
     }
 }
 
-/// Table of the first [`MAX_FAULTS`] faults of the measured data.
+/// Table of the first [`MAX_ROWS`] faults of the measured data.
 pub(crate) fn data_faults(faults: &[DataFault]) -> Table {
-    use Column::{File, Plain, Text};
-    let mut table = Table::new()
-        .with(File, &["flight"])
-        .with(Plain, &["fault"])
-        .with(Text, &["found", "correction"]);
-    for fault in faults.iter().take(MAX_FAULTS) {
-        table.row([
-            (&fault.file).into(),
-            fault.fault.name().replace('_', " ").into(),
-            (&fault.detail).into(),
-            (&fault.correction).into(),
-        ]);
-    }
-    table
+    Table::of(faults.iter().take(MAX_ROWS))
+        .file("flight", |fault| &fault.file)
+        .plain("fault", |fault| fault.fault.name().replace('_', " "))
+        .text("found", |fault| &fault.detail)
+        .text("correction", |fault| &fault.correction)
+        .table()
 }
 
 /// Link to the CSV table of a figure: a data URI, or the path of the file if the table is large.
@@ -191,24 +188,26 @@ pub(crate) fn flight_link(name: &str, text: &str) -> Html {
     Html::link(&format!("flights.html#{}", encoded(name)), text)
 }
 
+/// Sentence on the page of flights in three dimensions.
+pub(crate) fn watch() -> Html {
+    let link = Html::link("flights.html", "flights.html");
+    Html::from("The flights can be watched in ")
+        .then(link)
+        .then(".")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figures::{Layout, Line, Panel};
+    use crate::figures::{Layout, Panel};
 
     #[test]
     fn texts_are_escaped_and_figures_are_drawn_twice() {
-        let mut table = Table::new()
-            .with(Column::Name, &["name"])
-            .with(Column::Number, &["value, m"]);
-        table.row(["<x>".into(), "1.5".into()]);
-        let panel = Panel {
-            lines: vec![Line {
-                name: String::new(),
-                points: vec![(0.0, 0.0), (1.0, 2.0)],
-            }],
-            ..Panel::default()
-        };
+        let table = Table::of([("<x>", "1.5")])
+            .name("name", |row| row.0)
+            .number("value, m", |row| row.1)
+            .table();
+        let panel = Panel::default().line("", [(0.0, 0.0), (1.0, 2.0)]);
         let mut body = Html::new();
         body.table(&table);
         body.figure(

@@ -5,7 +5,7 @@ use crate::html::Html;
 
 /// Kind of the cells of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Column {
+enum Column {
     /// What the row is about; the header of the row.
     Name,
     /// Formula or other code that the row is about; the header of the row.
@@ -56,6 +56,19 @@ impl From<String> for Cell {
     }
 }
 
+impl From<usize> for Cell {
+    fn from(number: usize) -> Cell {
+        Html::from(number.to_string()).into()
+    }
+}
+
+impl From<Option<String>> for Cell {
+    /// A dash stands for `None`.
+    fn from(text: Option<String>) -> Cell {
+        text.unwrap_or_else(|| "–".to_owned()).into()
+    }
+}
+
 impl Cell {
     /// Marks a number that is doubtful.
     #[must_use]
@@ -75,18 +88,90 @@ pub struct Table {
     is_stacked: bool,
 }
 
-impl Table {
-    /// Table without columns and rows.
-    pub fn new() -> Table {
-        Table::default()
+/// Table that is built column by column; every column has a heading and a function from a row to its cell.
+#[derive(Clone, Debug)]
+pub struct Rows<T> {
+    rows: Vec<T>,
+    table: Table,
+}
+
+impl<T> Rows<T> {
+    fn column<C: Into<Cell>>(
+        mut self,
+        kind: Column,
+        head: &str,
+        cell: impl Fn(&T) -> C,
+    ) -> Rows<T> {
+        self.table.columns.push((head.to_owned(), kind));
+        for (row, cells) in self.rows.iter().zip(&mut self.table.rows) {
+            cells.push(cell(row).into());
+        }
+        self
     }
 
-    /// Appends columns of one kind with these headings.
+    /// Adds the column of what the rows are about: the headers of the rows.
     #[must_use]
-    pub fn with(mut self, kind: Column, heads: &[&str]) -> Table {
-        let columns = heads.iter().map(|head| ((*head).to_owned(), kind));
-        self.columns.extend(columns);
-        self
+    pub fn name<C: Into<Cell>>(self, head: &str, cell: impl Fn(&T) -> C) -> Rows<T> {
+        self.column(Column::Name, head, cell)
+    }
+
+    /// Adds the column of the formulas that the rows are about.
+    #[must_use]
+    pub fn code<C: Into<Cell>>(self, head: &str, cell: impl Fn(&T) -> C) -> Rows<T> {
+        self.column(Column::Code, head, cell)
+    }
+
+    /// Adds a column of numbers, aligned to the right.
+    #[must_use]
+    pub fn number<C: Into<Cell>>(self, head: &str, cell: impl Fn(&T) -> C) -> Rows<T> {
+        self.column(Column::Number, head, cell)
+    }
+
+    /// Adds a column of words or units that are not broken into lines.
+    #[must_use]
+    pub fn plain<C: Into<Cell>>(self, head: &str, cell: impl Fn(&T) -> C) -> Rows<T> {
+        self.column(Column::Plain, head, cell)
+    }
+
+    /// Adds a column of texts that are broken into lines.
+    #[must_use]
+    pub fn text<C: Into<Cell>>(self, head: &str, cell: impl Fn(&T) -> C) -> Rows<T> {
+        self.column(Column::Text, head, cell)
+    }
+
+    /// Adds a column of texts that are left out on a terminal.
+    #[must_use]
+    pub fn detail<C: Into<Cell>>(self, head: &str, cell: impl Fn(&T) -> C) -> Rows<T> {
+        self.column(Column::Detail, head, cell)
+    }
+
+    /// Adds a column of the names of files.
+    #[must_use]
+    pub fn file<C: Into<Cell>>(self, head: &str, cell: impl Fn(&T) -> C) -> Rows<T> {
+        self.column(Column::File, head, cell)
+    }
+
+    /// Adds columns if a condition holds.
+    #[must_use]
+    pub fn when(self, is_wanted: bool, add: impl FnOnce(Rows<T>) -> Rows<T>) -> Rows<T> {
+        if is_wanted { add(self) } else { self }
+    }
+
+    /// The table.
+    pub fn table(self) -> Table {
+        self.table
+    }
+}
+
+impl Table {
+    /// Begins a table with a row for each of `rows`.
+    pub fn of<T>(rows: impl IntoIterator<Item = T>) -> Rows<T> {
+        let rows: Vec<T> = rows.into_iter().collect();
+        let table = Table {
+            rows: rows.iter().map(|_| Vec::new()).collect(),
+            ..Table::default()
+        };
+        Rows { rows, table }
     }
 
     /// Shows each row as a list of its cells on a narrow screen.
@@ -96,11 +181,6 @@ impl Table {
             is_stacked: true,
             ..self
         }
-    }
-
-    /// Appends a row with a cell for each column.
-    pub fn row(&mut self, cells: impl IntoIterator<Item = Cell>) {
-        self.rows.push(cells.into_iter().collect());
     }
 
     /// Whether the table has no rows.
@@ -120,19 +200,16 @@ impl Table {
             .map(|row| row.iter().map(|cell| cell.content.text()).collect())
             .collect();
         let length = |text: &String| text.chars().count();
-        let widths: Vec<usize> = self
-            .columns
-            .iter()
-            .enumerate()
-            .map(|(i, (head, kind))| {
-                let widest = rows.iter().map(|row| length(&row[i])).max().unwrap_or(0);
-                match widest {
-                    0 => 0,
-                    _ if *kind == Column::Detail => 0,
-                    widest => widest.max(length(head)),
-                }
-            })
-            .collect();
+        let columns = self.columns.iter().enumerate();
+        let widths = columns.map(|(i, (head, kind))| {
+            let widest = rows.iter().map(|row| length(&row[i])).max().unwrap_or(0);
+            match widest {
+                0 => 0,
+                _ if *kind == Column::Detail => 0,
+                widest => widest.max(length(head)),
+            }
+        });
+        let widths: Vec<usize> = widths.collect();
         let line = |cells: &mut dyn Iterator<Item = &String>| {
             let mut line = String::new();
             for ((cell, width), (_, kind)) in cells.zip(&widths).zip(&self.columns) {
@@ -211,15 +288,13 @@ mod tests {
 
     #[test]
     fn a_table_is_aligned_text_too() {
-        let mut table = Table::new()
-            .with(Column::Name, &["mode"])
-            .with(Column::Number, &["decay, 1/s"])
-            .with(Column::Plain, &["empty"])
-            .with(Column::Detail, &["meaning"]);
-        for (name, decay) in [("a < b", "−0.5"), ("nutation", "10.25"), ("third", "0")] {
-            let link = Html::link("#a", name);
-            table.row([link.into(), decay.into(), "".into(), "long".into()]);
-        }
+        let rows = [("a < b", "−0.5"), ("nutation", "10.25"), ("third", "0")];
+        let table = Table::of(rows)
+            .name("mode", |row| Html::link("#a", row.0))
+            .number("decay, 1/s", |row| row.1)
+            .plain("empty", |_| "")
+            .detail("meaning", |_| "long")
+            .table();
         let expected = "  mode      decay, 1/s\n  a < b           −0.5\n  nutation       10.25\n  … and 1 more\n";
         assert_eq!(table.text(2), expected);
     }

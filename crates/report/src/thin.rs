@@ -1,7 +1,17 @@
-//! Reduction of the number of points in figures, so that pages of long flights remain small.
+//! Limits of what a page shows, and reduction of the number of points in figures, so that pages remain small.
+
+use model_spec::sort_by_number;
 
 /// Maximum number of points of a curve in a figure.
 pub(crate) const MAX_CURVE_POINTS: usize = 400;
+/// Maximum number of dots of one kind in a panel.
+pub(crate) const MAX_DOTS: usize = 1500;
+/// Maximum number of rows of a table or a chart, and of items of a list.
+pub(crate) const MAX_ROWS: usize = 60;
+/// Maximum number of flights in a figure that shows all flights, and maximum number of figures of single flights.
+pub(crate) const MAX_FLIGHTS: usize = 12;
+/// Maximum number of figures of one kind other than of flights, and of lines in a figure.
+pub(crate) const MAX_FIGURES: usize = 24;
 
 /// Every n-th of `points`, with the smallest n for which at most `most` points remain.
 pub(crate) fn stride<T: Copy>(points: &[T], most: usize) -> Vec<T> {
@@ -31,6 +41,23 @@ pub(crate) fn curve(points: &[(f64, f64)], most: usize) -> Vec<(f64, f64)> {
         kept.extend(extremes.into_iter().map(|i| part[i]));
     }
     kept
+}
+
+/// The items in their order or, if there are more than `most`, the largest first. An item whose size is NaN counts as the
+/// largest, one without a size as the smallest.
+pub(crate) fn largest_first<T>(
+    mut items: Vec<T>,
+    most: usize,
+    size: impl Fn(&T) -> Option<f64>,
+) -> Vec<T> {
+    if items.len() > most {
+        sort_by_number(&mut items, |item| match size(item) {
+            Some(size) if size.is_nan() => f64::NEG_INFINITY,
+            Some(size) => -size,
+            None => f64::INFINITY,
+        });
+    }
+    items
 }
 
 #[cfg(test)]

@@ -15,10 +15,9 @@ use ode::Trajectory;
 use serde::Serialize;
 
 use crate::figures::svg::escape;
+use crate::thin::MAX_FIGURES;
 use samples::{FlightModel, flown, recorded};
 
-/// Maximum number of flights that the 3D view of a fit shows.
-const MAX_FLIGHTS: usize = 24;
 /// Maximum number of samples with which the 3D view shows a flight.
 const MAX_SAMPLES: usize = 240;
 
@@ -47,13 +46,13 @@ pub struct View {
 
 impl View {
     /// 3D view of the flights of a fit, measured and predicted, in the order of the dataset. If there are more than
-    /// `MAX_FLIGHTS` flights, evenly spaced ones are selected. `by` names the predicting model, to distinguish flights
+    /// `MAX_FIGURES` flights, evenly spaced ones are selected. `by` names the predicting model, to distinguish flights
     /// of two models, and may be empty.
     pub fn of_fit(fit: &Fit, by: &str) -> View {
         let problem = fit.problem();
         let used = (0..fit.report.flights.len()).filter(|&i| fit.report.flights[i].is_used());
         let used: Vec<usize> = used.collect();
-        let step = used.len().div_ceil(MAX_FLIGHTS).max(1);
+        let step = used.len().div_ceil(MAX_FIGURES).max(1);
         let flights = used.iter().step_by(step).filter_map(|&i| {
             let id = FlightId::new(i);
             let evidence = fit.evidence(id)?;

@@ -1,18 +1,15 @@
 //! Computes the refits in parts, each written atomically as CSV; existing parts are read instead.
 
-use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
 use analysis::sweep::folder::PartsFolder;
 use anyhow::Result;
 use identify::{Fit, FitError, FitOptions};
+use report::CsvTable;
 
 /// Number of consecutive refits whose results are stored in one file.
 pub(super) const LEN: u64 = 16;
-
-/// Name of the column of the table of refits that states whether the refit converged.
-const CONVERGED: &str = "converged";
 
 /// One refit: its number and the estimates of the parameters that all flights
 /// share, SI; the estimates are `None` if the refit did not converge.
@@ -74,24 +71,15 @@ impl Work<'_> {
 
 /// CSV table of refits of a bootstrap: number, whether it converged, and the estimates, SI, with all digits.
 pub(super) fn table(fit: &Fit, refits: &[Refit]) -> String {
-    let mut text = format!("refit,{CONVERGED}");
-    for global in &fit.problem().globals {
-        let _ = write!(text, ",{}", global.name);
+    let mut table = CsvTable::of(refits)
+        .column("refit", |(number, _)| number.to_string())
+        .column("converged", |(_, estimates)| estimates.is_some());
+    for (i, global) in fit.problem().globals.iter().enumerate() {
+        table = table.column(&global.name, |(_, estimates)| {
+            estimates.as_ref().map(|all| format!("{:?}", all[i]))
+        });
     }
-    for (number, estimates) in refits {
-        let _ = write!(text, "\n{number},{}", estimates.is_some());
-        for i in 0..fit.problem().globals.len() {
-            let estimate = estimates
-                .as_ref()
-                .map_or(f64::NAN, |estimates| estimates[i]);
-            if estimate.is_nan() {
-                text.push(',');
-            } else {
-                let _ = write!(text, ",{estimate:?}");
-            }
-        }
-    }
-    text + "\n"
+    table.text()
 }
 
 /// Reads the refits of a bootstrap from a CSV table with `width` estimates per line; `None` if the file is missing or
@@ -99,23 +87,14 @@ pub(super) fn table(fit: &Fit, refits: &[Refit]) -> String {
 fn read(path: &Path, width: usize) -> Option<Vec<Refit>> {
     let text = fs::read_to_string(path).ok()?;
     let row = |line: &str| {
-        let cells: Vec<&str> = line.split(',').collect();
-        let [number, converged, estimates @ ..] = &cells[..] else {
-            return None;
-        };
-        let estimates = match *converged {
-            "false" => None,
-            _ => Some(
-                estimates
-                    .iter()
-                    .map(|cell| cell.parse().ok())
-                    .collect::<Option<Vec<f64>>>()?,
-            ),
-        };
-        let is_whole = estimates
-            .as_ref()
-            .is_none_or(|estimates| estimates.len() == width);
-        is_whole.then_some((number.parse().ok()?, estimates))
+        let mut cells = line.split(',');
+        let number = cells.next()?.parse().ok()?;
+        if cells.next()? == "false" {
+            return Some((number, None));
+        }
+        let estimates: Option<Vec<f64>> = cells.map(|cell| cell.parse().ok()).collect();
+        let estimates = estimates.filter(|all| all.len() == width)?;
+        Some((number, Some(estimates)))
     };
     text.lines().skip(1).map(row).collect()
 }

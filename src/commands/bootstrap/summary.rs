@@ -2,7 +2,7 @@
 
 use identify::Fit;
 use identify::numbers::Digits;
-use report::{Cell, Column, Table};
+use report::Table;
 use serde_json::{Map, Value, json};
 
 use super::parts::Refit;
@@ -11,19 +11,12 @@ use crate::cli::Bootstrap;
 /// Contents of the `summary.json` of a bootstrap: standard errors, 95 % percentile intervals and correlations of the
 /// estimates; SI.
 pub(super) fn json(fit: &Fit, refits: &[Refit], options: &Bootstrap) -> Value {
-    let converged: Vec<&[f64]> = refits
-        .iter()
-        .filter_map(|refit| refit.1.as_deref())
-        .collect();
-    let names: Vec<&str> = fit
-        .problem()
-        .globals
-        .iter()
-        .map(|global| &*global.name)
-        .collect();
-    let columns: Vec<Estimates> = (0..names.len())
-        .map(|i| Estimates::of(&converged, i))
-        .collect();
+    let converged = refits.iter().filter_map(|refit| refit.1.as_deref());
+    let converged: Vec<&[f64]> = converged.collect();
+    let globals = fit.problem().globals.iter();
+    let names: Vec<&str> = globals.map(|global| &*global.name).collect();
+    let columns = (0..names.len()).map(|i| Estimates::of(&converged, i));
+    let columns: Vec<Estimates> = columns.collect();
     let mut coefficients = Map::new();
     for (name, column) in names.iter().zip(&columns) {
         let Some(of_fit) = fit.report.coefficients.get(*name) else {
@@ -42,11 +35,9 @@ pub(super) fn json(fit: &Fit, refits: &[Refit], options: &Bootstrap) -> Value {
     }
     let mut correlations = Map::new();
     for (i, name) in names.iter().enumerate() {
-        let row = (0..names.len()).map(|j| {
-            (
-                names[j].to_owned(),
-                json!(correlation(&converged, &columns, i, j)),
-            )
+        let row = names.iter().enumerate().map(|(j, other)| {
+            let correlation = correlation(&converged, &columns, i, j);
+            ((*other).to_owned(), json!(correlation))
         });
         correlations.insert((*name).to_owned(), Value::Object(row.collect()));
     }
@@ -90,10 +81,8 @@ impl Estimates {
     fn quantile(&self, p: f64) -> f64 {
         let at = p * (self.sorted.len() as f64 - 1.0);
         let value = |k: f64| {
-            self.sorted
-                .get(k.max(0.0) as usize)
-                .copied()
-                .unwrap_or(f64::NAN)
+            let value = self.sorted.get(k.max(0.0) as usize);
+            value.copied().unwrap_or(f64::NAN)
         };
         let (low, high) = (value(at.floor()), value(at.ceil()));
         low + (high - low) * at.fract()
@@ -110,32 +99,27 @@ fn correlation(refits: &[&[f64]], columns: &[Estimates], i: usize, j: usize) -> 
 
 /// The summary of a bootstrap (its `summary.json`) as text for the terminal.
 pub(super) fn text(summary: &Value) -> String {
-    use Column::{Name, Number, Plain};
-    let mut table = Table::new()
-        .with(Name, &[""])
-        .with(
-            Number,
-            &["estimate", "std error", "of the fit", "95 % interval"],
-        )
-        .with(Plain, &["unit"]);
-    for (name, column) in summary["coefficients"].as_object().into_iter().flatten() {
-        let value = |value: &Value| value.as_f64().unwrap_or(f64::NAN);
-        let digits = Digits::of(value(&column["value"]), value(&column["std_error"]));
-        let number = |of: &Value| Cell::from(digits.one(value(of)));
-        let of_fit = match &column["std_error_cluster_robust"] {
-            Value::Null => &column["std_error_fit"],
-            clustered => clustered,
-        };
-        let interval = [0, 1].map(|end| value(&column["interval"][end]));
-        table.row([
-            name.into(),
-            number(&column["value"]),
-            number(&column["std_error"]),
-            number(of_fit),
-            digits.range(interval).into(),
-            column["unit"].as_str().unwrap_or_default().into(),
-        ]);
-    }
+    let number = |column: &Value, key: &str| column[key].as_f64().unwrap_or(f64::NAN);
+    let digits = |column: &Value| Digits::of(number(column, "value"), number(column, "std_error"));
+    let one = |column: &Value, key: &str| digits(column).one(number(column, key));
+    let of_fit = |column: &Value| match column["std_error_cluster_robust"] {
+        Value::Null => one(column, "std_error_fit"),
+        _ => one(column, "std_error_cluster_robust"),
+    };
+    let interval = |column: &Value| {
+        let end = |end: usize| column["interval"][end].as_f64().unwrap_or(f64::NAN);
+        digits(column).range([end(0), end(1)])
+    };
+    let table = Table::of(summary["coefficients"].as_object().into_iter().flatten())
+        .name("", |(name, _)| *name)
+        .number("estimate", |(_, column)| one(column, "value"))
+        .number("std error", |(_, column)| one(column, "std_error"))
+        .number("of the fit", |(_, column)| of_fit(column))
+        .number("95 % interval", |(_, column)| interval(column))
+        .plain("unit", |(_, column)| {
+            column["unit"].as_str().unwrap_or_default()
+        })
+        .table();
     format!(
         "{}: {} refits to {} flights drawn with replacement, {} converged\n{}",
         summary["model"].as_str().unwrap_or_default(),

@@ -1,6 +1,5 @@
 //! Reads the standard errors of coefficients from the report of a fit.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 
 use analysis::design::CoefficientErrors;
@@ -28,16 +27,14 @@ pub fn read(file: &Path) -> anyhow::Result<CoefficientErrors> {
             place()
         );
     };
-    let mut errors = BTreeMap::new();
+    let mut errors = Vec::new();
     for (name, own) in coefficients {
-        // A coefficient held fixed has no standard error.
         match &own["std_error"] {
+            // A coefficient held fixed has no standard error.
             Value::Null => {}
-            value => match value.as_f64() {
-                Some(error) if error >= 0.0 => {
-                    errors.insert(name.clone(), error);
-                }
-                _ => bail!(
+            value => match value.as_f64().filter(|error| *error >= 0.0) {
+                Some(error) => errors.push((name.clone(), error)),
+                None => bail!(
                     "{}: the std_error of {name} is {value}, expected a number of at least 0",
                     place()
                 ),
@@ -53,7 +50,7 @@ pub fn read(file: &Path) -> anyhow::Result<CoefficientErrors> {
         }
     }
     Ok(CoefficientErrors {
-        errors: errors.into_iter().collect(),
+        errors,
         correlations,
     })
 }

@@ -1,11 +1,9 @@
 //! Command `hyzer design`: searches for a throw that serves a purpose; writes its release and a report.
 
 mod errors;
-mod page;
 
 use analysis::design::{
-    Bounds, Design, Goal, SampleOptions, Scattered, SearchOptions, Spread, ThrownBody, design,
-    spread,
+    Bounds, Goal, SampleOptions, Scattered, SearchOptions, ThrownBody, design, spread,
 };
 use anyhow::{Context, bail};
 use flight::files::ResultFile;
@@ -23,7 +21,7 @@ use crate::{Answer, output};
 /// output folder is given. Returns `Answer::No` if this throw violates a constraint of the goal, such as hitting the
 /// target.
 pub fn run(options: &Options) -> anyhow::Result<Answer> {
-    let out = output::folder(options.out.as_deref())?;
+    let out = output::results(options.out.as_deref(), &options.figures)?;
     let mut model = model_spec::load::load(&options.model, &super::names(&options.with))?;
     let mut release = Release {
         // The search sets the motion of the throw.
@@ -83,12 +81,12 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
         &scattered,
         &samples,
     )?;
-    output::print(table(&found, &bounds, &spread))?;
-    if let (Some(folder), Some(place)) = (&out, &options.out) {
+    output::print(report::design::text(&found, &bounds, &spread))?;
+    if let Some(out) = &out {
         let settings = ode::IntegrationOptions::with_tolerance(1e-9);
         let path = flights.fly(&found.throw, None, &settings)?;
         let title = format!("{} · {}", body.model.name, goal.name());
-        let (page, figures) = page::page(&title, &found, &bounds, &spread, &path);
+        let (page, figures) = report::design::page(&title, &found, &bounds, &spread, &path);
         let mut files = vec![
             ResultFile::new("release.toml", found.release_toml(&options.model, &release)),
             ResultFile::new(
@@ -109,12 +107,8 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
             view.html(&title)
                 .map(|html| ResultFile::new("flight.html", html)),
         );
-        output::add_figures(&mut files, &options.figures)?;
-        output::replace(folder, &files)?;
-        eprintln!(
-            "release.toml, design.json, report.html and flight.html are in {}",
-            place.display()
-        );
+        let what = "release.toml, design.json, report.html and flight.html";
+        out.write(files, what)?;
     }
     Ok(if found.feasible {
         Answer::Yes
@@ -153,14 +147,4 @@ fn goal(options: &Options) -> anyhow::Result<Goal> {
         _ => bail!("no --target: the goal {name} needs one, as in --target 30,0,0"),
     };
     goal.context("--goal")
-}
-
-/// Text of a throw design for the terminal: the throw, its landing and the spread of the landings.
-fn table(found: &Design, bounds: &Bounds, spread: &Spread) -> String {
-    let sentences = page::nearest(found).into_iter().chain(page::lead(found));
-    let lines = sentences
-        .map(|sentence| sentence + "\n")
-        .collect::<String>();
-    let table = page::throw(found, bounds).text(usize::MAX);
-    lines + &table + &page::spread_words(spread, bounds).join("\n") + "\n"
 }

@@ -1,7 +1,5 @@
 //! Command `hyzer diagnose`: tests a model for missing effects and extends the model.
 
-mod tables;
-
 use ::diagnose::{Diagnosis, DiagnosisOptions, ExtendedModel, Verified, diagnose_with};
 use anyhow::Context;
 use codegen::generate::generate_with;
@@ -9,10 +7,10 @@ use dataset::Dataset;
 use flight::files::ResultFile;
 use identify::FitOptions;
 use report::Figure;
-use report::diagnosis::{DiagnosisPage, Fits};
+use report::diagnosis::{DiagnosisPage, Fits, tables};
 use report::viewer::View;
 
-use super::fit::{FLIGHTS, dataset_name, deadline, drawn, evidence, held, model_of, priors};
+use super::fit::{FLIGHTS, Inputs, deadline, drawn, evidence};
 use crate::cli::Diagnose;
 use crate::progress::Progress;
 use crate::{Answer, output};
@@ -29,61 +27,44 @@ const CASES: usize = 12;
 /// Runs `hyzer diagnose`: tests a model for missing effects, prints a summary, and writes the result files if an output
 /// folder is given. Returns `Answer::No` if there are reasons not to rely on the diagnosis.
 pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
-    let (hold, priors) = (held(&options.inputs.hold)?, priors(&options.inputs.prior)?);
-    let out = output::folder(options.out.as_deref())?;
-    let dataset = dataset::load_on(&options.inputs.dataset, options.inputs.threads)?;
-    let model = model_of(
-        options.inputs.model.as_ref(),
-        &options.inputs.dataset,
-        &dataset,
-    )?;
-    let model = model_spec::load::load(&model, &super::names(&options.inputs.with))?;
-    let name = dataset_name(&options.inputs.dataset);
+    let deadline = deadline(options.max_seconds)?;
+    let out = options.out.as_deref();
+    let inputs = Inputs::read(&options.inputs, out, &options.figures)?;
+    let (dataset, model, name) = (&inputs.dataset, &inputs.model, &inputs.name);
     let progress = Progress::new()?;
     let asked = DiagnosisOptions {
-        dataset: &name,
+        dataset: name,
         without: &options.without,
         fit: FitOptions {
-            fixed: &hold,
-            free: &options.inputs.free,
-            priors: &priors,
-            trust_data: options.inputs.trust_data,
-            deadline: deadline(options.max_seconds)?,
-            threads: options.inputs.threads,
+            deadline,
             progress: Some(&progress),
-            ..FitOptions::default()
+            ..inputs.options()
         },
         ..DiagnosisOptions::default()
     };
     asked
-        .validate(&model)
+        .validate(model)
         .map_err(|error| anyhow::anyhow!("--without: {error}"))?;
-    let found = diagnose_with(&model, &dataset, &asked, |extension| {
-        verified(&extension.text(&note(&extension.effects, &name)))
+    let found = diagnose_with(model, dataset, &asked, |extension| {
+        verified(&extension.text(&note(&extension.effects, name)))
     });
     drop(progress);
-    let (mut found, verified) =
-        found.with_context(|| format!("cannot diagnose {}", options.inputs.dataset.display()))?;
+    let (mut found, verified) = found.with_context(|| inputs.failed("diagnose"))?;
     found.set_verified(verified.transpose()?);
     let has_extension = found.after.is_some();
-    if let Some(folder) = &out {
-        found.report.extended_model = has_extension.then(|| EXTENDED.to_owned());
-        let mut files = results(&dataset, &name, &found)?;
-        output::add_figures(&mut files, &options.figures)?;
-        output::replace(folder, &files)?;
+    if has_extension && inputs.out.is_some() {
+        found.report.extended_model = Some(EXTENDED.to_owned());
     }
-    output::print(report::diagnosis::text(&found.report))?;
-    if let Some(folder) = &options.out {
+    if let Some(out) = &inputs.out {
         let extended = if has_extension {
             "the extended model, "
         } else {
             ""
         };
-        eprintln!(
-            "report.html, report.json, {extended}figures and tables are in {}",
-            folder.display()
-        );
+        let what = format!("report.html, report.json, {extended}figures and tables");
+        out.write(results(dataset, name, &found)?, &what)?;
     }
+    output::print(report::diagnosis::text(&found.report))?;
     if found.report.reliable {
         return Ok(Answer::Yes);
     }
@@ -132,9 +113,9 @@ fn results(dataset: &Dataset, name: &str, found: &Diagnosis) -> anyhow::Result<V
     let json = serde_json::to_string_pretty(&found.report)?;
     let mut files = vec![
         ResultFile::new("report.json", json + "\n"),
-        ResultFile::new("candidates.csv", tables::candidates(&found.report)?),
-        ResultFile::new("coefficients.csv", tables::coefficients(&found.report)?),
-        ResultFile::new("flights.csv", tables::flights(&found.report)?),
+        ResultFile::new("candidates.csv", tables::candidates(&found.report)),
+        ResultFile::new("coefficients.csv", tables::coefficients(&found.report)),
+        ResultFile::new("flights.csv", tables::flights(&found.report)),
     ];
     let mut extended = None;
     if let Some((extension, fitted)) = &found.after {

@@ -1,9 +1,5 @@
 //! Command `hyzer fit`: estimates the coefficients of a model from measured flights.
 
-mod tables;
-
-pub(super) use tables::role;
-
 use std::path::Path;
 use std::time::{Duration, Instant};
 
@@ -12,13 +8,14 @@ use dataset::{Dataset, Role};
 use flight::files::ResultFile;
 use identify::{FitOptions, FlightEvidence, FlightId, Prior};
 use model_spec::ModelTree;
+use model_spec::model::Model;
 use model_spec::sort_by_number;
-use report::fit::Figure;
-use report::fit::FitPage;
+use report::FigureKind;
+use report::fit::{Figure, FitPage, tables};
 use report::viewer::View;
 
 use super::number;
-use crate::cli::Fit;
+use crate::cli::{Fit, FitInputs};
 use crate::progress::Progress;
 use crate::{Answer, output};
 
@@ -31,56 +28,41 @@ pub(super) const FLIGHTS: &str = "flights.html";
 /// Runs `hyzer fit`: fits a model to a dataset, prints a summary, and writes the result files if an output folder is
 /// given. Returns `Answer::No` if the estimates are not reliable.
 pub fn run(options: &Fit) -> anyhow::Result<Answer> {
-    let inputs = &options.inputs;
-    let (hold, priors) = (held(&inputs.hold)?, priors(&inputs.prior)?);
-    let out = output::folder(options.out.as_deref())?;
-    let dataset = dataset::load_on(&inputs.dataset, inputs.threads)?;
-    let model = model_of(inputs.model.as_ref(), &inputs.dataset, &dataset)?;
-    let model = model_spec::load::load(&model, &super::names(&inputs.with))?;
+    let deadline = deadline(options.max_seconds)?;
+    let out = options.out.as_deref();
+    let inputs = Inputs::read(&options.inputs, out, &options.figures)?;
+    let (dataset, model, name) = (&inputs.dataset, &inputs.model, &inputs.name);
     let progress = Progress::new()?;
     let asked = FitOptions {
-        fixed: &hold,
-        free: &inputs.free,
-        priors: &priors,
         unbounded: options.unbounded,
         profiles: &options.profile,
-        trust_data: inputs.trust_data,
-        threads: inputs.threads,
         progress: Some(&progress),
-        deadline: deadline(options.max_seconds)?,
-        ..FitOptions::default()
+        deadline,
+        ..inputs.options()
     };
     let threads = asked.threads();
-    let fitted = identify::fit(&model, &dataset, &asked);
+    let fitted = identify::fit(model, dataset, &asked);
     drop(progress);
-    let mut fitted = fitted.with_context(|| format!("cannot fit {}", inputs.dataset.display()))?;
-    fitted.report.dataset = dataset_name(&inputs.dataset);
-    fitted.test_residuals(threads)?;
-    let name = dataset_name(&inputs.dataset);
+    let mut fitted = fitted.with_context(|| inputs.failed("fit"))?;
+    fitted.report.dataset.clone_from(name);
+    let fitted = fitted.with_lack_of_fit(threads)?;
     let page = FitPage {
         report: &fitted.report,
         fit: Some(&fitted),
         evidence: &[],
-        model: &model,
-        dataset: &name,
+        model,
+        dataset: name,
     };
-    if let Some(folder) = &out {
+    if let Some(out) = &inputs.out {
         let evidence = evidence(&fitted, &drawn(&fitted));
         let page = FitPage {
             evidence: &evidence,
             ..page
         };
-        let mut files = results(&page, &dataset, &fitted)?;
-        output::add_figures(&mut files, &options.figures)?;
-        output::replace(folder, &files)?;
+        let what = format!("report.html, report.json, {FITTED}, figures and tables");
+        out.write(results(&page, dataset, &fitted)?, &what)?;
     }
     output::print(report::fit::text(&page))?;
-    if let Some(folder) = &options.out {
-        eprintln!(
-            "report.html, report.json, {FITTED}, figures and tables are in {}",
-            folder.display()
-        );
-    }
     if fitted.report.reliable {
         return Ok(Answer::Yes);
     }
@@ -89,6 +71,62 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
         fitted.report.cautions.join("; ")
     );
     Ok(Answer::No)
+}
+
+/// Dataset, model and options that the arguments of a fit name, and the folder of its results.
+pub(super) struct Inputs<'a> {
+    given: &'a FitInputs,
+    fixed: Vec<(String, Option<f64>)>,
+    priors: Vec<Prior>,
+    pub(super) out: Option<output::Results<'a>>,
+    pub(super) dataset: Dataset,
+    pub(super) model: Model,
+    /// Name of the dataset in reports: the name of its folder.
+    pub(super) name: String,
+}
+
+impl<'a> Inputs<'a> {
+    pub(super) fn read(
+        given: &'a FitInputs,
+        out: Option<&'a Path>,
+        figures: &'a [FigureKind],
+    ) -> anyhow::Result<Inputs<'a>> {
+        let fixed = given.hold.iter().map(|text| held(text));
+        let fixed = fixed.collect::<anyhow::Result<_>>()?;
+        let priors = given.prior.iter().map(|text| prior(text));
+        let priors = priors.collect::<anyhow::Result<_>>()?;
+        let out = output::results(out, figures)?;
+        let dataset = dataset::load_on(&given.dataset, given.threads)?;
+        let model = model_of(given.model.as_ref(), &given.dataset, &dataset)?;
+        let name = given.dataset.file_name();
+        let name = name.unwrap_or(given.dataset.as_os_str());
+        Ok(Inputs {
+            model: model_spec::load::load(&model, &super::names(&given.with))?,
+            name: name.to_string_lossy().into_owned(),
+            given,
+            fixed,
+            priors,
+            out,
+            dataset,
+        })
+    }
+
+    /// Options of the fit.
+    pub(super) fn options(&self) -> FitOptions<'_> {
+        FitOptions {
+            fixed: &self.fixed,
+            free: &self.given.free,
+            priors: &self.priors,
+            trust_data: self.given.trust_data,
+            threads: self.given.threads,
+            ..FitOptions::default()
+        }
+    }
+
+    /// Context of an error of the work `what`.
+    pub(super) fn failed(&self, what: &str) -> String {
+        format!("cannot {what} {}", self.given.dataset.display())
+    }
 }
 
 /// Maximum numbers of flights shown in figures: first, of fitted flights, taken in the order of the dataset; second, of
@@ -117,14 +155,6 @@ pub(super) fn evidence(fitted: &identify::Fit, flights: &[usize]) -> Vec<FlightE
         .collect()
 }
 
-/// Name of a dataset in reports: the name of its folder.
-pub(super) fn dataset_name(folder: &Path) -> String {
-    folder.file_name().map_or_else(
-        || folder.display().to_string(),
-        |name| name.to_string_lossy().into_owned(),
-    )
-}
-
 /// Result files of `hyzer fit`, which are written to the folder `--out`.
 fn results(
     page: &FitPage<'_>,
@@ -140,13 +170,13 @@ fn results(
         ResultFile::new("report.json", json + "\n"),
         ResultFile::new("report.html", html),
         ResultFile::new(FITTED, fitted_model),
-        ResultFile::new("coefficients.csv", tables::coefficients(&fitted.report)?),
-        ResultFile::new("correlations.csv", tables::correlations(&fitted.report)?),
-        ResultFile::new("flights.csv", tables::flights(&fitted.report)?),
-        ResultFile::new("residuals.csv", tables::residuals(dataset, fitted)?),
+        ResultFile::new("coefficients.csv", tables::coefficients(&fitted.report)),
+        ResultFile::new("correlations.csv", tables::correlations(&fitted.report)),
+        ResultFile::new("flights.csv", tables::flights(&fitted.report)),
+        ResultFile::new("residuals.csv", tables::residuals(fitted)),
     ];
     if !dataset.sensors.is_empty() {
-        let table = tables::sensor_residuals(dataset, fitted)?;
+        let table = tables::sensor_residuals(fitted);
         files.push(ResultFile::new("sensors.csv", table));
     }
     files.extend(figures.into_iter().flat_map(Figure::files));
@@ -157,11 +187,7 @@ fn results(
 
 /// Path or name of the model: `asked`, the value of the option `--model`, or else the model specified in the dataset,
 /// where a path is relative to the dataset's folder.
-pub(super) fn model_of(
-    asked: Option<&String>,
-    folder: &Path,
-    dataset: &Dataset,
-) -> anyhow::Result<String> {
+fn model_of(asked: Option<&String>, folder: &Path, dataset: &Dataset) -> anyhow::Result<String> {
     if let Some(model) = asked {
         return Ok(model.clone());
     }
@@ -187,19 +213,8 @@ pub(super) fn deadline(seconds: Option<f64>) -> anyhow::Result<Option<Instant>> 
     Ok(Instant::now().checked_add(limit))
 }
 
-/// Parses the values of the option `--hold`, each `NAME` or `NAME=VALUE`; value in SI units. The value is `None` if
-/// only the name is given; the coefficient is then held fixed at the model's value.
-pub(super) fn held(texts: &[String]) -> anyhow::Result<Vec<(String, Option<f64>)>> {
-    texts.iter().map(|text| one_held(text)).collect()
-}
-
-/// Parses the values of the option `--prior`, each `NAME=VALUE+-SIGMA` or with `±`; SI units.
-pub(super) fn priors(texts: &[String]) -> anyhow::Result<Vec<Prior>> {
-    texts.iter().map(|text| prior(text)).collect()
-}
-
 /// Parses one coefficient to hold fixed, `NAME` or `NAME=VALUE`; the value (SI) is `None` if not given.
-fn one_held(text: &str) -> anyhow::Result<(String, Option<f64>)> {
+fn held(text: &str) -> anyhow::Result<(String, Option<f64>)> {
     match text.split_once('=') {
         None => Ok((text.to_owned(), None)),
         Some((name, value)) => Ok((name.to_owned(), Some(number("--hold", value)?))),

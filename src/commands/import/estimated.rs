@@ -4,12 +4,11 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use anyhow::{Context, bail};
-use dataset::Marker;
 use dataset::takes::words::{listed, shown};
 use dataset::takes::{FreeFlight, ReadOptions, Take, ThrowOptions, Throws, estimate_template};
+use dataset::{BodyTemplate, Marker};
 
 use super::no_throw;
-use super::template::Template;
 use crate::cli::Import;
 
 /// Maximum magnitude of the value of `--centre-height`, m; larger values suggest millimetres.
@@ -18,7 +17,7 @@ const MAX_HEIGHT: f64 = 2.0;
 /// A template estimated from recordings, a text on how it was estimated, and for
 /// each marker the comment that is written above its position in `dataset.toml`.
 pub struct Estimated {
-    pub template: Template,
+    pub template: BodyTemplate,
     pub decisions: String,
     pub comments: Vec<String>,
     /// Standard errors of the estimated centre of mass along the axes of the body, m.
@@ -110,7 +109,7 @@ pub fn estimated(
     Ok(Estimated {
         origin_error: found.origin_error(),
         comments: comments.collect(),
-        template: Template {
+        template: BodyTemplate {
             model: None,
             parameters: BTreeMap::new(),
             markers: found

@@ -1,7 +1,6 @@
 //! Command `hyzer import`: converts recordings of laboratories to a dataset, cut to the free flights.
 
 mod estimated;
-mod template;
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -12,10 +11,9 @@ use dataset::takes::words::listed;
 use dataset::takes::{
     self, Axis, Format, ImportOptions, LengthUnit, ReadOptions, Take, Throw, ThrowOptions, TimeUnit,
 };
-use dataset::{Dataset, Flight, Sensor, SensorKind, write_commented};
+use dataset::{BodyTemplate, Dataset, Flight, Sensor, SensorKind, write_commented};
 use report::import::{ImportPage, ImportedTake};
 
-use self::template::Template;
 use crate::cli::Import;
 use crate::{Answer, output, progress};
 
@@ -47,7 +45,7 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
     let mut decisions = String::new();
     let (mut comments, mut origin_error) = (Vec::new(), None);
     let template = match (&options.markers, &options.model) {
-        (Some(file), _) => Template::read(file)?,
+        (Some(file), _) => BodyTemplate::read(file)?,
         (None, Some(_)) => {
             let found = estimated::estimated(options, &reading, &mut labels)?;
             decisions = found.decisions;

@@ -1,23 +1,20 @@
 //! Flies all throws of a launch monitor and lists them in a table of results.
 
-use std::fmt::Write;
-
-use flight::files::{ResultFile, ResultFolder};
+use flight::files::ResultFile;
 use flight::release::Release;
+use flight::throw::FlownThrow;
 use flight::{CompiledModel, simulate, trajectory_csv};
 use model_spec::model::Model;
 use ode::IntegrationOptions;
+use report::{CsvTable, Table, hundredths};
 
-use super::flown::Flown;
 use super::techdisc::Row;
 use super::{check_rows, summary_file, throws};
 use crate::cli::Simulate;
-use crate::commands::hundredths;
 use crate::{Answer, output};
 
-/// Header line of the CSV table of simulated throws of a launch monitor, with units in the column names.
-const HEAD: &str = "id,row,speed_m_s,launch_deg,nose_deg,hyzer_deg,spin_rpm,wobble_deg,range_m,left_m,apex_m,seconds,\
-    top_speed_m_s,end_speed_m_s,end_spin_rpm,status";
+/// A throw of a launch monitor and its flight, or why it could not be flown.
+type Flight<'r> = (&'r Row, Result<FlownThrow, String>);
 
 /// Simulates every throw recorded by a launch monitor; prints the table of results, and writes the table and a folder
 /// per flight if an output folder is given. Returns `Answer::No` if a throw could not be simulated.
@@ -25,113 +22,105 @@ pub fn run(
     options: &Simulate,
     rows: &[Row],
     (model, body, release): (&Model, &CompiledModel, &Release),
-    out: Option<&ResultFolder>,
+    out: Option<&output::Results<'_>>,
 ) -> anyhow::Result<Answer> {
     let names: Vec<&str> = model.states.iter().map(|s| s.name.as_str()).collect();
     let settings = IntegrationOptions::with_tolerance(options.tolerance);
     let mut files = Vec::new();
-    let mut table = format!("{HEAD}\n");
-    let mut printed = format!(
-        "{:>4} {:16} {:>8} {:>9} {:>9} {:>9} {:>7}\n",
-        "row", "id", "m/s", "range, m", "left, m", "height, m", "time, s"
-    );
+    let mut flights: Vec<Flight<'_>> = Vec::new();
     let mut seconds = 0.0;
-    let mut answer = Answer::Yes;
     for row in rows {
         let mut own = release.clone();
         let flown = throws::apply(&options.throw, Some(row.throw), model, &mut own)
             .and_then(|()| Ok(simulate(body, &own, &settings)?));
-        let id: String = row.id.chars().take(16).collect();
-        match flown {
-            Ok(flight) => {
-                seconds += flight.end;
-                check_rows(options, seconds)?;
-                let Some(flown) = Flown::of(model, body, &own, &flight) else {
-                    continue;
-                };
-                if out.is_some() {
-                    let folder = format!("row-{:04}", row.number);
-                    let csv = trajectory_csv(&flight, &names, options.rate);
-                    files.push(ResultFile::new(format!("{folder}/trajectory.csv"), csv));
-                    let path = format!("{folder}/summary.json");
-                    files.push(summary_file(&path, &flown, model));
-                }
-                let _ = writeln!(table, "{}", cells(row, &flown));
-                let _ = writeln!(
-                    printed,
-                    "{:>4} {id:16} {:>8.2} {:>9.2} {:>9.2} {:>9.2} {:>7.2}",
-                    row.number,
-                    flown.release.speed,
-                    flown.range,
-                    hundredths(flown.sideways),
-                    flown.apex.0,
-                    flown.seconds
-                );
-            }
+        let flight = match flown {
+            Ok(flight) => flight,
             Err(error) => {
-                answer = Answer::No;
-                let why = format!("{error:#}");
-                let _ = writeln!(
-                    table,
-                    "{},{}{}{}",
-                    quoted(&row.id),
-                    row.number,
-                    ",".repeat(14),
-                    quoted(&why)
-                );
-                let _ = writeln!(
-                    printed,
-                    "{:>4} {id:16} not flown: line {}: {why}",
-                    row.number, row.line
-                );
+                flights.push((row, Err(format!("{error:#}"))));
+                continue;
             }
+        };
+        seconds += flight.end;
+        check_rows(options, seconds)?;
+        let Some(flown) = FlownThrow::of(model, body, &own, &flight) else {
+            continue;
+        };
+        if out.is_some() {
+            let folder = format!("row-{:04}", row.number);
+            let csv = trajectory_csv(&flight, &names, options.rate);
+            files.push(ResultFile::new(format!("{folder}/trajectory.csv"), csv));
+            let path = format!("{folder}/summary.json");
+            files.push(summary_file(&path, &flown, model));
         }
+        flights.push((row, Ok(flown)));
     }
-    if let Some(folder) = out {
-        files.push(ResultFile::new("results.csv", table));
-        output::replace(folder, &files)?;
+    if let Some(out) = out {
+        files.push(ResultFile::new("results.csv", csv(&flights)));
+        let what = "results.csv, and trajectory.csv and summary.json of each row,";
+        out.write(files, what)?;
     }
-    output::print(printed)?;
-    if let Some(folder) = &options.out {
-        eprintln!(
-            "results.csv, and trajectory.csv and summary.json of each row, are in {}",
-            folder.display()
-        );
-    }
-    Ok(answer)
+    output::print(table(&flights))?;
+    Ok(if flights.iter().all(|(_, flown)| flown.is_ok()) {
+        Answer::Yes
+    } else {
+        Answer::No
+    })
 }
 
-/// Line of the CSV table of results for one simulated throw of a launch monitor.
-fn cells(row: &Row, flown: &Flown) -> String {
-    let start = &flown.release;
-    let numbers = [
-        Some(start.speed),
-        Some(start.launch),
-        start.nose,
-        start.hyzer,
-        start.spin,
-        start.wobble,
-        Some(flown.range),
-        Some(flown.sideways),
-        Some(flown.apex.0),
-        Some(flown.seconds),
-        Some(flown.top_speed),
-        Some(flown.end.speed),
-        flown.end.spin,
+/// Table of the throws for the terminal.
+fn table(flights: &[Flight<'_>]) -> String {
+    let number = |flown: &Result<FlownThrow, String>, of: fn(&FlownThrow) -> f64| {
+        let flown = flown.as_ref().ok();
+        flown.map_or_else(String::new, |flown| format!("{:.2}", hundredths(of(flown))))
+    };
+    let failure = |row: &Row, flown: &Result<FlownThrow, String>| match flown {
+        Ok(_) => String::new(),
+        Err(why) => format!("not flown: line {}: {why}", row.line),
+    };
+    Table::of(flights)
+        .number("row", |(row, _)| row.number)
+        .plain("id", |(row, _)| row.id.chars().take(16).collect::<String>())
+        .number("m/s", |(_, flown)| number(flown, |f| f.release.speed))
+        .number("range, m", |(_, flown)| number(flown, |f| f.range))
+        .number("left, m", |(_, flown)| number(flown, |f| f.sideways))
+        .number("height, m", |(_, flown)| number(flown, |f| f.apex.0))
+        .number("time, s", |(_, flown)| number(flown, |f| f.seconds))
+        .text("", |(row, flown)| failure(row, flown))
+        .table()
+        .text(usize::MAX)
+}
+
+/// CSV table of the throws.
+fn csv(flights: &[Flight<'_>]) -> String {
+    type Number = (&'static str, fn(&FlownThrow) -> Option<f64>);
+    let numbers: [Number; 13] = [
+        ("speed_m_s", |flown| Some(flown.release.speed)),
+        ("launch_deg", |flown| Some(flown.release.launch)),
+        ("nose_deg", |flown| flown.release.nose),
+        ("hyzer_deg", |flown| flown.release.hyzer),
+        ("spin_rpm", |flown| flown.release.spin),
+        ("wobble_deg", |flown| flown.release.wobble),
+        ("range_m", |flown| Some(flown.range)),
+        ("left_m", |flown| Some(flown.sideways)),
+        ("apex_m", |flown| Some(flown.apex.0)),
+        ("seconds", |flown| Some(flown.seconds)),
+        ("top_speed_m_s", |flown| Some(flown.top_speed)),
+        ("end_speed_m_s", |flown| Some(flown.end.speed)),
+        ("end_spin_rpm", |flown| flown.end.spin),
     ];
-    let cells = numbers.map(|n| n.map_or_else(String::new, |n| format!("{:.4}", n + 0.0)));
-    format!(
-        "{},{},{},flown",
-        quoted(&row.id),
-        row.number,
-        cells.join(",")
-    )
-}
-
-/// A cell of a CSV file, in quotation marks if its text requires them.
-fn quoted(text: &str) -> String {
-    match text.contains([',', '"', '\n', '\r']) {
-        true => format!("\"{}\"", text.replace('"', "\"\"")),
-        false => text.to_owned(),
+    let mut table = CsvTable::of(flights)
+        .column("id", |(row, _)| &row.id)
+        .column("row", |(row, _)| row.number);
+    for (name, of) in numbers {
+        table = table.column(name, |(_, flown)| {
+            let number = flown.as_ref().ok().and_then(of);
+            number.map(|number| format!("{:.4}", number + 0.0))
+        });
     }
+    table
+        .column("status", |(_, flown)| match flown {
+            Ok(_) => "flown".to_owned(),
+            Err(why) => why.clone(),
+        })
+        .text()
 }

@@ -15,17 +15,19 @@ const MAX_COLUMNS: usize = 200;
 /// Maximum relative difference between the two speeds of one throw in the file, one in mph and one in km/h.
 const SPEED_DIFFERENCE: f64 = 0.01;
 
-/// Names of the columns of a TechDisc file with the speed, each with the factor that converts the value to m/s.
-const SPEEDS: [(&str, f64); 2] = [("speedMph", 0.44704), ("speedKmh", 1.0 / 3.6)];
-/// Columns of a TechDisc file other than those of the speed: name of the column, name of the quantity of a throw, and
-/// whether the column is required.
-const COLUMNS: [(&str, &str, bool); 5] = [
-    ("spinRpm", "spin", true),
-    ("launchAngle", "launch", true),
-    ("noseAngle", "nose", true),
-    ("hyzerAngle", "hyzer", true),
-    ("wobbleAngle", "wobble", false),
+/// Columns of a TechDisc file: name of the column, name of the quantity of a throw, factor that converts the value to the
+/// unit of the quantity, and whether the column is required. One of those of the speed is required.
+const COLUMNS: [(&str, &str, f64, bool); 7] = [
+    ("speedMph", SPEED, 0.44704, false),
+    ("speedKmh", SPEED, 1.0 / 3.6, false),
+    ("spinRpm", "spin", 1.0, true),
+    ("launchAngle", "launch", 1.0, true),
+    ("noseAngle", "nose", 1.0, true),
+    ("hyzerAngle", "hyzer", 1.0, true),
+    ("wobbleAngle", "wobble", 1.0, false),
 ];
+/// Name of the quantity of a throw that two columns state.
+const SPEED: &str = "speed";
 
 /// One throw recorded by a launch monitor: a row of its CSV file.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,11 +48,11 @@ pub struct Row {
 /// If the file cannot be read, is too large or has faults; the first fault is reported, with its line and column.
 pub fn read(path: &Path) -> anyhow::Result<Vec<Row>> {
     let name = path.display();
-    let file = std::fs::File::open(path).with_context(|| format!("{name}: cannot be read"))?;
+    let unreadable = || format!("{name}: cannot be read");
+    let file = std::fs::File::open(path).with_context(unreadable)?;
     let mut bytes = Vec::new();
-    file.take(MAX_BYTES + 1)
-        .read_to_end(&mut bytes)
-        .with_context(|| format!("{name}: cannot be read"))?;
+    let mut file = file.take(MAX_BYTES + 1);
+    file.read_to_end(&mut bytes).with_context(unreadable)?;
     if bytes.len() as u64 > MAX_BYTES {
         bail!("{name}: found more than {MAX_BYTES} bytes, expected at most that");
     }
@@ -120,17 +122,15 @@ pub fn choose(rows: Vec<Row>, name: &str) -> anyhow::Result<Row> {
 struct Header {
     columns: usize,
     id: Option<usize>,
-    speeds: [Option<usize>; 2],
-    others: [Option<usize>; 5],
+    /// Index of each of [`COLUMNS`].
+    quantities: [Option<usize>; COLUMNS.len()],
 }
 
 impl Header {
     fn read(place: &str, record: &csv::StringRecord) -> anyhow::Result<Header> {
-        if record.len() > MAX_COLUMNS {
-            bail!(
-                "{place}: found {} columns, expected at most {MAX_COLUMNS}",
-                record.len()
-            );
+        let columns = record.len();
+        if columns > MAX_COLUMNS {
+            bail!("{place}: found {columns} columns, expected at most {MAX_COLUMNS}");
         }
         let column = |name: &str| {
             let mut found = record.iter().enumerate().filter(|(_, cell)| *cell == name);
@@ -143,29 +143,24 @@ impl Header {
                 None => Ok(first),
             }
         };
-        let header = Header {
-            columns: record.len(),
-            id: column("id")?,
-            speeds: [column(SPEEDS[0].0)?, column(SPEEDS[1].0)?],
-            others: {
-                let mut others = [None; 5];
-                for (other, (name, _, is_needed)) in others.iter_mut().zip(COLUMNS) {
-                    *other = column(name)?;
-                    if is_needed && other.is_none() {
-                        bail!(
-                            "{place}: found no column {name}, expected a table of TechDisc with it"
-                        );
-                    }
-                }
-                others
-            },
-        };
-        if header.speeds == [None, None] {
+        let id = column("id")?;
+        let mut quantities = [None; COLUMNS.len()];
+        for (at, (name, _, _, is_needed)) in quantities.iter_mut().zip(COLUMNS) {
+            *at = column(name)?;
+            if is_needed && at.is_none() {
+                bail!("{place}: found no column {name}, expected a table of TechDisc with it");
+            }
+        }
+        if quantities[..2] == [None, None] {
             bail!(
                 "{place}: found no column speedMph or speedKmh, expected a table of TechDisc with one"
             );
         }
-        Ok(header)
+        Ok(Header {
+            columns,
+            id,
+            quantities,
+        })
     }
 
     fn row(
@@ -175,60 +170,44 @@ impl Header {
         line: u64,
         number: usize,
     ) -> anyhow::Result<Row> {
-        if record.len() != self.columns {
-            bail!(
-                "{place}: found {} cells, expected {} as in the header",
-                record.len(),
-                self.columns
-            );
+        let (found, expected) = (record.len(), self.columns);
+        if found != expected {
+            bail!("{place}: found {found} cells, expected {expected} as in the header");
         }
-        let cell = |at: usize, name: &str| {
+        let mut throw = Throw::at_speed(0.0);
+        let mut speed: Option<f64> = None;
+        for (at, (name, field, factor, is_needed)) in self.quantities.iter().zip(COLUMNS) {
+            let Some(at) = *at else {
+                continue;
+            };
             let text = record.get(at).unwrap_or_default();
+            let is_speed = field == SPEED;
+            if text.is_empty() && !is_needed && !is_speed {
+                continue;
+            }
+            let column = format!("{place}: column {}", at + 1);
             let value = text.parse::<f64>().ok().filter(|v| v.is_finite());
-            value.with_context(|| {
+            let value = value.with_context(|| {
                 let text: String = text.chars().take(40).collect();
-                format!(
-                    "{place}: column {}: found {name} {text:?}, expected a number",
-                    at + 1
-                )
-            })
-        };
-        let mut speed = None;
-        for (at, (name, unit)) in self.speeds.iter().zip(SPEEDS) {
-            let Some(at) = *at else {
-                continue;
-            };
-            let value = cell(at, name)? * unit;
-            match speed {
-                Some(other) if f64::abs(value - other) > SPEED_DIFFERENCE * f64::abs(other) => {
+                format!("{column}: found {name} {text:?}, expected a number")
+            })?;
+            let value = value * factor;
+            if let (true, Some(other)) = (is_speed, speed) {
+                if (value - other).abs() > SPEED_DIFFERENCE * other.abs() {
                     bail!(
-                        "{place}: column {}: found speeds of {other:.2} m/s and {value:.2} m/s, expected the same in both units",
-                        at + 1
-                    )
+                        "{column}: found speeds of {other:.2} m/s and {value:.2} m/s, expected the same in both units"
+                    );
                 }
-                Some(_) => {}
-                None => speed = Some(value),
-            }
-        }
-        let mut throw = Throw::at_speed(speed.unwrap_or_default());
-        for (at, (name, field, is_needed)) in self.others.iter().zip(COLUMNS) {
-            let Some(at) = *at else {
                 continue;
-            };
-            if is_needed || record.get(at).is_some_and(|text| !text.is_empty()) {
-                throw.set(field, cell(at, name)?);
             }
+            throw.set(field, value);
+            speed = speed.or(Some(value).filter(|_| is_speed));
         }
-        let column = |field: Option<&str>| {
-            let named = COLUMNS.iter().position(|(_, own, _)| Some(*own) == field);
-            let at = match named {
-                Some(k) => self.others[k],
-                None => self.speeds[0].or(self.speeds[1]),
-            };
-            1 + at.unwrap_or_default()
-        };
         if let Err(fault) = throw.check() {
-            bail!("{place}: column {}: {fault}", column(fault.field()));
+            let field = fault.field().unwrap_or(SPEED);
+            let mut stated = self.quantities.iter().zip(COLUMNS);
+            let at = stated.find_map(|(at, (_, own, ..))| at.filter(|_| own == field));
+            bail!("{place}: column {}: {fault}", 1 + at.unwrap_or_default());
         }
         let id = self.id.and_then(|at| record.get(at)).unwrap_or_default();
         let id = match id.is_empty() {

@@ -1,7 +1,7 @@
 //! Throws from command-line options, which modify a release or a throw of a launch monitor, or stand alone.
 
 use anyhow::{Context, bail};
-use flight::release::{Release, Stop};
+use flight::release::Release;
 use flight::throw::{FIELDS, Throw, ThrownModel};
 use model_spec::model::Model;
 
@@ -28,16 +28,9 @@ pub fn bare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
 /// Creates a release of the model called `name`, with the model's default values and without wind, whose simulation
 /// ends at the ground. The caller sets the motion of a throw in this release.
 pub fn at_defaults(name: &str, model: &Model) -> Release {
-    let states = model.states.iter();
     Release {
         model: name.to_owned(),
-        stop: Stop::Ground,
-        parameters: Vec::new(),
-        coefficients: Vec::new(),
-        initial: states.map(|s| (s.name.clone(), s.value)).collect(),
-        wind: [0.0; 3],
-        wind_field: None,
-        known: Vec::new(),
+        ..Release::of(model)
     }
 }
 

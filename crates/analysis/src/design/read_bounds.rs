@@ -6,7 +6,7 @@ use std::path::Path;
 use flight::release::{Reader, ReleaseError, Value, number_of, read_text};
 use flight::throw::{FIELDS, Throw};
 use nalgebra::Vector2;
-use toml::de::{DeTable, DeValue};
+use toml::de::DeValue;
 
 use crate::design::bounds::Bounds;
 use crate::design::goal::{Obstacle, Side};
@@ -135,14 +135,13 @@ impl<'t> BoundsReader<'t> {
 
     fn obstacle(&mut self, value: &Value<'t>) -> Option<Obstacle> {
         let names = ["x", "y", "radius", "side"];
-        let table = self.table(value, "obstacle", &names)?;
+        let table = self.0.as_table(value, "obstacle")?;
+        self.0
+            .known_keys(table, " in [obstacle]", names.into_iter());
         let mut metres = |name| {
-            let given = table.get(name);
-            if given.is_none() {
-                let message = format!("found no {name} in [obstacle]; expected x, y and radius, m");
-                self.0.fault(value.span(), message);
-            }
-            self.number(given?, name, "a number of metres")
+            let absent = format!("found no {name} in [obstacle]; expected x, y and radius, m");
+            let given = self.0.required(table, name, value.span(), absent)?;
+            self.number(given, name, "a number of metres")
         };
         let (radius, x, y) = (metres("radius"), metres("x"), metres("y"));
         let side = match table.get("side") {
@@ -171,14 +170,11 @@ impl<'t> BoundsReader<'t> {
     }
 
     fn circle(&mut self, value: &Value<'t>) -> Option<f64> {
-        let table = self.table(value, "circle", &["radius"])?;
-        let Some(radius) = table.get("radius") else {
-            self.0.fault(
-                value.span(),
-                "found no radius in [circle]; expected radius = … (m)",
-            );
-            return None;
-        };
+        let table = self.0.as_table(value, "circle")?;
+        self.0
+            .known_keys(table, " in [circle]", ["radius"].into_iter());
+        let absent = "found no radius in [circle]; expected radius = … (m)";
+        let radius = self.0.required(table, "radius", value.span(), absent)?;
         let number = self.number(radius, "radius", "a number of metres")?;
         if number <= 0.0 {
             self.0.fault(
@@ -194,7 +190,7 @@ impl<'t> BoundsReader<'t> {
         let mut names: Vec<&str> = FIELDS.map(|(name, ..)| name).to_vec();
         names.push("wind");
         let layout = body.compiled.layout();
-        let Some(table) = self.any_table(value, "scatter") else {
+        let Some(table) = self.0.as_table(value, "scatter") else {
             return;
         };
         bounds.scatter.release.clear();
@@ -248,38 +244,6 @@ impl<'t> BoundsReader<'t> {
             return None;
         }
         Some(sd)
-    }
-
-    fn table<'d>(
-        &mut self,
-        value: &'d Value<'t>,
-        key: &str,
-        names: &[&str],
-    ) -> Option<&'d DeTable<'t>> {
-        let table = self.any_table(value, key)?;
-        for own in table.keys() {
-            if !names.contains(&&**own.get_ref()) {
-                let message = format!(
-                    "unknown key {:?} in [{key}]; expected {}",
-                    own.get_ref(),
-                    names.join(", ")
-                );
-                self.0.fault(own.span(), message);
-            }
-        }
-        Some(table)
-    }
-
-    /// The table that `value` holds, which may have any keys; `None` after reporting a fault if `value` is not a table.
-    fn any_table<'d>(&mut self, value: &'d Value<'t>, key: &str) -> Option<&'d DeTable<'t>> {
-        let table = value.get_ref().as_table();
-        if table.is_none() {
-            self.0.fault(
-                value.span(),
-                format!("{key} is no table; expected one, as in [{key}]"),
-            );
-        }
-        table
     }
 
     fn number(&mut self, value: &Value<'t>, name: &str, expected: &str) -> Option<f64> {

@@ -69,7 +69,7 @@ fn every_fault_has_its_place_and_what_was_expected() {
         ),
         ("speed = 0", "1:9", "speed is 0; expected a number above 0"),
         ("speed = 1e999", "1:9", "speed is 1e999"),
-        ("obstacle = 3", "1:12", "obstacle is no table"),
+        ("obstacle = 3", "1:12", "obstacle is 3; expected a table"),
         (
             "[obstacle]\nx = 1\ny = 2",
             "1:1",

@@ -97,14 +97,10 @@ fn medians(mut before: Vec<(f64, f64)>, mut after: Vec<(f64, f64)>) -> Option<Ve
     }
     sort_by_number(&mut before, |point| point.0);
     sort_by_number(&mut after, |point| point.0);
-    let quantile = |part: f64| before[((before.len() - 1) as f64 * part) as usize].0;
-    let (low, high) = (quantile(QUANTILES.0), quantile(QUANTILES.1));
-    let step = (high - low) / INTERVALS as f64;
-    if step.is_nan() || step <= 0.0 {
-        return None;
-    }
-    let intervals = (0..INTERVALS).filter_map(|k| {
-        let from = low + step * k as f64;
+    let all: Vec<f64> = before.iter().map(|point| point.0).collect();
+    let mut intervals = intervals(&all, INTERVALS).peekable();
+    intervals.peek()?;
+    let intervals = intervals.filter_map(|(from, step)| {
         let (mut was, mut is) = (within(&before, from, step), within(&after, from, step));
         let are_enough = was.len() >= MIN_SAMPLES && is.len() >= MIN_SAMPLES;
         are_enough.then(|| Interval {
@@ -115,6 +111,23 @@ fn medians(mut before: Vec<(f64, f64)>, mut after: Vec<(f64, f64)>) -> Option<Ve
         })
     });
     Some(intervals.collect())
+}
+
+/// Divides the range between the 0.5 % and the 99.5 % quantile of ascending values into `number` equal intervals, each
+/// with its start and its length; none if the quantiles are equal.
+#[doc(hidden)]
+pub fn intervals(ascending: &[f64], number: usize) -> impl Iterator<Item = (f64, f64)> {
+    let last = ascending.len().saturating_sub(1) as f64;
+    let quantile = |part: f64| ascending.get((last * part) as usize).copied();
+    let ends = quantile(QUANTILES.0).zip(quantile(QUANTILES.1));
+    let ends = ends.filter(|(low, high)| low < high);
+    ends.into_iter().flat_map(move |(low, high)| {
+        let step = (high - low) / number as f64;
+        (0..number).map(move |k| {
+            let from = low + step * k as f64;
+            (from, step)
+        })
+    })
 }
 
 /// Second entries of those pairs in `points` whose first entry, the abscissa, lies in [`from`, `from + width`). The

@@ -18,7 +18,7 @@ pub(crate) use residuals::{
     add_residuals, describe_departures, display_names, note_incomplete, note_not_offered,
 };
 
-pub use curves::CoefficientCurve;
+pub use curves::{CoefficientCurve, intervals};
 pub use types::{
     CandidateTest, Coefficient, Consensus, Estimate, Explanation, ExplanationEffect, FlightGain,
     LoadChannel, RemainingEffect, Report, ScoreCorrelations, Threshold, Unattributed, Verdict,

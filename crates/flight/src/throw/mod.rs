@@ -6,6 +6,7 @@
 //! to the velocity, in the vertical plane; `hyzer` rotates it about the velocity, positive to the left, and `nose` then
 //! rotates it about the body's left axis, positive nose-up. Without wind, `nose` is the angle of attack.
 
+mod flown;
 mod gradient;
 mod inverse;
 mod motion;
@@ -17,6 +18,7 @@ use model_spec::model::Model;
 use nalgebra::{DMatrix, Rotation3, Vector3};
 
 use crate::initial_conditions::Release;
+pub use flown::FlownThrow;
 use motion::MotionModel;
 pub use motion::{Motion, Turning, speed_and_spin};
 pub use near::NearThrows;

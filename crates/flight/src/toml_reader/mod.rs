@@ -93,14 +93,25 @@ impl<'t> Reader<'t> {
         let Some(value) = document.get(key) else {
             return Vec::new();
         };
-        let Some(table) = value.get_ref().as_table() else {
-            self.wrong_type(value, key, &format!("a table, as in [{key}]"));
-            return Vec::new();
-        };
+        let table = self.as_table(value, key).into_iter().flatten();
         table
-            .iter()
             .map(|(key, value)| (&**key.get_ref(), key.span(), value))
             .collect()
+    }
+
+    /// Value of a key of a table; records the fault `absent` at `span` and returns `None` if the table lacks the key.
+    pub fn required<'d>(
+        &mut self,
+        table: &'d DeTable<'t>,
+        key: &str,
+        span: Range<usize>,
+        absent: impl Into<String>,
+    ) -> Option<&'d Value<'t>> {
+        let value = table.get(key);
+        if value.is_none() {
+            self.fault(span, absent);
+        }
+        value
     }
 
     /// Records a fault for each key of a table that is not in `names`; `context` follows the key in the message, as in

@@ -1,7 +1,7 @@
 //! Parsing of numbers and vectors in release files, and valid ranges of constants.
 
 use super::{Reader, Value};
-use toml::de::DeValue;
+use toml::de::{DeTable, DeValue};
 
 /// Name of a parameter or coefficient, with its bounds.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,19 +36,23 @@ impl<'t> Reader<'t> {
     /// Parses a finite number; records a fault and returns `None` for anything else.
     pub fn number(&mut self, value: &Value<'t>, name: &str) -> Option<f64> {
         match number_of(value) {
-            Some(number) if number.is_finite() => Some(number),
+            Some(number) if number.is_finite() => return Some(number),
             Some(number) => {
-                self.fault(
-                    value.span(),
-                    format!("{name} is {number}; expected a finite number"),
-                );
-                None
+                let message = format!("{name} is {number}; expected a finite number");
+                self.fault(value.span(), message);
             }
-            None => {
-                self.wrong_type(value, name, "a number");
-                None
-            }
+            None => self.wrong_type(value, name, "a number"),
         }
+        None
+    }
+
+    /// The table that `value` holds, the value of the key `name`; records a fault and returns `None` for anything else.
+    pub fn as_table<'d>(&mut self, value: &'d Value<'t>, name: &str) -> Option<&'d DeTable<'t>> {
+        let table = value.get_ref().as_table();
+        if table.is_none() {
+            self.wrong_type(value, name, &format!("a table, as in [{name}]"));
+        }
+        table
     }
 
     /// Records a fault for the value of the key `name`, which has the wrong type; `expected` describes the valid

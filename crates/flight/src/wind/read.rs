@@ -72,8 +72,7 @@ impl<'t> Reader<'t> {
         let Some(value) = document.get("wind") else {
             return none;
         };
-        let Some(table) = value.get_ref().as_table() else {
-            self.wrong_type(value, "wind", "a table, as in [wind]");
+        let Some(table) = self.as_table(value, "wind") else {
             return none;
         };
         self.known_keys(table, " in [wind]", KEYS.into_iter());
@@ -100,13 +99,14 @@ impl<'t> Reader<'t> {
     fn profile(&mut self, table: &DeTable<'t>) -> Option<Profile> {
         let of_law: Vec<&str> = KEYS[4..].to_vec();
         let Some(value) = table.get("profile") else {
-            for key in of_law {
-                if let Some(value) = table.get(key) {
-                    let message = format!(
-                        "found {key} without a profile; expected profile = \"log\" or profile = \"power\" with it"
-                    );
-                    self.fault(value.span(), message);
-                }
+            for (key, value) in of_law
+                .iter()
+                .filter_map(|key| Some((key, table.get(*key)?)))
+            {
+                let message = format!(
+                    "found {key} without a profile; expected profile = \"log\" or profile = \"power\" with it"
+                );
+                self.fault(value.span(), message);
             }
             return self.wind_table(table.get("table")?);
         };
@@ -128,15 +128,10 @@ impl<'t> Reader<'t> {
             let message = format!("found {other} with the profile {law:?}; expected {own}");
             self.fault(value.span(), message);
         }
-        let Some(speed) = table.get("speed") else {
-            self.fault(
-                value.span(),
-                format!(
-                    "found no speed with the profile {law:?}; expected one, as in speed = 4.0 (m/s)"
-                ),
-            );
-            return None;
-        };
+        let absent = format!(
+            "found no speed with the profile {law:?}; expected one, as in speed = 4.0 (m/s)"
+        );
+        let speed = self.required(table, "speed", value.span(), absent)?;
         let at = ReferenceWind {
             speed: self.within(speed, "speed", (0.0, 100.0), "m/s")?,
             direction: self.number_or(table, "direction", 0.0, (-360.0, 360.0), "deg")?,
@@ -166,11 +161,8 @@ impl<'t> Reader<'t> {
         for item in items {
             let numbers = item.get_ref().as_array().filter(|row| row.len() == 4);
             let Some(numbers) = numbers else {
-                self.wrong_type(
-                    item,
-                    "a row",
-                    "four numbers: height (m), then the wind's components (m/s)",
-                );
+                let expected = "four numbers: height (m), then the wind's components (m/s)";
+                self.wrong_type(item, "a row", expected);
                 return None;
             };
             let mut row = [0.0; 4];
@@ -197,38 +189,19 @@ impl<'t> Reader<'t> {
 
     fn gusts(&mut self, value: &Value<'t>, heading: f64) -> Option<Gusts> {
         let Some(table) = value.get_ref().as_table() else {
-            self.wrong_type(
-                value,
-                "gusts",
-                "a table, as in [wind.gusts] with model = \"dryden\"",
-            );
+            let expected = "a table, as in [wind.gusts] with model = \"dryden\"";
+            self.wrong_type(value, "gusts", expected);
             return None;
         };
         self.known_keys(table, " in [wind.gusts]", GUST_KEYS.into_iter());
-        match table
-            .get("model")
-            .map(|model| (model, model.get_ref().as_str()))
-        {
-            Some((_, Some("dryden"))) => {}
-            Some((model, _)) => {
-                self.wrong_type(model, "model", "\"dryden\"");
-                return None;
-            }
-            None => {
-                self.fault(
-                    value.span(),
-                    "found no model of the gusts; expected model = \"dryden\"",
-                );
-                return None;
-            }
-        }
-        let Some(seed) = table.get("seed") else {
-            self.fault(
-                value.span(),
-                "found no seed of the gusts; expected one, as in seed = 7",
-            );
+        let absent = "found no model of the gusts; expected model = \"dryden\"";
+        let model = self.required(table, "model", value.span(), absent)?;
+        if model.get_ref().as_str() != Some("dryden") {
+            self.wrong_type(model, "model", "\"dryden\"");
             return None;
-        };
+        }
+        let absent = "found no seed of the gusts; expected one, as in seed = 7";
+        let seed = self.required(table, "seed", value.span(), absent)?;
         let seed = self.count(seed, "seed")?;
         let flight = match table.get("flight") {
             Some(value) => self.count(value, "flight")?,

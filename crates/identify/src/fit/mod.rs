@@ -363,16 +363,6 @@ impl FlightResult {
 }
 
 impl Fit {
-    /// Tests the residuals for lack of fit, and decides again, with the result, whether the fit is reliable.
-    ///
-    /// # Errors
-    /// [`FitError::Flight`] if a trajectory cannot be integrated.
-    pub fn test_residuals(&mut self, threads: usize) -> Result<(), FitError> {
-        self.report.lack_of_fit = LackOfFit::of_fit(self, threads)?;
-        self.report.assess();
-        Ok(())
-    }
-
     /// The estimation problem that was solved.
     pub fn problem(&self) -> &FitProblem {
         &self.problem

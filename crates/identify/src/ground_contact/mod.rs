@@ -13,6 +13,7 @@ mod touch;
 mod wobble;
 
 use nalgebra::{UnitQuaternion, Vector3};
+pub(crate) use touch::MIN_UPWARD_PART;
 
 use crate::observations::Observations;
 use crate::problem::FitProblem;

@@ -36,7 +36,7 @@ const MIN_GAINS: (f64, f64) = (3.5, 5.5);
 const MIN_JUMP: f64 = 0.15;
 /// Minimum ratio of the upward component of a velocity jump at the ground to its magnitude; limited friction limits the
 /// horizontal component.
-const MIN_UPWARD_PART: f64 = 0.3;
+pub(crate) const MIN_UPWARD_PART: f64 = 0.3;
 /// Thresholds for a ground contact that is evident from the position alone. The first is the minimum gain (decrease of
 /// the sum of squared position residuals) relative to its usual value without a contact. The others are the minimum
 /// upward velocity jump, m/s, and its minimum ratio to the descent speed before it.

@@ -54,6 +54,18 @@ const INTEGRATION_ERROR: f64 = 0.02;
 /// Maximum number of flights whose largest smooth deviation is listed in the result of the lack-of-fit test.
 const MAX_DESCRIBED: usize = 6;
 
+impl Fit {
+    /// Tests the residuals for lack of fit, and decides again, with the result, whether the fit is reliable.
+    ///
+    /// # Errors
+    /// [`FitError::Flight`] if a trajectory cannot be integrated.
+    pub fn with_lack_of_fit(mut self, threads: usize) -> Result<Fit, FitError> {
+        self.report.lack_of_fit = LackOfFit::of_fit(&self, threads)?;
+        self.report.assess();
+        Ok(self)
+    }
+}
+
 impl LackOfFit {
     /// Tests the residuals of the fitted flights of `fit`; `None` if they are too few to separate noise from smooth
     /// motion.

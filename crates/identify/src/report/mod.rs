@@ -213,8 +213,7 @@ pub fn leading_noise(noise: &BTreeMap<String, NoiseReport>) -> &NoiseReport {
         missing: 0,
         floor: None,
     };
-    let leading = noise.get(MARKER).or_else(|| noise.values().next());
-    leading.unwrap_or(&NONE)
+    residual_rms::leading(noise).unwrap_or(&NONE)
 }
 
 /// Reads a number, or `null` as NaN, which JSON does not have.
@@ -231,7 +230,7 @@ impl FitReport {
     /// Root mean square residual of one coordinate of the positions over the fitted flights, m; without positions, that
     /// of the first kind of sensor in `residual_rms`, in its unit.
     pub fn rms(&self) -> f64 {
-        residual_rms::leading(&self.residual_rms)
+        residual_rms::leading(&self.residual_rms).map_or(f64::NAN, |rms| rms.value)
     }
 
     /// Noise of the measured positions; without positions, that of the first kind of sensor in `noise`.
@@ -271,7 +270,7 @@ impl FlightReport {
     /// Root mean square residual of one coordinate of the positions, m; without positions, that of the first kind of
     /// sensor in `residual_rms`, in its unit. NaN if the flight is excluded.
     pub fn rms(&self) -> f64 {
-        residual_rms::leading(&self.residual_rms)
+        residual_rms::leading(&self.residual_rms).map_or(f64::NAN, |rms| rms.value)
     }
 }
 

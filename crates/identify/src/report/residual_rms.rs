@@ -41,8 +41,7 @@ impl SquareSums {
     }
 }
 
-/// Value of the positions, or of the first kind where no positions are measured; NaN without residuals.
-pub(super) fn leading(rms: &BTreeMap<String, Rms>) -> f64 {
-    let leading = rms.get(MARKER).or_else(|| rms.values().next());
-    leading.map_or(f64::NAN, |rms| rms.value)
+/// What belongs to the positions among the kinds of sensors, or to the first kind where no positions are measured.
+pub(super) fn leading<T>(by_kind: &BTreeMap<String, T>) -> Option<&T> {
+    by_kind.get(MARKER).or_else(|| by_kind.values().next())
 }

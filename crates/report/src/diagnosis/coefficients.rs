@@ -1,10 +1,10 @@
 //! Table of the coefficients before and after the model is extended.
 
-use diagnose::Report;
+use diagnose::{Coefficient, Report};
 use model_spec::sort_by_number;
 
 use crate::html::Html;
-use crate::table::{Cell, Column, Table};
+use crate::table::{Cell, Table};
 use identify::numbers::{Digits, plain, unit};
 
 /// Minimum difference between the estimates of a coefficient without and with the effects added by the diagnosis, in
@@ -16,47 +16,35 @@ pub(super) fn section(report: &Report) -> Html {
     let is_extended = report.coefficients.values().any(|c| c.before.is_some());
     let mut all: Vec<_> = report.coefficients.iter().collect();
     sort_by_number(&mut all, |(_, found)| f64::from(found.before.is_none()));
-    let numbers: &[&str] = if is_extended {
-        &["before", "extended", "change, σ", "standard error"]
-    } else {
-        &["value", "standard error"]
+    let digits = |c: &Coefficient| Digits::of(c.value, c.std_error);
+    let change = |c: &Coefficient| {
+        let change = (c.value - c.before?) / c.std_error;
+        Some(change).filter(|change| change.is_finite() && c.std_error > 0.0)
     };
-    let mut table = Table::new()
-        .with(Column::Name, &[""])
-        .with(Column::Number, numbers)
-        .with(Column::Plain, &["unit"]);
-    if is_extended {
-        table = table.with(Column::Plain, &[""]);
-    }
-    for (name, found) in all {
-        let digits = Digits::of(found.value, found.std_error);
-        let number = |value: f64| Cell::from(digits.one(value));
-        let (value, error) = (number(found.value), number(found.std_error));
-        let unit = Cell::from(unit(&found.unit));
-        if !is_extended {
-            table.row([name.into(), value, error, unit]);
-            continue;
-        }
-        let change = found
-            .before
-            .map(|before| (found.value - before) / found.std_error);
-        let change = change.filter(|c| c.is_finite() && found.std_error > 0.0);
-        let sign = |change: f64| if change >= 0.05 { "+" } else { "" };
-        let text = change.map_or("–".to_owned(), |c| format!("{}{}", sign(c), plain(c, 1)));
-        let added = match found.before {
-            Some(_) => Html::new(),
-            None => Html::tag("added"),
-        };
-        table.row([
-            name.into(),
-            found.before.map_or("–".into(), number),
-            value,
-            Cell::from(text).doubtful_if(change.is_some_and(|c| c.abs() > BIASED)),
-            error,
-            unit,
-            added.into(),
-        ]);
-    }
+    let sign = |change: f64| if change >= 0.05 { "+" } else { "" };
+    let standard_errors = |c: f64| format!("{}{}", sign(c), plain(c, 1));
+    let value = if is_extended { "extended" } else { "value" };
+    let table = Table::of(all)
+        .name("", |(name, _)| *name)
+        .when(is_extended, |rows| {
+            rows.number("before", |(_, c)| c.before.map(|v| digits(c).one(v)))
+        })
+        .number(value, |(_, c)| digits(c).one(c.value))
+        .when(is_extended, |rows| {
+            rows.number("change, σ", |(_, c)| {
+                let is_biased = change(c).is_some_and(|c| c.abs() > BIASED);
+                Cell::from(change(c).map(standard_errors)).doubtful_if(is_biased)
+            })
+        })
+        .number("standard error", |(_, c)| digits(c).one(c.std_error))
+        .plain("unit", |(_, c)| unit(&c.unit))
+        .when(is_extended, |rows| {
+            rows.plain("", |(_, c)| match c.before {
+                Some(_) => Html::new(),
+                None => Html::tag("added"),
+            })
+        })
+        .table();
     let mut content = Html::new();
     content.table(&table);
     if is_extended {

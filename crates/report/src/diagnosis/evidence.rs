@@ -1,16 +1,17 @@
 //! Evidence of a diagnosis: score tests, predictions, residuals, coefficient curves, and the flights one by one.
 
 use dataset::Role;
-use diagnose::{FlightGain, LackOfFit, Report};
+use diagnose::{CandidateTest, FlightGain, LackOfFit, Report};
+use identify::SmoothMisfit;
 use identify::wording::count;
-use model_spec::sort_by_number;
 
 use super::draw::{Figures, unmoved};
-use super::{DiagnosisPage, MAX_ROWS, OPEN, words};
+use super::{DiagnosisPage, OPEN, words};
 use crate::fit::words::{PREDICTIONS, RESIDUALS};
 use crate::html::Html;
 use crate::page::flight_link;
-use crate::table::{Cell, Column, Table};
+use crate::table::{Cell, Table};
+use crate::thin::{MAX_ROWS, largest_first};
 use identify::numbers::{
     equivalent_z, millimetres, percent, plain, probability, probability_of_ln, significant,
 };
@@ -115,93 +116,61 @@ fn score_tests(content: &mut Html, report: &Report, figures: &Figures) {
 
 /// Table of the score tests of candidate effects, in the order of the report: the most significant candidate first.
 pub(super) fn scores(report: &Report) -> Table {
-    use Column::{Detail, Name, Number, Plain};
-    let mut table = Table::new()
-        .with(Name, &["effect"])
-        .with(Number, &["z", "χ²", "d.o.f.", "p", "tolerance"])
-        .with(Plain, &["acts on"])
-        .with(Detail, &["one-step estimate", "meaning"]);
-    for test in report.tests.iter().take(MAX_ROWS) {
+    let estimates = |test: &CandidateTest| {
         let estimates = test.one_step_estimates.iter().take(MAX_ESTIMATES);
         let estimates = estimates.map(|(name, estimate)| estimate.text(name));
-        let mark = if test.significant { " *" } else { "" };
-        table.row([
-            format!("{}{mark}", test.name).into(),
-            equivalent_z(test.z).into(),
-            significant(test.score_chi2, 4).into(),
-            test.degrees_of_freedom.to_string().into(),
-            probability_of_ln(test.ln_p_value).into(),
-            percent(test.tolerance).into(),
-            words::site(&test.site).into(),
-            estimates.collect::<Vec<_>>().join("; ").into(),
-            test.description.replace('\n', " ").into(),
-        ]);
-    }
-    table
+        estimates.collect::<Vec<_>>().join("; ")
+    };
+    let mark = |test: &CandidateTest| if test.significant { " *" } else { "" };
+    Table::of(report.tests.iter().take(MAX_ROWS))
+        .name("effect", |test| format!("{}{}", test.name, mark(test)))
+        .number("z", |test| equivalent_z(test.z))
+        .number("χ²", |test| significant(test.score_chi2, 4))
+        .number("d.o.f.", |test| test.degrees_of_freedom)
+        .number("p", |test| probability_of_ln(test.ln_p_value))
+        .number("tolerance", |test| percent(test.tolerance))
+        .plain("acts on", |test| words::site(&test.site))
+        .detail("one-step estimate", |test| estimates(test))
+        .detail("meaning", |test| test.description.replace('\n', " "))
+        .table()
 }
 
 /// Table of the largest smooth deviations of the residuals from zero, smallest p-value first.
 fn misfits(test: &LackOfFit) -> Table {
-    use Column::{File, Number, Plain};
-    let mut table = Table::new()
-        .with(File, &["flight"])
-        .with(Plain, &["coordinate"])
-        .with(Number, &["from, s", "to, s", "largest departure", "p"]);
-    for misfit in test.largest_misfits.iter().take(MAX_ROWS) {
-        let size = match misfit.unit.as_str() {
-            "" | "m" => millimetres(misfit.size_m),
-            unit => format!("{} {unit}", significant(misfit.size_m, 3)),
-        };
-        table.row([
-            (&misfit.file).into(),
-            (&misfit.coordinate).into(),
-            plain(misfit.from_s, 2).into(),
-            plain(misfit.to_s, 2).into(),
-            size.into(),
-            probability(misfit.p_value).into(),
-        ]);
-    }
-    table
+    let size = |misfit: &SmoothMisfit| match misfit.unit.as_str() {
+        "" | "m" => millimetres(misfit.size_m),
+        unit => format!("{} {unit}", significant(misfit.size_m, 3)),
+    };
+    Table::of(test.largest_misfits.iter().take(MAX_ROWS))
+        .file("flight", |misfit| &misfit.file)
+        .plain("coordinate", |misfit| &misfit.coordinate)
+        .number("from, s", |misfit| plain(misfit.from_s, 2))
+        .number("to, s", |misfit| plain(misfit.to_s, 2))
+        .number("largest departure", |misfit| size(misfit))
+        .number("p", |misfit| probability(misfit.p_value))
+        .table()
 }
 
 /// Table of the flights, in dataset order. If there are more than [`MAX_ROWS`], only the flights with the largest RMS
 /// residuals, in descending order.
 fn flights(page: &DiagnosisPage<'_>, figures: &Figures) -> Table {
-    use Column::{File, Number, Text};
     let report = page.report;
-    let mut all: Vec<&FlightGain> = report.flights.iter().collect();
-    if all.len() > MAX_ROWS {
-        let size = |f: &FlightGain| match f.rms_before_m {
-            Some(rms) if rms.is_nan() => f64::INFINITY,
-            Some(rms) => rms,
-            None => f64::NEG_INFINITY,
-        };
-        sort_by_number(&mut all, |flight| -size(flight));
-        all.truncate(MAX_ROWS);
-    }
+    let all: Vec<&FlightGain> = report.flights.iter().collect();
+    let all = largest_first(all, MAX_ROWS, |flight| flight.rms_before_m);
     let tested = report.lack_of_fit.as_ref().map(|test| &test.flights);
-    let length = |rms: Option<f64>| Cell::from(rms.map_or("–".to_owned(), millimetres));
-    let mut table = Table::new()
-        .with(File, &["flight"])
-        .with(
-            Number,
-            &["rms before", "rms extended", "gain", "lack of fit, p"],
-        )
-        .with(Text, &[""]);
-    for flight in all {
-        let gain = flight.rms_before_m.zip(flight.rms_after_m);
-        let gain = gain.map(|(before, after)| before - after);
-        let p = tested.and_then(|tested| tested.get(&flight.file));
-        table.row([
-            links(page, figures, &flight.file).into(),
-            length(flight.rms_before_m),
-            length(flight.rms_after_m),
-            length(gain).doubtful_if(gain.is_some_and(|gain| gain < 0.0)),
-            p.map_or("–".to_owned(), |p| probability(*p)).into(),
-            remarks(report, flight).into(),
-        ]);
-    }
-    table
+    let p = |flight: &FlightGain| tested?.get(&flight.file).copied();
+    let gain = |flight: &FlightGain| Some(flight.rms_before_m? - flight.rms_after_m?);
+    Table::of(all.into_iter().take(MAX_ROWS))
+        .file("flight", |flight| links(page, figures, &flight.file))
+        .number("rms before", |flight| flight.rms_before_m.map(millimetres))
+        .number("rms extended", |flight| flight.rms_after_m.map(millimetres))
+        .number("gain", |flight| {
+            let is_loss = gain(flight).is_some_and(|gain| gain < 0.0);
+            Cell::from(gain(flight).map(millimetres)).doubtful_if(is_loss)
+        })
+        .number("lack of fit, p", |flight| p(flight).map(probability))
+        .text("", |flight| remarks(report, flight))
+        .table()
 }
 
 /// Links to the flight in three dimensions and to the figure of its prediction.

@@ -1,19 +1,17 @@
 //! Accepted explanations and the throw that would best distinguish them.
 
-use diagnose::{Explanation, ProposedThrow, Verdict};
+use diagnose::{Estimate, Explanation, ExplanationEffect, ProposedThrow, Verdict};
 use model_spec::compose::ModelTree;
 
 use super::{DiagnosisPage, words};
 use crate::equation::of_effect;
 use crate::html::Html;
-use crate::table::{Cell, Column, Table};
+use crate::table::Table;
+use crate::thin::MAX_FLIGHTS;
 use identify::numbers::{
     Digits, equivalent_z, millimetres, percent, plain, probability, significant, stated, unit,
 };
 use identify::wording::{sentence, short};
-
-/// Maximum number of explanations shown in the HTML report.
-const MAX_EXPLANATIONS: usize = 12;
 
 /// The accepted explanations of the report, best fit first, and the proposed throw.
 pub(super) fn section(page: &DiagnosisPage<'_>) -> Html {
@@ -42,20 +40,16 @@ pub(super) fn section(page: &DiagnosisPage<'_>) -> Html {
              data reject none. The best is first{throw}."
         ));
     }
-    for (i, found) in report
-        .explanations
-        .iter()
-        .take(MAX_EXPLANATIONS)
-        .enumerate()
-    {
+    let shown = report.explanations.iter().take(MAX_FLIGHTS);
+    for (i, found) in shown.enumerate() {
         let mut name = words::readable(&found.name());
         if number > 1 {
             name = format!("{}. {name}", i + 1);
         }
         content.element("div", "card", card(page, found, &name));
     }
-    if number > MAX_EXPLANATIONS {
-        let more = number - MAX_EXPLANATIONS;
+    if number > MAX_FLIGHTS {
+        let more = number - MAX_FLIGHTS;
         content.note(format!("{more} more explanations are in report.json."));
     }
     if let Some(next) = &report.proposed_throw {
@@ -132,71 +126,66 @@ fn equations(page: &DiagnosisPage<'_>, name: &str) -> Vec<String> {
 
 /// Table of the coefficients of the effects of an explanation; an effect without coefficients has one row.
 pub(super) fn estimates(explanation: &Explanation) -> Table {
-    use Column::{Name, Number, Plain, Text};
     let is_joint = explanation.effects.len() > 1;
-    let mut table = Table::new().stacked();
-    if is_joint {
-        table = table.with(Name, &["effect"]);
-    }
-    table = table
-        .with(Plain, &["coefficient"])
-        .with(Number, &["value", "standard error"])
-        .with(Plain, &["unit"])
-        .with(Number, &["smallest effect of interest"])
-        .with(Plain, &["acts on"])
-        .with(Text, &["depends on"])
-        .with(Number, &["score χ²"]);
+    let mut rows: Vec<(&ExplanationEffect, Option<(&String, &Estimate)>)> = Vec::new();
     for effect in &explanation.effects {
-        let mut site = Html::from(words::site(&effect.site));
-        if effect.negligible {
-            site = site
-                .then(" ")
-                .then(Html::tag("below the smallest effect of interest"));
-        }
-        let variables = if effect.variables.is_empty() {
-            "–".to_owned()
-        } else {
-            short(&effect.variables.join(", "))
-        };
-        let mut row = |estimate: [Cell; 5]| {
-            let mut cells: Vec<Cell> = Vec::new();
-            if is_joint {
-                cells.push((&effect.name).into());
-            }
-            cells.extend(estimate);
-            cells.extend([
-                site.clone().into(),
-                (&variables).into(),
-                significant(effect.score_chi2, 4).into(),
-            ]);
-            table.row(cells);
-        };
-        for (name, e) in &effect.estimates {
-            let digits = Digits::of(e.value, e.std_error);
-            let interest = e.smallest_effect_of_interest;
-            row([
-                name.into(),
-                digits.one(e.value).into(),
-                digits.one(e.std_error).into(),
-                unit(&e.unit).into(),
-                interest.map_or("–".to_owned(), stated).into(),
-            ]);
-        }
+        rows.extend(
+            effect
+                .estimates
+                .iter()
+                .map(|estimate| (effect, Some(estimate))),
+        );
         if effect.estimates.is_empty() {
-            row(["–".into(), "–".into(), "–".into(), "".into(), "".into()]);
+            rows.push((effect, None));
         }
     }
-    table
+    let digits = |e: &Estimate| Digits::of(e.value, e.std_error);
+    let site = |effect: &ExplanationEffect| {
+        let site = Html::from(words::site(&effect.site));
+        if effect.negligible {
+            let tag = Html::tag("below the smallest effect of interest");
+            site.then(" ").then(tag)
+        } else {
+            site
+        }
+    };
+    let variables = |effect: &ExplanationEffect| {
+        let names = short(&effect.variables.join(", "));
+        Some(names).filter(|names| !names.is_empty())
+    };
+    let interest = |e: &Estimate| e.smallest_effect_of_interest.map_or("–".to_owned(), stated);
+    let unit = |e: &Estimate| unit(&e.unit);
+    Table::of(rows)
+        .when(is_joint, |rows| {
+            rows.name("effect", |(effect, _)| &effect.name)
+        })
+        .plain("coefficient", |(_, e)| e.map(|(name, _)| name.clone()))
+        .number("value", |(_, e)| e.map(|(_, e)| digits(e).one(e.value)))
+        .number("standard error", |(_, e)| {
+            e.map(|(_, e)| digits(e).one(e.std_error))
+        })
+        .plain("unit", |(_, e)| {
+            e.map_or_else(String::new, |(_, e)| unit(e))
+        })
+        .number("smallest effect of interest", |(_, e)| {
+            e.map_or_else(String::new, |(_, e)| interest(e))
+        })
+        .plain("acts on", |(effect, _)| site(effect))
+        .text("depends on", |(effect, _)| variables(effect))
+        .number("score χ²", |(effect, _)| {
+            significant(effect.score_chi2, 4)
+        })
+        .table()
+        .stacked()
 }
 
 /// The throw that would best distinguish the explanations, in the quantities common for disc throws.
 fn throw(next: &ProposedThrow) -> Html {
     let degrees = |radians: f64| format!("{}°", plain(radians.to_degrees(), 1));
-    let mut table = Table::new()
-        .with(Column::Name, &[""])
-        .with(Column::Plain, &[""]);
-    for (name, value) in [
-        ("speed", format!("{}\u{a0}m/s", plain(next.speed, 1))),
+    let speed = format!("{}\u{a0}m/s", plain(next.speed, 1));
+    let spin = format!("{}\u{a0}rpm", plain(next.spin / flight::throw::RPM, 0));
+    let quantities = [
+        ("speed", speed),
         (
             "launch angle (velocity above the horizontal)",
             degrees(next.launch),
@@ -206,17 +195,16 @@ fn throw(next: &ProposedThrow) -> Html {
             "hyzer angle (tilt about the velocity, positive: left edge lower)",
             degrees(next.hyzer),
         ),
-        (
-            "spin (positive: clockwise from above)",
-            format!("{}\u{a0}rpm", plain(next.spin / flight::throw::RPM, 0)),
-        ),
+        ("spin (positive: clockwise from above)", spin),
         (
             "heading, from the x axis to the left",
             degrees(next.heading),
         ),
-    ] {
-        table.row([name.into(), value.into()]);
-    }
+    ];
+    let table = Table::of(&quantities)
+        .name("", |(name, _)| *name)
+        .plain("", |(_, value)| value)
+        .table();
     let mut card = Html::from("\n");
     card.heading("The next throw");
     card.paragraph(format!(

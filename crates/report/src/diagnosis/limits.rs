@@ -1,10 +1,11 @@
 //! Tables of effects that are not identifiable, minimum detectable effects and stepwise terms.
 
-use diagnose::{Report, StepwiseTerm};
+use diagnose::{NotIdentifiable, Report, StepwiseTerm};
 
-use super::{MAX_ROWS, words};
+use super::words;
 use crate::html::Html;
-use crate::table::{Column, Table};
+use crate::table::Table;
+use crate::thin::MAX_ROWS;
 use identify::numbers::{Digits, significant, unit};
 use identify::wording::names;
 
@@ -13,7 +14,6 @@ const MAX_OPEN: usize = 12;
 
 /// What the flights can and cannot show.
 pub(super) fn section(report: &Report) -> Html {
-    use Column::{Name, Number, Plain};
     let mut content = Html::new();
     let hidden = &report.not_identifiable;
     if hidden.is_empty() {
@@ -32,19 +32,12 @@ pub(super) fn section(report: &Report) -> Html {
             content.push(shown);
         }
     }
-    let mut table = Table::new()
-        .with(Name, &["effect"])
-        .with(Plain, &["coefficient"])
-        .with(Number, &["minimum"])
-        .with(Plain, &["unit"]);
-    for effect in report.minimum_detectable_effects.iter().take(MAX_ROWS) {
-        table.row([
-            (&effect.name).into(),
-            (&effect.coefficient).into(),
-            significant(effect.value, 2).into(),
-            unit(&effect.unit).into(),
-        ]);
-    }
+    let table = Table::of(report.minimum_detectable_effects.iter().take(MAX_ROWS))
+        .name("effect", |effect| &effect.name)
+        .plain("coefficient", |effect| &effect.coefficient)
+        .number("minimum", |effect| significant(effect.value, 2))
+        .plain("unit", |effect| unit(&effect.unit))
+        .table();
     let mut detectable = Html::new();
     detectable.table(&table);
     if !detectable.is_empty() {
@@ -58,41 +51,28 @@ pub(super) fn section(report: &Report) -> Html {
 
 /// Table of the effects that the flights cannot identify.
 pub(super) fn not_identifiable(report: &Report) -> Table {
-    let mut table = Table::new()
-        .with(Column::Name, &["effect"])
-        .with(Column::Text, &["confounded with"]);
-    for effect in report.not_identifiable.iter().take(MAX_ROWS) {
-        let by = match names(&effect.confounded_with).as_str() {
-            "" => "nothing: it has no influence in these flights".to_owned(),
-            names => names.to_owned(),
-        };
-        table.row([(&effect.name).into(), by.into()]);
-    }
-    table
+    let by = |effect: &NotIdentifiable| match names(&effect.confounded_with).as_str() {
+        "" => "nothing: it has no influence in these flights".to_owned(),
+        names => names.to_owned(),
+    };
+    Table::of(report.not_identifiable.iter().take(MAX_ROWS))
+        .name("effect", |effect| &effect.name)
+        .text("confounded with", |effect| by(effect))
+        .table()
 }
 
 /// Table of the library terms tested by stepwise regression, in the order of the tests.
 pub(super) fn terms(terms: &[StepwiseTerm]) -> Table {
-    use Column::{Code, Number, Plain};
-    let mut table = Table::new()
-        .with(Code, &["term"])
-        .with(Plain, &["acts on"])
-        .with(Number, &["χ²", "coefficient", "standard error"])
-        .with(Plain, &[""]);
-    for term in terms.iter().take(MAX_ROWS) {
-        let digits = Digits::of(term.value, term.std_error);
-        let mut tag = Html::new();
-        if term.selected {
-            tag = Html::tag("selected");
-        }
-        table.row([
-            (&term.formula).into(),
-            words::site(&term.site).into(),
-            significant(term.score_chi2, 4).into(),
-            digits.one(term.value).into(),
-            digits.one(term.std_error).into(),
-            tag.into(),
-        ]);
-    }
-    table
+    let digits = |term: &StepwiseTerm| Digits::of(term.value, term.std_error);
+    Table::of(terms.iter().take(MAX_ROWS))
+        .code("term", |term| &term.formula)
+        .plain("acts on", |term| words::site(&term.site))
+        .number("χ²", |term| significant(term.score_chi2, 4))
+        .number("coefficient", |term| digits(term).one(term.value))
+        .number("standard error", |term| digits(term).one(term.std_error))
+        .plain("", |term| {
+            let tag = term.selected.then(|| Html::tag("selected"));
+            tag.unwrap_or_default()
+        })
+        .table()
 }

@@ -7,6 +7,7 @@ mod explanations;
 mod finding;
 mod limits;
 mod page;
+pub mod tables;
 mod text;
 mod words;
 
@@ -17,8 +18,6 @@ use identify::{Fit, FlightEvidence};
 
 pub use text::text;
 
-/// Maximum number of rows of a table in the HTML report of a diagnosis.
-const MAX_ROWS: usize = 60;
 /// Maximum number of figures of missing loads, and of coefficient curves, that are expanded when the page is opened.
 const OPEN: usize = 6;
 

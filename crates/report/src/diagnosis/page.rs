@@ -8,15 +8,13 @@ use super::finding::Finding;
 use super::{DiagnosisPage, coefficients, evidence, explanations, limits, words};
 use crate::figure::Figure;
 use crate::html::Html;
-use crate::page::Page;
-use crate::table::{Column, Table};
+use crate::page::{Page, heading, watch};
+use crate::table::Table;
+use crate::thin::MAX_ROWS;
 use identify::wording::{counted, durations, names, sentence, short, truncated};
 
 /// Maximum number of characters of the extended model's text shown in the HTML report.
 const MAX_TEXT: usize = 60_000;
-/// Maximum number of notes shown in the HTML report of a diagnosis. The same maximum applies to the list of
-/// verification checks of the extended model.
-const MAX_NOTES: usize = 40;
 
 /// Renders the self-contained HTML page of the diagnosis.
 pub(super) fn html(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figures) -> String {
@@ -41,20 +39,14 @@ pub(super) fn html(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figure
     }
     body.section("extension", "Extended model", extension(page));
     body.section("how", "How it was computed", how(report));
-    let soft = |text: &str| Html::of("span", "", text);
-    let mut heading = Html::from(&report.model);
+    let mut model = Html::from(&report.model);
     if !report.effects.is_empty() {
-        heading = heading.then(" ").then(soft("with")).then(" ");
-        heading.push(names(&report.effects));
+        model = heading(&report.model, "with", &names(&report.effects));
     }
     Page {
         kind: "hyzer diagnose",
         title: format!("Diagnosis of {} with {}", report.model, report.dataset),
-        heading: heading
-            .then(" ")
-            .then(soft("tested with"))
-            .then(" ")
-            .then(&report.dataset),
+        heading: model.then(heading("", "tested with", &report.dataset)),
         body,
     }
     .html()
@@ -67,16 +59,11 @@ fn summary(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figures) -> Ht
     if !finding.what.is_empty() {
         lead.element("p", "finding", &finding.what);
     }
-    let watch = Html::from(format!("{} The flights can be watched in ", finding.next));
+    let next = Html::from(format!("{} ", finding.next)).then(watch());
     for (what, text) in [
         ("How sure.", Html::from(&finding.sure)),
         ("What it gains.", report.gain_sentences().into()),
-        (
-            "What next.",
-            watch
-                .then(Html::link("flights.html", "flights.html"))
-                .then("."),
-        ),
+        ("What next.", next),
     ] {
         lead.element("p", "", Html::strong(what).then(" ").then(text));
     }
@@ -93,14 +80,8 @@ fn summary(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figures) -> Ht
     if let Some(test) = &report.lack_of_fit {
         more.element("p", "", test.sentence());
     }
-    more.alarms(
-        "Notes",
-        report
-            .notes
-            .iter()
-            .take(MAX_NOTES)
-            .map(|note| sentence(note)),
-    );
+    let notes = report.notes.iter().take(MAX_ROWS);
+    more.alarms("Notes", notes.map(|note| sentence(note)));
     let summary = report.summary.trim();
     if !summary.is_empty() {
         let text = Html::of("p", "", summary);
@@ -161,12 +142,10 @@ fn extension(page: &DiagnosisPage<'_>) -> Html {
             "It fails an independent check: do not rely on it."
         };
         content.element_with_id("p", "verified", "words", outcome);
-        let mut table = Table::new()
-            .with(Column::Name, &["check"])
-            .with(Column::Text, &["result"]);
-        for (name, result) in verified.checks.iter().take(MAX_NOTES) {
-            table.row([short(name).into(), short(result).into()]);
-        }
+        let table = Table::of(verified.checks.iter().take(MAX_ROWS))
+            .name("check", |(name, _)| short(name))
+            .text("result", |(_, result)| short(result))
+            .table();
         content.table(&table);
     }
     content

@@ -46,6 +46,14 @@ pub(crate) fn number(value: f64, decimals: usize) -> String {
     text.replace('-', "−")
 }
 
+/// Power of ten by which values up to `largest` are divided so that tick labels are readable; 0 if they are as they are.
+pub(crate) fn power_of_ten(largest: f64) -> i32 {
+    match largest.log10().floor() as i32 {
+        power if largest > 0.0 && !(-3..5).contains(&power) => power,
+        _ => 0,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

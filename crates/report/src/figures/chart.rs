@@ -58,7 +58,36 @@ pub(crate) struct Chart {
     pub(crate) level: Option<(f64, String)>,
 }
 
+impl Row {
+    /// Row without a text at its right end.
+    pub(crate) fn new(name: &str, class: &'static str, shapes: Vec<Shape>) -> Row {
+        Row {
+            name: name.to_owned(),
+            class,
+            shapes,
+            words: String::new(),
+        }
+    }
+
+    /// Sets the text at the right end.
+    pub(crate) fn words(self, words: String) -> Row {
+        Row { words, ..self }
+    }
+}
+
 impl Chart {
+    /// Chart without a legend and a dashed line.
+    pub(crate) fn new(title: &str, rows: Vec<Row>, axis: Axis, across: &str) -> Chart {
+        Chart {
+            title: title.to_owned(),
+            legend: Vec::new(),
+            rows,
+            axis,
+            across: across.to_owned(),
+            level: None,
+        }
+    }
+
     /// Draws the chart and returns its SVG text.
     pub(crate) fn draw(&self, layout: Layout) -> String {
         let (letters, letter) = (layout.letters, layout.letter());

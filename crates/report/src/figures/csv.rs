@@ -1,10 +1,11 @@
-//! CSV tables of the data shown in a figure.
+//! CSV tables of results, and of the data shown in a figure.
 
 use super::panel::Panel;
 
 /// CSV table that is built cell by cell.
 pub(crate) struct Table {
     writer: csv::Writer<Vec<u8>>,
+    lines: usize,
 }
 
 impl Table {
@@ -13,6 +14,7 @@ impl Table {
             writer: csv::WriterBuilder::new()
                 .flexible(true)
                 .from_writer(Vec::new()),
+            lines: 0,
         };
         for name in head {
             table.text(name);
@@ -41,6 +43,11 @@ impl Table {
         }
     }
 
+    /// Appends a number with six decimals.
+    pub(crate) fn fixed(&mut self, value: f64) -> &mut Table {
+        self.text(&format!("{value:.6}"))
+    }
+
     /// Appends a number to the current line, or an empty cell if the number is `None`.
     pub(crate) fn optional(&mut self, value: Option<f64>) -> &mut Table {
         self.number(value.unwrap_or(f64::NAN))
@@ -48,12 +55,82 @@ impl Table {
 
     /// Ends the current line of cells of the table.
     pub(crate) fn end(&mut self) {
+        self.lines += 1;
         let _ = self.writer.write_record(None::<&[u8]>);
+    }
+
+    /// Number of complete lines, the heading among them.
+    pub(crate) fn lines(&self) -> usize {
+        self.lines
     }
 
     pub(crate) fn finish(self) -> String {
         let bytes = self.writer.into_inner().unwrap_or_default();
         String::from_utf8(bytes).unwrap_or_default()
+    }
+}
+
+/// Value of a cell of a table of results.
+pub trait CsvCell {
+    /// The value with all its digits; empty if there is none.
+    fn text(&self) -> String;
+}
+
+macro_rules! csv_cells {
+    ($($kind:ty),*) => {
+        $(impl CsvCell for $kind {
+            fn text(&self) -> String {
+                self.to_string()
+            }
+        })*
+    };
+}
+
+csv_cells!(f64, u8, usize, bool, &str, &String, String);
+
+impl<T: CsvCell> CsvCell for Option<T> {
+    fn text(&self) -> String {
+        self.as_ref().map_or_else(String::new, CsvCell::text)
+    }
+}
+
+/// CSV table of results that is built column by column: a heading, and a function from a row to its cell.
+#[derive(Clone, Debug)]
+pub struct CsvTable<T> {
+    head: Vec<String>,
+    rows: Vec<(T, Vec<String>)>,
+}
+
+impl<T> CsvTable<T> {
+    /// Begins a table with a line for each of `rows`.
+    pub fn of(rows: impl IntoIterator<Item = T>) -> CsvTable<T> {
+        CsvTable {
+            head: Vec::new(),
+            rows: rows.into_iter().map(|row| (row, Vec::new())).collect(),
+        }
+    }
+
+    /// Adds a column.
+    #[must_use]
+    pub fn column<C: CsvCell>(mut self, head: &str, cell: impl Fn(&T) -> C) -> CsvTable<T> {
+        self.head.push(head.to_owned());
+        for (row, cells) in &mut self.rows {
+            cells.push(cell(row).text());
+        }
+        self
+    }
+
+    /// The table as text.
+    pub fn text(self) -> String {
+        let heads: Vec<&str> = self.head.iter().map(String::as_str).collect();
+        let mut table = Table::new(&heads);
+        for (_, cells) in &self.rows {
+            for cell in cells {
+                table.text(cell);
+            }
+            table.end();
+        }
+        table.finish()
     }
 }
 

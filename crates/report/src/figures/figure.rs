@@ -1,4 +1,4 @@
-//! Figures: panels drawn one below the other, as SVG.
+//! Figures: panels drawn one below the other or side by side, as SVG.
 
 use super::axis::number;
 use super::layout::{Layout, Scale};
@@ -27,8 +27,10 @@ pub fn figure_of(layout: Layout, title: &str, panels: &[Panel]) -> String {
         &shown,
     );
     let mut top = 2.0 * layout.letters + 8.0;
-    for panel in panels {
-        top = panel.draw(&mut svg, &layout, top);
+    for row in panels.chunks(layout.columns) {
+        let panels = row.iter().enumerate();
+        let bottoms = panels.map(|(i, panel)| panel.draw(&mut svg, &layout.column(i), top));
+        top = bottoms.fold(top, f64::max);
     }
     let size = (layout.width, top + 6.0);
     svg.finish(title, size, layout.most, layout.letters)
@@ -39,7 +41,8 @@ impl Panel {
     fn draw(&self, svg: &mut Svg, layout: &Layout, top: f64) -> f64 {
         let scale = self.scale(layout, top);
         let (width, letter) = (layout.width, layout.letter());
-        let title = cut(&self.title, width - 20.0, 1.05 * letter);
+        let room = width - layout.margin - 18.0;
+        let title = cut(&self.title, room, 1.05 * letter);
         svg.text("panel", (layout.margin, scale.top - 11.0), "start", &title);
         self.draw_ground(svg, &scale);
         self.draw_axes(svg, &scale, layout.letters);

@@ -1,7 +1,7 @@
 //! Figure of a flight like Figures 5 and 6 of Hubbard & Hummel (2000): path, and states over time.
 
 use super::figure::figure;
-use super::panel::{Line, Mark, Panel};
+use super::panel::{Mark, Panel};
 use super::states::{StateLabel, panels_of_states};
 use ode::Trajectory;
 
@@ -25,36 +25,22 @@ pub fn flight(title: &str, flight: &Trajectory, states: &[StateLabel<'_>]) -> St
             ("Seen from the side: z, m", z),
             ("Top view: y, m (left is up)", y),
         ] {
-            let points = rows.iter().map(|row| (row[x], row[up])).collect();
-            let line = Line {
-                name: String::new(),
-                points,
-            };
+            let points = rows.iter().map(|row| (row[x], row[up]));
             let starts = std::iter::once(("release", &rows[0]));
             let events = flight.events.iter().map(|e| (&*e.event, &e.state));
-            let marks = starts.chain(events).map(|(name, state)| Mark {
-                name: name.into(),
-                at: (state[x], state[up]),
-            });
-            let marks = marks.collect();
+            let marks = starts
+                .chain(events)
+                .map(|(name, state)| Mark::new(name, (state[x], state[up])));
             panels.push(Panel {
-                title: title.into(),
-                across: "x, m".into(),
-                lines: vec![line],
-                marks,
+                marks: marks.collect(),
                 map: true,
-                ..Panel::default()
+                ..Panel::new(title, "x, m").line("", points)
             });
         }
     }
-    let marks: Vec<Mark> = flight
-        .events
-        .iter()
-        .map(|e| Mark {
-            name: e.event.clone(),
-            at: (e.time, f64::NAN),
-        })
-        .collect();
+    let events = flight.events.iter();
+    let marks = events.map(|e| Mark::vertical(&e.event, e.time));
+    let marks: Vec<Mark> = marks.collect();
     let points = |i: usize| {
         let samples = times.iter().zip(&rows);
         samples.map(|(t, row)| (*t, row[i])).collect()

@@ -12,6 +12,8 @@ pub struct Layout {
     pub most: f64,
     /// Size of the text in the figure, SVG units.
     pub letters: f64,
+    /// Number of panels side by side.
+    pub(super) columns: usize,
     /// Left margin of titles, SVG units.
     pub(super) margin: f64,
     pub(super) left: f64,
@@ -30,6 +32,7 @@ impl Layout {
         width: 520.0,
         most: 640.0,
         letters: 14.0,
+        columns: 1,
         margin: 14.0,
         left: 62.0,
         right: 44.0,
@@ -42,6 +45,7 @@ impl Layout {
         width: 360.0,
         most: 460.0,
         letters: 13.0,
+        columns: 1,
         margin: 2.0,
         left: 44.0,
         right: 22.0,
@@ -67,13 +71,30 @@ impl Layout {
         0.56 * self.letters
     }
 
+    /// The layout with so many panels side by side.
+    pub(crate) fn with_columns(self, columns: usize) -> Layout {
+        Layout { columns, ..self }
+    }
+
+    /// Layout of the panel number `index` of those side by side.
+    pub(super) fn column(&self, index: usize) -> Layout {
+        let wide = self.width / self.columns as f64;
+        let start = wide * (index % self.columns) as f64;
+        Layout {
+            width: start + wide,
+            margin: start + self.margin,
+            left: start + self.left,
+            ..*self
+        }
+    }
+
     /// Returns the layout with left and right margins widened, if necessary, for the tick labels and line names of
     /// `panels`.
     pub(super) fn fitted(mut self, panels: &[Panel]) -> Layout {
         let letter = self.letter();
         let (mut left, mut right) = (self.left, self.right);
         for panel in panels {
-            let scale = panel.scale(&self, 0.0);
+            let scale = panel.scale(&self.column(0), 0.0);
             let (at, decimals) = scale.ticks_up();
             for tick in at {
                 left = left.max(15.0 + letter * number(tick, decimals).chars().count() as f64);
@@ -83,8 +104,9 @@ impl Layout {
             // Names are bold and therefore slightly wider.
             right = right.max(14.0 + 1.1 * letter * longest.max().unwrap_or(0) as f64);
         }
-        self.left = left.min(0.3 * self.width);
-        self.right = right.min(0.25 * self.width);
+        let wide = self.width / self.columns as f64;
+        self.left = left.min(0.3 * wide);
+        self.right = right.min(0.25 * wide);
         self
     }
 }
@@ -147,7 +169,8 @@ impl Panel {
         };
         let bars = || self.bars.iter();
         let places = bars().flat_map(|bar| [bar.from, bar.to]);
-        let mut across = range(points().map(|p| p.0).chain(places));
+        let found = range(points().map(|p| p.0).chain(places));
+        let mut across = self.along.unwrap_or(found);
         let heights = bars().flat_map(|bar| [0.0, bar.height]);
         let levels = self.levels.iter().copied();
         let band = self.band.iter().flat_map(|(low, high)| [*low, *high]);

@@ -19,6 +19,7 @@ pub(crate) mod triangle;
 pub use figure::{figure, figure_of};
 pub use flight::flight;
 pub use layout::Layout;
+pub(crate) use panel::samples_below;
 pub use panel::{Bar, Dots, Line, Look, Mark, Panel};
 pub use states::StateLabel;
 pub(crate) use states::{panels_of_states, symbol};

@@ -9,6 +9,16 @@ pub struct Line {
     pub points: Vec<(f64, f64)>,
 }
 
+impl Line {
+    /// Line through `points`, with its name.
+    pub fn new(name: impl Into<String>, points: impl IntoIterator<Item = (f64, f64)>) -> Line {
+        Line {
+            name: name.into(),
+            points: points.into_iter().collect(),
+        }
+    }
+}
+
 /// Labelled event or limit in a panel, such as a landing or an end of a confidence interval, drawn as a dot or a
 /// vertical line.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +29,19 @@ pub struct Mark {
     pub at: (f64, f64),
 }
 
+impl Mark {
+    /// Mark at a point.
+    pub fn new(name: impl Into<String>, at: (f64, f64)) -> Mark {
+        let name = name.into();
+        Mark { name, at }
+    }
+
+    /// Vertical line at `x`.
+    pub fn vertical(name: impl Into<String>, x: f64) -> Mark {
+        Mark::new(name, (x, f64::NAN))
+    }
+}
+
 /// Points of a scatter plot that share one style.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dots {
@@ -26,6 +49,14 @@ pub struct Dots {
     pub look: Look,
     /// Positions (x, y) in data units; points that are not finite are not drawn.
     pub points: Vec<(f64, f64)>,
+}
+
+impl Dots {
+    /// Dots at `points`.
+    pub fn new(look: Look, points: impl IntoIterator<Item = (f64, f64)>) -> Dots {
+        let points = points.into_iter().collect();
+        Dots { look, points }
+    }
 }
 
 /// Style of scatter points.
@@ -90,6 +121,8 @@ pub struct Panel {
     pub ribbon: Vec<(f64, f64, f64)>,
     /// Range (minimum, maximum) of the vertical axis; `None` computes it from the data.
     pub up: Option<(f64, f64)>,
+    /// Range (minimum, maximum) of the horizontal axis; `None` computes it from the data.
+    pub along: Option<(f64, f64)>,
     /// Height of the plot area, SVG units; `None` uses the default of the layout.
     pub height: Option<f64>,
     /// Whether both axes have the same scale, as in a map.
@@ -99,4 +132,42 @@ pub struct Panel {
     pub heights: Option<(f64, f64)>,
     /// Whether the diagonal y = x is drawn, for comparison with equality.
     pub diagonal: bool,
+}
+
+impl Panel {
+    /// Panel without contents, with the titles of its axes.
+    pub fn new(title: impl Into<String>, across: impl Into<String>) -> Panel {
+        Panel {
+            title: title.into(),
+            across: across.into(),
+            ..Panel::default()
+        }
+    }
+
+    /// Adds a line.
+    #[must_use]
+    pub fn line(
+        mut self,
+        name: impl Into<String>,
+        points: impl IntoIterator<Item = (f64, f64)>,
+    ) -> Panel {
+        self.lines.push(Line::new(name, points));
+        self
+    }
+
+    /// Adds dots.
+    #[must_use]
+    pub fn dots(mut self, look: Look, points: impl IntoIterator<Item = (f64, f64)>) -> Panel {
+        self.dots.push(Dots::new(look, points));
+        self
+    }
+}
+
+/// Panel of the numbers of samples below another panel: points (x, number of samples) in ascending order of x.
+pub(crate) fn samples_below(across: String, points: &[(f64, f64)]) -> Panel {
+    Panel {
+        bars: Bar::between_midpoints(points),
+        height: Some(44.0),
+        ..Panel::new("Samples", across)
+    }
 }

@@ -59,10 +59,8 @@ pub(crate) fn panels_of_states(
     points: &dyn Fn(usize) -> Vec<(f64, f64)>,
 ) -> Vec<Panel> {
     let panel = |group: Vec<usize>| {
-        let lines = group.iter().map(|&i| Line {
-            name: symbol(states[i].name),
-            points: points(i),
-        });
+        let lines = group.iter();
+        let lines = lines.map(|&i| Line::new(symbol(states[i].name), points(i)));
         let lines: Vec<Line> = lines.collect();
         let names: Vec<&str> = lines.iter().map(|line| line.name.as_str()).collect();
         let unit = states[group[0]].unit;
@@ -70,11 +68,10 @@ pub(crate) fn panels_of_states(
             "" | "1" => String::new(),
             unit => format!(", {unit}"),
         };
+        let title = format!("{} {}{suffix}", what(unit), names.join(", "));
         Panel {
-            title: format!("{} {}{suffix}", what(unit), names.join(", ")),
-            across: "time, s".into(),
             lines,
-            ..Panel::default()
+            ..Panel::new(title, "time, s")
         }
     };
     let groups = groups(states, rows, apart);

@@ -28,7 +28,6 @@ rect.bar.explanation { fill: #0072b2 } rect.bar.alarm { fill: #d9813f } rect.bar
 circle.before { fill: #fff; stroke: #d55e00; stroke-width: 2 } circle.after { fill: #0072b2 } line.join { stroke: #9aa0a8; stroke-width: 2 }
 line.reach { stroke: #0072b2; stroke-width: 2 } text.strong { font-weight: 600; fill: #0060a0 } text.weak { fill: #777 }
 rect.alike { fill: #00437c } rect.positive { fill: #b24800 } rect.unknown { fill: #c9b9b9 }
-path.history { stroke: #0072b2; stroke-width: 1.4 } path.dots-after { stroke: #0072b2; stroke-width: 3; stroke-linecap: round }
 "#;
 
 /// SVG document that is built element by element. Coordinates are in SVG units, with the y axis downwards.

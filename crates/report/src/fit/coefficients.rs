@@ -5,7 +5,7 @@ use identify::Coefficient;
 use super::FitPage;
 use crate::html::Html;
 use crate::literature::sources;
-use crate::table::{Cell, Column, Table};
+use crate::table::{Cell, Table};
 use identify::numbers::{Digits, stated, unit};
 
 /// Ratio of the cluster-robust to the Cramér–Rao standard error above which the former is marked.
@@ -45,38 +45,30 @@ fn is_clustered(all: &[(&str, &Coefficient)]) -> bool {
 
 /// Table of the estimates with their standard errors and intervals.
 pub(super) fn estimates(all: &[(&str, &Coefficient)]) -> Table {
-    let is_clustered = is_clustered(all);
-    let mut table = Table::new()
-        .with(Column::Name, &[""])
-        .with(Column::Number, &["value", "standard error"])
-        .with(Column::Plain, &["unit"])
-        .with(Column::Number, &["95 % interval"])
-        .with(Column::Plain, &[""]);
-    if is_clustered {
-        table = table.with(Column::Number, &["cluster-robust error"]);
-    }
-    table = table.with(Column::Plain, &[""]);
-    for (name, found) in all {
-        let digits = Digits::of(found.value, found.std_error);
-        let if_estimated = |text: String| if found.fixed { "–".to_owned() } else { text };
-        let mut row: Vec<Cell> = vec![
-            (*name).into(),
-            digits.one(found.value).into(),
-            if_estimated(digits.one(found.std_error)).into(),
-            unit(&found.unit).into(),
-            if_estimated(digits.range(found.interval)).into(),
-            picture(found).into(),
-        ];
-        if is_clustered {
-            let error = found.std_error_cluster_robust;
-            let cell = Cell::from(error.map_or("–".to_owned(), |e| digits.one(e)));
-            let is_larger = error.is_some_and(|e| e > DOUBTFUL * found.std_error);
-            row.push(cell.doubtful_if(is_larger && !found.fixed));
-        }
-        row.push(remarks(found).into());
-        table.row(row);
-    }
-    table
+    let digits = |c: &Coefficient| Digits::of(c.value, c.std_error);
+    let estimated = |c: &Coefficient, text: String| Some(text).filter(|_| !c.fixed);
+    let clustered = |c: &Coefficient| {
+        let error = c.std_error_cluster_robust;
+        let is_larger = error.is_some_and(|e| e > DOUBTFUL * c.std_error);
+        let cell = Cell::from(error.map(|e| digits(c).one(e)));
+        cell.doubtful_if(is_larger && !c.fixed)
+    };
+    Table::of(all)
+        .name("", |(name, _)| *name)
+        .number("value", |(_, c)| digits(c).one(c.value))
+        .number("standard error", |(_, c)| {
+            estimated(c, digits(c).one(c.std_error))
+        })
+        .plain("unit", |(_, c)| unit(&c.unit))
+        .number("95 % interval", |(_, c)| {
+            estimated(c, digits(c).range(c.interval))
+        })
+        .plain("", |(_, c)| picture(c))
+        .when(is_clustered(all), |rows| {
+            rows.number("cluster-robust error", |(_, c)| clustered(c))
+        })
+        .plain("", |(_, c)| remarks(c))
+        .table()
 }
 
 /// Remarks on an estimate: whether it is at a bound or fixed, and its Gaussian prior.
@@ -97,36 +89,24 @@ fn remarks(found: &Coefficient) -> Html {
 }
 
 fn literature(page: &FitPage<'_>, all: &[(&str, &Coefficient)]) -> Table {
-    let sources = sources(page.model.reference.as_deref());
-    let names: Vec<&str> = sources.iter().map(|source| source.short).collect();
-    let mut table = Table::new()
-        .with(Column::Name, &[""])
-        .with(Column::Number, &["this fit", "model’s file"])
-        .with(Column::Number, &names)
-        .with(Column::Plain, &["unit"])
-        .with(Column::Text, &["meaning"]);
-    for (name, found) in all {
-        let digits = Digits::of(found.value, found.std_error);
-        let mut row: Vec<Cell> = vec![
-            (*name).into(),
-            digits.one(found.value).into(),
-            stated(found.model_value).into(),
-        ];
-        row.extend(sources.iter().map(|source| {
-            let value = source.value(name);
-            Cell::from(value.map_or("–".to_owned(), |v| v.to_string()))
-        }));
+    let digits = |c: &Coefficient| Digits::of(c.value, c.std_error);
+    let meaning = |name: &str| {
         let mut known = page.model.coefficients.iter().chain(&page.model.params);
-        let known = known.find(|c| c.name == *name);
-        row.push(unit(&found.unit).into());
-        row.push(
-            known
-                .map_or(String::new(), |c| c.doc.replace('\n', " "))
-                .into(),
-        );
-        table.row(row);
+        let known = known.find(|c| c.name == name);
+        known.map_or(String::new(), |c| c.doc.replace('\n', " "))
+    };
+    let mut rows = Table::of(all)
+        .name("", |(name, _)| *name)
+        .number("this fit", |(_, c)| digits(c).one(c.value))
+        .number("model’s file", |(_, c)| stated(c.model_value));
+    for source in sources(page.model.reference.as_deref()) {
+        rows = rows.number(source.short, |(name, _)| {
+            source.value(name).map(|value| value.to_string())
+        });
     }
-    table
+    rows.plain("unit", |(_, c)| unit(&c.unit))
+        .text("meaning", |(name, _)| meaning(name))
+        .table()
 }
 
 /// Picture of the estimate and its confidence interval on an axis that includes 0; empty if there is no interval.

@@ -2,19 +2,15 @@
 
 use dataset::Role;
 use identify::FlightReport;
-use model_spec::sort_by_number;
 
 use super::FitPage;
-use super::draw::MAX_FLIGHTS;
 use crate::figure::Figure;
 use crate::html::Html;
 use crate::page::flight_link;
-use crate::table::{Column, Table};
+use crate::table::Table;
+use crate::thin::{MAX_FLIGHTS, MAX_ROWS, largest_first};
 use identify::numbers::{millimetres, plain};
 use identify::wording::short;
-
-/// Maximum number of flights that a table of the report lists.
-const MAX_ROWS: usize = 50;
 
 /// Section of the flights, with a histogram of their residuals.
 pub(super) fn section(page: &FitPage<'_>, histogram: Option<&Figure>) -> Html {
@@ -54,7 +50,10 @@ pub(super) fn section(page: &FitPage<'_>, histogram: Option<&Figure>) -> Html {
 /// Appends the table of `flights`.
 fn worst(content: &mut Html, page: &FitPage<'_>, flights: Vec<&FlightReport>) {
     let all = flights.len();
-    content.table(&table(page, &worst_first(flights, MAX_ROWS)));
+    content.table(&table(
+        page,
+        &largest_first(flights, MAX_ROWS, |flight| Some(flight.rms())),
+    ));
     if all > MAX_ROWS {
         content.note(format!(
             "The {MAX_ROWS} with the largest rms, of {all}; all are in flights.csv."
@@ -62,46 +61,24 @@ fn worst(content: &mut Html, page: &FitPage<'_>, flights: Vec<&FlightReport>) {
     }
 }
 
-/// The flights in dataset order or, if there are more than `most`, in descending order of their RMS residuals.
-pub(super) fn worst_first(mut flights: Vec<&FlightReport>, most: usize) -> Vec<&FlightReport> {
-    if flights.len() > most {
-        // A flight without a finite RMS residual ranks as the worst.
-        let size = |rms: f64| if rms.is_nan() { f64::INFINITY } else { rms };
-        sort_by_number(&mut flights, |flight| -size(flight.rms()));
-    }
-    flights
-}
-
 /// Table of the first [`MAX_ROWS`] flights.
 pub(super) fn table(page: &FitPage<'_>, flights: &[&FlightReport]) -> Table {
-    use Column::{File, Number, Text};
-    let mut table = Table::new()
-        .with(File, &["flight"])
-        .with(Number, &["samples", "rms", "outliers"])
-        .with(Text, &["cut", "notes"]);
-    for flight in flights.iter().take(MAX_ROWS) {
-        let cut = flight.cut.as_ref().map(|cut| {
-            let (t, samples) = (plain(cut.t, 3), cut.samples);
-            format!(
-                "after {t} s, {samples} samples not used: {}",
-                short(&cut.reason)
-            )
-        });
-        let rms = if flight.is_used() {
-            millimetres(flight.rms())
-        } else {
-            "–".to_owned()
-        };
-        table.row([
-            links(page, &flight.file).into(),
-            flight.samples.to_string().into(),
-            rms.into(),
-            flight.outliers.to_string().into(),
-            cut.unwrap_or_default().into(),
-            short(&flight.notes.join("; ")).into(),
-        ]);
-    }
-    table
+    let cut = |flight: &FlightReport| {
+        let cut = flight.cut.as_ref()?;
+        let (t, samples) = (plain(cut.t, 3), cut.samples);
+        let reason = short(&cut.reason);
+        Some(format!("after {t} s, {samples} samples not used: {reason}"))
+    };
+    Table::of(flights.iter().take(MAX_ROWS))
+        .file("flight", |flight| links(page, &flight.file))
+        .number("samples", |flight| flight.samples)
+        .number("rms", |flight| {
+            flight.is_used().then(|| millimetres(flight.rms()))
+        })
+        .number("outliers", |flight| flight.outliers)
+        .text("cut", |flight| cut(flight).unwrap_or_default())
+        .text("notes", |flight| short(&flight.notes.join("; ")))
+        .table()
 }
 
 /// Links to the flight in three dimensions and to its figures, where they are drawn.

@@ -4,6 +4,7 @@ mod coefficients;
 pub(crate) mod draw;
 mod flights;
 mod page;
+pub mod tables;
 mod text;
 pub(crate) mod words;
 
@@ -75,7 +76,7 @@ impl Figures {
             predictions: predictions.unwrap_or_default(),
             profiles: draw::profiles(page.report),
             tracks: draw::tracks(page.evidence),
-            residuals: draw::residuals(page.evidence, page.report.leading_noise()),
+            residuals: draw::residuals(page.evidence, &[], page.report.leading_noise()),
             states: draw::states(page.evidence, page.model),
             correlations: draw::correlations(page),
             whiteness: draw::whiteness(page.report),

@@ -5,12 +5,12 @@ use identify::FitReport;
 use identify::wording::count;
 use model_spec::sort_by_number;
 
-use super::draw::MAX_FLIGHTS;
 use super::{Figures, FitPage, coefficients, flights, words};
 use crate::figure::Figure;
 use crate::html::Html;
-use crate::page::Page;
-use crate::table::{Column, Table};
+use crate::page::{Page, heading, watch};
+use crate::table::Table;
+use crate::thin::{MAX_FLIGHTS, MAX_ROWS};
 use identify::numbers::{millimetres, percent, plain};
 use identify::wording::{durations, names, sentence};
 
@@ -18,8 +18,6 @@ use identify::wording::{durations, names, sentence};
 const OPEN: usize = 3;
 /// Number of flights whose figures of marker paths are expanded when the page is opened.
 const OPEN_TRACKS: usize = 6;
-/// Maximum number of non-identifiable directions in parameter space that are listed in the report of a fit.
-const MAX_UNDETERMINED: usize = 20;
 /// Maximum number of non-identifiable directions that the summary names.
 const MAX_NAMED: usize = 3;
 
@@ -42,15 +40,10 @@ pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
     );
     body.section("noise", "Noise", noise(report));
     body.section("how", "How it was computed", how(report));
-    let soft = |text: &str| Html::of("span", "", text);
     Page {
         kind: "hyzer fit",
         title: format!("{} fitted to {}", report.model, page.dataset),
-        heading: Html::from(&report.model)
-            .then(" ")
-            .then(soft("fitted to"))
-            .then(" ")
-            .then(page.dataset),
+        heading: heading(&report.model, "fitted to", page.dataset),
         body,
     }
     .html()
@@ -65,10 +58,8 @@ fn summary(page: &FitPage<'_>, figures: &Figures) -> Html {
     for text in words::summary(page) {
         lead.element("p", "", text);
     }
-    let mut unknown = report
-        .not_identifiable
-        .iter()
-        .map(|u| names(&u.combination));
+    let unknown = report.not_identifiable.iter();
+    let mut unknown = unknown.map(|u| names(&u.combination));
     let named: Vec<String> = unknown.by_ref().take(MAX_NAMED).collect();
     if !named.is_empty() {
         let more = if unknown.next().is_some() {
@@ -91,14 +82,10 @@ fn summary(page: &FitPage<'_>, figures: &Figures) -> Html {
         lead.element("p", "calm", words::NO_WARNINGS);
     }
     lead.alarms("Warnings", alarms);
-    let watch = Html::from("The flights can be watched in ");
-    let watch = watch.then(Html::link("flights.html", "flights.html"));
-    lead.element("p", "", watch.then("."));
+    lead.element("p", "", watch());
     let mut picture = Html::new();
-    picture.figures(
-        figures.precision.clone().map(Figure::reachable).iter(),
-        true,
-    );
+    let precision = figures.precision.clone().map(Figure::reachable);
+    picture.figures(&precision, true);
     let mut opening = Html::from("\n");
     opening.element("div", "words lead", Html::from("\n").then(lead));
     opening.element("div", "picture", picture);
@@ -110,7 +97,7 @@ fn summary(page: &FitPage<'_>, figures: &Figures) -> Html {
 /// Non-identifiable directions in parameter space.
 fn undetermined(report: &FitReport) -> Html {
     let mut content = Html::new();
-    let found = report.not_identifiable.iter().take(MAX_UNDETERMINED);
+    let found = report.not_identifiable.iter().take(MAX_ROWS);
     let items = found.map(|u| {
         let mut text = Html::strong(names(&u.combination));
         text.push(format!(": {}", sentence(&u.reason)));
@@ -211,27 +198,17 @@ fn noise(report: &FitReport) -> Html {
 /// Table of the measurement noise: one row for each axis, then one for all axes together.
 pub(super) fn noise_table(report: &FitReport) -> Table {
     let noise = report.leading_noise();
-    let mut table = Table::new().with(Column::Name, &["axis"]).with(
-        Column::Number,
-        &[
-            "standard deviation",
-            "lag-1 autocorrelation",
-            "correlation time",
-        ],
-    );
-    let mut row = |axis: &str, sigma: f64, ar1: f64| {
-        table.row([
-            axis.into(),
-            millimetres(sigma).into(),
-            plain(ar1, 2).into(),
-            correlation_time(ar1, noise.interval_s).into(),
-        ]);
-    };
-    for (axis, n) in noise.axes.iter().take(3) {
-        row(axis, n.sigma, n.lag1_autocorrelation);
-    }
-    row("all", noise.sigma, noise.lag1_autocorrelation);
-    table
+    let axes = noise.axes.iter().take(3);
+    let axes = axes.map(|(axis, n)| (axis.as_str(), n.sigma, n.lag1_autocorrelation));
+    let all = ("all", noise.sigma, noise.lag1_autocorrelation);
+    Table::of(axes.chain([all]))
+        .name("axis", |row| row.0)
+        .number("standard deviation", |row| millimetres(row.1))
+        .number("lag-1 autocorrelation", |row| plain(row.2, 2))
+        .number("correlation time", |row| {
+            correlation_time(row.2, noise.interval_s)
+        })
+        .table()
 }
 
 /// Lag at which the autocorrelation of the noise has fallen to 1/e; `–` if the noise is nearly uncorrelated.

@@ -5,6 +5,7 @@ use identify::FlightReport;
 
 use super::{FitPage, coefficients, flights, page, words};
 use crate::text::{MAX_ROWS, cautions, wrapped};
+use crate::thin::largest_first;
 use identify::numbers::significant;
 
 /// Text of a fit for a terminal: sentences and tables of the page.
@@ -40,7 +41,8 @@ pub fn text(of: &FitPage<'_>) -> String {
     }
     let mut add = |what: &str, flights: Vec<&FlightReport>| {
         if !flights.is_empty() {
-            let table = flights::table(of, &flights::worst_first(flights, MAX_ROWS));
+            let flights = largest_first(flights, MAX_ROWS, |flight| Some(flight.rms()));
+            let table = flights::table(of, &flights);
             text += &format!("\n{what}\n{}", table.text(MAX_ROWS));
         }
     };

@@ -4,7 +4,7 @@ use model_spec::sort_by_number;
 
 use super::{Curve, Distance, ImportedFlight, ImportedTake};
 use crate::figure::Figure;
-use crate::figures::{Dots, Layout, Line, Look, Mark, Panel};
+use crate::figures::{Layout, Line, Look, Mark, Panel};
 use crate::thin;
 
 /// Maximum number of marker pairs whose distances are drawn for a flight: the number of distinct line colours.
@@ -20,7 +20,10 @@ pub(super) fn flight(number: usize, flight: &ImportedFlight) -> Figure {
         panels.push(panel);
     }
     for panel in &mut panels {
-        panel.marks = marks([(flight.release.time, "release"), (flight.end.time, "end")]);
+        panel.marks = vec![
+            Mark::vertical("release", flight.release.time),
+            Mark::vertical("end", flight.end.time),
+        ];
     }
     let caption = format!(
         "From {:.3} s: {}. To {:.3} s: {}.",
@@ -43,12 +46,10 @@ pub(super) fn take(number: usize, take: &ImportedTake) -> Figure {
     let mut panel = split(&take.heights, inside);
     panel.title = "Height, m".into();
     panel.height = Some(110.0);
-    let release = take
-        .flights
-        .iter()
-        .map(|flight| (flight.release.time, flight.file.as_str()));
-    let end = take.flights.iter().map(|flight| (flight.end.time, ""));
-    panel.marks = marks(release.chain(end));
+    let flights = || take.flights.iter();
+    let starts = flights().map(|flight| Mark::vertical(&flight.file, flight.release.time));
+    let ends = flights().map(|flight| Mark::vertical("", flight.end.time));
+    panel.marks = starts.chain(ends).collect();
     without_table(Figure::of_panels(
         format!("take-{number:02}"),
         &take.file,
@@ -66,14 +67,6 @@ fn without_table(figure: Figure) -> Figure {
     }
 }
 
-fn marks<'a>(of: impl IntoIterator<Item = (f64, &'a str)>) -> Vec<Mark> {
-    let mark = |(time, name): (f64, &str)| Mark {
-        name: name.to_owned(),
-        at: (time, f64::NAN),
-    };
-    of.into_iter().map(mark).collect()
-}
-
 /// Panel of the pairs (time in s, value) in `points`. Points for whose time `inside` returns true form a line; all
 /// other points are grey dots.
 fn split(points: &[(f64, f64)], inside: impl Fn(f64) -> bool) -> Panel {
@@ -89,18 +82,9 @@ fn split(points: &[(f64, f64)], inside: impl Fn(f64) -> bool) -> Panel {
         .iter()
         .filter(|(time, value)| !inside(*time) && value.is_finite());
     let outside: Vec<(f64, f64)> = outside.copied().collect();
-    Panel {
-        across: "time of the recording, s".into(),
-        lines: vec![Line {
-            name: String::new(),
-            points: thin::curve(&line, thin::MAX_CURVE_POINTS),
-        }],
-        dots: vec![Dots {
-            look: Look::Pale,
-            points: thin::stride(&outside, MAX_DOTS),
-        }],
-        ..Panel::default()
-    }
+    Panel::new("", "time of the recording, s")
+        .line("", thin::curve(&line, thin::MAX_CURVE_POINTS))
+        .dots(Look::Pale, thin::stride(&outside, MAX_DOTS))
 }
 
 fn curve(flight: &ImportedFlight, curve: &Curve) -> Panel {
@@ -126,23 +110,22 @@ fn distances(flight: &ImportedFlight) -> Option<Panel> {
             }
         });
         let off: Vec<(f64, f64)> = off.collect();
-        Line {
-            // Spaces widen the margin, because bold letters of a name can be wide.
-            name: format!("{}   ", pair.name),
-            points: thin::curve(&off, thin::MAX_CURVE_POINTS),
-        }
+        // Spaces widen the margin, because bold letters of a name can be wide.
+        let name = format!("{}   ", pair.name);
+        Line::new(name, thin::curve(&off, thin::MAX_CURVE_POINTS))
     };
     let more = match left_out {
         0 => String::new(),
         n => format!(" ({n} steadier pairs left out)"),
     };
     (!pairs.is_empty()).then(|| Panel {
-        title: format!("Distance less template, mm{more}"),
-        across: "time of the recording, s".into(),
         lines: pairs.iter().map(line).collect(),
         thin: true,
         levels: vec![0.0],
-        ..Panel::default()
+        ..Panel::new(
+            format!("Distance less template, mm{more}"),
+            "time of the recording, s",
+        )
     })
 }
 

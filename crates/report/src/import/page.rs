@@ -5,17 +5,14 @@ use model_spec::sort_by_number;
 
 use super::{Distance, ImportPage, ImportedFlight, ImportedTake, draw};
 use crate::html::Html;
-use crate::page::Page;
-use crate::table::{Cell, Column, Table};
+use crate::page::{Page, heading};
+use crate::table::Table;
+use crate::thin::MAX_ROWS;
 use identify::numbers::plain;
 use identify::wording::{capitalized, names, short};
 
-/// Maximum number of imported flights that are drawn, over all recordings.
-const MAX_FLIGHTS: usize = 60;
 /// Maximum number of gaps that are listed for each flight.
 const MAX_GAPS: usize = 5;
-/// Maximum number of marker pairs whose distances are listed for each recording.
-const MAX_PAIRS: usize = 30;
 
 /// Renders the HTML page that reports an import of recordings.
 pub(super) fn html(page: &ImportPage) -> String {
@@ -31,7 +28,7 @@ pub(super) fn html(page: &ImportPage) -> String {
     for (number, take) in page.takes.iter().enumerate() {
         let content = section(take, number + 1, drawn);
         body.section("", &take.file, content);
-        drawn = (drawn + take.flights.len()).min(MAX_FLIGHTS);
+        drawn = (drawn + take.flights.len()).min(MAX_ROWS);
     }
     if flights > drawn {
         body.note(format!("{} more flights are not drawn.", flights - drawn));
@@ -40,14 +37,10 @@ pub(super) fn html(page: &ImportPage) -> String {
     body.note(format!(
         "hyzer {version}. The same decisions are in import.txt."
     ));
-    let heading = Html::from(&page.dataset).then(" ");
-    let heading = heading
-        .then(Html::of("span", "", "for the model"))
-        .then(" ");
     Page {
         kind: "hyzer import",
         title: format!("Import of {}", page.dataset),
-        heading: heading.then(&page.model),
+        heading: heading(&page.dataset, "for the model", &page.model),
         body,
     }
     .html()
@@ -57,12 +50,10 @@ pub(super) fn html(page: &ImportPage) -> String {
 fn section(take: &ImportedTake, number: usize, drawn: usize) -> Html {
     let mut content = Html::new();
     content.heading("What was decided");
-    let mut decisions = Table::new()
-        .with(Column::Name, &[""])
-        .with(Column::Text, &[""]);
-    for (what, decision) in &take.decisions {
-        decisions.row([what.into(), decision.into()]);
-    }
+    let decisions = Table::of(&take.decisions)
+        .name("", |(what, _)| what)
+        .text("", |(_, decision)| decision)
+        .table();
     content.table(&decisions);
     content.alarms("Notes", take.notes.iter().map(|note| capitalized(note)));
     if take.flights.is_empty() {
@@ -72,9 +63,9 @@ fn section(take: &ImportedTake, number: usize, drawn: usize) -> Html {
         content.table(&flights(take));
     }
     content.figure(&draw::take(number, take), false);
-    let room = take.flights.iter().take(MAX_FLIGHTS - drawn).enumerate();
+    let room = take.flights.iter().take(MAX_ROWS - drawn).enumerate();
     let figures = room.map(|(i, flight)| draw::flight(drawn + i + 1, flight));
-    content.grid(&figures.collect::<Vec<_>>(), MAX_FLIGHTS, true);
+    content.grid(&figures.collect::<Vec<_>>(), MAX_ROWS, true);
     let pairs = pairs(take);
     if !pairs.is_empty() {
         content.heading("Distances between markers");
@@ -88,27 +79,15 @@ fn section(take: &ImportedTake, number: usize, drawn: usize) -> Html {
 }
 
 fn flights(take: &ImportedTake) -> Table {
-    use Column::{Name, Number, Text};
-    let mut table = Table::new()
-        .with(Name, &["table"])
-        .with(Number, &["from, s"])
-        .with(Text, &["because"])
-        .with(Number, &["to, s"])
-        .with(Text, &["because"])
-        .with(Number, &["samples"])
-        .with(Text, &["not seen"]);
-    for flight in &take.flights {
-        table.row([
-            (&flight.file).into(),
-            plain(flight.release.time, 3).into(),
-            short(&flight.release.reason).into(),
-            plain(flight.end.time, 3).into(),
-            short(&flight.end.reason).into(),
-            flight.samples.to_string().into(),
-            unseen(flight).into(),
-        ]);
-    }
-    table
+    Table::of(&take.flights)
+        .name("table", |flight| &flight.file)
+        .number("from, s", |flight| plain(flight.release.time, 3))
+        .text("because", |flight| short(&flight.release.reason))
+        .number("to, s", |flight| plain(flight.end.time, 3))
+        .text("because", |flight| short(&flight.end.reason))
+        .number("samples", |flight| flight.samples)
+        .text("not seen", |flight| unseen(flight))
+        .table()
 }
 
 /// Text on the gaps of a flight and on its markers with missing samples.
@@ -157,22 +136,12 @@ fn pairs(take: &ImportedTake) -> Table {
         }
     }
     sort_by_number(&mut worst, |found| -found.farthest);
-    let mut table = Table::new()
-        .with(Column::Name, &["pair"])
-        .with(
-            Column::Number,
-            &["template, mm", "median, mm", "farthest from it, mm"],
-        )
-        .with(Column::Plain, &["in"]);
-    let millimetres = |metres: f64| Cell::from(plain(1e3 * metres, 1));
-    for found in worst.iter().take(MAX_PAIRS) {
-        table.row([
-            (&found.pair.name).into(),
-            millimetres(found.pair.template),
-            millimetres(found.median),
-            millimetres(found.farthest),
-            found.file.into(),
-        ]);
-    }
-    table
+    let millimetres = |metres: f64| plain(1e3 * metres, 1);
+    Table::of(worst.iter().take(MAX_ROWS))
+        .name("pair", |found| &found.pair.name)
+        .number("template, mm", |found| millimetres(found.pair.template))
+        .number("median, mm", |found| millimetres(found.median))
+        .number("farthest from it, mm", |found| millimetres(found.farthest))
+        .plain("in", |found| found.file)
+        .table()
 }

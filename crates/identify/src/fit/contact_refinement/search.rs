@@ -9,6 +9,7 @@ use crate::contact_time::{self, Onset, Trajectory, contact_time};
 use crate::fit::initial_guess::{first_segment, refined_guesses};
 use crate::fit::one_flight::FixedGlobal;
 use crate::fit::taking_back::LIKE_RATIO;
+use crate::ground_contact::MIN_UPWARD_PART;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use dataset::Flight;
@@ -18,8 +19,6 @@ use dataset::Flight;
 const SEARCH_RANGE: (usize, usize) = (12, 14);
 /// Number of samples by which the ranges of two successive searches for a ground contact in one flight overlap.
 const OVERLAP: usize = 8;
-/// Minimum ratio of the vertical component to the magnitude of the velocity jump at a contact with the ground.
-const MIN_UPWARD_PART: f64 = 0.3;
 /// Maximum ratio of a flight's residual scale (robust standard deviation of its residuals) to the one that is typical of
 /// the fitted flights, at which the search for a contact does not fit its initial state again.
 const NEAR_RATIO: f64 = 3.0;

@@ -4,16 +4,13 @@ use dataset::Role;
 use diagnose::{FlightGain, Report};
 use model_spec::sort_by_number;
 
-use super::gain::row;
+use super::gain::{before_and_after, of_flight};
 use crate::figure::Figure;
-use crate::figures::chart::{Chart, Row, Shape, axis_for};
-use crate::figures::{Dots, Layout, Line, Look, Panel};
-use crate::thin::stride;
+use crate::figures::{Layout, Look, Panel};
+use crate::thin::{MAX_DOTS, stride};
 
 /// Maximum number of flights drawn as one chart row each; more flights are drawn as dots in order of their residual.
 const MAX_ROWS: usize = 16;
-/// Maximum number of flights drawn as dots. Each flight has two dots, so that a figure has at most twice as many dots.
-const MAX_DOTS: usize = 2000;
 
 /// Draws the RMS residuals of the fitted flights, without and with the effects added to the model; `None` if no effect
 /// was added.
@@ -24,28 +21,12 @@ pub(super) fn flights(report: &Report) -> Option<Figure> {
     if fitted.is_empty() {
         return None;
     }
-    let title = "Fitted flights";
+    let (title, noise) = ("Fitted flights", report.leading_noise().sigma);
     if fitted.len() > MAX_ROWS {
-        return Some(ranked(title, &fitted, 1e3 * report.leading_noise().sigma));
+        return Some(ranked(title, &fitted, 1e3 * noise));
     }
-    let rows: Vec<Row> = fitted.iter().map(|f| row(f)).collect();
-    let values = fitted.iter().flat_map(|f| [f.rms_before_m, f.rms_after_m]);
-    let chart = Chart {
-        title: title.into(),
-        legend: vec![
-            (Shape::Dot(0.0, "before"), "before".into()),
-            (Shape::Dot(0.0, "after"), "extended".into()),
-        ],
-        rows,
-        axis: axis_for(
-            values
-                .flatten()
-                .map(|rms| 1e3 * rms)
-                .chain([1e3 * report.leading_noise().sigma]),
-        ),
-        across: "RMS residual, mm".into(),
-        level: Some((1e3 * report.leading_noise().sigma, "noise".into())),
-    };
+    let rows = fitted.iter().map(|flight| of_flight(flight));
+    let chart = before_and_after(title, rows, "RMS residual, mm", noise);
     let caption = "RMS residuals of the fitted flights, without and with the extension.";
     Some(Figure::of_chart("flights", &chart, caption, Layout::SMALL))
 }
@@ -60,43 +41,26 @@ fn ranked(title: &str, fitted: &[&FlightGain], noise: f64) -> Figure {
         .filter(|s| s.0.is_finite() && s.1.is_finite())
         .collect();
     sort_by_number(&mut sizes, |size| size.0);
+    let ends = sizes.iter().map(|s| s.0.max(s.1)).chain([noise]);
+    let largest = ends.filter(|v| v.is_finite()).fold(1e-6, f64::max);
     let last = sizes.len() as f64;
-    let ranks = sizes
-        .iter()
-        .enumerate()
-        .map(|(i, s)| (i as f64 + 1.0, s.0, s.1));
-    let ranks = stride(&ranks.collect::<Vec<_>>(), MAX_DOTS);
-    let before: Vec<(f64, f64)> = ranks
-        .iter()
-        .map(|(rank, before, _)| (*rank, *before))
-        .collect();
-    let after: Vec<(f64, f64)> = ranks
-        .iter()
-        .map(|(rank, _, after)| (*rank, *after))
-        .collect();
-    let largest = sizes
-        .iter()
-        .map(|s| s.0.max(s.1))
-        .chain([noise])
-        .filter(|v| v.is_finite());
-    let largest = largest.fold(1e-6, f64::max);
+    let ranks = sizes.iter().zip(1..).map(|(s, rank)| (f64::from(rank), *s));
+    let ranks = stride(&ranks.collect::<Vec<(f64, (f64, f64))>>(), MAX_DOTS);
+    let before: Vec<(f64, f64)> = ranks.iter().map(|(rank, s)| (*rank, s.0)).collect();
+    let after: Vec<(f64, f64)> = ranks.iter().map(|(rank, s)| (*rank, s.1)).collect();
     // A line of a single point shows only its label.
-    let name = |name: &str, points: &[(f64, f64)]| Line {
-        name: name.into(),
-        points: points.last().map(|p| (last, p.1)).into_iter().collect(),
-    };
-    let dots = |colour, points| Dots {
-        look: Look::Colour(colour),
-        points,
-    };
+    let end = |points: &[(f64, f64)]| points.last().map(|p| (last, p.1));
     let panel = Panel {
-        title: "RMS residual, mm".into(),
-        across: "flights in order of their RMS residual before".into(),
-        lines: vec![name("extended", &after), name("before", &before)],
-        dots: vec![dots(1, before), dots(0, after)],
         levels: vec![noise],
         up: Some((0.0, 1.05 * largest)),
-        ..Panel::default()
+        ..Panel::new(
+            "RMS residual, mm",
+            "flights in order of their RMS residual before",
+        )
+        .line("extended", end(&after))
+        .line("before", end(&before))
+        .dots(Look::Colour(1), before)
+        .dots(Look::Colour(0), after)
     };
     let caption =
         "RMS residuals of the fitted flights, two dots per flight; the broken line is the noise.";

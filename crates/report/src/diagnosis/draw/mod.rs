@@ -4,15 +4,15 @@ mod channels;
 mod curves;
 mod flights;
 mod gain;
-mod residuals;
 mod score_correlations;
 mod score_tests;
 
 pub(super) use curves::unmoved;
+pub(super) use score_tests::chart as chart_of_tests;
 
 use super::DiagnosisPage;
 use crate::figure::Figure;
-use crate::fit::draw::predictions;
+use crate::fit::draw::{predictions, residuals};
 
 /// Figures of the diagnosis report, grouped by its sections.
 pub(super) struct Figures {
@@ -35,7 +35,7 @@ impl Figures {
             score_tests: score_tests::score_tests(page.report),
             score_correlations: score_correlations::score_correlations(page.report),
             predictions: held_out(page),
-            residuals: residuals::residuals(page),
+            residuals: residuals(page.before, page.after, page.report.leading_noise()),
             curves: curves::curves(page.report),
             flights: flights::flights(page.report),
             channels: channels::channels(page.report),

@@ -15,22 +15,19 @@ const MAX_COEFFICIENTS: usize = 25;
 pub(super) fn score_correlations(report: &Report) -> Option<Figure> {
     let all = &report.score_correlations.names;
     let order = strongest(report);
-    let left_out = all.len().saturating_sub(order.len());
     if order.len() < 2 {
         return None;
     }
+    let drawn = if order.len() == all.len() {
+        "The most significant are first.".to_owned()
+    } else {
+        let (drawn, all) = (order.len(), all.len());
+        format!("The {drawn} most significant are drawn, of {all}.")
+    };
     let caption = format!(
         "Each square: the absolute correlation of the signatures of two coefficients of effects in these flights, \
          adjusted for initial states and the model’s own coefficients. The row of an effect is left of its name and its \
-         column below it; these flights hardly distinguish pairs of strong colour. {}",
-        match left_out {
-            0 => "The most significant are first.".to_owned(),
-            n => format!(
-                "The {} most significant are drawn, of {}.",
-                order.len(),
-                order.len() + n
-            ),
-        }
+         column below it; these flights hardly distinguish pairs of strong colour. {drawn}"
     );
     let effects = report.explanations.iter().flat_map(|found| &found.effects);
     let named: Vec<&String> = effects.flat_map(|effect| effect.estimates.keys()).collect();
@@ -47,32 +44,22 @@ pub(super) fn score_correlations(report: &Report) -> Option<Figure> {
         is_signed: false,
         ends: ["0: distinct", "1: identical"],
     };
-    Some(Figure::of_triangle(
-        "alike",
-        &triangle,
-        &caption,
-        Layout::COLUMN,
-    ))
+    let wide = Layout::COLUMN;
+    Some(Figure::of_triangle("alike", &triangle, &caption, wide))
 }
 
 /// Indices, in the score correlation matrix of the report, of the coefficients of the most significant effects, in
 /// descending order of significance; at most [`MAX_COEFFICIENTS`].
 fn strongest(report: &Report) -> Vec<usize> {
+    let names = &report.score_correlations.names;
     let equivalent_z = |name: &String| {
-        let owner = report
-            .tests
-            .iter()
-            .find(|c| c.one_step_estimates.contains_key(name));
-        let size = owner.map_or(f64::NEG_INFINITY, |c| c.z);
-        if size.is_nan() {
-            f64::NEG_INFINITY
-        } else {
-            size
-        }
+        let mut tests = report.tests.iter();
+        let owner = tests.find(|c| c.one_step_estimates.contains_key(name));
+        let z = owner.map(|c| c.z).filter(|z| !z.is_nan());
+        z.unwrap_or(f64::NEG_INFINITY)
     };
-    let names = report.score_correlations.names.iter().enumerate();
-    let mut order: Vec<(f64, usize)> = names.map(|(i, name)| (equivalent_z(name), i)).collect();
-    sort_by_number(&mut order, |pair| -pair.0);
+    let mut order: Vec<usize> = (0..names.len()).collect();
+    sort_by_number(&mut order, |i| -equivalent_z(&names[*i]));
     order.truncate(MAX_COEFFICIENTS);
-    order.into_iter().map(|(_, i)| i).collect()
+    order
 }

@@ -2,16 +2,15 @@
 
 use dataset::Role;
 use dataset::statistics::median;
-use diagnose::identifier;
-use flight::ModelObserver;
-use identify::{Fit, FlightId, Observations};
+use diagnose::{identifier, intervals};
+use identify::{Fit, FlightId};
 use model_spec::model::{Expr, ExprKind, Model, Shape};
 use model_spec::sort_by_number;
 use nalgebra::{DMatrix, DVector};
 
 use super::super::Fits;
 use crate::angle::{is_angle, is_angle_state};
-use crate::bands::{covariance, std_error};
+use crate::bands::covariance;
 use crate::figures::axis::range;
 
 /// Number of intervals into which the range of a curve's abscissa is divided.
@@ -21,11 +20,12 @@ const INTERVALS: usize = 32;
 const SAMPLES: (usize, usize) = (4, 7);
 /// Maximum number of samples, over all flights, from which the curve is computed.
 const MAX_SAMPLES: usize = 20_000;
-/// Quantiles of the abscissa, over the samples, between which the curve is drawn.
-const QUANTILES: (f64, f64) = (0.005, 0.995);
 /// Minimum change of the plotted quantity along the curve, relative to its largest absolute value, for the curve to be
 /// drawn.
 const FLAT: f64 = 1e-6;
+
+/// Unit of angles on the abscissa.
+const DEGREE: &str = "°";
 
 /// Curve of a quantity of the extended model over a variable, and the same quantity of the
 /// model under test at the same states.
@@ -66,11 +66,10 @@ pub(in super::super) struct Point {
 /// Variable on the abscissa of a curve.
 struct Abscissa<'m> {
     name: &'m str,
-    /// SI unit of the variable, as text.
+    /// Unit of the variable, as text: `°` for angles, otherwise SI.
     unit: String,
     /// Documentation of the variable if it is an auxiliary variable; empty for a state and for the time.
     doc: &'m str,
-    is_angle: bool,
     column: Column,
 }
 
@@ -110,35 +109,26 @@ fn abscissa(after: &Fit, at: usize, effect: usize) -> Option<Abscissa<'_>> {
     collect(model, &model.aux_variables[at].value, effect, &mut found);
     let layout = after.problem().body.layout();
     let named = |name: &str| model.effects[effect].variables.iter().any(|v| v == name);
+    let of = |name, doc, unit: String, column| Abscissa {
+        name,
+        unit,
+        doc,
+        column,
+    };
+    let unit_of = |is_angle: bool, unit: String| if is_angle { DEGREE.to_owned() } else { unit };
     let usable = found.into_iter().filter_map(|kind| match kind {
         ExprKind::State(k) => {
             let state = &model.states[*k];
-            Some(Abscissa {
-                name: &state.name,
-                unit: state.unit.to_string(),
-                doc: "",
-                is_angle: is_angle_state(state),
-                column: Column::State(*k),
-            })
+            let column = Column::State(*k);
+            let unit = unit_of(is_angle_state(state), state.unit.to_string());
+            Some(of(&*state.name, "", unit, column))
         }
-        ExprKind::Time => Some(Abscissa {
-            name: "time",
-            unit: "s".to_owned(),
-            doc: "",
-            is_angle: false,
-            column: Column::Time,
-        }),
+        ExprKind::Time => Some(of("time", "", "s".to_owned(), Column::Time)),
         ExprKind::AuxVariable(k) => {
-            let variable = &model.aux_variables[*k];
-            let mut quantities = layout.quantities.iter();
-            let quantity = quantities.position(|name| *name == variable.name)?;
-            Some(Abscissa {
-                name: &variable.name,
-                unit: variable.value.unit.to_string(),
-                doc: &variable.doc,
-                is_angle: is_angle(&variable.value),
-                column: Column::Quantity(quantity),
-            })
+            let own = &model.aux_variables[*k];
+            let column = Column::Quantity(layout.quantity(&own.name)?.index());
+            let unit = unit_of(is_angle(&own.value), own.value.unit.to_string());
+            Some(of(&*own.name, &*own.doc, unit, column))
         }
         _ => None,
     });
@@ -163,35 +153,26 @@ fn collect<'m>(model: &'m Model, expr: &'m Expr, effect: usize, found: &mut Vec<
     }
 }
 
-/// Sample of a fitted flight: flight index, time, state, and value of the abscissa.
+/// Sample of a fitted flight: flight, time, state, and value of the abscissa.
 struct Sample<'f> {
-    flight: usize,
+    flight: FlightId,
     t: f64,
     state: &'f [f64],
     x: f64,
 }
 
 fn curve(before: &Fit, after: &Fit, at: usize, over: &Abscissa<'_>) -> Option<Curve> {
-    let problem = after.problem();
-    let variable = &problem.model.aux_variables[at];
-    let position = |fit: &Fit| {
-        let quantities = &fit.problem().body.layout().quantities;
-        quantities.iter().position(|name| *name == variable.name)
-    };
-    let quantity = position(after)?;
-    let flights = 0..after.report.flights.len();
-    let fitted = flights.filter(|&i| after.report.flights[i].role == Role::Fit);
-    let fitted: Vec<FlightId> = fitted.map(FlightId::new).collect();
-    let evidence: Vec<_> = fitted.iter().filter_map(|&f| after.evidence(f)).collect();
-    let all: usize = evidence.iter().map(|f| f.times.len()).sum();
+    let variable = &after.problem().model.aux_variables[at];
+    let models = Models::new(before, after, &variable.name);
+    let flights = after.report.flights.iter().enumerate();
+    let fitted = flights.filter(|(_, flight)| flight.role == Role::Fit);
+    let fitted = fitted.map(|(index, _)| FlightId::new(index));
+    let evidence = fitted.filter_map(|id| Some((id, after.evidence(id)?)));
+    let evidence: Vec<_> = evidence.collect();
+    let all: usize = evidence.iter().map(|(_, f)| f.times.len()).sum();
     let step = all.div_ceil(MAX_SAMPLES).max(1);
-    let scale = if over.is_angle {
-        1f64.to_degrees()
-    } else {
-        1.0
-    };
     let mut samples = Vec::new();
-    for (flight, found) in evidence.iter().enumerate() {
+    for (flight, found) in &evidence {
         for i in (0..found.times.len()).step_by(step) {
             let x = match over.column {
                 Column::State(k) => found.states[i][k],
@@ -199,32 +180,29 @@ fn curve(before: &Fit, after: &Fit, at: usize, over: &Abscissa<'_>) -> Option<Cu
                 Column::Time => found.times[i],
             };
             samples.push(Sample {
-                flight,
+                flight: *flight,
                 t: found.times[i],
                 state: &found.states[i],
-                x: x * scale,
+                x: if over.unit == DEGREE {
+                    x.to_degrees()
+                } else {
+                    x
+                },
             });
         }
     }
     samples.retain(|s| s.x.is_finite());
     sort_by_number(&mut samples, |sample| sample.x);
-    let models = Models::new(before, after, &fitted, position(before), quantity);
     let points = points(&samples, &models);
     let (low, high) = range(points.iter().map(|p| p.after));
-    if points.len() < 3 || high - low <= FLAT * low.abs().max(high.abs()) {
-        return None;
-    }
-    Some(Curve {
+    let is_drawn = points.len() >= 3 && high - low > FLAT * low.abs().max(high.abs());
+    is_drawn.then(|| Curve {
         quantity: variable.name.clone(),
         doc: variable.doc.clone(),
         unit: variable.value.unit.to_string(),
         over: over.name.to_owned(),
         over_doc: over.doc.split(',').next().unwrap_or_default().to_owned(),
-        over_unit: if over.is_angle {
-            "°".into()
-        } else {
-            over.unit.clone()
-        },
+        over_unit: over.unit.clone(),
         points,
     })
 }
@@ -232,15 +210,8 @@ fn curve(before: &Fit, after: &Fit, at: usize, over: &Abscissa<'_>) -> Option<Cu
 /// Computes one point of the curve for each interval of the abscissa with enough samples; `samples` are sorted by the
 /// abscissa.
 fn points(samples: &[Sample<'_>], models: &Models<'_>) -> Vec<Point> {
-    let Some(last) = samples.len().checked_sub(1) else {
-        return Vec::new();
-    };
-    let quantile = |part: f64| samples[(last as f64 * part) as usize].x;
-    let (low, high) = (quantile(QUANTILES.0), quantile(QUANTILES.1));
-    let step = (high - low) / INTERVALS as f64;
-    let below = |x: f64| samples.partition_point(|s| s.x < x);
-    let interval = |k: usize| {
-        let from = low + step * k as f64;
+    let interval = |(from, step): (f64, f64)| {
+        let below = |x: f64| samples.partition_point(|s| s.x < x);
         let inside = &samples[below(from)..below(from + step)];
         if inside.len() < SAMPLES.0 {
             return None;
@@ -257,11 +228,8 @@ fn points(samples: &[Sample<'_>], models: &Models<'_>) -> Vec<Point> {
             samples: inside.len(),
         })
     };
-    if step > 0.0 {
-        (0..INTERVALS).filter_map(interval).collect()
-    } else {
-        Vec::new()
-    }
+    let all: Vec<f64> = samples.iter().map(|s| s.x).collect();
+    intervals(&all, INTERVALS).filter_map(interval).collect()
 }
 
 /// Fits of the model under test and of the extended model, with which the drawn quantity is evaluated at a sample. The
@@ -269,10 +237,7 @@ fn points(samples: &[Sample<'_>], models: &Models<'_>) -> Vec<Point> {
 struct Models<'f> {
     before: &'f Fit,
     after: &'f Fit,
-    flights: Vec<(Option<&'f Observations>, Option<&'f Observations>)>,
-    /// Index of the drawn quantity among the quantities (components of auxiliary variables) of the compiled model: for
-    /// the model under test (`None` if it lacks the quantity), and for the extended model.
-    positions: (Option<usize>, usize),
+    quantity: &'f str,
     /// Finite-difference step for the derivative with respect to each parameter common to all flights, in the order of
     /// the fit of the extended model: the standard error of the parameter in this fit, SI; 0 if it has none.
     steps: Vec<f64>,
@@ -282,35 +247,16 @@ struct Models<'f> {
 }
 
 impl<'f> Models<'f> {
-    fn new(
-        before: &'f Fit,
-        after: &'f Fit,
-        flights: &[FlightId],
-        before_at: Option<usize>,
-        after_at: usize,
-    ) -> Models<'f> {
-        let names: Vec<&str> = {
-            let globals = after.problem().globals.iter();
-            globals.map(|g| g.name.as_str()).collect()
-        };
-        let steps = names.iter().map(|name| {
-            let known = after.report.coefficients.get(*name);
-            known
-                .map(std_error)
-                .filter(|e| e.is_finite())
-                .unwrap_or(0.0)
-        });
-        let steps: Vec<f64> = steps.collect();
-        let of = |i: usize| if steps[i] > 0.0 { 1.0 / steps[i] } else { 0.0 };
+    fn new(before: &'f Fit, after: &'f Fit, quantity: &'f str) -> Models<'f> {
+        let globals = after.problem().globals.iter();
+        let names: Vec<&str> = globals.map(|g| g.name.as_str()).collect();
         let covariance = covariance(&after.report, &names);
-        let with_evidence = flights.iter().filter(|f| after.evidence(**f).is_some());
+        let steps: Vec<f64> = covariance.diagonal().iter().map(|v| v.sqrt()).collect();
+        let of = |i: usize| if steps[i] > 0.0 { 1.0 / steps[i] } else { 0.0 };
         Models {
             before,
             after,
-            flights: with_evidence
-                .map(|&f| (before.flight(f).map(|p| p.0), after.flight(f).map(|p| p.0)))
-                .collect(),
-            positions: (before_at, after_at),
+            quantity,
             correlations: covariance.map_with_location(|i, j, c| c * of(i) * of(j)),
             steps,
         }
@@ -319,34 +265,15 @@ impl<'f> Models<'f> {
     /// At a sample: value of the drawn quantity in the model under test, value in the extended model, and standard
     /// error of the value in the extended model, SI. NaN if the model lacks the quantity or its fit lacks the flight.
     fn values(&self, sample: &Sample<'_>) -> [f64; 3] {
-        let (before, after) = self.flights[sample.flight];
-        let unextended = match (before, self.positions.0) {
-            (Some(observations), Some(at)) => {
-                let states = self.before.problem().body.layout().states.len();
-                let state = &sample.state[..states.min(sample.state.len())];
-                value(
-                    self.before,
-                    observations,
-                    self.before.global(),
-                    (sample.t, state),
-                    at,
-                )
-            }
-            _ => f64::NAN,
-        };
-        let Some(observations) = after else {
-            return [unextended, f64::NAN, f64::NAN];
-        };
-        let at = |global: &DVector<f64>| {
-            let place = (sample.t, sample.state);
-            value(self.after, observations, global, place, self.positions.1)
+        let value = |fit: &Fit, global: &DVector<f64>| {
+            value(fit, self.quantity, sample, global).unwrap_or(f64::NAN)
         };
         let global = self.after.global();
         let slopes = self.steps.iter().enumerate().map(|(i, &step)| {
             let moved = |by: f64| {
                 let mut moved = global.clone();
                 moved[i] += by;
-                at(&moved)
+                value(self.after, &moved)
             };
             if step > 0.0 {
                 0.5 * (moved(step) - moved(-step))
@@ -356,19 +283,23 @@ impl<'f> Models<'f> {
         });
         let slopes = DVector::from_iterator(self.steps.len(), slopes);
         let variance = slopes.dot(&(&self.correlations * &slopes));
-        [unextended, at(global), variance.max(0.0).sqrt()]
+        [
+            value(self.before, self.before.global()),
+            value(self.after, global),
+            variance.max(0.0).sqrt(),
+        ]
     }
 }
 
-fn value(
-    fit: &Fit,
-    observations: &Observations,
-    global: &DVector<f64>,
-    (t, state): (f64, &[f64]),
-    at: usize,
-) -> f64 {
+/// Value of a quantity of the model at a sample with the estimates `global`; `None` if the model lacks the quantity or
+/// its fit lacks the flight.
+fn value(fit: &Fit, quantity: &str, sample: &Sample<'_>, global: &DVector<f64>) -> Option<f64> {
     let problem = fit.problem();
+    let layout = problem.body.layout();
+    let at = layout.quantity(quantity)?.index();
+    let (observations, _) = fit.flight(sample.flight)?;
     let bound = problem.body.bind(observations.parameters(problem, global));
-    let mut observer: ModelObserver<'_> = bound.observer();
-    observer.quantities(t, state)[at]
+    // The extended model may have states that the model under test lacks, after those that both have.
+    let state = &sample.state[..layout.states.len().min(sample.state.len())];
+    Some(bound.observer().quantities(sample.t, state)[at])
 }

@@ -33,23 +33,19 @@ pub(super) fn finding(page: &DiagnosisPage<'_>) -> (Finding, Option<Figure>) {
     let is_drawable = report.verdict != Verdict::Adequate;
     let fits = page.fits.as_ref().filter(|_| is_drawable);
     let curve = fits.and_then(|fits| curve::of(fits, effects().map(|e| e.name.as_str())));
+    let has_channel = report
+        .unattributed
+        .as_ref()
+        .is_some_and(|found| !found.channels.is_empty());
     let figure = match (&curve, report.verdict) {
         (_, Verdict::Negligible) => draw::estimates(report),
         (Some(curve), _) => Some(draw::curve(curve)),
-        (None, Verdict::Adequate) => draw::strongest(report),
-        (None, Verdict::Unattributed) => None,
+        (None, Verdict::Adequate | Verdict::Unattributed) => None,
         (None, _) => draw::estimates(report),
     };
-    let no_channel = report
-        .unattributed
-        .as_ref()
-        .is_none_or(|u| u.channels.is_empty());
-    let figure = match (figure, report.verdict) {
-        (None, Verdict::Unattributed) if !no_channel => None,
-        (None, Verdict::Adequate) => None,
-        (None, _) => draw::strongest(report),
-        (drawn, _) => drawn,
-    };
+    // The load that is missing is drawn instead.
+    let is_drawn = report.verdict == Verdict::Unattributed && has_channel;
+    let figure = figure.or_else(|| draw::strongest(report).filter(|_| !is_drawn));
     let finding = Finding {
         what: words::what(report, curve.as_ref()),
         sure: words::sure(report),

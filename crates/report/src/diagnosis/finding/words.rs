@@ -7,7 +7,7 @@ use super::super::{DiagnosisPage, words};
 use super::curve::{Curve, Point};
 use crate::figures::symbol;
 use identify::numbers::{Digits, equivalent_z, percent, plain, probability, significant, unit};
-use identify::wording::{names, sentence};
+use identify::wording::names;
 
 /// Minimum absolute ratio of an effect's estimate to its standard error at which the report calls the effect far beyond
 /// chance. The threshold is so high that chance does not reach it even in a large number of diagnoses.
@@ -58,14 +58,7 @@ fn joined(parts: impl IntoIterator<Item = String>) -> String {
 /// Sentences that describe the effects of the hypothesis `explanation`, one of those that may explain the misfit of the
 /// model.
 fn says(explanation: &Explanation) -> String {
-    let each = explanation
-        .effects
-        .iter()
-        .map(|effect| match effect.description.trim() {
-            "" => sentence(&words::readable(&effect.name)),
-            doc => sentence(&doc.replace('\n', " ")),
-        });
-    joined(each)
+    joined(explanation.effects.iter().map(ExplanationEffect::sentence))
 }
 
 /// Sentence on the size of the missing effects: the quantity of `curve` at the point where the model under test and the

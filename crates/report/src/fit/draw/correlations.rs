@@ -16,9 +16,6 @@ pub(in super::super) fn correlations(page: &FitPage<'_>) -> Option<Figure> {
     let mut names: Vec<&str> = names.filter(estimated).collect();
     names.sort_by_key(|name| page.place(name));
     names.truncate(MAX_COEFFICIENTS);
-    if names.len() < 2 {
-        return None;
-    }
     let order = names.clone();
     let value = |i: usize, j: usize| {
         let row = report.correlations.get(order[i]);
@@ -35,10 +32,6 @@ pub(in super::super) fn correlations(page: &FitPage<'_>) -> Option<Figure> {
     };
     let caption = "Of the estimation errors of two coefficients: near ±1 only a combination of the two is identifiable. The row of \
                    a coefficient is left of its name, its column below it.";
-    Some(Figure::of_triangle(
-        "correlations",
-        &triangle,
-        caption,
-        Layout::SMALL,
-    ))
+    let draw = || Figure::of_triangle("correlations", &triangle, caption, Layout::SMALL);
+    (order.len() > 1).then(draw)
 }

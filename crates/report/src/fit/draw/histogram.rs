@@ -21,16 +21,15 @@ pub(in super::super) fn histogram(report: &FitReport) -> Option<Figure> {
     let low = rms[0];
     // The upper limit is the 98 % quantile, so that a few flights with large residuals do not compress the others
     // into one bar.
-    let usual = rms[(rms.len() - 1) * 98 / 100];
-    let high = if usual > low {
-        usual
+    let quantile = rms[(rms.len() - 1) * 98 / 100];
+    let high = if quantile > low {
+        quantile
     } else {
         low + 1e-3_f64.max(0.01 * low.abs())
     };
     let number = ((rms.len() as f64).sqrt().ceil() as usize).clamp(5, 24);
     let step = (high - low) / number as f64;
     let mut counts = vec![0_usize; number];
-    let beyond = rms.iter().filter(|v| **v > high).count();
     for value in rms.iter().filter(|v| **v <= high) {
         counts[(((value - low) / step) as usize).min(number - 1)] += 1;
     }
@@ -40,16 +39,19 @@ pub(in super::super) fn histogram(report: &FitReport) -> Option<Figure> {
         height: *count as f64,
     });
     let panel = Panel {
-        title: "Flights".into(),
-        across: "RMS residual of a flight, mm".into(),
         bars: bars.collect(),
-        ..Panel::default()
+        ..Panel::new("Flights", "RMS residual of a flight, mm")
     };
+    let beyond = rms.iter().filter(|v| **v > high).count();
     let more = not_drawn(beyond, "with larger residuals");
-    Some(Figure::of_panels(
-        "rms",
+    let (title, caption) = (
         "Residuals by flight",
         format!("Number of fitted flights by RMS residual.{more}"),
+    );
+    Some(Figure::of_panels(
+        "rms",
+        title,
+        caption,
         Layout::SMALL,
         &[panel],
     ))

@@ -5,7 +5,7 @@ mod histogram;
 mod precision;
 mod predictions;
 mod profiles;
-pub(crate) mod residuals;
+mod residuals;
 mod states;
 mod tracks;
 mod whiteness;
@@ -15,15 +15,12 @@ pub(super) use histogram::histogram;
 pub(super) use precision::precision;
 pub(crate) use predictions::predictions;
 pub(super) use profiles::profiles;
-pub(super) use residuals::residuals;
+pub(crate) use residuals::residuals;
 pub(super) use states::states;
 pub(super) use tracks::tracks;
 pub(super) use whiteness::whiteness;
 
 use identify::FlightEvidence;
-
-/// Maximum number of flights in a figure that shows all flights, and maximum number of figures of single flights.
-pub(crate) const MAX_FLIGHTS: usize = 12;
 
 /// Sentence on the number of items that a figure leaves out, with a leading space; empty if it leaves out none. `what`
 /// describes the items, such as `more flights`.

@@ -4,7 +4,7 @@ use dataset::Role;
 use identify::{Fit, FlightEvidence, FlightId};
 
 use super::{points, samples};
-use crate::bands::{PredictionBand, prediction_band};
+use crate::bands::{PredictionBand, WIDTH_95, prediction_band};
 use crate::figure::Figure;
 use crate::figures::{Dots, Layout, Look, Mark, Panel};
 use crate::thin::{MAX_CURVE_POINTS, stride};
@@ -13,8 +13,6 @@ use crate::thin::{MAX_CURVE_POINTS, stride};
 const MAX_FLIGHTS: usize = 6;
 /// Maximum number of dots with which a series of prediction errors is drawn.
 const MAX_DOTS: usize = 400;
-/// Half width of a 95 % confidence interval, in standard errors.
-const WIDTH_95: f64 = 1.96;
 
 /// Draws one figure for each held-out flight: the errors of the predictions in `evidence`, which were made by the model
 /// of `fit`. Errors of the predictions in `before`, which were made by another model, are drawn in grey.
@@ -27,18 +25,14 @@ pub(crate) fn predictions(
         .iter()
         .filter(|f| f.role == Role::HeldOut && !f.markers.is_empty());
     let figures = held_out.take(MAX_FLIGHTS).enumerate();
-    figures
-        .filter_map(|(i, flight)| {
-            let index = fit
-                .report
-                .flights
-                .iter()
-                .position(|f| f.file == flight.file)?;
-            let band = prediction_band(fit, FlightId::new(index))?;
-            let other = before.iter().find(|f| f.file == flight.file);
-            Some(figure(i, flight, other, &band, fit.noise().sigma))
-        })
-        .collect()
+    let figures = figures.filter_map(|(i, flight)| {
+        let mut flights = fit.report.flights.iter();
+        let index = flights.position(|f| f.file == flight.file)?;
+        let band = prediction_band(fit, FlightId::new(index))?;
+        let other = before.iter().find(|f| f.file == flight.file);
+        Some(figure(i, flight, other, &band, fit.noise().sigma))
+    });
+    figures.collect()
 }
 
 fn figure(
@@ -48,7 +42,7 @@ fn figure(
     band: &PredictionBand,
     sigma: [f64; 3],
 ) -> Figure {
-    let first = flight.times.get(band.first).copied();
+    let first = flight.times.get(band.first);
     let panel = |(axis, name): (usize, &str)| {
         let half = |sample: usize| {
             let errors = band.std_error.get(sample)?.iter().map(|error| error[axis]);
@@ -57,30 +51,21 @@ fn figure(
         };
         let ribbon = samples(flight).filter_map(|s| Some((flight.times[s], -half(s)?, half(s)?)));
         let ribbon: Vec<(f64, f64, f64)> = ribbon.collect();
-        let pale = before.map(|before| Dots {
-            look: Look::Pale,
-            points: stride(&errors(before, axis), MAX_DOTS),
-        });
-        let own = Dots {
-            look: Look::Colour(0),
-            points: stride(&errors(flight, axis), MAX_DOTS),
-        };
-        let mark = first.map(|t| Mark {
-            name: "predicted from here".into(),
-            at: (t, f64::NAN),
-        });
+        let dots = |look, of| Dots::new(look, stride(&errors(of, axis), MAX_DOTS));
+        let pale = before.map(|before| dots(Look::Pale, before));
+        let mark = first.map(|t| Mark::vertical("predicted from here", *t));
         Panel {
-            title: format!("{name}, mm"),
-            across: if axis == 2 {
-                "time, s".into()
-            } else {
-                String::new()
-            },
-            dots: pale.into_iter().chain([own]).collect(),
+            dots: pale
+                .into_iter()
+                .chain([dots(Look::Colour(0), flight)])
+                .collect(),
             ribbon: stride(&ribbon, MAX_CURVE_POINTS),
             marks: mark.filter(|_| axis == 0).into_iter().collect(),
             height: Some(84.0),
-            ..Panel::default()
+            ..Panel::new(
+                format!("{name}, mm"),
+                if axis == 2 { "time, s" } else { "" },
+            )
         }
     };
     let panels: Vec<Panel> = ["x", "y", "z"].into_iter().enumerate().map(panel).collect();

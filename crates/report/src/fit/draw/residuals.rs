@@ -4,167 +4,171 @@
 use dataset::Role;
 use identify::{FlightEvidence, NoiseReport};
 
-use super::{MAX_FLIGHTS, points, samples};
+use super::{points, samples};
 use crate::figure::Figure;
 use crate::figures::csv::of_panels;
 use crate::figures::{Dots, Layout, Look, Mark, Panel, figure_of};
-use crate::thin::stride;
+use crate::thin::{MAX_DOTS, MAX_FLIGHTS, stride};
 
-/// Maximum number of residuals drawn as dots in a panel, over all markers.
-const MAX_DOTS: usize = 1500;
-/// Maximum number of residuals drawn as dots for each marker on a narrow screen.
-const NARROW_DOTS: usize = 150;
+/// Maximum number of residuals drawn as dots on a narrow screen in a panel, over all series.
+const NARROW_DOTS: usize = 600;
+/// Maximum number of outliers drawn as crosses in a panel.
+const MAX_CROSSES: usize = 200;
 
-/// Flights of one role, whose residuals are drawn in one figure.
-pub(crate) struct FlightsOfRole<'e> {
-    /// File name, without suffix, of the figure of residuals.
-    pub(crate) name: &'static str,
-    /// Title of the figure of residuals.
-    pub(crate) title: &'static str,
-    /// Flights of this role among the first [`MAX_FLIGHTS`] flights of a fit or diagnosis; only those are drawn.
-    pub(crate) flights: Vec<&'e FlightEvidence>,
-    /// Sentences at the end of the caption: the meaning of the residuals, and the files of the flights.
-    pub(crate) notes: String,
-}
+/// Roles of flights, each with name and title of its figure and the meaning of the residuals.
+const KINDS: [(Role, &str, &str, &str); 2] = [
+    (
+        Role::Fit,
+        "residuals",
+        "Residuals of the fitted flights",
+        "",
+    ),
+    (
+        Role::HeldOut,
+        "residuals-held-out",
+        "Residuals of the held-out flights",
+        " The first 30\u{a0}% of each were used for its initial state; the rest is a prediction.",
+    ),
+];
 
-impl<'e> FlightsOfRole<'e> {
-    /// Groups the flights by role: the fitted flights, then the held-out flights; a role without flights is left out.
-    pub(crate) fn all(evidence: &'e [FlightEvidence]) -> impl Iterator<Item = FlightsOfRole<'e>> {
-        let kinds = [
-            (
-                Role::Fit,
-                "residuals",
-                "Residuals of the fitted flights",
-                "",
-            ),
-            (
-                Role::HeldOut,
-                "residuals-held-out",
-                "Residuals of the held-out flights",
-                " The first 30\u{a0}% of each were used for its initial state; the rest is a prediction.",
-            ),
-        ];
-        let of_kind = |(role, name, title, meaning)| {
-            let flights = flights_of(evidence, role);
-            let files = flights.iter().enumerate();
-            let files: Vec<String> = files
-                .map(|(i, f)| format!("{} {}", i + 1, f.file))
-                .collect();
-            FlightsOfRole {
-                name,
-                title,
-                flights,
-                notes: format!("{meaning} Flights: {}.", files.join(", ")),
-            }
+/// Draws one figure for the residuals of the fitted flights and one for those of the held-out flights, with one colour
+/// per marker. If there are flights predicted by an extended model, `after`, their residuals are blue and those of the
+/// model grey. A figure without flights is omitted.
+pub(crate) fn residuals(
+    evidence: &[FlightEvidence],
+    after: &[FlightEvidence],
+    noise: &NoiseReport,
+) -> Vec<Figure> {
+    let figures = KINDS.into_iter().filter_map(|(role, name, title, meaning)| {
+        let flights = flights_of(evidence, role);
+        let extended = flights_of(after, role);
+        let axes = ["x", "y", "z"].into_iter().enumerate();
+        let panels = axes.map(|(i, axis)| {
+            let sigma = noise.axes.get(axis).map_or(noise.sigma, |n| n.sigma);
+            panel(&flights, &extended, i, axis, sigma)
+        });
+        let panels: Vec<Panel> = panels.collect();
+        let files = flights.iter().zip(1..).map(|(f, n)| format!("{n} {}", f.file));
+        let files: Vec<String> = files.collect();
+        let colours = if extended.is_empty() {
+            "one colour per marker"
+        } else {
+            "grey for the model, blue for the extended model"
         };
-        let all = kinds.into_iter().map(of_kind);
-        all.filter(|of| !of.flights.is_empty())
-    }
-
-    /// Role of the flights: fitted or held out.
-    pub(crate) fn role(&self) -> Role {
-        self.flights[0].role
-    }
+        let caption = format!(
+            "Residuals (measured − predicted), one flight after the other, {colours}; shaded: ±2 standard deviations of \
+             the noise; crosses: outliers, at the edge if they are beyond it.{meaning} Flights: {}.",
+            files.join(", ")
+        );
+        let texts = [caption, of_panels(&panels)];
+        let draw = |layout| residual_figure(layout, title, &panels);
+        (!flights.is_empty())
+            .then(|| Figure::in_layouts(name, title, texts, Layout::WIDE, &draw))
+    });
+    figures.collect()
 }
 
 /// Flights with the given role (fitted or held out) among the first [`MAX_FLIGHTS`] elements of `evidence`.
-pub(crate) fn flights_of(evidence: &[FlightEvidence], role: Role) -> Vec<&FlightEvidence> {
+fn flights_of(evidence: &[FlightEvidence], role: Role) -> Vec<&FlightEvidence> {
     let drawn = evidence.iter().take(MAX_FLIGHTS);
     drawn.filter(|f| f.role == role).collect()
 }
 
-/// Draws panels of residuals. In any layout but the widest, each series has at most `dots` dots.
-pub(crate) fn residual_figure(
-    layout: Layout,
-    title: &str,
-    panels: &[Panel],
-    dots: usize,
-) -> String {
+/// Draws panels of residuals, with fewer dots in any layout but the widest.
+fn residual_figure(layout: Layout, title: &str, panels: &[Panel]) -> String {
     if layout == Layout::WIDE {
         return figure_of(layout, title, panels);
     }
     let mut fewer = panels.to_vec();
-    for series in fewer.iter_mut().flat_map(|panel| &mut panel.dots) {
-        series.points = stride(&series.points, dots);
+    for panel in &mut fewer {
+        let most = NARROW_DOTS / panel.dots.len().max(1);
+        for series in &mut panel.dots {
+            series.points = stride(&series.points, most);
+        }
     }
     figure_of(layout, title, &fewer)
 }
 
-/// Draws one figure for the residuals of the fitted flights and one for those of the held-out flights. A figure without
-/// flights is omitted.
-pub(in super::super) fn residuals(evidence: &[FlightEvidence], noise: &NoiseReport) -> Vec<Figure> {
-    let figure = |of: FlightsOfRole<'_>| {
-        let axes = ["x", "y", "z"].into_iter().enumerate();
-        let panels = axes.map(|(i, axis)| {
-            let sigma = noise.axes.get(axis).map_or(noise.sigma, |n| n.sigma);
-            panel(&of.flights, i, axis, sigma)
-        });
-        let panels: Vec<Panel> = panels.collect();
-        let caption = format!(
-            "Residuals (measured − predicted), one flight after the other, one colour per marker; shaded: ±2 standard \
-             deviations of the noise; crosses: outliers, at the edge if they are beyond it.{}",
-            of.notes
-        );
-        let texts = [caption, of_panels(&panels)];
-        Figure::in_layouts(of.name, of.title, texts, Layout::WIDE, &|layout| {
-            residual_figure(layout, of.title, &panels, NARROW_DOTS)
-        })
-    };
-    FlightsOfRole::all(evidence).map(figure).collect()
+/// Residuals (measured − predicted, mm) of flights along one axis over the time since the start of the first flight.
+#[derive(Default)]
+struct Series {
+    /// Residuals of each marker without outliers.
+    markers: Vec<Vec<(f64, f64)>>,
+    outliers: Vec<(f64, f64)>,
+    /// Time at which each flight starts.
+    starts: Vec<f64>,
 }
 
-/// Panel of the residuals (measured − predicted, mm) along `axis` (0 x, 1 y, 2 z), with the flights one after the other
-/// on the time axis. `name` is the name of the axis for the panel's title; `sigma` is the standard deviation of the
-/// noise, m.
-pub(crate) fn panel(flights: &[&FlightEvidence], axis: usize, name: &str, sigma: f64) -> Panel {
-    let markers = flights.iter().map(|f| f.markers.len()).max().unwrap_or(0);
-    let mut dots: Vec<Vec<(f64, f64)>> = vec![Vec::new(); markers];
-    let (mut outliers, mut marks) = (Vec::new(), Vec::new());
-    let mut start = 0.0;
-    for (number, flight) in flights.iter().enumerate() {
-        marks.push(Mark {
-            name: format!("{}", number + 1),
-            at: (start, f64::NAN),
-        });
-        for measured in points(flight, markers) {
-            let time = start + measured.time - flight.times[0];
-            let point = (time, measured.residual[axis]);
-            if measured.is_outlier {
-                outliers.push(point);
-            } else if point.1.is_finite() {
-                dots[measured.marker].push(point);
+impl Series {
+    fn of(flights: &[&FlightEvidence], axis: usize) -> Series {
+        let markers = flights.iter().map(|f| f.markers.len()).max().unwrap_or(0);
+        let mut series = Series {
+            markers: vec![Vec::new(); markers],
+            ..Series::default()
+        };
+        let mut start = 0.0;
+        for flight in flights {
+            series.starts.push(start);
+            for measured in points(flight, markers) {
+                let time = start + measured.time - flight.times[0];
+                let point = (time, measured.residual[axis]);
+                if measured.is_outlier {
+                    series.outliers.push(point);
+                } else if point.1.is_finite() {
+                    series.markers[measured.marker].push(point);
+                }
             }
+            let last = samples(flight).last().map_or(0.0, |s| flight.times[s]);
+            let first = flight.times.first().copied().unwrap_or(0.0);
+            start += (last - first).max(0.0);
         }
-        let last = samples(flight).last().map_or(0.0, |s| flight.times[s]);
-        let first = flight.times.first().copied().unwrap_or(0.0);
-        start += (last - first).max(0.0);
+        series
     }
-    let each = MAX_DOTS / markers.max(1);
-    let largest = dots.iter().flatten().map(|p| p.1.abs()).fold(0.0, f64::max);
+}
+
+/// Panel of the residuals along `axis` (0 x, 1 y, 2 z), whose name is `name`, by the model and by the extended model
+/// (`after`); `sigma` is the standard deviation of the noise, m.
+fn panel(
+    flights: &[&FlightEvidence],
+    after: &[&FlightEvidence],
+    axis: usize,
+    name: &str,
+    sigma: f64,
+) -> Panel {
+    let (before, after) = (Series::of(flights, axis), Series::of(after, axis));
+    let all = || before.markers.iter().chain(&after.markers);
+    let largest = all().flatten().map(|p| p.1.abs()).fold(0.0, f64::max);
     let band = Some(2e3 * sigma).filter(|b| b.is_finite() && *b > 0.0);
     let reach = 1.08 * largest.max(band.unwrap_or(0.0)).max(1e-9);
-    for point in &mut outliers {
-        point.1 = point.1.clamp(-0.96 * reach, 0.96 * reach);
-    }
-    let mut all: Vec<Dots> = dots
-        .iter()
-        .enumerate()
-        .map(|(marker, points)| Dots {
-            look: Look::Colour(marker),
-            points: stride(points, each),
-        })
-        .collect();
-    all.push(Dots {
-        look: Look::Cross,
-        points: stride(&outliers, 200),
-    });
+    let dots = if after.starts.is_empty() {
+        let markers = before.markers.iter().enumerate();
+        let each = MAX_DOTS / before.markers.len().max(1);
+        let dots = markers.map(|(i, points)| Dots::new(Look::Colour(i), stride(points, each)));
+        dots.collect()
+    } else {
+        let both = [(Look::Pale, &before), (Look::Colour(0), &after)];
+        let dots = both.map(|(look, series)| {
+            let points = series.markers.concat();
+            Dots::new(look, stride(&points, MAX_DOTS))
+        });
+        Vec::from(dots)
+    };
+    let own = if after.starts.is_empty() {
+        &before
+    } else {
+        &after
+    };
+    let inside = |p: &(f64, f64)| (p.0, p.1.clamp(-0.96 * reach, 0.96 * reach));
+    let crosses: Vec<(f64, f64)> = own.outliers.iter().map(inside).collect();
+    let starts = before.starts.iter().zip(1..);
     Panel {
-        title: format!("{name}, mm"),
-        across: "time, flights in sequence, s".into(),
-        dots: all,
-        marks,
+        dots,
+        marks: starts
+            .map(|(start, n)| Mark::vertical(format!("{n}"), *start))
+            .collect(),
         band: band.map(|b| (-b, b)),
         up: Some((-reach, reach)),
-        ..Panel::default()
+        ..Panel::new(format!("{name}, mm"), "time, flights in sequence, s")
     }
+    .dots(Look::Cross, stride(&crosses, MAX_CROSSES))
 }

@@ -4,16 +4,14 @@
 use identify::FlightEvidence;
 use model_spec::model::Model;
 
-use super::{MAX_FLIGHTS, samples};
+use super::samples;
 use crate::figure::Figure;
-use crate::figures::{Layout, Line, Panel, StateLabel, panels_of_states, symbol};
-use crate::thin::{MAX_CURVE_POINTS, curve};
+use crate::figures::{Layout, Panel, StateLabel, panels_of_states, symbol};
+use crate::thin::{MAX_CURVE_POINTS, MAX_FIGURES, MAX_FLIGHTS, curve};
 
 /// Maximum ratio of the peak magnitudes of two states that share a panel. In a small panel, the nutation of the
 /// angular rates must remain visible next to the spin.
 const APART: f64 = 3.0;
-/// Maximum number of states that a figure of one flight shows.
-const MAX_LINES: usize = 24;
 /// Quantities that are drawn in addition to the states if the model defines them: name, title and unit.
 const QUANTITIES: [(&str, &str, &str); 3] = [
     ("alpha", "Angle of attack α", "rad"),
@@ -35,27 +33,14 @@ fn state_figure(index: usize, flight: &FlightEvidence, model: &Model) -> Option<
         let Some(at) = at else { continue };
         let points = column(flight, &flight.quantities, at);
         if points.iter().any(|p| p.1.is_finite()) {
-            panels.push(Panel {
-                title: format!("{title}, {unit}"),
-                across: "time, s".into(),
-                lines: vec![Line {
-                    name: symbol(name),
-                    points,
-                }],
-                ..Panel::default()
-            });
+            let panel = Panel::new(format!("{title}, {unit}"), "time, s");
+            panels.push(panel.line(symbol(name), points));
         }
     }
-    if panels.is_empty() {
-        return None;
-    }
-    Some(Figure::of_panels(
-        format!("states-{:02}", index + 1),
-        &flight.file,
-        "States of the fitted flight over time.",
-        Layout::SMALL,
-        &panels,
-    ))
+    let name = format!("states-{:02}", index + 1);
+    let caption = "States of the fitted flight over time.";
+    let draw = || Figure::of_panels(name, &flight.file, caption, Layout::SMALL, &panels);
+    (!panels.is_empty()).then(draw)
 }
 
 fn state_panels(flight: &FlightEvidence, model: &Model) -> Vec<Panel> {
@@ -63,20 +48,15 @@ fn state_panels(flight: &FlightEvidence, model: &Model) -> Vec<Panel> {
         let state = model.states.iter().find(|s| s.name == name);
         state.map_or("", |s| s.unit_text.as_str())
     };
-    let names = flight.state_names.iter().take(MAX_LINES);
-    let labels: Vec<StateLabel<'_>> = names
-        .map(|name| StateLabel {
-            name,
-            unit: unit(name),
-        })
-        .collect();
+    let names = flight.state_names.iter().take(MAX_FIGURES);
+    let labels = names.map(|name| StateLabel {
+        name,
+        unit: unit(name),
+    });
+    let labels: Vec<StateLabel<'_>> = labels.collect();
     // Rows that are too short are an error of the caller and are not drawn.
-    let rows: Vec<Vec<f64>> = flight
-        .states
-        .iter()
-        .filter(|row| row.len() >= labels.len())
-        .cloned()
-        .collect();
+    let rows = flight.states.iter().filter(|row| row.len() >= labels.len());
+    let rows: Vec<Vec<f64>> = rows.cloned().collect();
     if rows.is_empty() {
         return Vec::new();
     }

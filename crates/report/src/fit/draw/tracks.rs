@@ -2,11 +2,11 @@
 
 use identify::FlightEvidence;
 
-use super::{MAX_FLIGHTS, MeasuredPoint, not_drawn, points, predicted, samples};
+use super::{MeasuredPoint, not_drawn, points, predicted, samples};
 use crate::figure::Figure;
 use crate::figures::axis::range;
-use crate::figures::{Dots, Layout, Line, Look, Panel};
-use crate::thin::{MAX_CURVE_POINTS, stride};
+use crate::figures::{Layout, Look, Panel};
+use crate::thin::{MAX_CURVE_POINTS, MAX_FLIGHTS, stride};
 
 /// Maximum number of markers whose paths are drawn: the number of distinct line colours.
 const MAX_MARKERS: usize = 4;
@@ -15,19 +15,15 @@ const MAX_DOTS: usize = 80;
 
 /// Draws the measured and predicted marker paths of each flight: top view, and height over time.
 pub(in super::super) fn tracks(evidence: &[FlightEvidence]) -> Vec<Figure> {
-    let flights = evidence.iter().take(MAX_FLIGHTS).enumerate();
-    let maps: Vec<Panel> = evidence.iter().take(MAX_FLIGHTS).map(map).collect();
+    let flights = || evidence.iter().take(MAX_FLIGHTS);
+    let map = |flight| panel(flight, |_, p| (p[0], p[1]));
+    let maps: Vec<Panel> = flights().map(map).collect();
     // All top views have equal height, so that figures in a row are aligned.
     let shapes = maps.iter().map(shape).filter(|shape| shape.is_finite());
     let height = (shapes.fold(0.0, f64::max) * 300.0).clamp(80.0, 190.0);
-    flights
-        .zip(maps)
-        .map(|((i, flight), map)| track(i, flight, map, height))
-        .collect()
-}
-
-fn map(flight: &FlightEvidence) -> Panel {
-    panel(flight, |_, p| (p[0], p[1]))
+    let tracks = flights().zip(maps).enumerate();
+    let tracks = tracks.map(|(i, (flight, map))| track(i, flight, map, height));
+    tracks.collect()
 }
 
 /// Height of a top view divided by its width, including a margin of 10 %.
@@ -57,13 +53,9 @@ fn track(index: usize, flight: &FlightEvidence, map: Panel, tall: f64) -> Figure
     };
     let left_out = flight.markers.len().saturating_sub(MAX_MARKERS);
     let caption = "Dots: measured; lines: predicted; crosses: outliers. Long flights are drawn with fewer samples.";
-    Figure::of_panels(
-        format!("tracks-{:02}", index + 1),
-        &flight.file,
-        caption.to_owned() + &not_drawn(left_out, "more markers"),
-        Layout::SMALL,
-        &[above, side],
-    )
+    let caption = caption.to_owned() + &not_drawn(left_out, "more markers");
+    let name = format!("tracks-{:02}", index + 1);
+    Figure::of_panels(name, &flight.file, caption, Layout::SMALL, &[above, side])
 }
 
 /// Panel of the measured and predicted marker positions of a flight; `at` maps time (s) and position (m) to a point
@@ -87,14 +79,9 @@ fn panel(flight: &FlightEvidence, at: impl Fn(f64, [f64; 3]) -> (f64, f64)) -> P
         }
         let line = samples(flight).map(|s| at(flight.times[s], predicted(flight, s, marker)));
         let line: Vec<(f64, f64)> = line.collect();
-        panel.lines.push(Line {
-            name: name.clone(),
-            points: stride(&line, MAX_CURVE_POINTS),
-        });
-        panel.dots.push(Dots {
-            look: Look::Colour(marker),
-            points: stride(&dots, MAX_DOTS),
-        });
+        let line = stride(&line, MAX_CURVE_POINTS);
+        let dots = stride(&dots, MAX_DOTS);
+        panel = panel.line(name, line).dots(Look::Colour(marker), dots);
     }
     // Outliers far outside the predicted range are not drawn.
     let reach = |axis: fn(&(f64, f64)) -> f64| {
@@ -105,9 +92,5 @@ fn panel(flight: &FlightEvidence, at: impl Fn(f64, [f64; 3]) -> (f64, f64)) -> P
     };
     let (x, y) = (reach(|p| p.0), reach(|p| p.1));
     outliers.retain(|p| x.0 <= p.0 && p.0 <= x.1 && y.0 <= p.1 && p.1 <= y.1);
-    panel.dots.push(Dots {
-        look: Look::Cross,
-        points: stride(&outliers, MAX_DOTS),
-    });
-    panel
+    panel.dots(Look::Cross, stride(&outliers, MAX_DOTS))
 }

@@ -1,18 +1,18 @@
 //! The report page of a design: path from above and from the side, landings, and the effect of each quantity of the
 //! throw.
 
-use analysis::design::{Band, Bounds, Design, Landings, Path, QUANTILES, Spread, numbers};
+use analysis::design::{
+    Band, Bounds, Design, Landings, Path, QUANTILES, Sensitivity, Spread, numbers,
+};
 use flight::throw::FIELDS;
 use nalgebra::{Vector2, Vector3};
-use report::figures::{Dots, Layout, Line, Look, Mark, Panel};
-use report::{Column, Figure, Html, Page, Table};
 
-use crate::commands::hundredths;
+use crate::figures::{Layout, Look, Mark, Panel};
+use crate::thin::{MAX_DOTS, stride};
+use crate::{Figure, Html, Page, Table, hundredths};
 
 /// Number of line segments with which the figures of a throw design show a path; an ellipse has half as many.
 const POINTS: usize = 200;
-/// Maximum number of sampled landings that the figure shows as dots.
-const MAX_DOTS: usize = 1500;
 
 /// Report page of a throw design, the result of `hyzer design`, and its figures.
 pub fn page(
@@ -57,8 +57,16 @@ pub fn page(
     (page, figures)
 }
 
+/// Text of a throw design for the terminal: the throw, its landing and the spread of the landings.
+pub fn text(found: &Design, bounds: &Bounds, spread: &Spread) -> String {
+    let sentences = nearest(found).into_iter().chain(lead(found));
+    let lines: String = sentences.map(|sentence| sentence + "\n").collect();
+    let table = throw(found, bounds).text(usize::MAX);
+    lines + &table + &spread_words(spread, bounds).join("\n") + "\n"
+}
+
 /// Sentence on a throw that does not serve its purpose; `None` if it does.
-pub fn nearest(found: &Design) -> Option<String> {
+fn nearest(found: &Design) -> Option<String> {
     (!found.feasible).then(|| {
         format!(
             "{}: not possible within these bounds, as far as {} throws and the descents from the best of them can tell; what comes \
@@ -71,7 +79,7 @@ pub fn nearest(found: &Design) -> Option<String> {
 }
 
 /// Sentences on the goal, the landing and the way there.
-pub fn lead(found: &Design) -> Vec<String> {
+fn lead(found: &Design) -> Vec<String> {
     let (figure, unit) = found.goal.figure();
     let mut words = vec![format!(
         "{}: {figure} {:.4} {unit}. The throw lands at x {:.2} m, y {:.2} m after {:.2} s.",
@@ -94,52 +102,38 @@ pub fn lead(found: &Design) -> Vec<String> {
 }
 
 /// Table of the numbers of the throw, their bounds, and what a unit of each does.
-pub fn throw(found: &Design, bounds: &Bounds) -> Table {
-    use Column::{Name, Number};
-    let mut table = Table::new().with(Name, &["number"]).with(
-        Number,
-        &[
-            "value",
-            "bounds",
-            "x, m/unit",
-            "y, m/unit",
-            "time, s/unit",
-            "goal/unit",
-            "one less, m",
-            "one more, m",
-        ],
-    );
-    for s in &found.sensitivity {
-        let (name, unit, ..) = FIELDS[s.field];
-        let value = numbers(&found.throw)
-            .find(|(own, _)| *own == name)
-            .map_or(f64::NAN, |(_, value)| value);
-        let [less, more] = s.one_unit.map(|one| match one {
-            Some(one) => format!("{:+.2}, {:+.2}", one.landing.x, one.landing.y),
-            None => "no flight".into(),
-        });
+fn throw(found: &Design, bounds: &Bounds) -> Table {
+    let value = |s: &Sensitivity| {
+        let name = FIELDS[s.field].0;
+        let value = numbers(&found.throw).find(|(own, _)| *own == name);
+        format!("{:.3}", value.map_or(f64::NAN, |(_, value)| value))
+    };
+    let range = |s: &Sensitivity| {
         let range = bounds.ranges.iter().find(|range| range.0 == s.field);
-        let range = range.map(|(_, least, greatest)| {
-            if least < greatest {
-                format!("{least} .. {greatest}")
-            } else {
-                "held".into()
-            }
-        });
-        let figure = s.figure.map(|figure| format!("{figure:+.4}"));
-        table.row([
-            format!("{name}, {unit}").into(),
-            format!("{value:.3}").into(),
-            range.unwrap_or_default().into(),
-            format!("{:+.4}", s.landing.x).into(),
-            format!("{:+.4}", s.landing.y).into(),
-            format!("{:+.4}", s.time).into(),
-            figure.unwrap_or_else(|| "–".into()).into(),
-            less.into(),
-            more.into(),
-        ]);
-    }
-    table
+        match range {
+            Some((_, least, greatest)) if least < greatest => format!("{least} .. {greatest}"),
+            Some(_) => "held".to_owned(),
+            None => String::new(),
+        }
+    };
+    let one_unit = |s: &Sensitivity, which: usize| match &s.one_unit[which] {
+        Some(one) => format!("{:+.2}, {:+.2}", one.landing.x, one.landing.y),
+        None => "no flight".to_owned(),
+    };
+    let slope = |value: f64| format!("{value:+.4}");
+    Table::of(&found.sensitivity)
+        .name("number", |s| {
+            format!("{}, {}", FIELDS[s.field].0, FIELDS[s.field].1)
+        })
+        .number("value", |s| value(s))
+        .number("bounds", |s| range(s))
+        .number("x, m/unit", |s| slope(s.landing.x))
+        .number("y, m/unit", |s| slope(s.landing.y))
+        .number("time, s/unit", |s| slope(s.time))
+        .number("goal/unit", |s| s.figure.map(slope))
+        .number("one less, m", |s| one_unit(s, 0))
+        .number("one more, m", |s| one_unit(s, 1))
+        .table()
 }
 
 fn figure_of_path(found: &Design, bounds: &Bounds, path: &Path<'_>, spread: &Spread) -> Figure {
@@ -156,39 +150,14 @@ fn figure_of_path(found: &Design, bounds: &Bounds, path: &Path<'_>, spread: &Spr
     // The bands lie along the line to the landing, so the map is turned to it.
     let turned = |of: Vector2<f64>| (of.dot(&along), of.dot(&left));
     let mut marks = vec![
-        Mark {
-            name: "release".into(),
-            at: (0.0, 0.0),
-        },
-        Mark {
-            name: "landing".into(),
-            at: turned(found.landing.xy()),
-        },
+        Mark::new("release", (0.0, 0.0)),
+        Mark::new("landing", turned(found.landing.xy())),
     ];
-    let mut side_marks = vec![Mark {
-        name: "release".into(),
-        at: (0.0, places[0].z),
-    }];
+    let mut side_marks = vec![Mark::new("release", (0.0, places[0].z))];
     if let Some(target) = found.goal.target() {
-        marks.push(Mark {
-            name: "target".into(),
-            at: turned(target.xy()),
-        });
-        side_marks.push(Mark {
-            name: "target".into(),
-            at: (turned(target.xy()).0, target.z),
-        });
-    }
-    let line = |name: &str, points: Vec<(f64, f64)>| Line {
-        name: name.into(),
-        points,
-    };
-    let mut above = vec![line("", places.iter().map(|p| turned(p.xy())).collect())];
-    if let Some(obstacle) = bounds.obstacle {
-        let round = circle(obstacle.place, obstacle.radius)
-            .into_iter()
-            .map(turned);
-        above.push(line("obstacle", round.collect()));
+        let at = turned(target.xy());
+        marks.push(Mark::new("target", at));
+        side_marks.push(Mark::new("target", (at.0, target.z)));
     }
     let ribbon = |of: &dyn Fn(&Band) -> [f64; 3]| {
         bands
@@ -196,79 +165,54 @@ fn figure_of_path(found: &Design, bounds: &Bounds, path: &Path<'_>, spread: &Spr
             .map(|band| (band.distance, of(band)[0], of(band)[2]))
             .collect::<Vec<_>>()
     };
-    let panel = |title: &str, lines, marks, ribbon| Panel {
-        title: title.into(),
-        across: "along the line from release to landing, m".into(),
-        lines,
+    let panel = |title: &str, marks, ribbon| Panel {
         marks,
         ribbon,
         map: true,
-        ..Panel::default()
+        ..Panel::new(title, "along the line from release to landing, m")
     };
-    let side = places.iter().map(|p| (turned(p.xy()).0, p.z)).collect();
-    let panels = [
-        panel(
-            "From above: to the left of the line, m",
-            above,
-            marks,
-            ribbon(&|band| band.left),
-        ),
-        panel(
-            "From the side: height, m",
-            vec![line("", side)],
-            side_marks,
-            ribbon(&|band| band.height),
-        ),
-    ];
+    let title = "From above: to the left of the line, m";
+    let mut above = panel(title, marks, ribbon(&|band| band.left))
+        .line("", places.iter().map(|p| turned(p.xy())));
+    if let Some(obstacle) = bounds.obstacle {
+        let round = circle(obstacle.place, obstacle.radius);
+        above = above.line("obstacle", round.into_iter().map(turned));
+    }
+    let height = ribbon(&|band| band.height);
+    let side = panel("From the side: height, m", side_marks, height)
+        .line("", places.iter().map(|p| (turned(p.xy()).0, p.z)));
     let caption = format!(
         "Blue: the throw. Shaded: between the {:.0} % and the {:.0} % quantile of the scattered throws that reach the distance.",
         100.0 * QUANTILES[0],
         100.0 * QUANTILES[2]
     );
-    Figure::of_panels("path", "Path", caption, Layout::COLUMN, &panels)
+    Figure::of_panels("path", "Path", caption, Layout::COLUMN, &[above, side])
 }
 
 fn figure_of_landings(found: &Design, bounds: &Bounds, spread: &Spread) -> Figure {
-    let line = |name: &str, points: Vec<Vector2<f64>>| Line {
-        name: name.into(),
-        points: points.into_iter().map(|p| (p.x, p.y)).collect(),
-    };
-    let mut lines = vec![line("linear", ellipse(&spread.linear))];
-    let mut dots = Vec::new();
-    if let Some(sampled) = &spread.sampled {
-        lines.push(line("sampled", ellipse(&sampled.landings)));
-        let step = sampled.points.len().div_ceil(MAX_DOTS).max(1);
-        let points = sampled.points.iter().step_by(step).map(|p| (p.x, p.y));
-        dots.push(Dots {
-            look: Look::Pale,
-            points: points.collect(),
-        });
-    }
-    let aim = found
-        .goal
-        .target()
-        .filter(|target| target.z == 0.0)
-        .unwrap_or(found.landing);
-    lines.push(line("circle", circle(aim.xy(), bounds.circle)));
-    let panel = Panel {
-        title: "y, m".into(),
-        across: "x, m".into(),
-        lines,
-        dots,
-        marks: vec![Mark {
-            name: "landing".into(),
-            at: (found.landing.x, found.landing.y),
-        }],
+    let points = |of: Vec<Vector2<f64>>| of.into_iter().map(|p| (p.x, p.y));
+    let mut panel = Panel {
+        marks: vec![Mark::new("landing", (found.landing.x, found.landing.y))],
         map: true,
-        ..Panel::default()
+        ..Panel::new("y, m", "x, m").line("linear", points(ellipse(&spread.linear)))
     };
+    if let Some(sampled) = &spread.sampled {
+        let landings = stride(&sampled.points, MAX_DOTS);
+        let landings = landings.into_iter().map(|p| (p.x, p.y));
+        panel = panel
+            .line("sampled", points(ellipse(&sampled.landings)))
+            .dots(Look::Pale, landings);
+    }
+    let aim = found.goal.target().filter(|target| target.z == 0.0);
+    let aim = aim.unwrap_or(found.landing).xy();
+    let panel = panel.line("circle", points(circle(aim, bounds.circle)));
     let caption = "Ellipses that half of the landings are inside of, were they normal: blue by the exact derivatives, red dashed of \
                    the sampled flights; grey: sampled landings; green: the landing circle.";
     Figure::of_panels("landings", "Landings", caption, Layout::COLUMN, &[panel])
 }
 
 /// Sentences on the spread of the landings of a throw whose release, wind and parameters vary at random.
-pub fn spread_words(spread: &Spread, bounds: &Bounds) -> Vec<String> {
+fn spread_words(spread: &Spread, bounds: &Bounds) -> Vec<String> {
     let of = |landings: &Landings| {
         let (long, short, _) = landings.ellipse(0.5);
         format!("half axes {long:.2} m and {short:.2} m")
@@ -292,17 +236,17 @@ pub fn spread_words(spread: &Spread, bounds: &Bounds) -> Vec<String> {
         let (least, greatest) = agreement.ratios;
         let shift = agreement.shift;
         if agreement.agrees {
-format!(
+            format!(
                 "Linear and sampled spread agree: the means differ by {shift:.2} standard deviations, the standard deviations by \
                  factors of {least:.2} to {greatest:.2}."
             )
-} else {
-format!(
+        } else {
+            format!(
                 "Linear and sampled spread do not agree: the means differ by {shift:.2} standard deviations, the sampled standard \
                  deviations are {least:.2} to {greatest:.2} times the linear ones. The landing is bent within this scatter: use the \
                  sampled spread."
             )
-}
+        }
     }));
     words
 }

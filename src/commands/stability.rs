@@ -1,17 +1,14 @@
 //! Command `hyzer stability`: computes the modes of the linearised motion at release, along the flight and in steady
 //! flight, stability criteria, and maps over speed and spin.
 
-mod page;
-mod text;
-mod words;
-
-use analysis::stability::{Body, Instant, along, at, map, trim};
+use analysis::stability::{Body, along, at, map, modes, trim};
 use anyhow::bail;
 use flight::files::ResultFile;
 use flight::simulate;
 use flight::throw::Throw;
 use ode::IntegrationOptions;
 use report::Figure;
+use report::stability::{self, Found};
 
 use super::simulate::{apply, released, throws};
 use super::vector;
@@ -27,23 +24,10 @@ const SPINS: (u32, f64) = (24, 1200.0);
 /// Speed (m/s) and spin (rpm) of the throw if they are specified neither in a release nor by options.
 const THROW: (f64, f64) = (16.0, 700.0);
 
-/// Modes and stability criteria of a body, the result of `hyzer stability`.
-pub struct Found {
-    /// Modes and stability criteria at release.
-    pub release: Instant,
-    /// Modes and stability criteria along the flight to the ground; empty if the flight cannot be simulated.
-    pub flight: Vec<Instant>,
-    /// Steady (trimmed) flight with the same spin as at release, and its modes; `None` if no steady flight is found.
-    pub trim: Option<(analysis::stability::Trim, analysis::stability::Modes)>,
-    /// Modes and stability criteria at release for each point of a grid of speed and spin, which replace the speed and
-    /// spin of the throw.
-    pub map: Vec<Instant>,
-}
-
 /// Runs `hyzer stability`: computes modes and stability criteria, prints them, and writes the result files if an output
 /// folder is given. Always returns `Answer::Yes`, whether the flight is stable or not.
 pub fn run(options: &Options) -> anyhow::Result<Answer> {
-    let out = output::folder(options.out.as_deref())?;
+    let out = output::results(options.out.as_deref(), &options.figures)?;
     if options.throw.techdisc.is_some() {
         bail!(
             "--techdisc: expected a throw by --speed and others; `hyzer simulate` flies a launch monitor's table"
@@ -93,33 +77,29 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
     let found = Found {
         map: map(&bound, &first.throw, &SPEEDS, &spins),
         trim: trim(&bound, spin).map(|trim| {
-            let modes = analysis::stability::modes(&trim.linearised, trim.turn);
+            let modes = modes(&trim.linearised, trim.turn);
             (trim, modes)
         }),
         release: first,
         flight,
     };
-    let json = format!("{:#}\n", words::json(&body.model.name, &found));
+    let json = format!("{:#}\n", stability::json(&body.model.name, &found));
     output::print(if options.json {
         json.clone()
     } else {
-        text::text(&body.model.name, &found)
+        stability::text(&body.model.name, &found)
     })?;
-    if let (Some(folder), Some(place)) = (&out, &options.out) {
-        let (page, figures) = page::page(&body.model.name, &found);
+    if let Some(out) = &out {
+        let (page, figures) = stability::page(&body.model.name, &found);
         let mut files = vec![
             ResultFile::new("stability.json", json),
             ResultFile::new("report.html", page.html()),
-            ResultFile::new("modes.csv", words::csv(&found.flight)),
-            ResultFile::new("map.csv", words::csv(&found.map)),
+            ResultFile::new("modes.csv", stability::csv(&found.flight)),
+            ResultFile::new("map.csv", stability::csv(&found.map)),
         ];
         files.extend(figures.into_iter().flat_map(Figure::files));
-        output::add_figures(&mut files, &options.figures)?;
-        output::replace(folder, &files)?;
-        eprintln!(
-            "stability.json, report.html, modes.csv and map.csv are in {}",
-            place.display()
-        );
+        let what = "stability.json, report.html, modes.csv and map.csv";
+        out.write(files, what)?;
     }
     Ok(Answer::Yes)
 }

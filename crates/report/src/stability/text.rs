@@ -1,7 +1,7 @@
 //! Text of a stability analysis for the terminal.
 
+use crate::Table;
 use analysis::stability::{Instant, Mode};
-use report::{Column, Table};
 
 use super::words::{INSTANT, lead, nutation, of_criteria, steady};
 use super::{Found, page};
@@ -35,18 +35,18 @@ pub fn text(model: &str, found: &Found) -> String {
 
 /// Table of the nutation at some instants of the flight, the last among them.
 fn along(flight: &[Instant]) -> Table {
-    let head = ["time, s", "speed, m/s", "nutation, rad/s", "decay, 1/s"];
-    let mut table = Table::new().with(Column::Number, &head);
     let step = (flight.len() / INSTANTS).max(1);
-    for instant in flight.iter().step_by(step).chain(flight.last()) {
-        let nutation = nutation(&instant.modes);
-        let number = |of: fn(&Mode) -> f64| format!("{:.3}", nutation.map_or(f64::NAN, of));
-        table.row([
-            format!("{:.3}", instant.time).into(),
-            format!("{:.2}", instant.throw.speed).into(),
-            number(Mode::frequency).into(),
-            number(Mode::decay).into(),
-        ]);
-    }
-    table
+    let number = |instant: &Instant, of: fn(&Mode) -> f64| {
+        format!("{:.3}", nutation(&instant.modes).map_or(f64::NAN, of))
+    };
+    Table::of(flight.iter().step_by(step).chain(flight.last()))
+        .number("time, s", |instant| format!("{:.3}", instant.time))
+        .number("speed, m/s", |instant| {
+            format!("{:.2}", instant.throw.speed)
+        })
+        .number("nutation, rad/s", |instant| {
+            number(instant, Mode::frequency)
+        })
+        .number("decay, 1/s", |instant| number(instant, Mode::decay))
+        .table()
 }

@@ -1,18 +1,17 @@
 //! Sentences of a stability analysis, and its JSON and CSV.
 
-use std::fmt::Write;
-
 use analysis::stability::{Criteria, Instant, Mode, ModeKind, Modes, Trim};
 use serde_json::{Value, json};
 
 use super::Found;
+use crate::CsvTable;
 
 /// Warning on the modes of a body that is no body of revolution.
-pub const INSTANT: &str = "The motion depends on the turn about the body's axis. For a spinning body the modes are those of an instant alone, and \
+pub(super) const INSTANT: &str = "The motion depends on the turn about the body's axis. For a spinning body the modes are those of an instant alone, and \
      the criteria do not apply.";
 
 /// Sentence on the steady flight at the spin of release.
-pub fn steady(trim: &Trim) -> String {
+pub(super) fn steady(trim: &Trim) -> String {
     format!(
         "At the spin of release, held, the body can fly at {:.2} m/s, {:.2}° below the horizontal, nose {:.2}°, hyzer {:.2}°, \
          its heading turning by {:+.2}°/s. Its modes there:",
@@ -25,7 +24,7 @@ pub fn steady(trim: &Trim) -> String {
 }
 
 /// Sentences on the nutation at release and on the modes that grow.
-pub fn lead(found: &Found) -> Vec<String> {
+pub(super) fn lead(found: &Found) -> Vec<String> {
     let mut lead = Vec::new();
     if let Some(mode) = nutation(&found.release.modes) {
         lead.push(format!(
@@ -58,7 +57,7 @@ pub fn lead(found: &Found) -> Vec<String> {
 }
 
 /// Sentences on the aerodynamic derivatives and the stability criteria at one instant of a flight.
-pub fn of_criteria(instant: &Instant) -> Vec<String> {
+pub(super) fn of_criteria(instant: &Instant) -> Vec<String> {
     let (d, c) = (&instant.derivatives, &instant.criteria);
     let holds = |holds: bool| if holds { "holds" } else { "fails" };
     let mut lines = vec![
@@ -97,14 +96,14 @@ fn factor(criteria: &Criteria) -> String {
 }
 
 /// The nutation mode (wobble) or, if there is none, the short-period mode; `None` if the motion has neither.
-pub fn nutation(modes: &Modes) -> Option<&Mode> {
+pub(super) fn nutation(modes: &Modes) -> Option<&Mode> {
     let kinds = [ModeKind::Nutation, ModeKind::ShortPeriod];
     modes.modes.iter().find(|mode| kinds.contains(&mode.kind))
 }
 
 /// Minimum decay rate, 1/s, of all modes except those of the kinds nutation, heading and spin; negative if one of the
 /// examined modes grows, infinite if there is none.
-pub fn slowest(modes: &Modes) -> f64 {
+pub(super) fn slowest(modes: &Modes) -> f64 {
     let others = modes.modes.iter().filter(|mode| {
         !matches!(
             mode.kind,
@@ -168,26 +167,21 @@ pub fn json(model: &str, found: &Found) -> Value {
 /// CSV table of the modes at the given instants: one line per instant and mode, with the stability criteria at the
 /// instant (1 if fulfilled, otherwise 0).
 pub fn csv(instants: &[Instant]) -> String {
-    let mut text = String::from(
-        "t_s,speed_m_s,spin_rpm,mode,real_1_s,imaginary_rad_s,gyroscopic,incidence,wobble\n",
-    );
-    for instant in instants {
-        let c = &instant.criteria;
-        for mode in &instant.modes.modes {
-            let _ = writeln!(
-                text,
-                "{},{},{},{},{},{},{},{},{}",
-                instant.time,
-                instant.throw.speed,
-                instant.throw.spin.unwrap_or(0.0),
-                mode.kind.name(),
-                mode.value.re,
-                mode.value.im,
-                u8::from(c.gyroscopic),
-                u8::from(c.slow),
-                u8::from(c.wobble)
-            );
-        }
-    }
-    text
+    let all = instants.iter().flat_map(|instant| {
+        let modes = instant.modes.modes.iter();
+        modes.map(move |mode| (instant, mode))
+    });
+    CsvTable::of(all)
+        .column("t_s", |(instant, _)| instant.time)
+        .column("speed_m_s", |(instant, _)| instant.throw.speed)
+        .column("spin_rpm", |(instant, _)| instant.throw.spin.unwrap_or(0.0))
+        .column("mode", |(_, mode)| mode.kind.name())
+        .column("real_1_s", |(_, mode)| mode.value.re)
+        .column("imaginary_rad_s", |(_, mode)| mode.value.im)
+        .column("gyroscopic", |(instant, _)| {
+            u8::from(instant.criteria.gyroscopic)
+        })
+        .column("incidence", |(instant, _)| u8::from(instant.criteria.slow))
+        .column("wobble", |(instant, _)| u8::from(instant.criteria.wobble))
+        .text()
 }

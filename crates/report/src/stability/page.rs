@@ -1,0 +1,150 @@
+//! The report page of a stability analysis: modes at release, along the flight, in steady flight, and over speed and
+//! spin.
+
+use crate::figures::{Layout, Look, Panel};
+use crate::{Figure, Html, Page, Table};
+use analysis::stability::{Criteria, Instant, Mode, ModeKind, Modes};
+
+use super::Found;
+use super::words::{INSTANT, lead, nutation, of_criteria, slowest, steady};
+
+/// Maximum number of lines in one panel of a figure, equal to the number of distinct line colours.
+const LINES: usize = 4;
+
+/// The report page of a stability analysis, and its figures.
+pub fn page(model: &str, found: &Found) -> (Page, Vec<Figure>) {
+    let mut body = Html::new();
+    for text in lead(found) {
+        body.paragraph(text);
+    }
+    let instant = (!found.release.modes.is_symmetric).then_some(INSTANT);
+    body.alarms("Mind", instant);
+    let mut figures = Vec::new();
+    let mut section = Html::new();
+    for text in of_criteria(&found.release) {
+        section.paragraph(text);
+    }
+    section.table(&table(&found.release.modes));
+    body.section("release", "At release", section);
+    if let Some((trim, modes)) = &found.trim {
+        let mut section = Html::new();
+        section.paragraph(steady(trim));
+        section.table(&table(modes));
+        body.section("trim", "Steady flight", section);
+    }
+    if !found.flight.is_empty() {
+        let figure = along(&found.flight);
+        let mut section = Html::new();
+        section.paragraph(
+            "Each instant is taken for itself: its modes are those of small departures that are over before the flight has changed. \
+             The nutation is fast enough for that; the slow modes of a flight that is not steady are a guide only.",
+        );
+        section.figure(&figure, true);
+        body.section("flight", "Along the flight", section);
+        figures.push(figure);
+    }
+    let figure = over(&found.map);
+    let mut section = Html::new();
+    section.paragraph("The throw of the release, at other speeds and spins.");
+    section.figure(&figure, true);
+    body.section("speed-and-spin", "Over speed and spin", section);
+    figures.push(figure);
+    body.note(concat!("hyzer ", env!("CARGO_PKG_VERSION")));
+    let page = Page {
+        kind: "hyzer stability",
+        title: format!("Stability of {model}"),
+        body,
+        ..Page::default()
+    };
+    (page, figures)
+}
+
+/// Table of the modes of the linearised motion.
+pub(super) fn table(modes: &Modes) -> Table {
+    let period = |mode: &Mode| {
+        let frequency = Some(mode.frequency()).filter(|f| *f > 1e-9);
+        frequency.map_or_else(String::new, |f| format!("{:.4}", std::f64::consts::TAU / f))
+    };
+    let mut rows = Table::of(&modes.modes)
+        .name("mode", |mode| mode.kind.name())
+        .number("frequency, rad/s", |mode| {
+            format!("{:.4}", mode.frequency())
+        })
+        .number("decay, 1/s", |mode| format!("{:.5}", mode.decay()))
+        .number("damping ratio", |mode| {
+            format!("{:.4}", mode.damping_ratio())
+        })
+        .number("period, s", |mode| period(mode));
+    for (i, share) in ["axis", "path", "speed", "spin"].into_iter().enumerate() {
+        rows = rows.number(share, |mode| format!("{:.0} %", 100.0 * mode.shares[i]));
+    }
+    rows.table()
+}
+
+fn along(flight: &[Instant]) -> Figure {
+    let nutation = |title: &str, of: fn(&Mode) -> f64, closed: fn(&Criteria) -> f64| {
+        let modes = |i: &Instant| nutation(&i.modes).map_or(f64::NAN, of);
+        Panel::new(title, "time, s")
+            .line("modes", flight.iter().map(|i| (i.time, modes(i))))
+            .line(
+                "closed",
+                flight.iter().map(|i| (i.time, closed(&i.criteria))),
+            )
+    };
+    let slow = |title: &str, of: fn(&Mode) -> f64| {
+        let is_slow = |mode: &&Mode| !matches!(mode.kind, ModeKind::Nutation | ModeKind::Incidence);
+        let points = flight.iter().flat_map(|i| {
+            let modes = i.modes.modes.iter().filter(is_slow);
+            modes.map(|mode| (i.time, of(mode)))
+        });
+        Panel::new(title, "time, s").dots(Look::Colour(0), points)
+    };
+    let panels = [
+        nutation("Frequency of the nutation, rad/s", Mode::frequency, |c| {
+            c.nutation
+        }),
+        nutation("Decay of the nutation, 1/s", Mode::decay, |c| {
+            c.nutation_decay
+        }),
+        slow("Decay of the slow modes, 1/s", Mode::decay),
+        slow("Their frequencies, rad/s", Mode::frequency),
+    ];
+    let caption =
+        "Blue: eigenvalues of the whole body. Red, dashed: the closed forms of the criteria.";
+    let title = "Modes along the flight";
+    Figure::of_panels("modes", title, caption, Layout::COLUMN, &panels)
+}
+
+fn over(map: &[Instant]) -> Figure {
+    let mut speeds: Vec<f64> = map.iter().map(|i| i.throw.speed).collect();
+    speeds.dedup();
+    let step = speeds.len().div_ceil(LINES).max(1);
+    let spin = |i: &Instant| i.throw.spin.unwrap_or(0.0);
+    let panel = |title: &str, of: &dyn Fn(&Instant) -> f64| {
+        let chosen = speeds.iter().skip(step / 2).step_by(step);
+        chosen.fold(Panel::new(title, "spin, rpm"), |panel, speed| {
+            let own = map.iter().filter(|i| i.throw.speed == *speed);
+            panel.line(format!("{speed} m/s"), own.map(|i| (spin(i), of(i))))
+        })
+    };
+    let points = |holds: bool| {
+        let own = map.iter().filter(move |i| i.criteria.is_stable() == holds);
+        own.map(|i| (spin(i), i.throw.speed))
+    };
+    let fast = |i: &Instant| nutation(&i.modes).map_or(f64::NAN, Mode::frequency);
+    let panels = [
+        panel("Frequency of the fast mode, rad/s", &fast),
+        Panel {
+            levels: vec![0.0],
+            ..panel("Least decay of the other modes, 1/s", &|i| {
+                slowest(&i.modes)
+            })
+        },
+        Panel::new("Criteria: speed, m/s", "spin, rpm")
+            .dots(Look::Colour(0), points(true))
+            .dots(Look::Cross, points(false)),
+    ];
+    let caption = "Last panel: dots where all three criteria hold, crosses where one fails.";
+    let title = "Over speed and spin";
+    Figure::of_panels("map", title, caption, Layout::COLUMN, &panels)
+}
