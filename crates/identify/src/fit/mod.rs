@@ -52,7 +52,7 @@ use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
-use crate::report::{FitReport, FlightEvidence, FlightOutcome, FlightReport, LackOfFit, MARKER};
+use crate::report::{FitReport, FlightEvidence, FlightOutcome, FlightReport, MARKER};
 use crate::screening::{self, Screening};
 use crate::tolerance;
 use crate::vertical;
