@@ -53,7 +53,7 @@ fn a_lack_of_fit_of_two_flights_is_seen() {
 #[test]
 fn an_estimate_at_its_bound_is_not_relied_on() {
     let text = disc().text();
-    let bounded = text.replace("/rad in -10 .. 10", "/rad in -10 .. 2.3");
+    let bounded = text.replace("2.37 1/rad in -10 .. 10", "2 1/rad in -10 .. 2.3");
     assert_ne!(text, bounded);
     let model = Model::parse("disc", &bounded).unwrap();
     let fit = Fit::of(&model).run(&throws(&disc(), &[], 6, 2)).unwrap();
@@ -101,8 +101,11 @@ fn sensed(rate: impl Fn([f64; 3]) -> [f64; 3], pose: impl Fn([f64; 4]) -> [f64; 
     let mut data = DatasetBuilder::new("disc_quaternion")
         .sensor("tag", SensorKind::Pose, [0.0; 3])
         .sensor("imu", gyroscope, [0.0; 3]);
-    for speed in [12.0, 14.0, 16.0] {
-        let release = model.release("backhand").unwrap().with_initial("vx", speed);
+    for speed in [12, 14, 16] {
+        let text = format!(
+            "duration = 0.8\n[throw]\nspeed = {speed}\nlaunch = 8\nnose = 5\nhyzer = 10\nspin = 700\nwobble = 3"
+        );
+        let release = model.parse_release("backhand", &text).unwrap();
         let flight = model.fly(&release).unwrap();
         let mut state =
             |name: &str, t: f64, size: f64| flight.state(name, t).unwrap() + noise(size);

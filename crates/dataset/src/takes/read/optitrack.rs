@@ -147,13 +147,13 @@ fn heads(sheet: &mut Sheet<'_>) -> Result<Heads, Fault> {
         match sheet.cell(1) {
             "Type" => heads.types = sheet.cells(),
             "Name" => heads.names = sheet.cells(),
+            _ if sheet.cells().iter().skip(FIXED).any(is_kinds) => heads.kinds = sheet.cells(),
             "" if heads.types.is_empty() && sheet.cells().iter().any(is_type) => {
                 heads.types = sheet.cells();
             }
             "" if heads.names.is_empty() && !heads.types.is_empty() => {
                 heads.names = sheet.cells();
             }
-            _ if sheet.cells().iter().skip(FIXED).any(is_kinds) => heads.kinds = sheet.cells(),
             _ => {}
         }
     }
