@@ -1,5 +1,6 @@
 //! Fits a disc to throws that three markers and a gyroscope measured, built in memory.
 use hyzer::{DatasetBuilder, Error, Fit, Instrument, Model, Role, SensorKind};
+const THROW: &str = "model='disc_quaternion'\nduration=1\n[throw]\nspin=700\nwobble=3\nspeed=";
 
 fn main() -> Result<(), Error> {
     let disc = Model::load("disc_quaternion")?;
@@ -7,12 +8,11 @@ fn main() -> Result<(), Error> {
     let times: Vec<f64> = (0..240).map(|i| f64::from(i) / 240.0).collect();
     let mut uniform = (1..).map(|i| ((f64::from(i) * 12.9898).sin() * 43758.5453).fract());
     let mut measured = |value: f64, error: f64| value + error * uniform.next().unwrap_or(0.0);
-    let gyroscope = SensorKind::Instrument(Instrument::Gyroscope);
     let mut data = DatasetBuilder::new("disc_quaternion").markers(&markers);
+    let gyroscope = SensorKind::Instrument(Instrument::Gyroscope);
     data = data.sensor("tag", gyroscope, [0.0; 3]);
     for speed in [12, 14, 16, 18] {
-        let throw = format!("duration = 1\n[throw]\nspeed = {speed}\nspin = 700\nwobble = 3");
-        let flight = disc.fly(&disc.parse_release("throw", &throw)?)?;
+        let flight = disc.fly(&disc.parse_release("throw", &format!("{THROW}{speed}"))?)?;
         let mut positions = flight.marker_positions(&times, &markers);
         let coordinates = positions.iter_mut().flatten().flatten().flatten();
         coordinates.for_each(|x| *x = measured(*x, 2e-3));

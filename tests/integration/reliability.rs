@@ -103,7 +103,7 @@ fn sensed(rate: impl Fn([f64; 3]) -> [f64; 3], pose: impl Fn([f64; 4]) -> [f64; 
         .sensor("imu", gyroscope, [0.0; 3]);
     for speed in [12, 14, 16] {
         let text = format!(
-            "duration = 0.8\n[throw]\nspeed = {speed}\nlaunch = 8\nnose = 5\nhyzer = 10\nspin = 700\nwobble = 3"
+            "model = \"disc_quaternion\"\nduration = 0.8\n[throw]\nspeed = {speed}\nlaunch = 8\nnose = 5\nhyzer = 10\nspin = 700\nwobble = 3"
         );
         let release = model.parse_release("backhand", &text).unwrap();
         let flight = model.fly(&release).unwrap();

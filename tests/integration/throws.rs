@@ -39,6 +39,14 @@ fn close(value: &serde_json::Value, expected: f64) {
 }
 
 #[test]
+fn a_level_throw_may_wobble() {
+    // The length of the quaternion, which the motion does not depend on, is one state at a level attitude.
+    let level = ["disc_quaternion", "--speed", "14", "--spin", "700"];
+    let (_, summary) = flown(&[&level[..], &["--wobble", "3"]].concat());
+    close(&summary["release"]["wobble_deg"], 3.0);
+}
+
+#[test]
 fn a_throw_by_options_is_that_of_the_file() {
     let (by_file, summary) = flown(&["--release", "examples/throws/backhand.toml"]);
     let by_options = flown(&[

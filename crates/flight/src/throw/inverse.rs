@@ -18,6 +18,8 @@ const MAX_STARTS: usize = 16;
 const MAX_COMPARED: usize = 4096;
 /// Offset of a state to either side in the central differences for the Jacobian, in the unit of the state.
 const DIFFERENCE_STEP: f64 = 1e-5;
+/// Least weight of a state in the damping, in units of the greatest.
+const LEAST_WEIGHT: f64 = 1e-9;
 
 /// State within the model's limits at which the body has the motion `wanted`. The search starts at `near` or, if it is
 /// `None`, at default states whose frames are rotated by multiples of a quarter turn. `None` if no such state is found.
@@ -111,11 +113,13 @@ fn descend(bound: &BoundMotion<'_>, wanted: &Motion, start: Vec<f64>) -> Option<
         }
         let normal = jacobian.tr_mul(&jacobian);
         let gradient = jacobian.tr_mul(&differences);
+        let greatest = normal.diagonal().max();
         let mut gained = false;
         while damping < 1e9 {
             let mut damped = normal.clone();
             for i in 0..free.len() {
-                damped[(i, i)] += damping * normal[(i, i)] + 1e-300;
+                // The motion may not depend on a state at all, as on the length of a quaternion.
+                damped[(i, i)] += damping * normal[(i, i)].max(LEAST_WEIGHT * greatest);
             }
             let Some(factor) = damped.cholesky() else {
                 damping = damping.max(1e-12) * 10.0;
