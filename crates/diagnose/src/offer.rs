@@ -116,7 +116,7 @@ impl<R> MeasuredExtension<R> {
         if gain.changes_nothing() {
             return Some("its fit predicts the same as the model without it");
         }
-        gain.is_worse()
+        gain.contradicts()
             .then_some("it predicts other flights worse than the model without it")
     }
 

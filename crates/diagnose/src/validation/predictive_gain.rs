@@ -71,6 +71,13 @@ impl PredictiveGain {
         self.change() == Ordering::Less
     }
 
+    /// Whether the predictions speak against the added effects: they are worse by a part of the noise that matters, or
+    /// fewer flights can be predicted.
+    pub(crate) fn contradicts(&self) -> bool {
+        let is_much = -self.error_reduction_m() > CONTRADICTING_ERROR * self.noise_m;
+        self.is_worse() && (is_much || self.predicted_only_before > self.predicted_only_after)
+    }
+
     /// Whether the predictions with the added effects are better (`Greater`) or worse (`Less`) than those without.
     fn change(&self) -> Ordering {
         let (reduction, error) = (self.error_reduction_m(), self.std_error_m);
@@ -102,6 +109,10 @@ impl PredictiveGain {
 /// Maximum difference of the RMS prediction errors of two models, as a fraction of the noise standard deviation, at
 /// which the models count as making the same predictions.
 const SAME_ERROR: f64 = 1e-3;
+
+/// Increase of the RMS prediction error, as a fraction of the noise standard deviation, above which it contradicts an
+/// effect. Effects on single sensors hardly change the predicted positions, and not for the better.
+const CONTRADICTING_ERROR: f64 = 0.5;
 
 /// A flight is set apart (excluded from the statistics, because neither model predicts it) if its error exceeds this
 /// factor times the larger of two values: the median error over the flights, and the noise standard deviation. The
