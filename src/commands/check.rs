@@ -7,7 +7,7 @@ use codegen::{Comparison, check_cases};
 use flight::throw::ThrownModel;
 use model_spec::layout::Layout;
 use model_spec::load::inspect;
-use model_spec::model::Model;
+use model_spec::model::{Expr, ExprKind, Model};
 use model_spec::{render, summary, with_unit};
 
 use crate::cli::Check;
@@ -48,8 +48,16 @@ pub fn run(options: &Check) -> anyhow::Result<Answer> {
     Ok(answer)
 }
 
-/// What is wrong with the inertia tensor of the model's body at the default values; `None` if nothing is.
+/// What is wrong with the products of inertia of the model's body at the default values; `None` if nothing is.
 fn inertia_fault(model: &Model) -> Option<String> {
+    let rotation = model.body.as_ref()?.rotation.as_ref()?;
+    let is_zero =
+        |entry: &Expr| matches!(entry.kind, ExprKind::Number { value, .. } if value == 0.0);
+    let rows = rotation.inertia.iter().enumerate();
+    let mut others = rows.flat_map(|(i, row)| row.iter().enumerate().filter(move |(j, _)| i != *j));
+    if others.all(|(_, entry)| is_zero(entry)) {
+        return None;
+    }
     let body = ThrownModel::new(model).ok()?;
     let layout = Layout::new(model);
     let (parameters, state) = (layout.default_parameters(), layout.default_states());
