@@ -113,10 +113,7 @@ fn glossed(text: &str, terms: &BTreeSet<String>) -> Vec<String> {
     for (place, _) in joined.match_indices(" (") {
         let (before, inside) = (&joined[..place], &joined[place + 2..]);
         let explains = |word: &&str| inside.starts_with(&format!("{word} "));
-        let Some(end) = inside
-            .find(')')
-            .filter(|_| EXPLAINS.iter().any(|w| explains(&w)))
-        else {
+        let Some(end) = inside.find(')').filter(|_| EXPLAINS.iter().any(explains)) else {
             continue;
         };
         let before = before.to_lowercase();
