@@ -152,7 +152,7 @@ impl Recording {
     }
 
     /// Converts the quaternion of a pose so that it turns body to inertial components.
-    pub fn from_body(&self, [w, x, y, z]: Reading) -> Reading {
+    pub fn body_to_inertial(&self, [w, x, y, z]: Reading) -> Reading {
         if self.inverse_attitude {
             [w, -x, -y, -z]
         } else {

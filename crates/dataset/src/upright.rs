@@ -18,7 +18,9 @@ pub(super) fn upright(recording: &Recording, mut table: Table, sensors: &[Sensor
     for row in &mut table.readings {
         for (reading, &(kind, parts)) in row.iter_mut().zip(&kinds) {
             let change = |[a, b, c, d]: Reading| match (kind, parts) {
-                (SensorKind::Pose, 4) => up.upright_attitude(recording.from_body([a, b, c, d])),
+                (SensorKind::Pose, 4) => {
+                    up.upright_attitude(recording.body_to_inertial([a, b, c, d]))
+                }
                 (SensorKind::Pose, _) => {
                     let [x, y, z] = turned([a, b, c].map(|part| recording.metres(part)));
                     [x, y, z, d]
