@@ -2,7 +2,7 @@
 //! the model statements that lose digits.
 //!
 //! Errors are measured in ulp of the magnitude of a value, that is, the spacing of f64 at the sum of the magnitudes of
-//! the terms that make up the value ([`ErrorBound`]). Cancellation inherent in the formula is thus not counted as an
+//! the terms that make up the value. Cancellation inherent in the formula is thus not counted as an
 //! error of a backend. The model statement that causes it is listed separately, with the number of bits lost (see
 //! [`statements`]).
 
