@@ -7,7 +7,8 @@ use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::predict::residuals;
 
-/// Maximum error of a predicted value by the integration, in units of the initial noise estimate `sigma0`.
+/// Maximum error of a predicted value by the integration, in units of the initial noise estimate `sigma0`, or of the
+/// residual scale of the flight if that is greater: a model that does not describe a flight needs no accuracy.
 const MAX_ERROR: f64 = 0.03;
 
 /// Factor of the tolerance with which the reference trajectory is integrated.
@@ -21,6 +22,7 @@ const MIN_FACTOR: f64 = 1e-4;
 /// unchanged.
 pub fn bound_global_errors(state: &mut State<'_>, cache: ResidualCache) -> ResidualCache {
     let (problem, options) = (state.problem, state.options);
+    let scales = cache.scales();
     let factors = parallel::each_on(options.threads(), state.flights.len(), |flight| {
         let observations = &state.flights[flight];
         let (unknowns, samples) = (
@@ -40,7 +42,8 @@ pub fn bound_global_errors(state: &mut State<'_>, cache: ResidualCache) -> Resid
                     .fold(0.0, f64::max),
             )
         });
-        let error = differences.fold(0.0, f64::max) / problem.sigma0;
+        let size = scales[flight]?.max(problem.sigma0);
+        let error = differences.fold(0.0, f64::max) / size;
         (error > MAX_ERROR).then(|| (MAX_ERROR / error).max(MIN_FACTOR))
     });
     let is_refined = factors.iter().any(Option::is_some);

@@ -22,6 +22,10 @@ const ACCEPTED_RATIO: f64 = 0.9;
 /// are alike: odds of 150 to 1 against the slower spin.
 const MIN_DEVIANCE: f64 = 10.0;
 
+/// Greatest residual scale, in units of the initial noise estimate, at which the likelihood decides between spins:
+/// residuals of a model that does not describe the flights are no noise.
+const MAX_SCALE: f64 = 2.0;
+
 /// Size at which residuals are clipped in the deviance, in units of the residual scale: outliers tell nothing.
 const CLIPPED: f64 = 4.0;
 
@@ -56,7 +60,9 @@ pub fn resolve_spin_aliases<'a>(
         let scale = median_scale(&cache, tried.excluded.len() - state.excluded.len());
         let is_better = best.as_ref().is_none_or(|(least, _, before)| {
             scale < ACCEPTED_RATIO * least
-                || ACCEPTED_RATIO * scale < *least && is_likelier(&cache, before, *least)
+                || (ACCEPTED_RATIO * scale < *least
+                    && *least < MAX_SCALE * state.problem.sigma0
+                    && is_likelier(&cache, before, *least))
         });
         if is_better {
             best = Some((scale, tried, cache));
