@@ -323,6 +323,8 @@ fn from_guesses<'a>(
     let cache = multiple_shooting::shoot_again(&mut state, cache)?;
     let cache = multistart::multistart(&mut state, cache)?;
     let cache = unlike_flights::exclude_unlike_flights(&mut state, cache)?;
+    // The residuals are smaller now, and ask for more accuracy.
+    let cache = global_error::bound_global_errors(&mut state, cache);
     let last = contact_refinement::refine_contacts(dataset, &mut state, cache)?;
     Ok((state, last))
 }
