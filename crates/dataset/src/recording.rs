@@ -19,7 +19,9 @@ const STANDARD_GRAVITY: f64 = 9.80665;
 const LENGTHS: [&str; 5] = ["m", "cm", "mm", "in", "ft"];
 const TIMES: [&str; 2] = ["s", "ms"];
 const UPS: [&str; 7] = ["+z", "-z", "+y", "-y", "+x", "-x", UNKNOWN];
-const ANGULAR_RATES: [&str; 3] = ["rad/s", "deg/s", "rpm"];
+/// Units of the readings of gyroscopes, with their values in rad/s; the first is that of a dataset.
+pub const ANGULAR_RATES: [(&str, f64); 3] =
+    [("rad/s", 1.0), ("deg/s", PI / 180.0), ("rpm", PI / 30.0)];
 const ACCELERATIONS: [&str; 2] = ["m/s^2", "g"];
 const ATTITUDES: [&str; 2] = ["body_to_inertial", INVERSE];
 /// Value of the key `attitude` if quaternions turn inertial to body components.
@@ -93,12 +95,11 @@ impl Recording {
             "attitude",
         ];
         fields.keys(table, " in [recording]", &keys)?;
-        if let Some((text, _)) = choice(fields, table, "angular_rate", &ANGULAR_RATES)? {
-            recording.angular_rate = match text.as_str() {
-                "deg/s" => PI / 180.0,
-                "rpm" => PI / 30.0,
-                _ => 1.0,
-            };
+        let rates = ANGULAR_RATES.map(|(name, _)| name);
+        if let Some((text, _)) = choice(fields, table, "angular_rate", &rates)? {
+            let mut known = ANGULAR_RATES.into_iter();
+            let chosen = known.find(|(name, _)| *name == text);
+            recording.angular_rate = chosen.map_or(1.0, |(_, unit)| unit);
         }
         if let Some((text, _)) = choice(fields, table, "acceleration", &ACCELERATIONS)? {
             recording.acceleration = if text == "g" { STANDARD_GRAVITY } else { 1.0 };

@@ -34,31 +34,10 @@ pub fn each_on<R: Send>(threads: usize, count: usize, task: impl Fn(usize) -> R 
     if threads.min(count) <= 1 {
         return (0..count).map(task).collect();
     }
-    let results: Vec<_> = (0..count).map(|_| Mutex::new(None)).collect();
-    run(threads, count, &|index| {
-        let result = task(index);
-        *results[index]
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner) = Some(result);
-    });
-    results
-        .into_iter()
-        .map(|result| {
-            let result = result.into_inner();
-            result
-                .unwrap_or_else(PoisonError::into_inner)
-                .expect("every task was run")
-        })
-        .collect()
-}
-
-/// Calls `task` for every index below `count` on `threads` threads. Not generic: rayon's code is compiled once, not for
-/// every task and result.
-fn run(threads: usize, count: usize, task: &(dyn Fn(usize) + Sync)) {
     // One task at a time per thread, since their durations differ.
-    let parallel = || {
+    let parallel = || -> Vec<R> {
         let tasks = (0..count).into_par_iter().with_max_len(1);
-        tasks.for_each(task);
+        tasks.map(&task).collect()
     };
     if threads == rayon::current_num_threads() {
         return parallel();
@@ -66,7 +45,7 @@ fn run(threads: usize, count: usize, task: &(dyn Fn(usize) + Sync)) {
     match shared_pool(threads) {
         Ok(pool) => pool.install(parallel),
         // The operating system refuses further threads.
-        Err(_) => (0..count).for_each(task),
+        Err(_) => (0..count).map(&task).collect(),
     }
 }
 

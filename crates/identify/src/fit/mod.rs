@@ -144,14 +144,8 @@ fn fit_within(
             faults: known.to_vec(),
             ..Screening::default()
         },
-        None if problem.is_shown_by_markers() && !problem.markers.is_empty() => {
-            screening::screen(&problem, dataset, options.threads())
-        }
-        None => Screening::default(),
+        None => screening::screen(&problem, dataset, options.threads()),
     };
-    if options.known_faults.is_none() {
-        data_faults.extend(screening::sensors::check(&problem, dataset));
-    }
     if vertical::is_in(model) {
         data_faults.retain(|fault| fault.fault != FaultKind::Axes);
     }

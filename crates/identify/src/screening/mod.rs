@@ -11,7 +11,7 @@ mod loads;
 mod mirror;
 mod records;
 mod rigid;
-pub(crate) mod sensors;
+mod sensors;
 mod template;
 #[cfg(test)]
 mod tests;
@@ -49,9 +49,24 @@ pub(crate) struct Screening {
     pub contacts: Vec<Option<ContactSearch>>,
 }
 
-/// Screens the flights of a dataset, both fitted and held out, for recording mistakes from which a fit cannot recover.
-/// Uses `threads` threads.
+/// Screens the flights of a dataset, both fitted and held out, for recording mistakes from which a fit cannot recover:
+/// the tracks of markers, if they show the body, and the readings of sensors. Uses `threads` threads.
 pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) -> Screening {
+    let mut found = if problem.is_shown_by_markers() && !problem.markers.is_empty() {
+        screen_tracks(problem, dataset, threads)
+    } else {
+        Screening::default()
+    };
+    for fault in sensors::check(problem, dataset) {
+        if !found.faults.iter().any(|own| own.file == fault.file) {
+            found.faults.push(fault);
+        }
+    }
+    found
+}
+
+/// Screens the tracks of the markers of a dataset.
+fn screen_tracks(problem: &FitProblem, dataset: &Dataset, threads: usize) -> Screening {
     let mirror_is_decided = problem.has_attitude && mirror::is_decided_by(&problem.markers);
     let rigid = rigid::rigid_pairs(problem);
     let is_rigid = rigid.iter().all(|is_rigid| *is_rigid);

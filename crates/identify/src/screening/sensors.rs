@@ -2,13 +2,11 @@
 //! mechanics of a spinning body. Moments turn its angular momentum slowly; seen from the body, what is steady in the
 //! room turns with the angular velocity.
 
-use std::f64::consts::PI;
-
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 use crate::data_fault::{DataFault, FaultKind};
 use crate::problem::FitProblem;
-use dataset::{Dataset, Flight, Reading, Sensor, SensorKind, attitude};
+use dataset::{ANGULAR_RATES, Dataset, Flight, Reading, Sensor, SensorKind, attitude};
 use flight::throw::ThrownModel;
 use model_spec::compose::Instrument;
 
@@ -22,14 +20,12 @@ const SATURATED_RUNS: usize = 3;
 const UNIT_ERROR: f64 = 0.5;
 /// Maximum angle by which a direction may turn in the body from sample to sample, rad; noise seems to turn by 1.4.
 const MAX_TURN: f64 = 1.0;
-/// Units in which gyroscopes are recorded by mistake, with their values in rad/s.
-const UNITS: [(&str, f64); 2] = [("deg/s", PI / 180.0), ("rpm", PI / 30.0)];
 /// Minimum ratio by which the angular momentum must turn less under another convention of quaternions, in squares.
 const STEADIER: f64 = 4.0;
 /// Rotation between two compared angular momenta, rad: enough to see a direction that turns with the body.
 const COMPARED_ROTATION: f64 = 1.5;
 
-/// Faults of the sensors, at most one for each flight.
+/// Faults of the sensors.
 pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
     if dataset.sensors.is_empty() {
         return Vec::new();
@@ -56,12 +52,6 @@ pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
         }
         channel += sensor.kind.channels().len();
     }
-    let mut seen = Vec::new();
-    faults.retain(|fault| {
-        let is_new = !seen.contains(&fault.file);
-        seen.push(fault.file.clone());
-        is_new
-    });
     faults
 }
 
@@ -101,11 +91,8 @@ fn saturated(dataset: &Dataset, (sensor, channel): (&Sensor, usize)) -> Vec<Data
                 }
             }
             let shared = || {
-                let others = dataset.flights.iter().filter(|o| o.file != flight.file);
-                others
-                    .filter(|other| greatest(other, axis) == limit)
-                    .count()
-                    > 0
+                let mut others = dataset.flights.iter().filter(|o| o.file != flight.file);
+                others.any(|other| greatest(other, axis) == limit)
             };
             let is_saturated = limit > 0.0
                 && at_limit >= SATURATED_SAMPLES + SATURATED_RUNS * elsewhere
@@ -128,18 +115,16 @@ fn saturated(dataset: &Dataset, (sensor, channel): (&Sensor, usize)) -> Vec<Data
     faults
 }
 
-/// Unit of the recorded angular velocities, if it is one of [`UNITS`] in all flights that tell.
+/// Unit of the recorded angular velocities, if it is one of [`ANGULAR_RATES`] other than rad/s in all flights that tell.
 fn unit(dataset: &Dataset, channel: usize) -> Option<&'static str> {
     let flights = dataset.flights.iter();
     let told: Vec<f64> = flights
         .filter_map(|flight| apparent_unit(flight, channel))
         .collect();
     let is_near = |unit: f64| told.iter().all(|own| (own / unit - 1.0).abs() < UNIT_ERROR);
-    let mut known = UNITS.into_iter().filter(|(_, unit)| is_near(*unit));
-    known
-        .next()
-        .filter(|_| !told.is_empty())
-        .map(|(unit, _)| unit)
+    let mut known = ANGULAR_RATES.into_iter();
+    let (name, unit) = known.find(|(_, unit)| is_near(*unit))?;
+    (unit != 1.0).then_some(name)
 }
 
 /// Unit of the recorded angular velocities of a flight, rad/s: the rate at which their part across the mean direction
