@@ -60,6 +60,9 @@ pub enum Error {
         /// Names of the built-in releases.
         known: Vec<&'static str>,
     },
+    /// A release has an initial state in which no flight can begin, for the stated reason.
+    #[error("{0}")]
+    InitialState(String),
     /// A release sets a parameter or coefficient that the model does not have.
     #[error("the model {model} has no state, parameter or coefficient {name:?}")]
     UnknownName {

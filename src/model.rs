@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use flight::CompiledModel;
-use flight::release::{self, Release, Vocabulary};
+use flight::release::{self, Release, Vocabulary, quaternion_fault};
 use model_spec::compose::{EffectTree, ModelTree};
 use ode::IntegrationOptions;
 
@@ -225,7 +225,7 @@ impl Model {
     ///
     /// # Errors
     /// [`Error::UnknownName`] if the release sets a parameter or coefficient that the model does not have;
-    /// [`Error::Integration`] if the trajectory cannot be computed.
+    /// [`Error::InitialState`] if an initial attitude quaternion does not have length 1; [`Error::Integration`] if the trajectory cannot be computed.
     pub fn fly_within(&self, release: &Release, tolerance: f64) -> Result<Flight, Error> {
         let compiled = self.compiled();
         for (name, _) in release.parameters.iter().chain(&release.coefficients) {
@@ -235,6 +235,9 @@ impl Model {
                     name: name.clone(),
                 });
             }
+        }
+        if let Some(fault) = quaternion_fault(&release.initial, self.checked.quaternions()) {
+            return Err(Error::InitialState(fault));
         }
         let trajectory = flight::simulate(
             compiled,

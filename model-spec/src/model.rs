@@ -442,6 +442,8 @@ pub enum ExprKind {
     Ratio(Box<[Expr; 3]>),
     /// Power `a ^ (n/2)`; for odd `n`, 0 with derivative 0 where `a` is 0 or less.
     Pow(Box<Expr>, i32),
+    /// Power `a ^ b` of dimensionless scalars, with any exponent; 0 with derivative 0 where `a` is 0 or less.
+    RealPower(Box<Expr>, Box<Expr>),
     /// Scalar product of two vectors.
     Dot(Box<Expr>, Box<Expr>),
     /// Vector product of two vectors.

@@ -11,7 +11,8 @@ use std::path::Path;
 use anyhow::{Context, anyhow, bail};
 use flight::files::ResultFile;
 use flight::release::{
-    BUILT_IN, Release, Stop, Vocabulary, built_in, read, read_file, read_file_in_wind, read_in_wind,
+    BUILT_IN, Release, Stop, Vocabulary, built_in, quaternion_fault, read, read_file,
+    read_file_in_wind, read_in_wind,
 };
 use flight::throw::{FlownThrow, Throw};
 use flight::{CompiledModel, simulate, trajectory_csv};
@@ -137,9 +138,7 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     if let Some(wind) = &options.wind {
         model = super::wind::apply(wind, model, &mut release)?;
     }
-    for set in &options.set {
-        apply(set, &model, &mut release)?;
-    }
+    apply_all(&options.set, &model, &mut release)?;
     match options.until.as_deref() {
         None => {}
         Some("ground") => release.stop = Stop::Ground,
@@ -201,9 +200,31 @@ fn released_in_wind(
     Ok((Model::clone(&model), release))
 }
 
+/// Applies the assignments `NAME=VALUE` of the option `--set` (values in SI units) to the release.
+pub(super) fn apply_all(
+    sets: &[String],
+    model: &Model,
+    release: &mut Release,
+) -> anyhow::Result<()> {
+    for set in sets {
+        apply(set, model, release)?;
+    }
+    let is_set = |state: &usize| {
+        let name = &model.states[*state].name;
+        let names = sets.iter().filter_map(|set| set.split_once('='));
+        names.map(|(set, _)| set.trim()).any(|set| set == name)
+    };
+    let quaternions = model.quaternions();
+    let quaternions = quaternions.filter(|states| states.iter().any(is_set));
+    match quaternion_fault(&release.initial, quaternions) {
+        Some(fault) => bail!("--set: {fault}: set all four components"),
+        None => Ok(()),
+    }
+}
+
 /// Applies an assignment `NAME=VALUE` of the option `--set` (value in SI units) to a parameter, coefficient or initial
 /// state of the release.
-pub(super) fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> {
+fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> {
     let (name, value) = set
         .split_once('=')
         .with_context(|| format!("--set: found {set:?}, expected NAME=VALUE"))?;

@@ -10,7 +10,7 @@ use ode::IntegrationOptions;
 use report::Figure;
 use report::stability::{self, Found};
 
-use super::simulate::{apply, released, throws};
+use super::simulate::{apply_all, released, throws};
 use super::vector;
 use crate::cli::Stability as Options;
 use crate::{Answer, output};
@@ -48,9 +48,7 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
             (model, release, Some(throw))
         }
     };
-    for set in &options.set {
-        apply(set, &model, &mut release)?;
-    }
+    apply_all(&options.set, &model, &mut release)?;
     if let Some(wind) = &options.wind {
         release.wind = vector("--wind", wind, "m/s")?;
     }

@@ -9,7 +9,7 @@ use flight::release::Release;
 use model_spec::model::Model;
 
 use super::number;
-use super::simulate::{apply, released};
+use super::simulate::{apply_all, released};
 use crate::cli::Synthesize;
 use crate::{Answer, output, progress};
 
@@ -43,9 +43,7 @@ fn prepare(options: &Synthesize) -> anyhow::Result<(Model, Vec<Release>)> {
     let mut releases = Vec::with_capacity(options.release.len());
     for name in &options.release {
         let (own, mut release) = released(name, options.model.as_deref(), &options.with)?;
-        for set in &options.set {
-            apply(set, &own, &mut release)?;
-        }
+        apply_all(&options.set, &own, &mut release)?;
         releases.push(release);
         match &model {
             Some(model) if model.name != own.name => bail!(

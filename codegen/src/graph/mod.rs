@@ -8,6 +8,7 @@ mod calls;
 mod hash;
 mod product;
 mod project;
+mod saturate;
 mod sum;
 
 pub use hash::FastMap;

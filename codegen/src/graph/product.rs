@@ -52,6 +52,15 @@ impl ExprGraph {
         self.product(vec![(root, 2 * doubled)])
     }
 
+    /// Node of `a ^ b` = exp(b log a); 0 where `a` ≤ 0.
+    pub fn real_power(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        let logarithm = self.call(MathFunction::Log, a);
+        let exponent = self.mul(b, logarithm);
+        let power = self.call(MathFunction::Exp, exponent);
+        let above = self.call(MathFunction::Heaviside, a);
+        self.mul(above, power)
+    }
+
     /// Product of (base, doubled exponent) factors.
     pub fn product(&mut self, factors: Vec<(NodeId, i32)>) -> NodeId {
         let (coefficient, factors) = self.collect(factors);
@@ -77,7 +86,7 @@ impl ExprGraph {
                 }
             }
             flat = self.merge(flat);
-            if !self.unmask(&mut flat, &mut pending) {
+            if !self.unmask(&mut flat, &mut pending) && !self.saturate(&mut flat, &mut pending) {
                 return (coefficient, flat);
             }
         }

@@ -140,21 +140,26 @@ impl Piece {
                     0 => (doubled / 2).to_string(),
                     _ => format!("{doubled}/2"),
                 };
-                let exponent = braces(&exponent);
-                if self.bare
-                    && self.bind == Bind::Product
-                    && let Some((function, argument)) = split_function(&self.text)
-                {
-                    return Piece {
-                        text: format!("{function}^{exponent}{argument}"),
-                        ..self
-                    };
-                }
-                let base = self.at_least(Bind::Atom).text;
-                // Not an atom: a second exponent would be an error in LaTeX.
-                Piece::new(format!("{base}^{exponent}"), Bind::Product)
+                self.raised(&exponent)
             }
         }
+    }
+
+    /// LaTeX of the fragment to the power with the LaTeX text `exponent`.
+    pub fn raised(self, exponent: &str) -> Piece {
+        let exponent = braces(exponent);
+        if self.bare
+            && self.bind == Bind::Product
+            && let Some((function, argument)) = split_function(&self.text)
+        {
+            return Piece {
+                text: format!("{function}^{exponent}{argument}"),
+                ..self
+            };
+        }
+        let base = self.at_least(Bind::Atom).text;
+        // Not an atom: a second exponent would be an error in LaTeX.
+        Piece::new(format!("{base}^{exponent}"), Bind::Product)
     }
 
     /// LaTeX of the scalar or vector product of `self` and `other`; `sign` is the LaTeX operator between them.

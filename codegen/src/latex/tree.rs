@@ -56,6 +56,7 @@ pub(super) fn piece(model: &Model, expr: &Expr) -> Piece {
             }
         }
         E::Pow(a, doubled) => of(a).power(*doubled),
+        E::RealPower(a, b) => of(a).raised(&of(b).text),
         E::Dot(a, b) => of(a).dotted(r"\cdot", of(b)),
         E::Cross(a, b) => of(a).dotted(r"\times", of(b)),
         E::Norm(v) => Piece::atom(format!(r"\left|{}\right|", of(v).text)),

@@ -88,6 +88,10 @@ impl Lowering<'_> {
                 let a = self.scalar(a);
                 Value::Scalar(self.graph.power(a, *doubled))
             }
+            E::RealPower(a, b) => {
+                let (a, b) = (self.scalar(a), self.scalar(b));
+                Value::Scalar(self.graph.real_power(a, b))
+            }
             E::Dot(a, b) => {
                 let (a, b) = (self.vector(a), self.vector(b));
                 Value::Scalar(frames::dot(&mut self.graph, a, b))

@@ -1,6 +1,6 @@
 //! Modes against simulated flights, models of the same body against one another, the criteria against the modes.
 
-use analysis::stability::{Body, BoundBody, ModeKind, Modes, at, modes};
+use analysis::stability::{Body, BoundBody, FlightDirection, ModeKind, Modes, at, modes};
 use flight::throw::Throw;
 use nalgebra::{Complex, Vector3};
 use ode::{IntegrationOptions, integrate};
@@ -305,4 +305,117 @@ fn the_roll_of_straight_flight_is_that_of_crowther_and_potts() {
             "{speed} {spin}: {rolled} {expected}"
         );
     }
+}
+
+/// A shell on stated derivatives, whose axis is held by its spin alone.
+const SHELL: &str = "model shell;
+param m = 43 kg;
+param d = 15.5 cm;
+param I_a = 0.14 kg*m^2;
+param I_t = 1.2 kg*m^2;
+param rho = 1.2 kg/m^3;
+param g = 9.81 m/s^2;
+coefficient C_N = 2.2 in 0 .. 10;
+coefficient C_M = 3.5 in -10 .. 10;
+coefficient C_Mq = -12 in -50 .. 0;
+coefficient C_p = 0.1 in -3 .. 3;
+coefficient C_D = 0.3 in 0 .. 2;
+frame N;
+frame B = N by quaternion (q0, q1, q2, q3);
+body shell {
+  mass m; inertia diag(I_t, I_t, I_a) in B; fixed in B;
+  position (x, y, z) in N; velocity (vx, vy, vz) in N; angular velocity (p, q, r) in B;
+}
+let V = norm(velocity);
+let i = in_B(unit(velocity));
+let Q = rho*V^2/2*pi*d^2/4;
+force weight = -m*g*N.3;
+force air = -Q*C_D*i + Q*C_N*(B.3 - i.3*i);
+moment overturning = Q*d*C_M*cross(i, B.3);
+moment damping = Q*d*ratio(d, V, 0 s)*C_Mq*(angular_velocity - r*B.3);
+moment magnus = Q*d*ratio(r*d, V, 0)*C_p*cross(B.3, cross(i, B.3));
+";
+
+#[test]
+fn the_criteria_of_projectiles_agree_with_their_modes() {
+    let model = model_spec::load::from_text("shell.hyz", SHELL, &[]).expect("a model");
+    let body = Body::new(model).expect("a body");
+    let layout = body.compiled.layout();
+    let index = |name: &str| layout.parameter(name).expect(name).index();
+    let mut random = ChaCha8Rng::seed_from_u64(8);
+    let (mut stable, mut slow) = (0, 0);
+    for case in 0..500 {
+        let mut between = |low: f64, high: f64| low + (high - low) * random.random::<f64>();
+        let mut parameters = layout.default_parameters();
+        for (name, low, high) in [
+            ("C_N", 1.0, 4.0),
+            ("C_M", -4.0, 4.0),
+            ("C_Mq", -20.0, -1.0),
+            ("C_p", -1.0, 1.0),
+        ] {
+            parameters[index(name)] = between(low, high);
+        }
+        let (speed, spin) = (between(100.0, 800.0), between(-1500.0, 1500.0));
+        let bound = body.with_parameters(parameters);
+        // The axis along x, in the direction of flight.
+        let half = std::f64::consts::FRAC_1_SQRT_2;
+        let mut state = vec![0.0; layout.states.len()];
+        for (name, value) in [("vx", speed), ("q0", half), ("q2", half), ("r", spin)] {
+            state[layout.state(name).expect(name).index()] = value;
+        }
+        let instant = at(&bound, 0.0, &state).expect("modes");
+        assert_eq!(instant.derivatives.flight, FlightDirection::AlongAxis);
+        let expected = 0.14 / 1.2 * spin;
+        assert!(
+            (instant.derivatives.gyroscopic / expected - 1.0).abs() < 1e-6,
+            "{case}"
+        );
+        let roots = instant.derivatives.eigenvalues();
+        let decays = roots.iter().all(|root| root.re < 0.0);
+        assert_eq!(decays, instant.criteria.is_stable(), "{case}: {roots:?}");
+        stable += usize::from(decays);
+        slow += usize::from(!instant.criteria.gyroscopic);
+        for root in roots {
+            let values = instant.modes.modes.iter().map(|mode| mode.value);
+            let off = values.map(|value| (value.re - root.re).hypot(value.im - root.im.abs()));
+            let nearest = off.fold(f64::INFINITY, f64::min);
+            // Gravity and drag turn and slow the path at rates of the order of g/V.
+            assert!(
+                nearest < 0.15 + 0.01 * root.norm(),
+                "{case}: {root} {nearest}"
+            );
+        }
+    }
+    assert!((100..400).contains(&stable) && slow > 20, "{stable} {slow}");
+}
+
+#[test]
+fn a_constrained_body_is_refused() {
+    let text = "model pendulum;
+param m = 0.2 kg in 1e-3 .. 9;
+param l = 0.5 m;
+param I = 0.01 kg*m^2 in 1e-4 .. 1;
+param g = 9.81 m/s^2;
+frame N;
+frame B = N turned theta about 2;
+state theta = 0.4 rad;
+state omega = 0 rad/s;
+let torque = m*g*l*sin(theta);
+let I_p = I + m*l^2;
+der(theta) = omega;
+der(omega) = torque/I_p;
+let acc = omega^2*(-l)*in_N(B.3) + torque/I_p*l*in_N(B.1);
+claim body bob {
+  mass m; inertia diag(I, I, I) in B; axis B.3;
+  position l*in_N(B.3); velocity omega*l*in_N(B.1);
+  angular velocity (0, 1, 0) in B*omega;
+  force m*acc;
+  moment I*torque/I_p*B.2;
+}
+";
+    let model = model_spec::load::from_text("pendulum.hyz", text, &[]).expect("a model");
+    let body = Body::new(model).expect("a body");
+    let bound = body.with_parameters(body.compiled.layout().default_parameters());
+    let why = at(&bound, 0.0, &[0.4, 0.0]).expect_err("constrained");
+    assert!(why.to_string().contains("constrained"), "{why}");
 }

@@ -58,6 +58,8 @@ pub(super) struct Recording {
     acceleration: f64,
     /// Whether the quaternions of poses turn inertial to body components.
     inverse_attitude: bool,
+    /// Axis of the tracked body that is the third body axis of the model.
+    body_up: Axis,
 }
 
 impl Default for Recording {
@@ -70,6 +72,7 @@ impl Default for Recording {
             angular_rate: 1.0,
             acceleration: 1.0,
             inverse_attitude: false,
+            body_up: UP_Z,
         }
     }
 }
@@ -93,6 +96,7 @@ impl Recording {
             "angular_rate",
             "acceleration",
             "attitude",
+            "body_up",
         ];
         fields.keys(table, " in [recording]", &keys)?;
         let rates = ANGULAR_RATES.map(|(name, _)| name);
@@ -106,6 +110,9 @@ impl Recording {
         }
         if let Some((text, _)) = choice(fields, table, "attitude", &ATTITUDES)? {
             recording.inverse_attitude = text == INVERSE;
+        }
+        if let Some((text, _)) = choice(fields, table, "body_up", &UPS[..6])? {
+            recording.body_up = Axis::parse(&text).unwrap_or(UP_Z);
         }
         if let Some((text, _)) = choice(fields, table, "length", &LENGTHS)? {
             recording.length = LengthUnit::parse(&text).unwrap_or(recording.length);
@@ -152,13 +159,11 @@ impl Recording {
         reading.map(|part| part * unit)
     }
 
-    /// Converts the quaternion of a pose so that it turns body to inertial components.
+    /// Converts the quaternion of a pose so that it turns components along the model's body axes to inertial ones.
     pub fn body_to_inertial(&self, [w, x, y, z]: Reading) -> Reading {
-        if self.inverse_attitude {
-            [w, -x, -y, -z]
-        } else {
-            [w, x, y, z]
-        }
+        let sign = if self.inverse_attitude { -1.0 } else { 1.0 };
+        self.body_up
+            .third_body_axis([w, sign * x, sign * y, sign * z])
     }
 
     /// Converts a coordinate from the unit of the tables to m.

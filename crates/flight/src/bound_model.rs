@@ -9,6 +9,8 @@ pub struct BoundModel<'a> {
     pub(crate) model: &'a CompiledModel,
     parameters: Vec<f64>,
     prepared: Vec<f64>,
+    /// Times at which the right-hand side is not smooth, s, increasing.
+    pub(crate) time_breaks: Vec<f64>,
 }
 
 impl CompiledModel {
@@ -19,6 +21,7 @@ impl CompiledModel {
         self.functions.prepare(&parameters, &mut prepared);
         BoundModel {
             model: self,
+            time_breaks: self.time_breaks.at(&parameters),
             parameters,
             prepared,
         }

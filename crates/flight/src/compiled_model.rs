@@ -2,6 +2,7 @@
 
 use crate::functions::{ModelFunctions, SparsityPatterns};
 use crate::initial_conditions::Release;
+use crate::time_breaks::TimeBreaks;
 use codegen::Layout;
 use codegen::compile::{Compiled, Effort, Selection, compile, compile_at, compile_for};
 use codegen::rust::source_hash;
@@ -20,6 +21,7 @@ pub struct CompiledModel {
     pub(crate) limits: Vec<(f64, String)>,
     pub(crate) functions: Box<dyn ModelFunctions>,
     pub(crate) patterns: Patterns,
+    pub(crate) time_breaks: TimeBreaks,
     is_generated: bool,
 }
 
@@ -161,8 +163,10 @@ impl CompiledModel {
     /// Creates a compiled model with the given functions, which must be those of `model`.
     pub fn with_functions(model: &Model, functions: Box<dyn ModelFunctions>) -> CompiledModel {
         let limits = model.limits.iter();
+        let layout = Layout::new(model);
         CompiledModel {
-            layout: Layout::new(model),
+            time_breaks: TimeBreaks::of(model, &layout),
+            layout,
             limits: limits.map(|l| (l.bound, l.reason.clone())).collect(),
             patterns: Patterns::new(&functions.patterns()),
             functions,

@@ -8,6 +8,9 @@ use model_spec::model::{Model, Parameter};
 use crate::toml_reader::Name;
 use crate::wind::WindField;
 
+/// Largest deviation from 1 of the length of an initial attitude quaternion; files state six decimals.
+const QUATERNION_TOLERANCE: f64 = 1e-6;
+
 /// Initial conditions, parameters, wind and end of a flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Release {
@@ -96,6 +99,25 @@ impl Release {
             .map(|(name, value)| set(name).map_or(value, |(_, value)| *value))
             .collect()
     }
+}
+
+/// Fault of the first of `quaternions` (state indices) whose length is not 1 in `initial` (name and value of every
+/// state); `None` if there is none.
+#[doc(hidden)]
+pub fn quaternion_fault(
+    initial: &[(String, f64)],
+    quaternions: impl IntoIterator<Item = [usize; 4]>,
+) -> Option<String> {
+    quaternions.into_iter().find_map(|states| {
+        let length = states
+            .map(|i| initial[i].1.powi(2))
+            .iter()
+            .sum::<f64>()
+            .sqrt();
+        let names = states.map(|i| &*initial[i].0).join(", ");
+        let is_unit = (length - 1.0).abs() <= QUATERNION_TOLERANCE || length.is_nan();
+        (!is_unit).then(|| format!("the quaternion {names} has length {length}; expected 1"))
+    })
 }
 
 /// Names that a model defines and that its release files may use.

@@ -4,6 +4,8 @@
 use std::marker::PhantomData;
 use std::sync::OnceLock;
 
+use crate::time_breaks::TimeBreaks;
+use codegen::Layout;
 use codegen::compile::{Selection, compile_for};
 use codegen::rust::source_hash;
 use codegen::tape::Inputs;
@@ -25,6 +27,7 @@ pub struct LaneModel {
     tape: OnceLock<TapeModel>,
     /// Lower bounds of the validity limits, SI, in the order of the model's limits.
     bounds: Vec<f64>,
+    time_breaks: TimeBreaks,
 }
 
 impl LaneModel {
@@ -45,6 +48,7 @@ impl LaneModel {
             is_generated: false,
             tape: OnceLock::new(),
             bounds: model.limits.iter().map(|limit| limit.bound).collect(),
+            time_breaks: TimeBreaks::of(model, &Layout::new(model)),
         }
     }
 
@@ -77,6 +81,7 @@ impl LaneModel {
                 options,
                 isa,
                 bounds: &self.bounds,
+                time_breaks: &self.time_breaks,
             };
             if let Some(Some(evaluations)) = generated::visit(&self.model.name, task) {
                 return evaluations;
@@ -85,6 +90,7 @@ impl LaneModel {
         let rhs = TapeRhs {
             tape: self.tape(),
             bounds: &self.bounds,
+            time_breaks: &self.time_breaks,
         };
         fly_on(isa, &rhs, queue, span, options).unwrap_or(0)
     }
@@ -104,6 +110,7 @@ struct GeneratedTask<'a> {
     options: &'a IntegrationOptions,
     isa: Isa,
     bounds: &'a [f64],
+    time_breaks: &'a TimeBreaks,
 }
 
 impl Visitor for GeneratedTask<'_> {
@@ -112,6 +119,7 @@ impl Visitor for GeneratedTask<'_> {
     fn visit<E: Equations>(self) -> Option<u64> {
         let rhs = GeneratedRhs::<E> {
             bounds: self.bounds,
+            time_breaks: self.time_breaks,
             equations: PhantomData,
         };
         fly_on_widest(self.isa, &rhs, self.queue, self.span, self.options)
@@ -122,6 +130,7 @@ impl Visitor for GeneratedTask<'_> {
 /// Rust code of the type `E`.
 struct GeneratedRhs<'a, E> {
     bounds: &'a [f64],
+    time_breaks: &'a TimeBreaks,
     equations: PhantomData<E>,
 }
 
@@ -134,6 +143,10 @@ impl<E: Equations> LaneRhs for GeneratedRhs<'_, E> {
             limits: self.bounds.len(),
             scratch: 0,
         }
+    }
+
+    fn time_breaks(&self, p: &[f64], breaks: &mut Vec<f64>) {
+        breaks.extend(self.time_breaks.at(p));
     }
 
     #[inline(always)]
@@ -157,6 +170,7 @@ impl<E: Equations> LaneRhs for GeneratedRhs<'_, E> {
 struct TapeRhs<'a> {
     tape: &'a TapeModel,
     bounds: &'a [f64],
+    time_breaks: &'a TimeBreaks,
 }
 
 impl LaneRhs for TapeRhs<'_> {
@@ -170,6 +184,10 @@ impl LaneRhs for TapeRhs<'_> {
             limits: self.bounds.len(),
             scratch: of(&tape.prepare).max(of(&tape.f)).max(of(&tape.limits)),
         }
+    }
+
+    fn time_breaks(&self, p: &[f64], breaks: &mut Vec<f64>) {
+        breaks.extend(self.time_breaks.at(p));
     }
 
     #[inline(always)]

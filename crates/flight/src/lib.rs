@@ -42,6 +42,7 @@ mod release_file;
 mod rhs;
 mod simulate;
 pub mod throw;
+mod time_breaks;
 mod toml_reader;
 mod trajectory_csv;
 pub mod wind;
@@ -58,7 +59,9 @@ pub use trajectory_csv::trajectory_csv;
 
 /// Releases: initial conditions and end of a flight, built in by name or read from a TOML file.
 pub mod release {
-    pub use crate::initial_conditions::{BUILT_IN, Release, Stop, Vocabulary, built_in};
+    pub use crate::initial_conditions::{
+        BUILT_IN, Release, Stop, Vocabulary, built_in, quaternion_fault,
+    };
     pub use crate::release_file::{read, read_file, read_file_in_wind, read_in_wind};
     pub use crate::toml_reader::{
         Fault, Name, Reader, ReleaseError, Value, number_of, read_text, suggestion,

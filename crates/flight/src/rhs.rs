@@ -38,6 +38,10 @@ impl OdeRhs for ModelRhs<'_> {
         functions.f(self.model.at(t, x), &mut self.workspace, dx);
     }
 
+    fn time_breaks(&self) -> &[f64] {
+        &self.model.time_breaks
+    }
+
     fn state_name(&self, component: usize) -> Cow<'_, str> {
         self.model.model.state_name(component)
     }
@@ -75,6 +79,10 @@ impl DifferentiableRhs for DifferentiableModelRhs<'_> {
         self.model
             .functions()
             .f_jac_par(at, workspace, dx, jacobian, parameter_jacobian);
+    }
+
+    fn time_breaks(&self) -> &[f64] {
+        &self.model.time_breaks
     }
 
     fn state_name(&self, state: usize) -> Cow<'_, str> {

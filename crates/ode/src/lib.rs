@@ -44,6 +44,7 @@ mod root;
 mod sensitivity;
 mod solver;
 mod step_control;
+mod time_breaks;
 mod trajectory;
 
 pub use aligned::AlignedVec;

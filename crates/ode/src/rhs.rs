@@ -25,6 +25,12 @@ pub trait OdeRhs {
         usize::MAX
     }
 
+    /// Times, increasing, at which f or a derivative of it may jump; a step ends just before each, and the next begins
+    /// with f just after it. None by default.
+    fn time_breaks(&self) -> &[f64] {
+        &[]
+    }
+
     /// Name of a state component, used in error messages only.
     fn state_name(&self, component: usize) -> Cow<'_, str> {
         format!("state {component}").into()
@@ -41,6 +47,10 @@ impl<D: OdeRhs> OdeRhs for &mut D {
 
     fn error_controlled_len(&self) -> usize {
         (**self).error_controlled_len()
+    }
+
+    fn time_breaks(&self) -> &[f64] {
+        (**self).time_breaks()
     }
 
     fn state_name(&self, component: usize) -> Cow<'_, str> {

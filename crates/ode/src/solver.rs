@@ -10,6 +10,7 @@ use crate::method::{ErrorTolerance, Method, StepStart, Stepper};
 use crate::options::{IntegrationOptions, SolverStats};
 use crate::rhs::OdeRhs;
 use crate::step_control::{PiGains, PiMemory, initial_step};
+use crate::time_breaks::{just_after, segment_end};
 
 /// Minimum step size as a fraction of the largest absolute time of the integration.
 pub(crate) const MIN_RELATIVE_STEP: f64 = 1e-14;
@@ -71,7 +72,9 @@ struct Solver<'s, 'e, D: OdeRhs, S> {
     x: D::State,
     dx: D::State,
     t_end: f64,
-    /// Proposed size of the next step, before it is limited by `max_step` and `t_end`.
+    /// Time at which the current segment ends: just before a time break, or `t_end`.
+    segment_end: f64,
+    /// Proposed size of the next step, before it is limited by `max_step` and `segment_end`.
     h: f64,
     min_step: f64,
     max_step: f64,
@@ -113,7 +116,7 @@ impl<'s, 'e, D: OdeRhs, S: Stepper<D::State>> Solver<'s, 'e, D, S> {
     ) -> Result<Self, IntegrationError> {
         let (x, mut dx) = (x.clone(), x.clone());
         check_input(rhs, t, &x, t_end, options)?;
-        rhs.derivative(t, &x, &mut dx);
+        rhs.derivative(just_after(rhs.time_breaks(), t), &x, &mut dx);
         if let Some(i) = first_non_finite(&dx) {
             return Err(non_finite_derivative(rhs, t, &x, i, dx.as_ref()[i]));
         }
@@ -134,6 +137,7 @@ impl<'s, 'e, D: OdeRhs, S: Stepper<D::State>> Solver<'s, 'e, D, S> {
         Ok(Solver {
             t,
             t_end,
+            segment_end: segment_end(rhs.time_breaks(), t, t_end),
             h,
             min_step: MIN_RELATIVE_STEP * t.abs().max(t_end.abs()).max(t_end - t),
             max_step: options.max_step,
@@ -171,7 +175,20 @@ impl<'s, 'e, D: OdeRhs, S: Stepper<D::State>> Solver<'s, 'e, D, S> {
                 self.scratch.clone_from(&self.x);
                 return Ok(self.endpoint(end.t, None));
             }
+            if end.t == self.segment_end {
+                self.begin_segment();
+            }
         }
+    }
+
+    /// Begins the segment after a time break, at which the derivative may jump.
+    #[cold]
+    fn begin_segment(&mut self) {
+        let breaks = self.rhs.time_breaks();
+        self.segment_end = segment_end(breaks, self.t, self.t_end);
+        let start = just_after(breaks, self.t);
+        self.rhs.derivative(start, &self.x, &mut self.dx);
+        self.stats.evaluations += 1;
     }
 
     /// Result of an integration that ended at the time `time`; `event` is the name of the terminal event that ended it,
@@ -212,12 +229,12 @@ impl<'s, 'e, D: OdeRhs, S: Stepper<D::State>> Solver<'s, 'e, D, S> {
     #[inline(always)]
     fn next_end(&self) -> StepEnd {
         let h = self.h.min(self.max_step);
-        let remaining = self.t_end - self.t;
+        let remaining = self.segment_end - self.t;
         if h >= remaining * (1.0 - FINAL_STEP_SLACK) {
             StepEnd {
                 h: remaining,
-                t: self.t_end,
-                is_last: true,
+                t: self.segment_end,
+                is_last: self.segment_end == self.t_end,
             }
         } else {
             StepEnd {

@@ -218,6 +218,11 @@ impl<'a, T: Real> Tree<'a, T> {
                     a.sqrt().powi(*doubled)
                 })
             }
+            K::RealPower(a, b) => {
+                let (a, b) = (self.scalar(a), self.scalar(b));
+                let above = call(Function::Step, a);
+                Scalar(above * (b * call(Function::Log, a)).exp())
+            }
             K::Dot(a, b) => Scalar(self.vector(a).dot(&self.vector(b))),
             K::Cross(a, b) => Vector(self.vector(a).cross(&self.vector(b))),
             K::Norm(a) => Scalar(norm(&self.vector(a))),

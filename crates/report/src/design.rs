@@ -82,7 +82,7 @@ fn nearest(found: &Design) -> Option<String> {
 fn lead(found: &Design) -> Vec<String> {
     let (figure, unit) = found.goal.figure();
     let mut words = vec![format!(
-        "{}: {figure} {:.4} {unit}. The throw lands at x {:.2} m, y {:.2} m after {:.2} s.",
+        "{}: {figure} {:.4} {unit} without scatter. The throw lands at x {:.2} m, y {:.2} m after {:.2} s.",
         found.goal.name(),
         found.figure,
         hundredths(found.landing.x),
@@ -91,7 +91,7 @@ fn lead(found: &Design) -> Vec<String> {
     )];
     if let (Some(side), Some(clearance)) = (found.side, found.clearance) {
         words.push(format!(
-            "It passes {} of the obstacle, {clearance:.3} m clear of it.",
+            "Without scatter it passes {} of the obstacle, {clearance:.3} m clear of it.",
             side.name()
         ));
     }
@@ -232,6 +232,15 @@ fn spread_words(spread: &Spread, bounds: &Bounds) -> Vec<String> {
         100.0 * inside,
         bounds.circle
     ));
+    let drawn = sampled.points.len() + sampled.failed;
+    words.extend(spread.near_target.map(|share| {
+        let percent = 100.0 * share;
+        format!(
+            "Of {drawn} scattered throws {percent:.1} % pass within {} m of the target.",
+            bounds.circle
+        )
+    }));
+    words.extend(touching_words(spread));
     words.extend(spread.agreement.map(|agreement| {
         let (least, greatest) = agreement.ratios;
         let shift = agreement.shift;
@@ -249,6 +258,14 @@ fn spread_words(spread: &Spread, bounds: &Bounds) -> Vec<String> {
         }
     }));
     words
+}
+
+/// Sentence on the scattered throws that touch the obstacle; `None` without an obstacle.
+fn touching_words(spread: &Spread) -> Option<String> {
+    let percent = 100.0 * spread.touching?;
+    Some(format!(
+        "{percent:.1} % of the scattered flights touch the obstacle: a larger radius in [obstacle] keeps the throw clear of it."
+    ))
 }
 
 fn ellipse(landings: &Landings) -> Vec<Vector2<f64>> {

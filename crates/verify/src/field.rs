@@ -1,8 +1,8 @@
 //! The field of the integers modulo 2^61 − 1, in which models and compiled programs are evaluated.
 //!
 //! Sums, products and quotients are exact. Sine and cosine of an angle are a point of the unit circle, consistent for
-//! small integer multiples of states and arctangents. A square root is the root that is itself a square. Any other
-//! function value is a symbol: a pseudo-random element that depends only on the function and its arguments. Two
+//! small integer multiples of states and arctangents. A square root is the root that is itself a square, and e^-x is
+//! 1/e^x. Any other function value is a symbol: a pseudo-random element that depends only on the function and its arguments. Two
 //! programs with equal results at random points are, with high probability, the same function of states, parameters and
 //! symbols.
 
@@ -67,6 +67,15 @@ fn on_circle(t: Prime) -> (Prime, Prime) {
 pub fn call(function: MathFunction, a: Prime) -> Prime {
     let of_function = MathFunction::ALL.iter().position(|&f| f == function);
     let tag = of_function.map_or(u64::MAX, |k| k as u64);
+    if function == MathFunction::Exp {
+        let (size, sign) = least(a);
+        let value = symbol(tag, &[size]);
+        return if sign == Prime::one() {
+            value
+        } else {
+            value.inverse()
+        };
+    }
     match function.parity() {
         Parity::Odd => odd(tag, a),
         Parity::Even => symbol(tag, &[least(a).0]),

@@ -181,27 +181,16 @@ impl Checker<'_> {
 
     fn power(&mut self, base: &ast::Expr, exponent: &ast::Expr, span: Span) -> Option<Typed> {
         let typed = self.elaborate(base);
-        let Some(value) = constant(exponent) else {
-            let message = format!(
-                "the exponent `{}` is not a number",
-                self.text(exponent.span)
-            );
-            let fault = Diagnostic::new(Kind::Value, exponent.span, message);
-            let base = self.text(base.span);
-            return self.refuse(fault.help(format!(
-                "write `exp({}*log({base}))`",
-                self.text(exponent.span)
-            )));
-        };
-        let doubled = value * 2.0;
-        if doubled.fract() != 0.0 || doubled.abs() > MAX_DOUBLED_EXPONENT || !doubled.is_finite() {
+        let doubled = constant(exponent).map(|value| value * 2.0);
+        if let Some(doubled) = doubled
+            && (doubled.abs() > MAX_DOUBLED_EXPONENT || !doubled.is_finite())
+        {
             let message = format!(
                 "the exponent `{}` is not one of the powers that can be taken",
                 self.text(exponent.span)
             );
             let fault = Diagnostic::new(Kind::Value, exponent.span, message);
-            return self
-                .refuse(fault.note("exponents are whole or half numbers between -64 and 64"));
+            return self.refuse(fault.note("exponents are numbers between -64 and 64"));
         }
         let typed = typed?;
         if typed.expr.shape != Shape::Scalar {
@@ -210,6 +199,9 @@ impl Checker<'_> {
             return self
                 .refuse(fault.help(format!("write `dot({text}, {text})` or `norm({text})^2`")));
         }
+        let Some(doubled) = doubled.filter(|doubled| doubled.fract() == 0.0) else {
+            return self.real_power(typed, exponent, span);
+        };
         let doubled = doubled as i32;
         let unit = match typed.unit.factor() {
             Some(term) => {
@@ -220,6 +212,17 @@ impl Checker<'_> {
         };
         let kind = ExprKind::Pow(Box::new(typed.expr), doubled);
         Some(Typed::scalar(kind, span, unit))
+    }
+
+    /// Elaborates the power of a dimensionless base with an exponent that is no whole or half number.
+    fn real_power(&mut self, base: Typed, exponent: &ast::Expr, span: Span) -> Option<Typed> {
+        let exponent = self.scalar(exponent, "an exponent")?;
+        let power = self.text(span);
+        let pure = |what: &str| format!("the {what} of `{power}` must be a pure number");
+        self.must_be(&base, &Term::one(), &pure("base"));
+        self.must_be(&exponent, &Term::one(), &pure("exponent"));
+        let kind = ExprKind::RealPower(Box::new(base.expr), Box::new(exponent.expr));
+        Some(Typed::scalar(kind, span, UnitOf::of(Unit::ONE)))
     }
 
     /// Reports `5 m/s`, which parses as `(5 m)/s`, if `s` is no variable; returns whether it did.

@@ -114,7 +114,7 @@ impl Tables {
         e.children_mut(&mut |child| self.assign(child));
         e.unit = match &e.kind {
             K::Number { .. } => e.unit,
-            K::Pi | K::Axis(..) | K::Direction(..) => Unit::ONE,
+            K::Pi | K::Axis(..) | K::Direction(..) | K::RealPower(..) => Unit::ONE,
             K::Time => Unit::SECOND,
             K::Param(i) => self.params[*i],
             K::Coefficient(i) => self.coefficients[*i],

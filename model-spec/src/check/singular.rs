@@ -108,7 +108,8 @@ impl<'m> Signs<'m> {
                 _ if doubled % 4 == 0 || doubled % 2 != 0 => Sign::NotNegative,
                 _ => Sign::Unknown,
             },
-            K::Norm(_) | K::Call(Function::Step, _) => Sign::NotNegative,
+            K::RealPower(a, _) if self.of(a) == Sign::Positive => Sign::Positive,
+            K::RealPower(..) | K::Norm(_) | K::Call(Function::Step, _) => Sign::NotNegative,
             K::Call(Function::Sqrt, a) if self.of(a) == Sign::Positive => Sign::Positive,
             K::Call(Function::Sqrt, _) => Sign::NotNegative,
             K::Call(Function::Abs, a) if self.of(a).never_zero() => Sign::Positive,
@@ -194,7 +195,7 @@ fn divisor(e: &Expr) -> Option<&Expr> {
 }
 
 impl Checker<'_> {
-    /// Reports divisors that may be zero, and tangents unless a validity limit keeps their cosine above zero.
+    /// Reports divisors that may be zero, functions of numbers outside their domain, and tangents unless a validity limit keeps their cosine above zero.
     pub fn singularities(&mut self) {
         let mut faults: Vec<Diagnostic> = Vec::new();
         let signs = Signs::new(&self.model);
@@ -207,6 +208,7 @@ impl Checker<'_> {
                         faults.push(zero);
                     }
                 }
+                faults.extend(self.outside_domain(e, &signs));
                 if let ExprKind::Call(Function::Tan, angle) = &e.kind {
                     let mut cosine = e.clone();
                     cosine.kind = ExprKind::Call(Function::Cos, angle.clone());
@@ -222,6 +224,33 @@ impl Checker<'_> {
             });
         }
         self.diagnostics.extend(faults);
+    }
+
+    /// Error for a root, logarithm, real power or arc function whose argument is outside the domain for all values
+    /// within the bounds.
+    fn outside_domain(&self, e: &Expr, signs: &Signs<'_>) -> Option<Diagnostic> {
+        let (argument, domain) = match &e.kind {
+            ExprKind::Call(Function::Sqrt, a) => (a, (0.0, f64::INFINITY)),
+            ExprKind::Call(Function::Log, a) | ExprKind::RealPower(a, _) => {
+                (a, (f64::MIN_POSITIVE, f64::INFINITY))
+            }
+            ExprKind::Pow(a, doubled) if doubled % 2 != 0 => (a, (0.0, f64::INFINITY)),
+            ExprKind::Call(Function::Asin | Function::Acos, a) => (a, (-1.0, 1.0)),
+            _ => return None,
+        };
+        let (least, greatest) = signs.range(argument)?;
+        if greatest >= domain.0 && least <= domain.1 {
+            return None;
+        }
+        let (whole, what) = (self.text(e.span), self.text(argument.span));
+        let message = format!("`{whole}` is not defined: `{what}` is outside its domain");
+        let range = match domain {
+            (-1.0, _) => "-1 .. 1",
+            (0.0, _) => "numbers that are not negative",
+            _ => "numbers above 0",
+        };
+        let fault = Diagnostic::new(Kind::Singular, e.span, message);
+        Some(fault.note(format!("the domain is {range}")))
     }
 
     fn division(&self, e: &Expr, divisor: &Expr, culprit: &Expr) -> Diagnostic {
@@ -307,6 +336,7 @@ pub fn singular_points(model: &Model) -> Vec<SingularPoint> {
                 }
                 K::Call(Function::Sqrt | Function::Log, a) if may_vanish(a) => of_root(a),
                 K::Pow(a, doubled) if doubled % 2 != 0 && may_vanish(a) => of_root(a),
+                K::RealPower(a, _) if may_vanish(a) => of_root(a),
                 K::Call(Function::Asin | Function::Acos, a) => {
                     let a = text(a);
                     format!("`{a}` is held within -1 .. 1, with derivative 0 beyond")

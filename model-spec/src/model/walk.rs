@@ -2,6 +2,7 @@
 
 use super::{Expr, ExprKind, FrameKind, Model, ValidityLimit};
 use crate::source::Span;
+use crate::unit::Unit;
 
 /// Function body of [`Expr::children`] and [`Expr::children_mut`].
 macro_rules! visit_children {
@@ -34,6 +35,7 @@ macro_rules! visit_children {
             | K::Sub(a, b)
             | K::Mul(a, b)
             | K::Div(a, b)
+            | K::RealPower(a, b)
             | K::Dot(a, b)
             | K::Cross(a, b)
             | K::Atan2(a, b)
@@ -150,6 +152,26 @@ impl Model {
         stated
             .filter(|state| self.body.is_some() || of_effects(state))
             .collect()
+    }
+
+    /// Indices into [`Model::states`] of the angles: those by which frames are turned, then other states with the unit
+    /// rad that the model itself states, such as a heading.
+    pub fn angle_states(&self) -> Vec<usize> {
+        let turned = self.frames.iter().filter_map(|frame| match frame.kind {
+            FrameKind::Turned { angle, .. } => Some(angle),
+            _ => None,
+        });
+        let mut angles: Vec<usize> = turned.collect();
+        let added = self.added_states();
+        let is_angle = |state: &usize| self.states[*state].unit == Unit::RADIAN;
+        let stated =
+            (0..self.states.len()).filter(|state| is_angle(state) && !added.contains(state));
+        angles.extend(
+            stated
+                .filter(|state| !angles.contains(state))
+                .collect::<Vec<_>>(),
+        );
+        angles
     }
 
     /// Indices into [`Model::states`] of each quaternion of norm 1 that orients a frame, scalar part first.

@@ -3,7 +3,7 @@
 mod errors;
 
 use analysis::design::{
-    Bounds, Goal, SampleOptions, Scattered, SearchOptions, ThrownBody, design, spread,
+    Aims, Bounds, Goal, SampleOptions, Scattered, SearchOptions, ThrownBody, design, spread,
 };
 use anyhow::{Context, bail};
 use flight::files::ResultFile;
@@ -12,7 +12,7 @@ use nalgebra::Vector3;
 use report::Figure;
 use report::viewer::View;
 
-use super::simulate::{apply, throws};
+use super::simulate::{apply_all, throws};
 use super::vector;
 use crate::cli::Design as Options;
 use crate::{Answer, output};
@@ -31,9 +31,7 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
     if let Some(wind) = &options.wind {
         model = super::wind::apply(wind, model, &mut release)?;
     }
-    for set in &options.set {
-        apply(set, &model, &mut release)?;
-    }
+    apply_all(&options.set, &model, &mut release)?;
     let body = ThrownBody::new(model)?;
     let flights = body.with(&release);
     let goal = goal(options)?;
@@ -67,20 +65,22 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
             eprintln!("--fit: the model has no {}; left out", unknown.join(", "));
         }
     }
-    let aim = found.goal.target().filter(|target| target.z == 0.0);
-    let aim = aim.unwrap_or(found.landing).xy();
+    let (ground, air) = match found.goal.target() {
+        Some(target) if target.z == 0.0 => (Some(target), None),
+        other => (None, other),
+    };
+    let aims = Aims {
+        landing: ground.unwrap_or(found.landing).xy(),
+        circle: bounds.circle,
+        target: air,
+        obstacle: bounds.obstacle,
+    };
     let samples = SampleOptions {
         count: options.samples as usize,
         seed: options.seed,
         threads,
     };
-    let spread = spread(
-        &flights,
-        &found.throw,
-        (aim, bounds.circle),
-        &scattered,
-        &samples,
-    )?;
+    let spread = spread(&flights, &found.throw, &aims, &scattered, &samples)?;
     output::print(report::design::text(&found, &bounds, &spread))?;
     if let Some(out) = &out {
         let settings = ode::IntegrationOptions::with_tolerance(1e-9);

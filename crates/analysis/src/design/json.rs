@@ -124,6 +124,8 @@ fn of_spread(spread: &Spread) -> Value {
             value
         }),
         "inside_circle": spread.inside,
+        "near_target": spread.near_target,
+        "touching_obstacle": spread.touching,
         "agreement": spread.agreement.map(|agreement| json!({
             "agrees": agreement.agrees,
             "shift_sd": agreement.shift,

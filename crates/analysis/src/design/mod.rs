@@ -42,7 +42,7 @@ pub use point::Point;
 pub use search::{Design, DesignError, SearchOptions, design, numbers};
 pub use sensitivity::{OneUnit, Sensitivity, sensitivities};
 pub use spread::{
-    Agreement, Band, CoefficientErrors, Landings, QUANTILES, SampleOptions, Sampled, Scattered,
-    Spread, TOLERATED, landing_covariance, spread,
+    Agreement, Aims, Band, CoefficientErrors, Landings, QUANTILES, SampleOptions, Sampled,
+    Scattered, Spread, TOLERATED, landing_covariance, spread,
 };
 pub use throw_flight::{By, ThrowFlightError, ThrowFlights, ThrownBody};

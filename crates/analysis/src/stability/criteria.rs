@@ -13,14 +13,35 @@
 //! a is the rate at which lift turns the path into the disc's plane. Divided by I_d (δ = D/I_d, κ = K/I_d, ν = I_a
 //! r/I_d), the eigenvalues are the zeros of (s + a)[(s + δ)² + ν²] − κ (s + δ), and the Routh–Hurwitz criterion gives
 //! the three conditions of [`Criteria`]. Without spin, ν = 0, these are the conditions for an ordinary wing.
+//!
+//! A projectile flies along its axis, and the air has no other preferred direction. With the complex angle of attack ξ,
+//! the overturning moment κ ξ and the Magnus moment i μ ξ (divided by I_d), its axis follows
+//!
+//! ```text
+//! ξ̈ + (H − i ν) ξ̇ − (M + i W) ξ = 0,   H = a + δ,   M = κ − a δ,   W = μ + a ν
+//! ```
+//!
+//! (McCoy, Modern Exterior Ballistics, chapter 10, in units of time), whose roots decay where H > 0 and 1/S_g < S_d (2 −
+//! S_d), with S_g = ν²/(4 M) and S_d = 2 W/(H ν).
 
 use nalgebra::{Complex, DMatrix, Vector3};
 
 use crate::stability::linearise::Linearised;
 
+/// Direction in which a body flies relative to its third axis, which decides the criteria that apply to it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FlightDirection {
+    /// The axis is nearer to the normal of the air velocity than to its direction, as for a disc.
+    AcrossAxis,
+    /// The axis is nearer to the direction of the air velocity, forwards or backwards, as for a bullet or a javelin.
+    AlongAxis,
+}
+
 /// Derivatives of the linearised motion that determine how the axis of the body moves in the air stream.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisDerivatives {
+    /// Direction of flight relative to the body axis.
+    pub flight: FlightDirection,
     /// Decay rate a of the angle of attack due to lift, 1/s. For the built-in discs a = q A (C_La + C_D)/(m V) with the
     /// dynamic pressure q, the area A, the mass m and the airspeed V.
     pub lift: f64,
@@ -32,6 +53,9 @@ pub struct AxisDerivatives {
     /// the dynamic pressure q, the area A, the diameter d and the diametral moment of inertia I_d. It is positive if
     /// the moment raises the nose of a body with a positive angle of attack, so that deviations grow.
     pub pitching: f64,
+    /// Angular acceleration μ due to the Magnus moment, normal to the plane of the angle of attack, per rad of that
+    /// angle, 1/s², of a body that flies along its axis; 0 for others.
+    pub magnus: f64,
     /// Frequency ν of the nutation without aerodynamic moments, rad/s: I_a r/I_d with the axial and the diametral
     /// moment of inertia I_a and I_d and the spin r.
     pub gyroscopic: f64,
@@ -44,18 +68,23 @@ pub struct AxisDerivatives {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Criteria {
     /// Gyroscopic stability factor S = (ν² + δ² + 2 a δ)/κ. The symbols are the fields of [`AxisDerivatives`]: a
-    /// `lift`, δ `damping`, κ `pitching`, ν `gyroscopic`. Spin and damping stabilise the axis if S > 1; S is infinite
-    /// or negative if κ ≤ 0, where the pitching moment does not destabilise the axis.
+    /// `lift`, δ `damping`, κ `pitching`, ν `gyroscopic`. For a body that flies along its axis S_g = ν²/(4 (κ − a δ)).
+    /// Spin and damping stabilise the axis if S > 1; S is infinite or negative if κ ≤ 0, where the pitching moment does
+    /// not destabilise the axis.
     pub gyroscopic_factor: f64,
-    /// Gyroscopic condition: whether ν² + δ² + 2 a δ > κ. The symbols are the fields of [`AxisDerivatives`]: a `lift`,
-    /// δ `damping`, κ `pitching`, ν `gyroscopic`.
+    /// Dynamic stability factor S_d = 2 (μ + a ν)/((a + δ) ν) of a spinning body that flies along its axis; both
+    /// motions of the axis decay if 1/S_g < S_d (2 − S_d). `None` for other bodies.
+    pub dynamic_factor: Option<f64>,
+    /// Gyroscopic condition: whether ν² + δ² + 2 a δ > κ, or S_g > 1 (or κ ≤ a δ) for a body that flies along its axis.
+    /// The symbols are the fields of [`AxisDerivatives`]: a `lift`, δ `damping`, κ `pitching`, ν `gyroscopic`.
     pub gyroscopic: bool,
     /// Condition for the decay of the slow motion of the body axis: whether a (ν² + δ²) > κ δ. Lift then turns the
-    /// flight path towards the plane normal to the axis faster than damping lets the axis drift. The symbols are the
+    /// flight path towards the plane normal to the axis faster than damping lets the axis drift. For a body that flies
+    /// along its axis: whether the slower of its two circular motions decays. The symbols are the
     /// fields of [`AxisDerivatives`]: a `lift`, δ `damping`, κ `pitching`, ν `gyroscopic`.
     pub slow: bool,
-    /// Condition for the decay of the wobble: whether (2 δ + a)(ν² + δ² + 2 a δ − κ) > a (ν² + δ²) − κ δ. The symbols
-    /// are the fields of [`AxisDerivatives`]: a `lift`, δ `damping`, κ `pitching`, ν `gyroscopic`.
+    /// Condition for the decay of the wobble: whether (2 δ + a)(ν² + δ² + 2 a δ − κ) > a (ν² + δ²) − κ δ. For a body that
+    /// flies along its axis: whether the faster of its two circular motions decays. The symbols are the fields of [`AxisDerivatives`]: a `lift`, δ `damping`, κ `pitching`, ν `gyroscopic`.
     pub wobble: bool,
     /// Frequency of the nutation, |ν| − κ/(2 |ν|), rad/s, accurate to first order in κ/ν². The symbols are the fields
     /// of [`AxisDerivatives`]: κ `pitching`, ν `gyroscopic`.
@@ -66,7 +95,7 @@ pub struct Criteria {
     /// Rate at which the body axis tilts sideways (roll), rad/s, positive if it tilts to the right. It is −M/(I_a r),
     /// with the aerodynamic moment M about the left axis d2 (positive nose down) at the state about which the motion is
     /// linearised, the axial moment of inertia I_a and the spin r: closed form of Crowther and Potts for straight
-    /// flight.
+    /// flight. NaN for a body that flies along its axis.
     pub roll_rate: f64,
 }
 
@@ -75,6 +104,9 @@ impl AxisDerivatives {
     pub fn of(linearised: &Linearised, wind: Vector3<f64>) -> AxisDerivatives {
         let n = linearised.axis;
         let velocity = linearised.motion.velocity - wind;
+        if n.dot(&velocity).abs() > velocity.norm() * std::f64::consts::FRAC_1_SQRT_2 {
+            return AxisDerivatives::along_axis(linearised, velocity);
+        }
         let flat = velocity - n * n.dot(&velocity);
         let d1 = flat.try_normalize(1e-9).unwrap_or_else(Vector3::x);
         let d2 = n.cross(&d1);
@@ -90,6 +122,8 @@ impl AxisDerivatives {
         let by_tilt = entry(9, d2, 6, d2) + spin * entry(9, d2, 9, d1);
         let speed = velocity.norm().max(1e-9);
         AxisDerivatives {
+            flight: FlightDirection::AcrossAxis,
+            magnus: 0.0,
             lift: -entry(3, n, 6, d2) / speed,
             damping: -0.5 * (rate_1 + rate_2),
             pitching: by_tilt,
@@ -99,9 +133,45 @@ impl AxisDerivatives {
         }
     }
 
-    /// Eigenvalues of the motion of the axis, 1/s: the three zeros of (s + a)[(s + δ)² + ν²] − κ (s + δ), where a is
-    /// `lift`, δ is `damping`, ν is `gyroscopic` and κ is `pitching`.
-    pub fn eigenvalues(&self) -> [Complex<f64>; 3] {
+    /// Derivatives of a body that flies along its axis with the air velocity `velocity`, m/s: means over the two
+    /// directions normal to the axis, which are equal for a body of revolution.
+    fn along_axis(linearised: &Linearised, velocity: Vector3<f64>) -> AxisDerivatives {
+        let n = linearised.axis;
+        let backwards = n.dot(&velocity).signum();
+        let e1 = any_normal(n);
+        let e2 = n.cross(&e1);
+        let spin = linearised.rates.dot(&n);
+        let block = |row: usize, column: usize| linearised.matrix.fixed_view::<3, 3>(row, column);
+        // A tilt of the axis towards e, with the angular velocity normal to the axis held.
+        let tilted = |e: Vector3<f64>| block(9, 6) * n.cross(&e) + block(9, 9) * (e * spin);
+        let turned = |e: Vector3<f64>| block(9, 9) * e;
+        let lifted = |e: Vector3<f64>| block(3, 6) * n.cross(&e);
+        // Complex mean (part along, part a quarter turn ahead) of a response to e1 and e2.
+        let mean = |of: &dyn Fn(Vector3<f64>) -> Vector3<f64>| {
+            let (of_1, of_2) = (of(e1), of(e2));
+            let along = 0.5 * (e1.dot(&of_1) + e2.dot(&of_2));
+            Complex::new(along, 0.5 * (e2.dot(&of_1) - e1.dot(&of_2)))
+        };
+        let (rates, moment) = (mean(&turned), mean(&tilted));
+        AxisDerivatives {
+            flight: FlightDirection::AlongAxis,
+            lift: mean(&lifted).re * backwards / velocity.norm().max(1e-9),
+            damping: -rates.re,
+            // The axis turns a quarter turn behind the moment: κ + iμ = −i G.
+            pitching: moment.im,
+            magnus: -moment.re,
+            gyroscopic: rates.im + spin,
+            moment: 0.0,
+        }
+    }
+
+    /// Eigenvalues of the motion of the axis, 1/s: the zeros of (s + a)[(s + δ)² + ν²] − κ (s + δ), where a is `lift`, δ is
+    /// `damping`, ν is `gyroscopic` and κ is `pitching`; or the zeros of s² + (H − i ν) s − (M + i W), the faster and the
+    /// slower circular motion of the axis, of a body that flies along it.
+    pub fn eigenvalues(&self) -> Vec<Complex<f64>> {
+        if self.flight == FlightDirection::AlongAxis {
+            return self.circular_motions().to_vec();
+        }
         let AxisDerivatives {
             lift: a,
             damping: d,
@@ -110,24 +180,69 @@ impl AxisDerivatives {
             ..
         } = *self;
         let matrix = DMatrix::from_row_slice(3, 3, &[-d, -h, 0.0, h, -d, -k, 0.0, -1.0, -a]);
-        let values = matrix.complex_eigenvalues();
-        [values[0], values[1], values[2]]
+        matrix.complex_eigenvalues().iter().copied().collect()
     }
 
     /// Evaluates the criteria for the stability of the body axis with these derivatives.
     pub fn criteria(&self) -> Criteria {
+        match self.flight {
+            FlightDirection::AcrossAxis => self.criteria_across_axis(),
+            FlightDirection::AlongAxis => self.criteria_along_axis(),
+        }
+    }
+
+    /// Zeros of s² + (H − i ν) s − (M + i W), 1/s: the faster and the slower circular motion of the axis.
+    fn circular_motions(&self) -> [Complex<f64>; 2] {
+        let AxisDerivatives {
+            lift: a,
+            damping: d,
+            ..
+        } = *self;
+        let half = Complex::new(a + d, -self.gyroscopic) / 2.0;
+        let stiffness = Complex::new(self.pitching - a * d, self.magnus + a * self.gyroscopic);
+        let root = (half * half + stiffness).sqrt();
+        let mut zeros = [-half + root, -half - root];
+        zeros.sort_by(|a, b| b.im.abs().total_cmp(&a.im.abs()));
+        zeros
+    }
+
+    fn criteria_along_axis(&self) -> Criteria {
+        let AxisDerivatives {
+            lift: a,
+            damping: d,
+            gyroscopic: h,
+            ..
+        } = *self;
+        let stiffness = self.pitching - a * d;
+        let [fast, slow] = self.circular_motions();
+        let dynamic = 2.0 * (self.magnus + a * h) / ((a + d) * h);
+        Criteria {
+            gyroscopic_factor: h * h / (4.0 * stiffness),
+            dynamic_factor: Some(dynamic).filter(|factor| factor.is_finite()),
+            gyroscopic: h * h > 4.0 * stiffness,
+            slow: slow.re < 0.0,
+            wobble: fast.re < 0.0,
+            nutation: fast.im.abs(),
+            nutation_decay: -fast.re,
+            roll_rate: f64::NAN,
+        }
+    }
+
+    fn criteria_across_axis(&self) -> Criteria {
         let AxisDerivatives {
             lift: a,
             damping: d,
             pitching: k,
             gyroscopic: h,
             moment,
+            ..
         } = *self;
         let stiff = h * h + d * d;
         let held = stiff + 2.0 * a * d;
         let slow = a * stiff - k * d;
         Criteria {
             gyroscopic_factor: held / k,
+            dynamic_factor: None,
             gyroscopic: held > k,
             slow: slow > 0.0,
             wobble: (2.0 * d + a) * (held - k) > slow,
@@ -144,4 +259,9 @@ impl Criteria {
     pub fn is_stable(&self) -> bool {
         self.gyroscopic && self.slow && self.wobble
     }
+}
+
+/// A unit vector normal to the unit vector `n`.
+fn any_normal(n: Vector3<f64>) -> Vector3<f64> {
+    n.cross(&Vector3::ith(n.iamin(), 1.0)).normalize()
 }

@@ -16,6 +16,10 @@ const STEP: f64 = 1e-4;
 /// Weights of the sixth-order central differences, for the values 1, 2 and 3 time steps before and after the instant.
 const WEIGHTS: [f64; 3] = [45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0];
 
+/// Largest part of a unit change of the motion (m, m/s, rad, rad/s) that the states of a free rigid body may miss, by
+/// rounding or because the length of a quaternion has drifted; a constraint takes away a whole direction.
+const REACHED: f64 = 1e-2;
+
 /// Reason why the motion of a body cannot be linearised.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum StabilityError {
@@ -26,6 +30,15 @@ pub enum StabilityError {
     #[error("the model {model} is a point mass, which has no attitude; expected a rigid body")]
     PointMass {
         /// Name of the model of a point mass.
+        model: String,
+    },
+    /// The states of the model do not reach every motion of a free rigid body near the state.
+    #[error(
+        "the motion of {model} is constrained: its states do not reach every small change of position, velocity, \
+         attitude and angular velocity; expected a free rigid body"
+    )]
+    Constrained {
+        /// Name of the model of a constrained body.
         model: String,
     },
     /// The linearised motion has infinite or undefined elements at the state about which the motion is linearised.
@@ -110,7 +123,8 @@ impl BoundBody<'_> {
     /// s.
     ///
     /// # Errors
-    /// [`StabilityError::NotFinite`] if the linearised motion is not finite at the state.
+    /// [`StabilityError::Constrained`] if the states of the model do not reach every motion near the state;
+    /// [`StabilityError::NotFinite`] if the linearised motion is not finite there.
     pub fn linearise(&self, t: f64, state: &[f64]) -> Result<Linearised, StabilityError> {
         let thrown = &self.body.thrown;
         let n = state.len();
@@ -153,6 +167,14 @@ impl BoundBody<'_> {
             changes[(15 + k, 9 + k)] = 1.0;
         }
         let states = thrown.states_moved(state, &self.parameters, &changes);
+        let missed = &by_state * &states - &changes;
+        // The first two axes of a body of revolution need not be fixed in it.
+        let rows = (0..6).chain(12..18);
+        let missed = rows.map(|row| missed.row(row).amax());
+        if missed.fold(0.0, f64::max) > REACHED {
+            let model = self.body.model.name.clone();
+            return Err(StabilityError::Constrained { model });
+        }
         let moved = rates_by_state * states;
         let mut matrix = DMatrix::zeros(12, 12);
         matrix

@@ -30,7 +30,7 @@ mod modes;
 mod survey;
 mod trim;
 
-pub use criteria::{AxisDerivatives, Criteria};
+pub use criteria::{AxisDerivatives, Criteria, FlightDirection};
 pub use linearise::{Body, BoundBody, Linearised, StabilityError};
 pub use modes::{Mode, ModeKind, Modes, modes};
 pub use survey::{Instant, along, at, map};

@@ -116,7 +116,7 @@ impl<'p> Inputs<'p> {
     }
 
     /// Writes the initial states `x` and the parameters `p` of a flight for the drawn `values` of the varied
-    /// quantities. Returns `false` if a value is out of its bounds or no state of the model has the motion of the
+    /// quantities. An attitude quaternion of which a component varies is scaled to length 1. Returns `false` if a value is out of its bounds or no state of the model has the motion of the
     /// throw; such a flight is not simulated.
     pub(crate) fn start(
         &mut self,
@@ -149,9 +149,22 @@ impl<'p> Inputs<'p> {
                 }
             }
         }
-        match (&mut self.near, &self.throw) {
-            (Some(near), Some(throw)) => near.state(throw, [0.0; 2], p, x).is_ok(),
-            _ => true,
+        if let (Some(near), Some(throw)) = (&mut self.near, &self.throw) {
+            return near.state(throw, [0.0; 2], p, x).is_ok();
         }
+        self.model
+            .vocabulary
+            .quaternions
+            .iter()
+            .all(|states| normalise(x, *states))
     }
+}
+
+/// Scales the quaternion of the state indices `states` to length 1; `false` if it is 0.
+fn normalise(x: &mut [f64], states: [usize; 4]) -> bool {
+    let length = states.map(|i| x[i].powi(2)).iter().sum::<f64>().sqrt();
+    for i in states {
+        x[i] /= length;
+    }
+    length > 0.0
 }

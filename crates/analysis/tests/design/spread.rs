@@ -1,8 +1,11 @@
 //! Spread of landings: linear and sampled agree where they should, and the case where they do not is told.
 
-use analysis::design::{CoefficientErrors, SampleOptions, Scatter, Scattered, spread};
+use analysis::design::{
+    Aims, CoefficientErrors, Obstacle, SampleOptions, Scatter, Scattered, spread,
+};
 use flight::throw::{FIELDS, Throw};
 use nalgebra::{Matrix2, Vector2};
+use ode::IntegrationOptions;
 
 use crate::support::body;
 
@@ -51,14 +54,7 @@ fn linear_and_sampled_agree_for_a_small_scatter_and_not_for_a_great_one() {
     };
     let of = |size: f64| {
         let scattered = Scattered::of(&flights, &scatter(size));
-        spread(
-            &flights,
-            &throw(),
-            (Vector2::zeros(), 3.0),
-            &scattered,
-            &options,
-        )
-        .expect("a spread")
+        spread(&flights, &throw(), &NO_TARGET, &scattered, &options).expect("a spread")
     };
     let small = of(0.2);
     let agreement = small.agreement.expect("samples");
@@ -99,14 +95,7 @@ fn errors_of_coefficients_count_with_their_correlations() {
             count: 3000,
             ..SampleOptions::default()
         };
-        let found = spread(
-            &flights,
-            &throw(),
-            (Vector2::zeros(), 3.0),
-            &scattered,
-            &options,
-        )
-        .expect("a spread");
+        let found = spread(&flights, &throw(), &NO_TARGET, &scattered, &options).expect("a spread");
         let sampled = found.sampled.expect("samples").landings.covariance;
         // The samples have the same covariance, correlations included.
         assert!(
@@ -138,14 +127,49 @@ fn samples_do_not_depend_on_the_threads() {
             threads,
             ..SampleOptions::default()
         };
-        spread(
-            &flights,
-            &throw(),
-            (Vector2::zeros(), 3.0),
-            &scattered,
-            &options,
-        )
-        .expect("a spread")
+        spread(&flights, &throw(), &NO_TARGET, &scattered, &options).expect("a spread")
     };
     assert_eq!(on(1), on(3));
+}
+
+/// A landing circle about the release alone.
+const NO_TARGET: Aims = Aims {
+    landing: Vector2::new(0.0, 0.0),
+    circle: 3.0,
+    target: None,
+    obstacle: None,
+};
+
+#[test]
+fn half_of_the_scattered_throws_touch_an_obstacle_that_the_throw_grazes() {
+    let disc = body("disc");
+    let flights = disc.with_parameters(disc.compiled.layout().default_parameters());
+    let options = SampleOptions {
+        count: 400,
+        ..SampleOptions::default()
+    };
+    let scattered = Scattered::of(&flights, &scatter(0.3));
+    let settings = IntegrationOptions::with_tolerance(1e-9);
+    let path = flights.fly(&throw(), None, &settings).expect("a flight");
+    let point = path.point(0.6 * path.duration());
+    let touching = |clearance: f64| {
+        let radius = 0.4;
+        let place = point.position.xy() + point.left() * (radius + clearance);
+        let aims = Aims {
+            target: Some(point.position),
+            obstacle: Some(Obstacle {
+                place,
+                radius,
+                side: None,
+            }),
+            ..NO_TARGET
+        };
+        let found = spread(&flights, &throw(), &aims, &scattered, &options).expect("a spread");
+        assert_eq!(found.near_target, Some(1.0), "all pass within 3 m");
+        found.touching.expect("samples")
+    };
+    let shares = [0.0, 20.0, -0.2].map(touching);
+    assert!((0.35..0.65).contains(&shares[0]), "{shares:?}");
+    assert_eq!(shares[1], 0.0);
+    assert!(shares[2] > 0.65, "{shares:?}");
 }

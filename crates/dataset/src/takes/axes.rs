@@ -38,6 +38,13 @@ impl Axis {
         product(self.to_z(), quaternion)
     }
 
+    /// Converts an attitude (unit quaternion w, x, y, z from body to room) to body axes of which the third is this axis of
+    /// the body; the rotation that turns it to +z turns the body axes.
+    pub fn third_body_axis(self, quaternion: [f64; 4]) -> [f64; 4] {
+        let [w, x, y, z] = self.to_z();
+        product(quaternion, [w, -x, -y, -z])
+    }
+
     /// Quaternion w, x, y, z of the rotation that turns this axis to +z.
     pub(crate) fn to_z(self) -> [f64; 4] {
         let h = std::f64::consts::FRAC_1_SQRT_2;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use super::error::{Fault, Location};
+use super::quaternion::product;
 use super::words::listed;
 use super::{
     Axis, Motion, Pose, Take, TakeError, Throw, ThrowOptions, find_throws, motion, rotated,
@@ -60,7 +61,7 @@ impl ImportedTake {
         let up = up_of(take, file, options.up)?;
         let followed = Followed::find(take, options).map_err(|fault| fault.of(file))?;
         let labels = followed.labels(take);
-        let turned = take.clone().with_z_up(up, options.left_handed);
+        let mut turned = take.clone().with_z_up(up, options.left_handed);
         let found = find_throws(&turned, &labels, &ThrowOptions::default());
         if found.throws.is_empty()
             && let Some(other) = other_up(take, &labels, options.left_handed, up)
@@ -84,18 +85,57 @@ impl ImportedTake {
             }
         }
         let throws = found.throws.iter();
+        let mut decisions = decisions(take, options, up, &labels);
+        if let Followed::Pose(body, markers) = &followed
+            && markers.is_empty()
+            && spins_about(&turned.bodies[*body].poses, &found.throws, up)
+        {
+            let poses = turned.bodies[*body].poses.iter_mut().flatten();
+            for pose in poses {
+                pose.quaternion = up.third_body_axis(pose.quaternion);
+            }
+            decisions.push((
+                "body axes".to_owned(),
+                format!("{up} of the body, about which it spins; written as the third axis"),
+            ));
+        }
         Ok(Self {
             flights: throws
                 .map(|throw| followed.flight(&turned, throw))
                 .collect(),
             motion: motion(&turned, &labels),
             throws: found.throws,
-            decisions: decisions(take, options, up, &labels),
+            decisions,
             take: turned,
             followed,
             notes,
         })
     }
+}
+
+/// Least share of the mean angular velocity, seen from the body, that is about an axis about which the body spins.
+const SPIN_SHARE: f64 = 0.9;
+
+/// Whether the body spins in the throws about its axis `axis`, and this is not the third: a tracker with another axis up
+/// gives new bodies the axes of the room.
+fn spins_about(poses: &[Option<Pose>], throws: &[Throw], axis: Axis) -> bool {
+    let mut turned = [0.0; 3];
+    for throw in throws {
+        for i in throw.samples().skip(1) {
+            let (Some(before), Some(now)) = (poses[i - 1], poses[i]) else {
+                continue;
+            };
+            let [w, x, y, z] = before.quaternion;
+            let [w, x, y, z] = product([w, -x, -y, -z], now.quaternion);
+            let half = (x * x + y * y + z * z).sqrt().atan2(w.abs());
+            let scale = 2.0 * half.copysign(w) / half.sin().max(f64::MIN_POSITIVE);
+            for (sum, part) in turned.iter_mut().zip([x, y, z]) {
+                *sum += scale * part;
+            }
+        }
+    }
+    let all = turned.iter().map(|part| part * part).sum::<f64>().sqrt();
+    all > std::f64::consts::TAU && axis.index != 2 && turned[axis.index].abs() > SPIN_SHARE * all
 }
 
 fn fault(found: String, expected: String) -> Fault {

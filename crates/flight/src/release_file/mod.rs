@@ -2,7 +2,7 @@
 
 mod throw;
 
-use crate::initial_conditions::{Release, Stop, Vocabulary};
+use crate::initial_conditions::{Release, Stop, Vocabulary, quaternion_fault};
 use crate::toml_reader::{MAX_FILE_BYTES, Name, Reader, ReleaseError, read_text, suggestion};
 use crate::wind::WindField;
 use model_spec::load::LoadError;
@@ -305,23 +305,9 @@ impl<'t> Reader<'t> {
             .zip(values)
             .map(|(name, v)| (name.clone(), v.unwrap_or(f64::NAN)))
             .collect();
-        for quaternion in &vocabulary.quaternions {
-            let length = quaternion
-                .iter()
-                .map(|i| initial[*i].1.powi(2))
-                .sum::<f64>()
-                .sqrt();
-            if (length - 1.0).abs() > 1e-6 {
-                let names: Vec<&str> = quaternion.iter().map(|i| &*states[*i]).collect();
-                let span = document.get("initial").map_or(0..0, toml::Spanned::span);
-                self.fault(
-                    span,
-                    format!(
-                        "the quaternion {} has length {length}; expected 1",
-                        names.join(", ")
-                    ),
-                );
-            }
+        if let Some(fault) = quaternion_fault(&initial, vocabulary.quaternions.iter().copied()) {
+            let span = document.get("initial").map_or(0..0, toml::Spanned::span);
+            self.fault(span, fault);
         }
         initial
     }

@@ -2,9 +2,7 @@
 //! declares, or from its claim of one.
 
 use codegen::compile::Selection;
-use model_spec::model::{
-    AuxVariable, ClaimedAttitude, Expr, ExprKind, FrameKind, Model, Observation, Shape,
-};
+use model_spec::model::{AuxVariable, ClaimedAttitude, Expr, ExprKind, Model, Observation, Shape};
 use model_spec::unit::Unit;
 use nalgebra::{Matrix3, Vector3};
 
@@ -40,7 +38,7 @@ pub struct MotionModel {
     pub(super) is_revolution: bool,
     /// Indices of the states on which the motion of the body does not depend, such as those that effects add.
     pub(super) added: Vec<usize>,
-    /// Indices of the states that are rotation angles of the model's frames.
+    /// Indices of the states that are angles, those of the model's frames among them.
     pub(super) angles: Vec<usize>,
     /// State indices of each quaternion, scalar part first.
     pub(super) quaternions: Vec<[usize; 4]>,
@@ -74,16 +72,12 @@ impl MotionModel {
                 span,
                 effect: None,
             }));
-        let angle = |kind| match kind {
-            FrameKind::Turned { angle, .. } => Some(angle),
-            _ => None,
-        };
         Some(MotionModel {
             compiled: CompiledModel::compiled_for(&own, &Selection::Only(Vec::new())),
             has_attitude: vectors.len() == VECTORS,
             is_revolution,
             added: model.added_states(),
-            angles: model.frames.iter().filter_map(|f| angle(f.kind)).collect(),
+            angles: model.angle_states(),
             quaternions: model.quaternions().collect(),
         })
     }

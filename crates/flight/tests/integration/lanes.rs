@@ -378,3 +378,36 @@ fn the_tape_flies_as_the_generated_code_does() {
         assert!(difference(&a, &b) < 1e-9);
     }
 }
+
+#[test]
+fn pulses_in_time_are_flown_in_lanes_as_by_the_scalar_solver() {
+    let text = crate::singular_points::KICKS;
+    let model = model_spec::load::from_text("kicks.hyz", text, &[]).expect("a model");
+    let (compiled, lanes) = (CompiledModel::new(&model), LaneModel::new(&model));
+    let parameters = compiled.layout().default_parameters();
+    let switch = compiled.layout().parameter("t_on").expect("t_on").index();
+    let flights: Vec<_> = (0..40)
+        .map(|k| {
+            let mut own = parameters.clone();
+            own[switch] = 0.15 * f64::from(k);
+            (compiled.layout().default_states(), own)
+        })
+        .collect();
+    let span = FlightSpan {
+        t_end: 8.0,
+        height: None,
+        seeks_apex: false,
+        until_ground: false,
+    };
+    let options = IntegrationOptions::with_tolerance(1e-6);
+    let ends = flown(&lanes, &flights, (0..40).collect(), (&span, &options), None);
+    for (flight, end) in flights.iter().zip(ends) {
+        let end = end.expect("flown");
+        let expected = scalar(&compiled, flight, &span, &options);
+        assert_eq!((end.time, end.steps), (expected.time, expected.steps));
+        for (own, other) in end.state.iter().zip(&expected.state) {
+            assert!((own - other).abs() < 1e-9, "{own} {other}");
+        }
+        assert!((end.state[4] - 5.0).abs() < 1e-6, "{:?}", end.state);
+    }
+}

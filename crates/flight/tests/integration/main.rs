@@ -3,6 +3,7 @@
 mod lanes;
 mod near_throws;
 mod release;
+mod singular_points;
 mod table;
 mod throw;
 mod throw_signs;

@@ -21,6 +21,9 @@ const MAX_DISTANCE: f64 = 1e-6;
 /// Maximum number of states from which the search for the state with a given motion is started.
 const MAX_GUESSES: usize = 8;
 
+/// Maximum number of states whose motion is compared with the given one before the search.
+const MAX_COMPARED: usize = 4096;
+
 /// Step size of the one-sided finite differences for the Jacobian, in the SI unit of each state.
 const DIFFERENCE_STEP: f64 = 1e-6;
 
@@ -100,35 +103,34 @@ fn target(motion: &RigidMotion, probes: &[[f64; 3]]) -> DVector<f64> {
 }
 
 /// Initial states from which the search for the state with a given motion starts: the model's default state, and its
-/// copies in every orientation that results from quarter turns of the model's rotating frames.
+/// copies with every angle and orientation of a frame changed by quarter turns, as far as they are not too many.
 fn guesses(problem: &FitProblem, observations: &Observations) -> Vec<DVector<f64>> {
-    use model_spec::model::FrameKind;
-    let plain =
-        observations.with_known_states(DVector::from_vec(problem.body.layout().default_states()));
-    let mut guesses = vec![plain];
-    for frame in &problem.model.frames {
-        let turned: Vec<Vec<(usize, f64)>> = match frame.kind {
-            FrameKind::Inertial => continue,
-            FrameKind::Turned { angle, .. } => (-1..=2)
-                .map(|k| vec![(angle, f64::from(k) * std::f64::consts::FRAC_PI_2)])
-                .collect(),
-            FrameKind::Quaternion { states, .. } => quarter_turns()
-                .into_iter()
-                .map(|q| states.into_iter().zip(q).collect())
-                .collect(),
-        };
-        guesses = guesses
-            .iter()
-            .flat_map(|guess| {
-                turned.iter().map(|places| {
-                    let mut guess = guess.clone();
-                    for &(place, value) in places {
-                        guess[place] = value;
-                    }
-                    observations.with_known_states(guess)
-                })
+    let default = DVector::from_vec(problem.body.layout().default_states());
+    let quarters = [-1.0, 0.0, 1.0, 2.0].map(|k| k * std::f64::consts::FRAC_PI_2);
+    let angles = problem.model.angle_states().into_iter();
+    let angles = angles.map(|angle| quarters.map(|quarter| vec![(angle, quarter)]).to_vec());
+    let quaternions = problem.model.quaternions().map(|states| {
+        let turns = quarter_turns().into_iter();
+        turns
+            .map(|turn| states.into_iter().zip(turn).collect())
+            .collect()
+    });
+    let mut guesses = vec![observations.with_known_states(default)];
+    for turned in angles.chain(quaternions) {
+        let turned: Vec<Vec<(usize, f64)>> = turned;
+        if guesses.len() * turned.len() > MAX_COMPARED {
+            break;
+        }
+        let all = guesses.iter().flat_map(|guess| {
+            turned.iter().map(|places| {
+                let mut guess = guess.clone();
+                for &(place, value) in places {
+                    guess[place] = value;
+                }
+                observations.with_known_states(guess)
             })
-            .collect();
+        });
+        guesses = all.collect();
     }
     guesses
 }

@@ -25,6 +25,12 @@ const STEADIER: f64 = 4.0;
 /// Rotation between two compared angular momenta, rad: enough to see a direction that turns with the body.
 const COMPARED_ROTATION: f64 = 1.5;
 
+/// Least ratio of the moment of inertia about the third axis to the others at which a body counts as flat: such a body
+/// is not thrown spinning about another axis.
+const FLAT: f64 = 1.2;
+/// Least share of the mean angular velocity, seen from the body, that is about an axis about which the body spins.
+const SPIN_SHARE: f64 = 0.9;
+
 /// Faults of the sensors.
 pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
     if dataset.sensors.is_empty() {
@@ -42,7 +48,11 @@ pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
                     .map(|unit| (FaultKind::SensorUnit, unit_message(sensor, unit)))
             }
             SensorKind::Pose => inertia(problem)
-                .and_then(|inertia| convention(dataset, channel + 1, &inertia))
+                .and_then(|inertia| {
+                    let attitudes = channel + 1;
+                    let axes = || body_axes(dataset, attitudes, &inertia);
+                    convention(dataset, attitudes, &inertia).or_else(axes)
+                })
                 .map(|message| (FaultKind::AttitudeConvention, message)),
         };
         if let Some((kind, (detail, correction))) = found {
@@ -204,6 +214,39 @@ fn convention(
             best.2.to_owned(),
         )
     })
+}
+
+/// Message and correction for a flat body of revolution that spins about an axis other than its third, as the bodies of
+/// a tracker with another axis up do; `None` if it spins about the third, or hardly.
+fn body_axes(
+    dataset: &Dataset,
+    channel: usize,
+    inertia: &Matrix3<f64>,
+) -> Option<(String, String)> {
+    let diagonal = inertia.diagonal();
+    let is_flat = diagonal.z > FLAT * diagonal.x.max(diagonal.y);
+    let mut turned = Vector3::zeros();
+    for flight in &dataset.flights {
+        let poses: Vec<_> = series(flight, channel)
+            .map(|(_, reading)| attitude(reading))
+            .collect();
+        let turns = poses
+            .windows(2)
+            .map(|pair| (pair[0].inverse() * pair[1]).scaled_axis());
+        turned += turns.sum::<Vector3<f64>>();
+    }
+    let axis = turned.iamax();
+    let is_spin = turned.norm() > std::f64::consts::TAU;
+    if !is_flat || !is_spin || axis == 2 || turned[axis].abs() < SPIN_SHARE * turned.norm() {
+        return None;
+    }
+    let name = dataset::AXES[axis];
+    Some((
+        format!(
+            "the body spins about its {name} axis; the model is flat, with its third axis as axis of symmetry"
+        ),
+        format!("state `body_up = \"+{name}\"` in [recording], or turn the body axes"),
+    ))
 }
 
 /// Mean square change of the angular momentum while the body turns by [`COMPARED_ROTATION`], relative to its mean

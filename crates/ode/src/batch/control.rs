@@ -5,6 +5,7 @@ use crate::method::tableau::Tableau;
 use crate::options::{IntegrationOptions, SolverStats};
 use crate::solver::{FINAL_STEP_SLACK, MIN_RELATIVE_STEP};
 use crate::step_control::{PiGains, PiMemory};
+use crate::time_breaks::segment_end;
 
 /// Maximum number of SIMD lanes of any instruction set.
 pub(crate) const MAX_LANES: usize = 8;
@@ -22,6 +23,10 @@ pub(crate) struct Control {
     pub h: [f64; MAX_LANES],
     /// Time at the end of the current step in each SIMD lane.
     pub end: [f64; MAX_LANES],
+    /// Times at which the derivative of the flight in each SIMD lane may jump, increasing.
+    pub breaks: [Vec<f64>; MAX_LANES],
+    /// Time at which the current segment of the flight in each SIMD lane ends: just before a break, or the final time.
+    pub segment_end: [f64; MAX_LANES],
     /// Whether the current step of the flight in each SIMD lane ends at the final time.
     pub is_last: [bool; MAX_LANES],
     /// Time and value of the maximum height so far of the flight in each SIMD lane.
@@ -52,6 +57,8 @@ impl Control {
             proposed: [0.0; MAX_LANES],
             h: [0.0; MAX_LANES],
             end: [0.0; MAX_LANES],
+            breaks: std::array::from_fn(|_| Vec::new()),
+            segment_end: [span.t_end; MAX_LANES],
             is_last: [false; MAX_LANES],
             apex: [(0.0, f64::NAN); MAX_LANES],
             steps: [0; MAX_LANES],
@@ -77,6 +84,13 @@ impl Control {
         self.apex[lane] = (0.0, height);
         self.remember(lane, self.gains.start());
         (self.steps[lane], self.rejected[lane]) = (0, 0);
+        self.segment_end[lane] = segment_end(&self.breaks[lane], 0.0, self.t_end);
+    }
+
+    /// Begins the segment after a time break of a lane.
+    #[cold]
+    pub(crate) fn begin_segment(&mut self, lane: usize) {
+        self.segment_end[lane] = segment_end(&self.breaks[lane], self.t[lane], self.t_end);
     }
 
     #[inline(always)]
@@ -99,12 +113,12 @@ impl Control {
     pub(crate) fn set_steps(&mut self, lanes: usize) {
         for lane in 0..lanes {
             let h = self.proposed[lane].min(self.max_step);
-            let remaining = self.t_end - self.t[lane];
-            let is_last = h >= remaining * (1.0 - FINAL_STEP_SLACK);
-            let h = if is_last { remaining } else { h };
-            self.is_last[lane] = is_last;
-            self.end[lane] = if is_last {
-                self.t_end
+            let remaining = self.segment_end[lane] - self.t[lane];
+            let ends_segment = h >= remaining * (1.0 - FINAL_STEP_SLACK);
+            let h = if ends_segment { remaining } else { h };
+            self.is_last[lane] = ends_segment & (self.segment_end[lane] == self.t_end);
+            self.end[lane] = if ends_segment {
+                self.segment_end[lane]
             } else {
                 self.t[lane] + h
             };

@@ -9,6 +9,7 @@ use lanes::{LaneKernel, Lanes};
 /// pass them by value.
 pub(crate) trait LaneFunctions<T> {
     fn sizes(&self) -> LaneSizes;
+    fn time_breaks(&self, p: &[f64], breaks: &mut Vec<f64>);
     fn prepare(&self, p: &[T], scratch: &mut [T], prepared: &mut [T]);
     fn derivative(&self, at: &LanePoint<'_, T>, scratch: &mut [T], dx: &mut [T]);
     fn limits(&self, at: &LanePoint<'_, T>, scratch: &mut [T], margins: &mut [T]);
@@ -17,6 +18,10 @@ pub(crate) trait LaneFunctions<T> {
 impl<T: Lanes, R: LaneRhs> LaneFunctions<T> for R {
     fn sizes(&self) -> LaneSizes {
         LaneRhs::sizes(self)
+    }
+
+    fn time_breaks(&self, p: &[f64], breaks: &mut Vec<f64>) {
+        LaneRhs::time_breaks(self, p, breaks);
     }
 
     fn prepare(&self, p: &[T], scratch: &mut [T], prepared: &mut [T]) {

@@ -12,6 +12,7 @@ use super::{FlightEnd, FlightOutcome, FlightQueue, FlightSpan, LanePoint, LaneRh
 use crate::method::tableau::Tableau;
 use crate::method::{ErrorTolerance, ROWS};
 use crate::options::IntegrationOptions;
+use crate::time_breaks::just_after;
 use lanes::{Kernel, LaneKernel, Lanes};
 
 /// SIMD kernel that integrates all flights of a queue and returns the number of vector evaluations of the right-hand
@@ -152,6 +153,8 @@ impl<'a, T: Lanes> Flying<'a, T> {
                 let x = &self.staging.values.x;
                 let height = self.span.apex().map_or(f64::NAN, |z| x[z].lane(lane));
                 let h = self.staging.h[lane];
+                let breaks = &mut self.staging.breaks[lane];
+                std::mem::swap(&mut self.control.breaks[lane], breaks);
                 self.control.start(lane, flight, h, height);
                 (*keep, any) = (0.0, true);
             }
@@ -317,6 +320,7 @@ impl<'a, T: Lanes> Flying<'a, T> {
     #[inline(always)]
     fn advance(&mut self, accepted: &[bool; MAX_LANES], queue: &mut dyn FlightQueue) {
         let mut keep = [1.0; MAX_LANES];
+        let mut at_break = [false; MAX_LANES];
         for lane in 0..T::WIDTH {
             if !accepted[lane] {
                 continue;
@@ -324,9 +328,11 @@ impl<'a, T: Lanes> Flying<'a, T> {
             keep[lane] = 0.0;
             let time = self.control.end[lane];
             self.control.t[lane] = time;
-            if self.control.is_last[lane] && self.control.flight[lane].is_some() {
+            let is_flying = self.control.flight[lane].is_some();
+            if self.control.is_last[lane] && is_flying {
                 self.finish(lane, FlightOutcome::Time, time, EndState::End, queue);
             }
+            at_break[lane] = is_flying && time == self.control.segment_end[lane];
         }
         let n = self.stages.n;
         let last = self.tableau.rows.len() * n;
@@ -334,13 +340,37 @@ impl<'a, T: Lanes> Flying<'a, T> {
         if accepted[..T::WIDTH].iter().all(|is_accepted| *is_accepted) {
             std::mem::swap(&mut self.values.x, &mut self.end);
             k.copy_within(last..last + n, 0);
-            return;
+        } else {
+            let keep = T::load(&keep);
+            merge(keep, &self.end, &mut self.values.x);
+            for i in 0..n {
+                k[i] = keep.if_zero(k[last + i], k[i]);
+            }
         }
-        let keep = T::load(&keep);
-        merge(keep, &self.end, &mut self.values.x);
-        for i in 0..n {
-            k[i] = keep.if_zero(k[last + i], k[i]);
+        if at_break.iter().any(|is_at| *is_at) {
+            self.begin_segments(&at_break);
         }
+    }
+
+    /// Begins the segments after time breaks, at which the derivatives may jump, in the SIMD lanes `at_break`.
+    #[inline(always)]
+    fn begin_segments(&mut self, at_break: &[bool; MAX_LANES]) {
+        let (mut keep, mut times) = ([1.0; MAX_LANES], self.control.t);
+        for lane in (0..T::WIDTH).filter(|lane| at_break[*lane]) {
+            keep[lane] = 0.0;
+            times[lane] = just_after(&self.control.breaks[lane], self.control.t[lane]);
+            self.control.begin_segment(lane);
+        }
+        let point = LanePoint {
+            t: T::load(&times),
+            x: &self.values.x,
+            p: &self.values.p,
+            prepared: &self.values.prepared,
+        };
+        let rates = &mut self.within;
+        self.rhs.derivative(&point, &mut self.scratch, rates);
+        merge(T::load(&keep), rates, self.stages.stage_mut(0));
+        self.evaluations += 1;
     }
 
     /// Reports the end of the flight in a SIMD lane to the queue, and leaves the lane idle.

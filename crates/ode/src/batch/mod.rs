@@ -57,6 +57,11 @@ pub trait LaneRhs {
     fn prepare<T: Lanes>(&self, p: &[T], scratch: &mut [T], prepared: &mut [T]);
     /// Writes f(t, x, p) to `dx`, in which every element must be set.
     fn derivative<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], dx: &mut [T]);
+    /// Writes the times at which f of a flight with the parameters `p` may jump to the empty `breaks`, in increasing
+    /// order; a step ends at each. None by default.
+    fn time_breaks(&self, p: &[f64], breaks: &mut Vec<f64>) {
+        let _ = (p, breaks);
+    }
     /// Writes the margin of each limit of validity to `margins`; the right-hand side is valid where all margins are
     /// above 0.
     fn limits<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], margins: &mut [T]);

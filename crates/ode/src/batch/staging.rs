@@ -7,6 +7,7 @@ use super::norms::{change_norm, euler_steps, initial_norms, initial_step};
 use super::{FlightEnd, FlightOutcome, FlightQueue, FlightSpan, LanePoint, LaneSizes};
 use crate::method::ErrorTolerance;
 use crate::options::{IntegrationOptions, SolverStats};
+use crate::time_breaks::just_after;
 use lanes::Lanes;
 
 /// Data of flights, one flight per SIMD lane: state, derivative, parameters, invariants, and margins of the limits of
@@ -61,6 +62,8 @@ pub(crate) struct Staging<T> {
     pub flight: [Option<u64>; MAX_LANES],
     /// Initial step size of the flight that waits for each lane.
     pub h: [f64; MAX_LANES],
+    /// Time breaks of the flight that waits for each lane.
+    pub breaks: [Vec<f64>; MAX_LANES],
     /// Whether the queue has no more flights.
     pub is_drained: bool,
     euler_state: Vec<T>,
@@ -81,6 +84,7 @@ impl<T: Lanes> Staging<T> {
             values: LaneValues::new(sizes),
             flight: [None; MAX_LANES],
             h: [0.0; MAX_LANES],
+            breaks: std::array::from_fn(|_| Vec::new()),
             is_drained: false,
             euler_state: zeros(),
             euler_rate: zeros(),
@@ -106,7 +110,7 @@ impl<T: Lanes> Staging<T> {
         let mut is_new = [false; MAX_LANES];
         for (lane, is_new) in is_new.iter_mut().enumerate().take(T::WIDTH) {
             if self.flight[lane].is_none() {
-                *is_new = self.draw(lane, queue, span);
+                *is_new = self.draw(lane, rhs, queue, span);
             }
         }
         let values = &mut self.values;
@@ -140,10 +144,11 @@ impl<T: Lanes> Staging<T> {
         let max_step = options.max_step.min(span.t_end);
         let mut norms = [T::splat(0.0); 2];
         let mut euler_step = T::splat(0.0);
+        let starts = self.breaks.each_ref().map(|breaks| just_after(breaks, 0.0));
         // First at the start, then one Euler step ahead.
         for pass in 0..2 {
             let (t, at, to) = match pass {
-                0 => (T::splat(0.0), &*x, &mut *dx),
+                0 => (T::load(&starts), &*x, &mut *dx),
                 _ => {
                     norms = initial_norms(x, dx, &tolerance);
                     euler_step = euler_steps(norms, max_step);
@@ -187,7 +192,13 @@ impl<T: Lanes> Staging<T> {
     /// for the lane. The flights with values that are not finite are reported to the queue as ended. Returns false if
     /// the queue is empty.
     #[inline(always)]
-    fn draw(&mut self, lane: usize, queue: &mut dyn FlightQueue, span: &FlightSpan) -> bool {
+    fn draw(
+        &mut self,
+        lane: usize,
+        rhs: &dyn LaneFunctions<T>,
+        queue: &mut dyn FlightQueue,
+        span: &FlightSpan,
+    ) -> bool {
         while !self.is_drained {
             let Some(flight) = queue.next(&mut self.x_next, &mut self.p_next) else {
                 self.is_drained = true;
@@ -208,6 +219,8 @@ impl<T: Lanes> Staging<T> {
             for (i, value) in self.p_next.iter().enumerate() {
                 self.p_columns[i * T::WIDTH + lane] = *value;
             }
+            self.breaks[lane].clear();
+            rhs.time_breaks(&self.p_next, &mut self.breaks[lane]);
             self.flight[lane] = Some(flight);
             return true;
         }

@@ -27,6 +27,10 @@ pub trait DifferentiableRhs {
         jacobian: &mut [f64],
         parameter_jacobian: &mut [f64],
     );
+    /// Times at which f may jump, as [`OdeRhs::time_breaks`].
+    fn time_breaks(&self) -> &[f64] {
+        &[]
+    }
     /// Name of a state, used in error messages only.
     fn state_name(&self, state: usize) -> Cow<'_, str> {
         format!("state {state}").into()
@@ -55,6 +59,10 @@ impl<M: DifferentiableRhs + ?Sized> DifferentiableRhs for &mut M {
         parameter_jacobian: &mut [f64],
     ) {
         (**self).derivative_with_jacobians(t, x, dx, jacobian, parameter_jacobian);
+    }
+
+    fn time_breaks(&self) -> &[f64] {
+        (**self).time_breaks()
     }
 
     fn state_name(&self, state: usize) -> Cow<'_, str> {
@@ -270,6 +278,10 @@ impl OdeRhs for Sensitivities<'_> {
         } else {
             self.layout.states
         }
+    }
+
+    fn time_breaks(&self) -> &[f64] {
+        self.rhs.time_breaks()
     }
 
     fn state_name(&self, component: usize) -> Cow<'_, str> {

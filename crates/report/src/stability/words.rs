@@ -1,6 +1,6 @@
 //! Sentences of a stability analysis, and its JSON and CSV.
 
-use analysis::stability::{Criteria, Instant, Mode, ModeKind, Modes, Trim};
+use analysis::stability::{Criteria, FlightDirection, Instant, Mode, ModeKind, Modes, Trim};
 use serde_json::{Value, json};
 
 use super::Found;
@@ -49,10 +49,21 @@ pub(super) fn lead(found: &Found) -> Vec<String> {
         .map(|m| format!("{} ({:.3} 1/s)", m.kind.name(), -m.decay()))
         .collect();
     lead.push(if names.is_empty() {
-        "None of its modes grows.".into()
+        "At release none of its modes grows.".into()
     } else {
-        format!("Growing: {}.", names.join(", "))
+        format!("Growing at release: {}.", names.join(", "))
     });
+    let failing = found.flight.iter().find(|i| !i.criteria.is_stable());
+    lead.extend(found.flight.last().map(|last| match failing {
+        Some(first) => format!(
+            "Along the flight of {:.2} s a criterion of the axis fails, first at {:.2} s.",
+            last.time, first.time
+        ),
+        None => format!(
+            "Along the flight of {:.2} s the criteria of the axis hold.",
+            last.time
+        ),
+    }));
     lead
 }
 
@@ -60,23 +71,35 @@ pub(super) fn lead(found: &Found) -> Vec<String> {
 pub(super) fn of_criteria(instant: &Instant) -> Vec<String> {
     let (d, c) = (&instant.derivatives, &instant.criteria);
     let holds = |holds: bool| if holds { "holds" } else { "fails" };
-    let mut lines = vec![
-        format!(
-            "a = {:.4} 1/s (lift), δ = {:.4} 1/s (damping), κ = {:.3} 1/s² (pitching moment), ν = I_a r/I_d = {:.3} rad/s",
-            d.lift, d.damping, d.pitching, d.gyroscopic
-        ),
-        format!(
-            "stiffness of the spin, ν² + δ² + 2aδ > κ: {}{}",
-            holds(c.gyroscopic),
-            factor(c)
-        ),
-        format!("incidence, a(ν² + δ²) > κδ: {}", holds(c.slow)),
-        format!(
-            "wobble, (2δ + a)(ν² + δ² + 2aδ − κ) > a(ν² + δ²) − κδ: {}",
-            holds(c.wobble)
-        ),
-    ];
-    if d.gyroscopic != 0.0 {
+    let decays = |decays: bool| if decays { "decays" } else { "grows" };
+    let derivatives = format!(
+        "a = {:.4} 1/s (lift), δ = {:.4} 1/s (damping), κ = {:.3} 1/s² (pitching moment), ν = I_a r/I_d = {:.3} rad/s",
+        d.lift, d.damping, d.pitching, d.gyroscopic
+    );
+    let (spin, factor) = (holds(c.gyroscopic), factor(c));
+    let mut lines = match d.flight {
+        FlightDirection::AcrossAxis => vec![
+            derivatives,
+            format!("stiffness of the spin, ν² + δ² + 2aδ > κ: {spin}{factor}"),
+            format!("incidence, a(ν² + δ²) > κδ: {}", holds(c.slow)),
+            format!(
+                "wobble, (2δ + a)(ν² + δ² + 2aδ − κ) > a(ν² + δ²) − κδ: {}",
+                holds(c.wobble)
+            ),
+        ],
+        FlightDirection::AlongAxis => vec![
+            format!("{derivatives}, μ = {:.3} 1/s² (Magnus moment)", d.magnus),
+            format!("gyroscopic stability, S_g = ν²/(4(κ − aδ)) > 1: {spin}{factor}"),
+            format!(
+                "dynamic stability, 1/S_g < S_d(2 − S_d): the slow motion of the axis {}, the fast one {}{}",
+                decays(c.slow),
+                decays(c.wobble),
+                c.dynamic_factor
+                    .map_or_else(String::new, |factor| format!(", S_d = {factor:.2}"))
+            ),
+        ],
+    };
+    if d.gyroscopic != 0.0 && d.flight == FlightDirection::AcrossAxis {
         lines.push(format!(
             "in closed form: nutation {:.3} rad/s, decay {:.4} 1/s; the plane rolls at {:+.4} rad/s (Crowther and Potts)",
             c.nutation, c.nutation_decay, c.roll_rate
@@ -134,9 +157,11 @@ fn of_instant(instant: &Instant) -> Value {
     value["spin_rpm"] = json!(instant.throw.spin);
     value["derivatives"] = json!({
         "lift_1_s": d.lift, "damping_1_s": d.damping, "pitching_1_s2": d.pitching, "gyroscopic_rad_s": d.gyroscopic,
+        "magnus_1_s2": d.magnus,
     });
     value["criteria"] = json!({
         "gyroscopic": c.gyroscopic, "incidence": c.slow, "wobble": c.wobble, "stable": c.is_stable(),
+        "dynamic_factor": c.dynamic_factor,
         "gyroscopic_factor": Some(c.gyroscopic_factor).filter(|v| v.is_finite()),
         "nutation_rad_s": Some(c.nutation).filter(|v| v.is_finite()),
         "nutation_decay_1_s": Some(c.nutation_decay).filter(|v| v.is_finite()),

@@ -6,13 +6,14 @@ mod sampled;
 mod scattered;
 
 use flight::throw::Throw;
-use nalgebra::{Matrix2, Vector2};
+use nalgebra::{Matrix2, Vector2, Vector3};
 use ode::IntegrationOptions;
 
 pub use linear::{Landings, landing_covariance};
 pub use sampled::{Band, QUANTILES, Sampled};
 pub use scattered::{CoefficientErrors, Scattered};
 
+use crate::design::goal::Obstacle;
 use crate::design::throw_flight::{ThrowFlightError, ThrowFlights};
 
 /// Options for sampling flights at random to determine the spread of the landings.
@@ -44,9 +45,14 @@ pub struct Spread {
     /// Distribution of landings of sampled flights; `None` if sampling was disabled or fewer than three flights
     /// landed.
     pub sampled: Option<Sampled>,
-    /// Fraction of the sampled flights that land within the landing circle about the aim; draws that cannot be flown
-    /// count as outside. `None` without samples.
+    /// Fraction of the draws that land within the landing circle about the aim; draws that cannot be flown count as
+    /// outside. `None` without samples.
     pub inside: Option<f64>,
+    /// Fraction of the draws whose path comes within the radius of the landing circle of the target; `None` without
+    /// samples, or if there is no target in the air.
+    pub near_target: Option<f64>,
+    /// Fraction of the flown draws whose path enters the obstacle; `None` without samples or without an obstacle.
+    pub touching: Option<f64>,
     /// Comparison of the spread by linear propagation with that of sampled flights; `None` without samples or if the
     /// linear covariance is singular.
     pub agreement: Option<Agreement>,
@@ -72,15 +78,27 @@ pub struct Agreement {
 /// their means, in standard deviations, and maximum relative difference of their standard deviations.
 pub const TOLERATED: f64 = 0.15;
 
-/// Spread of the landings of a throw that varies at random. `(aim, circle)` are the aim on the ground and the radius of
-/// the landing circle about it, m.
+/// What the scattered flights of a throw are compared with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Aims {
+    /// Aim on the ground, x and y, m.
+    pub landing: Vector2<f64>,
+    /// Radius of the landing circle about the aim, m.
+    pub circle: f64,
+    /// Target in the air, m.
+    pub target: Option<Vector3<f64>>,
+    /// Obstacle that the paths must not enter.
+    pub obstacle: Option<Obstacle>,
+}
+
+/// Spread of the landings of a throw that varies at random, compared with its aims.
 ///
 /// # Errors
 /// [`ThrowFlightError`] if the throw itself, without scatter, cannot be flown.
 pub fn spread(
     flights: &ThrowFlights<'_>,
     throw: &Throw,
-    (aim, circle): (Vector2<f64>, f64),
+    aims: &Aims,
     scattered: &Scattered,
     options: &SampleOptions,
 ) -> Result<Spread, ThrowFlightError> {
@@ -88,14 +106,28 @@ pub fn spread(
     let linear = linear::linear(flights, throw, None, scattered, &settings)?;
     let sampled = match options.count {
         0 => None,
-        _ => sampled::sampled(flights, throw, linear.mean, scattered, options, &settings),
+        _ => sampled::sampled(
+            flights,
+            throw,
+            (linear.mean, aims),
+            scattered,
+            options,
+            &settings,
+        ),
+    };
+    // Draws without a flight count as outside the circle.
+    let share = |count: usize, sampled: &Sampled| {
+        count as f64 / (sampled.points.len() + sampled.failed) as f64
     };
     let inside = sampled.as_ref().map(|sampled| {
-        let near = |point: &&Vector2<f64>| (**point - aim).norm() <= circle;
-        // Draws without a flight count as outside the circle.
-        sampled.points.iter().filter(near).count() as f64
-            / (sampled.points.len() + sampled.failed) as f64
+        let near = |point: &&Vector2<f64>| (**point - aims.landing).norm() <= aims.circle;
+        share(sampled.points.iter().filter(near).count(), sampled)
     });
+    let near_target = sampled.as_ref().filter(|_| aims.target.is_some());
+    let near_target = near_target.map(|sampled| share(sampled.near_target, sampled));
+    let touching = sampled.as_ref().filter(|_| aims.obstacle.is_some());
+    let touching =
+        touching.map(|sampled| sampled.touching as f64 / sampled.points.len().max(1) as f64);
     let agreement = sampled
         .as_ref()
         .and_then(|sampled| compare(&linear, &sampled.landings, sampled.points.len()));
@@ -103,6 +135,8 @@ pub fn spread(
         linear,
         sampled,
         inside,
+        near_target,
+        touching,
         agreement,
     })
 }

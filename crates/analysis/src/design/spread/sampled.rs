@@ -8,9 +8,10 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::SampleOptions;
 use super::linear::Landings;
 use super::scattered::Scattered;
+use super::{Aims, SampleOptions};
+use crate::design::goal::Obstacle;
 use crate::design::throw_flight::{By, ThrowFlights};
 
 /// Number of distances from the release at which the quantiles of the sampled paths are computed.
@@ -28,6 +29,10 @@ pub struct Sampled {
     /// Number of draws that cannot be flown: a quantity of the throw is out of its range, or the flight leaves the
     /// model's limits.
     pub failed: usize,
+    /// Number of sampled flights that come within the radius of the landing circle of the target in the air.
+    pub near_target: usize,
+    /// Number of sampled flights that enter the obstacle.
+    pub touching: usize,
     /// Quantiles of the sampled paths at increasing distances along the line from the release to the mean landing that
     /// linear propagation gives.
     pub bands: Vec<Band>,
@@ -49,6 +54,15 @@ pub struct Band {
     pub height: [f64; 3],
 }
 
+/// What is kept of a sampled flight.
+struct Drawn {
+    landing: Vector2<f64>,
+    /// Lateral offset and height where the path first reaches each station.
+    passes: Vec<Option<(f64, f64)>>,
+    is_near_target: bool,
+    touches: bool,
+}
+
 /// Draws throws and parameters from the distribution `scattered` about those of `throw` and `flights`, as many as
 /// `options` states, and integrates the flights. The quantile bands of the paths are computed along the line from the
 /// release to `target` (x, y in m), the mean landing that linear propagation gives. `None` if fewer than three flights
@@ -56,7 +70,7 @@ pub struct Band {
 pub(super) fn sampled(
     flights: &ThrowFlights<'_>,
     throw: &Throw,
-    target: Vector2<f64>,
+    (target, aims): (Vector2<f64>, &Aims),
     scattered: &Scattered,
     options: &SampleOptions,
     settings: &IntegrationOptions,
@@ -97,15 +111,32 @@ pub(super) fn sampled(
         let passes = stations
             .iter()
             .map(|station| pass(&places, along, left, *station));
-        Some((landing, passes.collect::<Vec<_>>()))
+        let within = |place: Vector3<f64>, flat: bool, radius: f64| {
+            let mut nearest = path.nearest_times(place, flat).into_iter();
+            nearest.any(|t| {
+                let away = path.position(t) - place;
+                if flat {
+                    away.xy().norm() < radius
+                } else {
+                    away.norm() <= radius
+                }
+            })
+        };
+        let axis = |o: &Obstacle| within(o.place.push(0.0), true, o.radius);
+        Some(Drawn {
+            landing,
+            passes: passes.collect(),
+            is_near_target: aims.target.is_some_and(|at| within(at, false, aims.circle)),
+            touches: aims.obstacle.as_ref().is_some_and(axis),
+        })
     });
-    let flown: Vec<_> = flown.into_iter().flatten().collect();
-    let points: Vec<Vector2<f64>> = flown.iter().map(|(landing, _)| *landing).collect();
+    let flown: Vec<Drawn> = flown.into_iter().flatten().collect();
+    let points: Vec<Vector2<f64>> = flown.iter().map(|drawn| drawn.landing).collect();
     if points.len() < 3 {
         return None;
     }
     let band = |(k, distance): (usize, &f64)| {
-        let passes: Vec<(f64, f64)> = flown.iter().filter_map(|(_, passes)| passes[k]).collect();
+        let passes: Vec<(f64, f64)> = flown.iter().filter_map(|drawn| drawn.passes[k]).collect();
         // With fewer flights, the 5 % quantile would be an extreme value.
         (passes.len() >= 20).then(|| Band {
             distance: *distance,
@@ -117,6 +148,8 @@ pub(super) fn sampled(
     Some(Sampled {
         bands: stations.iter().enumerate().filter_map(band).collect(),
         failed: options.count - points.len(),
+        near_target: flown.iter().filter(|drawn| drawn.is_near_target).count(),
+        touching: flown.iter().filter(|drawn| drawn.touches).count(),
         landings: moments(&points),
         points,
     })
