@@ -46,6 +46,8 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
     let (mut comments, mut origin_error) = (Vec::new(), None);
     let template = match (&options.markers, &options.model) {
         (Some(file), _) => BodyTemplate::read(file)?,
+        // Poses of a body need no positions of markers.
+        (None, Some(_)) if are_poses(options, &reading)? => BodyTemplate::default(),
         (None, Some(_)) => {
             let found = estimated::estimated(options, &reading, &mut labels)?;
             decisions = found.decisions;
@@ -134,6 +136,17 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
         dataset.model
     ))?;
     Ok(Answer::Yes)
+}
+
+/// Whether each recording has one tracked body and no single points.
+fn are_poses(options: &Import, reading: &ReadOptions) -> anyhow::Result<bool> {
+    for file in &options.takes {
+        let take = dataset::takes::read(file, reading)?;
+        if !take.points.is_empty() || take.bodies.len() != 1 {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }
 
 /// Options for reading the recordings, parsed from the command-line options.

@@ -71,23 +71,12 @@ impl ImportedTake {
         }
         let mut notes = take.notes.clone();
         if followed.is_pose() {
-            notes.push(
-                "the poses are written as those of the body frame, in which the template is".into(),
-            );
+            notes.push("the poses are written as those of the body frame".into());
         }
         notes.extend(found.notes);
-        for throw in &found.throws {
-            let [x, y, z] = throw.acceleration;
-            if -z <= 0.5 * x.hypot(y) {
-                notes.push(format!(
-                    "a flight accelerates by {x:.1}, {y:.1}, {z:.1} m/s² (z up), not downwards: is {up} up?"
-                ));
-            }
-        }
         let throws = found.throws.iter();
         let mut decisions = decisions(take, options, up, &labels);
-        if let Followed::Pose(body, markers) = &followed
-            && markers.is_empty()
+        if let Followed::Pose(body, _) = &followed
             && spins_about(&turned.bodies[*body].poses, &found.throws, up)
         {
             let poses = turned.bodies[*body].poses.iter_mut().flatten();
@@ -214,7 +203,7 @@ impl Followed {
                 None => missing.push(marker.name.as_str()),
             }
         }
-        if missing.is_empty() {
+        if missing.is_empty() && !points.is_empty() {
             return Ok(Self::Points(points));
         }
         if take.bodies.len() == 1 && points.is_empty() {

@@ -3,7 +3,8 @@
 //! all flights.
 
 use flight::parallel;
-use model_spec::model::FrameKind;
+use model_spec::model::{ExprKind, FrameKind, Model};
+use model_spec::unit::Unit;
 use nalgebra::{Matrix3, Vector3};
 
 use super::distances::{UNITS, unit};
@@ -75,6 +76,20 @@ fn orientations() -> [(&'static str, &'static str, Matrix3<f64>); 6] {
     ]
 }
 
+/// Whether the loads of the model may be those of one body with constant coefficients, as the regression assumes: they
+/// depend on the time in no other way, and no other body pulls.
+fn has_steady_loads(model: &Model) -> bool {
+    let mut has_time = false;
+    for root in model.expressions() {
+        root.walk(&mut |e| has_time |= matches!(e.kind, ExprKind::Time));
+    }
+    let lengths = model
+        .states
+        .iter()
+        .filter(|state| state.unit == Unit::METRE);
+    !has_time && lengths.count() <= 3
+}
+
 /// Flights of a dataset whose measured accelerations are compared with gravity and with each other, to find wrong
 /// units, times and axes.
 pub struct FreeFall<'a> {
@@ -119,7 +134,7 @@ impl<'a> FreeFall<'a> {
     /// have it in common, otherwise faults of single flights. Empty if the accelerations agree with gravity.
     pub fn check(&self) -> Vec<DataFault> {
         let all: Vec<&Row> = self.rows.iter().flatten().collect();
-        if all.is_empty() {
+        if all.is_empty() || !has_steady_loads(&self.problem.model) {
             return Vec::new();
         }
         let Some(fixed) = regress(&all, Some(self.gravity)) else {
