@@ -1,11 +1,13 @@
 //! Equations of motion of a compiled model, evaluated by tapes.
 
-use crate::evaluation::Inputs;
+use crate::evaluation::{self, Inputs};
 use crate::subject::Equations;
 use codegen::compile::Compiled;
+use codegen::program::Program;
 use codegen::tape::Tape;
 use nalgebra::Vector3;
 use oracle::Point;
+use oracle::scalar::ErrorBound;
 use std::sync::{Mutex, PoisonError};
 
 /// Compiled equations of motion.
@@ -15,12 +17,16 @@ pub struct Engine {
     last: Mutex<(Vec<f64>, Vec<f64>)>,
     f: Tape,
     observe: Tape,
+    /// The programs of `prepare`, `f` and `observe`.
+    programs: [Program; 3],
 }
 
 impl Engine {
     /// Creates a tape for the state derivatives and the observation of a compiled model.
     pub fn new(compiled: &Compiled) -> Self {
+        let functions = [&compiled.prepare, &compiled.f, &compiled.observe];
         Self {
+            programs: functions.map(|function| function.program.clone()),
             prepare: Tape::new(&compiled.prepare.program),
             last: Mutex::default(),
             f: Tape::new(&compiled.f.program),
@@ -65,5 +71,13 @@ impl Equations for Engine {
             &[x, y, z] => Some(Vector3::new(x, y, z)),
             _ => None,
         }
+    }
+
+    fn magnitudes(&self, point: &Point<f64>) -> Vec<f64> {
+        let [prepare, f, observe] = &self.programs;
+        let mut inputs = Inputs::<ErrorBound>::of(&point.lift());
+        inputs.prepared = evaluation::outputs(prepare, &inputs);
+        let all = [f, observe].map(|program| evaluation::outputs(program, &inputs));
+        all.concat().iter().map(|output| output.magnitude).collect()
     }
 }

@@ -7,7 +7,7 @@ use codegen::table::Tables;
 use codegen::tape;
 use num_traits::Zero;
 use oracle::Point;
-use oracle::scalar::{Big, Elementary, ErrorBound, Field, Real};
+use oracle::scalar::{Big, Elementary, ErrorBound, Field, Real, with_numbers};
 
 /// Inputs of a compiled program at a point, in the order of the compiled model's variables: time, states, parameters,
 /// marker position.
@@ -168,6 +168,22 @@ fn step<T: Arithmetic>(tables: &Tables, op: Op, value: impl Fn(Operand) -> T) ->
         }
         Op::IfZero(a, then, otherwise) => value(a).if_zero(value(then), value(otherwise)),
     }
+}
+
+/// Whether an exponential in one of the functions of a compiled model is a number beyond the range of `f64` at a point.
+pub fn exponential_overflows(compiled: &Compiled, point: &Point<f64>) -> bool {
+    with_numbers(|| {
+        let mut inputs = Inputs::<Big>::of(&point.lift());
+        inputs.prepared = outputs(&compiled.prepare.program, &inputs);
+        let is_exponential = |op| matches!(op, Op::Unary(Unary::Call(MathFunction::Exp), _));
+        compiled.functions().into_iter().any(|function| {
+            let values = evaluated(&function.program, &inputs);
+            let mut statements = function.program.statements.iter().zip(values);
+            statements.any(|(statement, value)| {
+                is_exponential(statement.op) && value.is_finite() && value.re().is_infinite()
+            })
+        })
+    })
 }
 
 /// Minimum distance of an argument from a branch point, relative to the magnitude of its terms, at which rounding

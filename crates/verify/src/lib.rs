@@ -24,6 +24,7 @@ mod meaning;
 pub mod mutants;
 mod options;
 mod pairing;
+mod precision;
 pub mod random;
 pub mod record;
 pub mod refute;
@@ -167,7 +168,7 @@ fn backends(model: &Model, compiled: &Compiled, options: &Options) -> [Row; 2] {
     let runs = checks::backends::runs(model, compiled, &points);
     [
         checks::backends::check(compiled, &runs),
-        checks::backends::check_fma(compiled, &runs),
+        checks::backends::check_fma_at(compiled, &points, &runs),
     ]
 }
 

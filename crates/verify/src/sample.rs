@@ -1,31 +1,86 @@
 //! Random points of a model, within its domain of validity.
 
 use crate::random::Random;
-use model_spec::model::{Model, Parameter};
+use model_spec::model::{Model, Parameter, ValidityLimit};
 use model_spec::unit::{Base, Unit};
 use nalgebra::Vector3;
 use oracle::{Point, Tree};
 
 /// Maximum number of draws of a point within the validity limits.
 const MAX_DRAWS: usize = 1000;
+/// Maximum number of draws if not even the default point is within the validity limits.
+const FEW_DRAWS: usize = 30;
+/// Maximum number of changes of single states that are tried to move a point within the validity limits.
+const MAX_MOVES: usize = 2000;
 /// Number of halvings of the distance between the default point and a point outside the limits, plus 1.
 const HALVINGS: i32 = 20;
 
 /// Draws a point within the validity limits: states of magnitudes typical of flights, one in four up to 1000 times
-/// smaller; parameters around their defaults; coefficients within their bounds, with random signs, never 0.
+/// smaller; parameters around their defaults; coefficients within their bounds, with random signs, never 0. If typical
+/// states are outside the limits, they are moved within them.
 pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
+    let defaults = Point::defaults(model);
+    let draws = match is_valid(model, &defaults) {
+        true => MAX_DRAWS,
+        false => FEW_DRAWS,
+    };
     let mut point = anywhere(model, random);
-    for _ in 0..MAX_DRAWS {
+    for _ in 0..draws {
         if within_limits(model, &point) {
             return point;
         }
         point = anywhere(model, random);
     }
-    let defaults = Point::defaults(model);
     (1..HALVINGS)
         .map(|k| between(&defaults, &point, 0.5_f64.powi(k)))
         .find(|point| is_valid(model, point))
+        .or_else(|| moved_within_limits(model, &point, random))
         .unwrap_or(defaults)
+}
+
+/// The point with states changed at random, one at a time, whenever that brings it closer to the inside of the validity
+/// limits; `None` if it does not get there.
+pub fn moved_within_limits(
+    model: &Model,
+    point: &Point<f64>,
+    random: &mut Random,
+) -> Option<Point<f64>> {
+    let mut best = point.clone();
+    let mut outside = shortfall(model, &best);
+    for _ in 0..MAX_MOVES {
+        if outside == 0.0 || best.states.is_empty() {
+            break;
+        }
+        let mut next = best.clone();
+        let state = (random.next() % best.states.len() as u64) as usize;
+        let value = &mut next.states[state];
+        if random.once_in(2) {
+            *value *= 10f64.powf(random.between(-1.0, 1.0));
+        } else {
+            let size = typical(model.states[state].unit) * 10f64.powf(random.between(-3.0, 4.0));
+            *value += random.within(size);
+        }
+        normalize(model, &mut next);
+        let next_outside = shortfall(model, &next);
+        if next_outside < outside {
+            (best, outside) = (next, next_outside);
+        }
+    }
+    (outside == 0.0).then_some(best)
+}
+
+/// Sum over the validity limits of the distance by which a point is outside [`within_limits`], relative to the limit.
+fn shortfall(model: &Model, point: &Point<f64>) -> f64 {
+    let margins = margins(model, point).into_iter();
+    let outside = margins.map(|(limit, value, margin)| {
+        let distance = (limit.bound + margin - value) / limit.bound.abs().max(1.0);
+        if distance.is_nan() {
+            f64::INFINITY
+        } else {
+            distance.max(0.0)
+        }
+    });
+    outside.sum()
 }
 
 /// Draws points as [`point`] does.
@@ -56,13 +111,31 @@ pub fn is_valid(model: &Model, point: &Point<f64>) -> bool {
     limits.all(|limit| tree.scalar(&limit.value) > limit.bound)
 }
 
-/// Whether a point is inside each validity limit by more than 10 % of max(|bound|, 1).
+/// Whether a point is inside each validity limit by more than 10 % of max(|bound|, 1), or of the distance of the default
+/// point from the bound where that is smaller.
 pub fn within_limits(model: &Model, point: &Point<f64>) -> bool {
-    let tree = Tree::new(model, point);
-    model
-        .limits
-        .iter()
-        .all(|limit| tree.scalar(&limit.value) > limit.bound + 0.1 * limit.bound.abs().max(1.0))
+    let mut margins = margins(model, point).into_iter();
+    margins.all(|(limit, value, margin)| value > limit.bound + margin)
+}
+
+/// Each validity limit with its value at a point, and the distance from the bound that [`within_limits`] requires.
+fn margins<'a>(model: &'a Model, point: &Point<f64>) -> Vec<(&'a ValidityLimit, f64, f64)> {
+    if model.limits.is_empty() {
+        return Vec::new();
+    }
+    let defaults = Point::defaults(model);
+    let (tree, at_default) = (Tree::new(model, point), Tree::new(model, &defaults));
+    let margin = |limit: &'a ValidityLimit| {
+        let usual = 0.1 * limit.bound.abs().max(1.0);
+        let room = at_default.scalar(&limit.value) - limit.bound;
+        let margin = if room > 0.0 && room <= usual {
+            0.1 * room
+        } else {
+            usual
+        };
+        (limit, tree.scalar(&limit.value), margin)
+    };
+    model.limits.iter().map(margin).collect()
 }
 
 fn anywhere(model: &Model, random: &mut Random) -> Point<f64> {
@@ -78,6 +151,12 @@ fn anywhere(model: &Model, random: &mut Random) -> Point<f64> {
         states: model.states.iter().map(|s| state(s.unit, random)).collect(),
         marker: Vector3::from_fn(|_, _| random.within(0.1)),
     };
+    normalize(model, &mut point);
+    point
+}
+
+/// Scales the attitude quaternions of a point to norm 1.
+fn normalize(model: &Model, point: &mut Point<f64>) {
     for quaternion in model.quaternions() {
         let squares = quaternion.iter().map(|&i| point.states[i].powi(2));
         let length = squares.sum::<f64>().sqrt();
@@ -85,7 +164,6 @@ fn anywhere(model: &Model, random: &mut Random) -> Point<f64> {
             point.states[i] /= length;
         }
     }
-    point
 }
 
 /// Typical magnitude in flight of a quantity with the given unit, SI.

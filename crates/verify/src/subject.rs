@@ -17,6 +17,11 @@ pub trait Equations: Sync {
     fn rates(&self, point: &Point<f64>) -> Vec<f64>;
     /// Observation (marker position) in inertial components; `None` if the model has no observation.
     fn observation(&self, point: &Point<f64>) -> Option<Vector3<f64>>;
+    /// Magnitude of the terms of every state derivative, then of every component of the observation, as the equations
+    /// sum them; empty if unknown.
+    fn magnitudes(&self, _point: &Point<f64>) -> Vec<f64> {
+        Vec::new()
+    }
 }
 
 /// A model to be checked, its equations of motion, and its reference law.

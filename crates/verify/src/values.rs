@@ -1,7 +1,7 @@
 //! A model compiled to values only, without derivatives and `prepare`: a tenth of the compilation time.
 
 use crate::engine::outputs;
-use crate::evaluation::Inputs;
+use crate::evaluation::{self, Inputs};
 use crate::subject::Equations;
 use codegen::Layout;
 use codegen::program::Program;
@@ -9,6 +9,7 @@ use codegen::tape::Tape;
 use model_spec::model::Model;
 use nalgebra::Vector3;
 use oracle::Point;
+use oracle::scalar::ErrorBound;
 
 /// State derivatives and observation of a model as one program.
 pub struct Values {
@@ -53,5 +54,10 @@ impl Equations for Values {
             &[x, y, z] => Some(Vector3::new(x, y, z)),
             _ => None,
         }
+    }
+
+    fn magnitudes(&self, point: &Point<f64>) -> Vec<f64> {
+        let outputs = evaluation::outputs::<ErrorBound>(&self.program, &Inputs::of(&point.lift()));
+        outputs.iter().map(|output| output.magnitude).collect()
     }
 }

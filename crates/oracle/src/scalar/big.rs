@@ -66,7 +66,8 @@ impl Big {
     /// The number 0, which [`with_numbers`] puts at the beginning of its list.
     const ZERO: Self = Self(0);
 
-    fn is_finite(self) -> bool {
+    /// Whether the number is neither infinite nor NaN; [`Real::re`] may still be infinite, where `f64` overflows.
+    pub fn is_finite(self) -> bool {
         NUMBERS.with_borrow(|numbers| {
             let value = &numbers[self.0 as usize];
             !value.is_nan() && !value.is_inf()

@@ -19,6 +19,10 @@ pub struct ErrorBound {
 }
 
 impl ErrorBound {
+    /// Magnitude, SI, below which an error is compared with this magnitude instead: far above what underflow leaves of a
+    /// value, and far below every quantity of a flight.
+    pub const NEGLIGIBLE: f64 = 1e-100;
+
     /// Error of `other` relative to the magnitude of this number, |`other` − value| / magnitude; infinite if `other` or
     /// the value is NaN.
     pub fn relative_error(self, other: f64) -> f64 {
@@ -26,7 +30,7 @@ impl ErrorBound {
         if difference == 0.0 {
             0.0
         } else if difference.is_finite() {
-            difference / self.magnitude.max(f64::MIN_POSITIVE)
+            difference / self.magnitude.max(Self::NEGLIGIBLE)
         } else {
             f64::INFINITY
         }

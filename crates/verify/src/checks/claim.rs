@@ -4,9 +4,10 @@
 //! have any number of states in any parametrization.
 
 use crate::claim::{along, errors, is_fault};
-use crate::options::{Options, TOLERANCE};
+use crate::options::Options;
+use crate::precision::{Tally, overflow};
 use crate::random::Random;
-use crate::row::{Row, Worst};
+use crate::row::{Row, Verdict, Worst};
 use crate::sample;
 use crate::subject::Subject;
 use oracle::scalar::{ErrorBound, Field};
@@ -43,27 +44,34 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
         });
     }
     let mut random = Random::new(options.seed, CLAIM);
-    let mut worst = Worst::default();
+    let mut tally = Tally::default();
     let mut broken: BTreeMap<BalanceLaw, (f64, u8)> = BTreeMap::new();
     for _ in 0..options.cases {
         let point = subject.without_effects(sample::point(model, &mut random));
         let Some(body) = along(subject, &point) else {
             return Some(Row::unverified(CLAIM, "there are no equations to evaluate"));
         };
+        let mut worst = Worst::default();
         for balance in body.balances() {
+            let is_finite = errors(&balance).iter().all(|error| error.is_finite());
+            let overflows = !is_finite && overflow(model, &point).is_some();
             for (error, axis) in errors(&balance).into_iter().zip(AXES) {
                 worst.update(error, || balance.law.formula().to_owned());
                 let so_far = broken.entry(balance.law).or_insert((0.0, axis));
-                if is_fault(error) && error > so_far.0 {
+                if !overflows && is_fault(error) && error > so_far.0 {
                     *so_far = (error, axis);
                 }
             }
         }
+        tally.add_point(model, &point, worst);
     }
     broken.retain(|_, (error, _)| *error > 0.0);
-    let row = Row::judged(CLAIM, options.cases, &worst, TOLERANCE);
+    let row = tally.row(CLAIM, options.cases, options.cases);
     if broken.is_empty() {
-        return Some(row.with_detail("the equations obey the laws of the claimed body"));
+        return Some(match row.verdict {
+            Verdict::Holds => row.with_detail("the equations obey the laws of the claimed body"),
+            _ => row,
+        });
     }
     let inertial = &model.frames[0].name;
     let lines = broken.into_iter().map(|(law, (error, axis))| {

@@ -6,13 +6,15 @@
 //! Quaternions are varied on the unit sphere only, because other quaternions represent no attitude.
 
 use super::backends::{Functions, Tapes, results_of};
+use super::disputed::{Disputed, Part};
 use super::function_rows::{
     Variable, compared, functions, reference_column, tree_column, variables,
 };
 use crate::evaluation::Inputs;
 use crate::options::{Options, TOLERANCE};
+use crate::precision::{Finding, Tally};
 use crate::random::Random;
-use crate::row::{Row, Worst};
+use crate::row::Row;
 use crate::sample;
 use crate::subject::Subject;
 use codegen::Compiled;
@@ -20,6 +22,7 @@ use codegen::program::Function;
 use model_spec::model::Model;
 use oracle::scalar::{ComplexStep, Dual, ErrorBound, Lockstep, NumDual, Real};
 use oracle::{Point, Reference, Tree};
+use std::cell::OnceCell;
 
 /// Names of the checks: three differentiations of the vector tree, and the reference implementation.
 pub const CHECKS: [&str; 4] = [
@@ -34,7 +37,7 @@ type Bounded = Dual<ErrorBound>;
 /// Scalar that differentiates by three methods at once.
 type ThreeWays = Lockstep<Bounded, Lockstep<NumDual, ComplexStep>>;
 
-fn bounded(value: f64, derivative: f64) -> Bounded {
+pub(super) fn bounded(value: f64, derivative: f64) -> Bounded {
     Dual::new(ErrorBound::lit(value), ErrorBound::lit(derivative))
 }
 
@@ -57,7 +60,7 @@ pub fn check(subject: &Subject<'_>, compiled: &Compiled, options: &Options) -> V
         subject,
         compiled,
         tapes: Tapes::new(compiled.functions().map(|f| &f.program)),
-        worst: Default::default(),
+        found: Default::default(),
     };
     for _ in 0..cases {
         let point = sample::point(subject.model, &mut random);
@@ -68,12 +71,12 @@ pub fn check(subject: &Subject<'_>, compiled: &Compiled, options: &Options) -> V
         }
         comparison.with_reference(&subject.without_extras(point));
     }
-    let rows = CHECKS.iter().zip(&comparison.worst).enumerate();
-    let rows = rows.map(|(k, (name, worst))| {
+    let rows = CHECKS.iter().zip(&comparison.found).enumerate();
+    let rows = rows.map(|(k, (name, found))| {
         if k == 3 && subject.reference.is_none() {
             Row::skipped(name, "the model claims no reference")
         } else {
-            Row::judged(name, cases, worst, TOLERANCE)
+            found.row(name, cases, cases)
         }
     });
     rows.collect()
@@ -83,8 +86,8 @@ struct Comparison<'a> {
     subject: &'a Subject<'a>,
     compiled: &'a Compiled,
     tapes: Tapes,
-    /// Maximum error found by each check in [`CHECKS`], in that order.
-    worst: [Worst; 4],
+    /// Errors found by each check in [`CHECKS`], in that order.
+    found: [Tally; 4],
 }
 
 impl<'a> Comparison<'a> {
@@ -104,26 +107,55 @@ impl<'a> Comparison<'a> {
     fn with_tree(&mut self, point: &Point<f64>) -> Option<()> {
         let model = self.subject.model;
         let (variables, results) = self.found(point);
-        for variable in variables {
-            let expected = tree_column(model, &seed(point, &variable, three_ways)).ok()?;
+        let code = OnceCell::new();
+        for variable in &variables {
+            let expected = tree_column(model, &seed(point, variable, three_ways)).ok()?;
             let size = size(point, variable.index);
-            for value in compared(model, &results, &variable, expected.len()) {
-                let expected = &expected[value.row];
-                let error_of_value = expected.first.value.relative_error(value.found.value);
-                self.worst[2].update(error_of_value, || value.name());
-                let ErrorBound {
-                    value: dual,
-                    magnitude,
-                } = expected.first.derivative;
-                let magnitude = match magnitude {
-                    0.0 => cancelled(expected.first.value, size),
-                    _ => magnitude,
+            let disputed = Disputed {
+                model,
+                compiled: self.compiled,
+                point,
+                variable,
+                code: &code,
+                exact: OnceCell::new(),
+            };
+            let compared = compared(model, &results, variable, expected.len());
+            for (place, value) in compared.iter().enumerate() {
+                let ThreeWays { first, second } = expected[value.row];
+                let at = (value.row, place);
+                let add = |tally: &mut Tally, found: f64, expected: ErrorBound, part: Part| {
+                    let error = expected.relative_error(found);
+                    let finding = if error <= TOLERANCE || tally.is_refuted() {
+                        Some(Finding::Error(error))
+                    } else {
+                        disputed.decide(found, expected, at, part)
+                    };
+                    match finding {
+                        Some(finding) => tally.add(finding, || part.name(value)),
+                        None => tally.add_kink(),
+                    }
                 };
-                let (num_dual, complex_step) = (expected.second.first, expected.second.second);
-                let each = [num_dual.derivative(), complex_step.derivative(), dual];
-                for (worst, expected) in self.worst.iter_mut().zip(each) {
-                    let error = |found| error(expected, magnitude, found);
-                    worst.update(value.derivative.map_or(0.0, error), || value.entry());
+                // The results themselves are the same for every variable.
+                if std::ptr::eq(variable, &variables[0]) {
+                    let found = value.found.value;
+                    add(&mut self.found[2], found, first.value, Part::Value);
+                }
+                let Some(found) = value.derivative else {
+                    continue;
+                };
+                let magnitude = match first.derivative.magnitude {
+                    0.0 => cancelled(first.value, size),
+                    magnitude => magnitude,
+                };
+                let (num_dual, complex_step) =
+                    (second.first.derivative(), second.second.derivative());
+                let each = [num_dual, complex_step, first.derivative.value];
+                for (tally, expected) in self.found.iter_mut().zip(each) {
+                    let expected = ErrorBound {
+                        value: expected,
+                        magnitude: magnitude.max(found.magnitude),
+                    };
+                    add(tally, found.value, expected, Part::Derivative);
                 }
             }
         }
@@ -155,7 +187,8 @@ impl<'a> Comparison<'a> {
                     magnitude,
                 } = expected[value.row].derivative;
                 let error = |found| error(wanted, magnitude, found);
-                self.worst[3].update(value.derivative.map_or(0.0, error), || value.entry());
+                let error = Finding::Error(value.derivative.map_or(0.0, error));
+                self.found[3].add(error, || value.entry());
             }
         }
     }
@@ -179,7 +212,7 @@ fn has_reference(model: &Model, reference: &Reference, variable: usize) -> bool 
 }
 
 /// The point with derivatives with respect to a variable; `seeded(value, derivative)` creates a scalar.
-fn seed<T: Real>(
+pub(super) fn seed<T: Real>(
     point: &Point<f64>,
     variable: &Variable<'_, ErrorBound>,
     seeded: fn(f64, f64) -> T,

@@ -4,8 +4,9 @@
 
 use super::reference;
 use crate::expressions::fix_effects;
-use crate::options::{Options, TOLERANCE};
+use crate::options::Options;
 use crate::pairing::Pairing;
+use crate::precision::Tally;
 use crate::random::Random;
 use crate::row::{Row, Verdict, Worst};
 use crate::sample;
@@ -97,7 +98,7 @@ fn check(without: &Model, with: &[Variant], options: &Options) -> Row {
     }
     let plain = Values::of(without);
     let mut random = Random::new(options.seed, "effects off");
-    let mut worst = Worst::default();
+    let mut tally = Tally::default();
     let mut faults = Vec::new();
     for variant in with {
         let (model, names) = (&variant.model, variant.names());
@@ -112,14 +113,16 @@ fn check(without: &Model, with: &[Variant], options: &Options) -> Row {
             let sizes = derivatives(model, &point.lift::<ErrorBound>()).unwrap_or_default();
             let rates = variant.values.rates(&point);
             let expected = plain.rates(&bare);
+            let mut errors = Worst::default();
             for ((rate, expected), size) in rates.iter().zip(&expected).zip(sizes) {
                 let error = ErrorBound {
                     value: *expected,
                     ..size
                 }
                 .relative_error(*rate);
-                worst.update(error, || format!("with {names}"));
+                errors.update(error, || format!("with {names}"));
             }
+            tally.add_point(model, &point, errors);
         }
         let mut fixed = model.clone();
         fix_effects(&mut fixed);
@@ -130,7 +133,8 @@ fn check(without: &Model, with: &[Variant], options: &Options) -> Row {
             ));
         }
     }
-    let row = Row::judged(EFFECTS, with.len(), &worst, TOLERANCE);
+    let points = options.cases.div_ceil(10) * with.len();
+    let row = tally.row(EFFECTS, with.len(), points);
     if faults.is_empty() {
         return row;
     }
@@ -148,7 +152,7 @@ pub fn against_oracle(with: &[Variant], options: &Options) -> Row {
         return Row::skipped(EFFECT_REFERENCE, "no effects for this model");
     }
     let mut random = Random::new(options.seed, EFFECT_REFERENCE);
-    let mut worst = Worst::default();
+    let mut tally = Tally::default();
     for variant in with {
         let (model, names) = (&variant.model, variant.names());
         for _ in 0..options.cases.div_ceil(10) {
@@ -157,13 +161,13 @@ pub fn against_oracle(with: &[Variant], options: &Options) -> Row {
                 let (low, high) = model.coefficients[c.index].bounds.unwrap_or((-1.0, 1.0));
                 point.coefficients[c.index] = random.between(low / 2.0, high / 2.0);
             }
-            let errors = |error, name| worst.update(error, || format!("{name} with {names}"));
+            let errors = |finding, name| tally.add(finding, || format!("{name} with {names}"));
             if let Err(why) = reference::with_tree(model, &variant.values, &point, errors) {
                 return Row::unverified(EFFECT_REFERENCE, why.to_string());
             }
         }
     }
-    Row::judged(EFFECT_REFERENCE, with.len(), &worst, TOLERANCE)
+    tally.row(EFFECT_REFERENCE, with.len(), options.cases.div_ceil(10))
 }
 
 /// The point with all effects at their null values.

@@ -8,7 +8,7 @@ use oracle::{Point, Reference, Tree, Unsupported, derivatives_of};
 use std::ops::Range;
 
 /// Compiled functions that are compared with the vector expressions.
-pub(super) fn functions(compiled: &Compiled) -> [&Function; 5] {
+pub(crate) fn functions(compiled: &Compiled) -> [&Function; 5] {
     [
         &compiled.f,
         &compiled.f_jac,
@@ -19,7 +19,7 @@ pub(super) fn functions(compiled: &Compiled) -> [&Function; 5] {
 }
 
 /// A state or parameter with respect to which the results of compiled functions are differentiated.
-pub(super) struct Variable<'a, T> {
+pub(crate) struct Variable<'a, T> {
     /// Name of the state or parameter.
     pub name: &'a str,
     /// Index of the variable in the list of all states, followed by all parameters.
@@ -41,7 +41,7 @@ impl<'a, T> Variable<'a, T> {
 }
 
 /// States and parameters of a compiled model, each with its direction at the given states.
-pub(super) fn variables<'a, T: Field>(
+pub(crate) fn variables<'a, T: Field>(
     model: &Model,
     compiled: &'a Compiled,
     states: &[T],
@@ -57,7 +57,7 @@ pub(super) fn variables<'a, T: Field>(
 }
 
 /// State derivatives and observation from the vector expressions, with their derivatives with respect to a variable.
-pub(super) fn law<T: Real>(
+pub(crate) fn law<T: Real>(
     model: &Model,
     point: &Point<T>,
     variable: &Variable<'_, T>,
@@ -75,7 +75,7 @@ pub(super) fn law<T: Real>(
 }
 
 /// A scalar result of a compiled function, and its derivative with respect to a variable.
-pub(super) struct Value<'a, T> {
+pub(crate) struct Value<'a, T> {
     model: &'a Model,
     function: &'static str,
     variable: &'a str,
@@ -102,7 +102,7 @@ impl<T> Value<'_, T> {
 
 /// Results of compiled functions, given with all their outputs, and their derivatives with respect to a variable;
 /// `rows` is the number of results of the model.
-pub(super) fn compared<'a, T: Field>(
+pub(crate) fn compared<'a, T: Field>(
     model: &'a Model,
     results: &[(&Function, Vec<T>)],
     variable: &Variable<'a, T>,
@@ -125,7 +125,7 @@ pub(super) fn compared<'a, T: Field>(
 }
 
 /// Names of results and derivatives that differ from the `expected` values.
-pub(super) fn differences<T: Field>(
+pub(crate) fn differences<T: Field>(
     model: &Model,
     results: &[(&Function, Vec<T>)],
     variable: &Variable<'_, T>,
@@ -194,7 +194,7 @@ fn along<T: Field>(
 /// Direction of differentiation in state space: a unit vector, projected onto the tangent space of the unit sphere for
 /// a component of a quaternion; zero for a parameter. `variable` is an index in the list of all states, followed by all
 /// parameters.
-pub(super) fn direction<T: Field>(model: &Model, states: &[T], variable: usize) -> Vec<T> {
+pub(crate) fn direction<T: Field>(model: &Model, states: &[T], variable: usize) -> Vec<T> {
     let mut out = vec![T::zero(); states.len()];
     if let Some(component) = out.get_mut(variable) {
         *component = T::one();
@@ -212,7 +212,7 @@ pub(super) fn direction<T: Field>(model: &Model, states: &[T], variable: usize) 
 }
 
 /// Name of a result: `der(v)` or `observation 1`.
-pub(super) fn row_name(model: &Model, row: usize) -> String {
+pub(crate) fn row_name(model: &Model, row: usize) -> String {
     match model.states.get(row) {
         Some(state) => format!("der({})", state.name),
         None => format!("observation {}", row - model.states.len() + 1),
@@ -223,7 +223,7 @@ pub(super) fn row_name(model: &Model, row: usize) -> String {
 ///
 /// # Errors
 /// [`Unsupported`] if the vector expressions cannot be evaluated.
-pub(super) fn tree_column<T: Real>(model: &Model, point: &Point<T>) -> Result<Vec<T>, Unsupported> {
+pub(crate) fn tree_column<T: Real>(model: &Model, point: &Point<T>) -> Result<Vec<T>, Unsupported> {
     let tree = Tree::new(model, point);
     let mut out = derivatives_of(&tree)?;
     if let Some(observed) = &model.observation {
@@ -233,7 +233,7 @@ pub(super) fn tree_column<T: Real>(model: &Model, point: &Point<T>) -> Result<Ve
 }
 
 /// Derivatives with respect to true time, and observation, from the reference implementation.
-pub(super) fn reference_column<T: Real>(
+pub(crate) fn reference_column<T: Real>(
     reference: &Reference,
     model: &Model,
     point: &Point<T>,

@@ -1,7 +1,8 @@
 //! Checks the balance laws under arbitrary loads: dp/dt = F, dH/dt = M, dE/dt = F·v + M·ω, and dr/dt = v.
 
 use crate::claim::{Bounded, along, errors};
-use crate::options::{Options, TOLERANCE};
+use crate::options::Options;
+use crate::precision::Tally;
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;
@@ -23,7 +24,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
         return subject.without_meaning(IDENTITIES);
     };
     let mut random = Random::new(options.seed, IDENTITIES);
-    let mut worst = Worst::default();
+    let mut tally = Tally::default();
     let own = subject.own_coefficients();
     for case in 0..options.cases {
         let full = sample::point(model, &mut random);
@@ -70,27 +71,28 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
             force: motion.force.map(constant),
             turning,
         };
-        compare_balances(&body, &mut worst);
+        tally.add_point(model, &point, compare_balances(&body));
     }
-    Row::judged(IDENTITIES, options.cases, &worst, TOLERANCE)
+    tally.row(IDENTITIES, options.cases, options.cases)
 }
 
 /// Checks the balances of a claimed body; effects have their null values, coefficients of the author random ones.
 fn of_claim(subject: &Subject<'_>, options: &Options) -> Row {
     let mut random = Random::new(options.seed, IDENTITIES);
-    let mut worst = Worst::default();
+    let mut tally = Tally::default();
     for _ in 0..options.cases {
         let point = subject.without_effects(sample::point(subject.model, &mut random));
         let Some(body) = along(subject, &point) else {
             return Row::unverified(IDENTITIES, "there are no equations to evaluate");
         };
-        compare_balances(&body, &mut worst);
+        tally.add_point(subject.model, &point, compare_balances(&body));
     }
-    Row::judged(IDENTITIES, options.cases, &worst, TOLERANCE)
+    tally.row(IDENTITIES, options.cases, options.cases)
 }
 
-/// Compares both sides of each balance; derivatives are those with respect to time.
-fn compare_balances(body: &ClaimedBody<Bounded>, worst: &mut Worst) {
+/// Maximum difference between both sides of each balance; derivatives are those with respect to time.
+fn compare_balances(body: &ClaimedBody<Bounded>) -> Worst {
+    let mut worst = Worst::default();
     for balance in body.balances() {
         let names = match balance.law {
             BalanceLaw::AngularMomentum => "dH/dt against M",
@@ -105,6 +107,7 @@ fn compare_balances(body: &ClaimedBody<Bounded>, worst: &mut Worst) {
     let energy = body.kinetic_energy().derivative - body.power().value;
     let name = || String::from("dE/dt against F·v + M·ω");
     worst.update(energy.relative_error(0.0), name);
+    worst
 }
 
 /// Force (N) and moment (N·m) in inertial components, of the body or else the reference law, and mass properties, of

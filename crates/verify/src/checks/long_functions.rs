@@ -78,5 +78,5 @@ fn differ(found: Bounded, expected: Bounded) -> bool {
     let size = expected.first.re().abs();
     let size = size.max(found.second.magnitude);
     let size = size.max(expected.second.magnitude);
-    difference.is_nan() || difference > TOLERANCE * size.max(f64::MIN_POSITIVE)
+    difference.is_nan() || difference > TOLERANCE * size.max(ErrorBound::NEGLIGIBLE)
 }

@@ -11,6 +11,7 @@ use std::collections::BTreeSet;
 use crate::comparison::rate_differences;
 use crate::meaning::Meaning;
 use crate::options::Options;
+use crate::precision::overflow;
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample::{self, is_velocity};
@@ -192,6 +193,15 @@ fn error(
     let mut worst = Worst::default();
     for (_, error) in rate_differences(&got, &expected) {
         worst.update(error, String::new);
+    }
+    let overflows = || {
+        [point, &seen]
+            .iter()
+            .any(|at| overflow(model, at).is_some())
+    };
+    if worst.error.is_infinite() && overflows() {
+        // The comparison with the vector tree names what overflows.
+        return Some(0.0);
     }
     Some(worst.error)
 }

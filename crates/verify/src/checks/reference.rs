@@ -2,6 +2,7 @@
 
 use super::function_rows::{reference_column, tree_column};
 use crate::options::{Options, TOLERANCE};
+use crate::precision::{self, Finding, Tally, exact_values};
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;
@@ -9,6 +10,7 @@ use crate::subject::{Equations, Subject};
 use model_spec::model::Model;
 use oracle::scalar::ErrorBound;
 use oracle::{Point, Reference, Unsupported};
+use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Name in reports of the check of the state derivatives and the observation against the reference implementation.
@@ -115,18 +117,19 @@ fn uncovered(
 pub fn tree(subject: &Subject<'_>, options: &Options) -> Row {
     let model = subject.model;
     let mut random = Random::new(options.seed, TREE);
-    let mut worst = Worst::default();
+    let mut tally = Tally::default();
     for _ in 0..options.cases {
         let point = sample::point(model, &mut random);
-        let errors = |error, name| worst.update(error, || name);
+        let errors = |finding, name| tally.add(finding, || name);
         if let Err(why) = with_tree(model, subject.equations, &point, errors) {
             return Row::unverified(TREE, why.to_string());
         }
     }
-    Row::judged(TREE, options.cases, &worst, TOLERANCE)
+    tally.row(TREE, options.cases, options.cases)
 }
 
-/// Passes the error of every state derivative and component of the observation to `errors`, with its name.
+/// Passes the finding on every state derivative and component of the observation to `errors`, with its name. Values that
+/// differ are compared in 256 bits.
 ///
 /// # Errors
 /// [`Unsupported`] if the vector expressions cannot be evaluated.
@@ -134,12 +137,27 @@ pub(super) fn with_tree(
     model: &Model,
     equations: &dyn Equations,
     point: &Point<f64>,
-    errors: impl FnMut(f64, String),
+    mut errors: impl FnMut(Finding, String),
 ) -> Result<(), Unsupported> {
     let expected = tree_column(model, &point.lift::<ErrorBound>())?;
     let mut found = equations.rates(point);
     found.extend(equations.observation(point).iter().flatten());
-    compare(model, &expected, &found, &[], errors);
+    let exact = OnceCell::new();
+    let of_code = OnceCell::new();
+    for (i, expected) in expected.iter().enumerate() {
+        let found = found.get(i).copied();
+        let error = found.map_or(f64::INFINITY, |found| expected.relative_error(found));
+        let exact = || exact.get_or_init(|| exact_values(model, point)).as_ref();
+        let finding = match found.filter(|_| error > TOLERANCE).zip(exact()) {
+            None => Finding::Error(error),
+            Some((found, exact)) => {
+                let of_code = of_code.get_or_init(|| equations.magnitudes(point));
+                let of_code = of_code.get(i).copied().unwrap_or(0.0);
+                precision::decide(found, *expected, of_code, exact[i])
+            }
+        };
+        errors(finding, value_name(model, i));
+    }
     Ok(())
 }
 
@@ -155,11 +173,18 @@ fn compare(
     for (i, expected) in expected.iter().enumerate() {
         if !except.contains(&i) {
             let error = |&found: &f64| expected.relative_error(found);
-            let name = match model.states.get(i) {
-                Some(state) => format!("der({})", state.name),
-                None => String::from("the observation"),
-            };
-            errors(found.get(i).map_or(f64::INFINITY, error), name);
+            errors(
+                found.get(i).map_or(f64::INFINITY, error),
+                value_name(model, i),
+            );
         }
+    }
+}
+
+/// Name of a state derivative or of a component of the observation.
+fn value_name(model: &Model, row: usize) -> String {
+    match model.states.get(row) {
+        Some(state) => format!("der({})", state.name),
+        None => String::from("the observation"),
     }
 }

@@ -1,11 +1,13 @@
 //! Checks singular points: all values and derivatives must be finite in every backend.
 
 use super::backends::{Run, function_at};
+use crate::evaluation::exponential_overflows;
 use crate::row::Row;
 use crate::sample::{is_valid, is_velocity};
 use codegen::Compiled;
 use model_spec::model::{FrameKind, Model};
 use oracle::{Point, Tree};
+use std::collections::BTreeSet;
 use std::f64::consts::FRAC_PI_2;
 
 /// Name of this check in reports: finite results at singular points.
@@ -14,9 +16,14 @@ pub const SINGULAR: &str = "singular points";
 /// Checks that all results of every backend are finite at the singular points.
 pub fn check(points: &[(String, Point<f64>)], compiled: &Compiled, runs: &[Run]) -> Row {
     let mut faults = Vec::new();
+    let mut overflows = BTreeSet::new();
     for run in runs {
-        for ((name, _), results) in points.iter().zip(&run.results) {
+        for ((name, point), results) in points.iter().zip(&run.results) {
             if let Some(index) = results.iter().position(|v| !v.is_finite()) {
+                if overflows.contains(name) || exponential_overflows(compiled, point) {
+                    overflows.insert(name);
+                    continue;
+                }
                 let function = function_at(compiled, index);
                 faults.push(format!(
                     "{name}: {function} is not finite in {}",
@@ -25,7 +32,15 @@ pub fn check(points: &[(String, Point<f64>)], compiled: &Compiled, runs: &[Run])
             }
         }
     }
-    Row::counted(SINGULAR, points.len() * runs.len(), &faults, "")
+    let row = Row::counted(SINGULAR, points.len() * runs.len(), &faults, "");
+    if overflows.is_empty() {
+        return row;
+    }
+    let names: Vec<&str> = overflows.into_iter().map(String::as_str).collect();
+    row.with_remark(format!(
+        "OVERFLOW ({SINGULAR}): an exponential is beyond the range of double precision at: {}",
+        names.join(", ")
+    ))
 }
 
 /// Points, with descriptions, at which a divisor may vanish, within the validity limits; of singular attitudes only

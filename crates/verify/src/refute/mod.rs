@@ -157,6 +157,9 @@ impl Examination<'_> {
                 continue;
             };
             let found = point.tree.scalar(e);
+            if !(truth.value.is_finite() || found.value.is_finite()) {
+                continue;
+            }
             let magnitude = truth.magnitude.max(found.magnitude);
             let truth = ErrorBound { magnitude, ..truth };
             worst = worst.max(truth.relative_error(found.value));

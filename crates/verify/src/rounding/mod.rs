@@ -20,7 +20,7 @@ use crate::subject::Subject;
 use codegen::Compiled;
 use codegen::program::Function;
 use oracle::Point;
-use oracle::scalar::{Big, Real, with_numbers};
+use oracle::scalar::{Big, ErrorBound, Real, with_numbers};
 use serde::Serialize;
 use statements::{Loss, REPORTED_BITS};
 
@@ -138,7 +138,15 @@ pub fn measure(
 /// Rounding errors of each backend, and the number of points left out because a value is not finite or rounding may
 /// decide a branch.
 pub fn errors(compiled: &Compiled, points: &[Point<f64>], runs: &[Run]) -> (Vec<Error>, usize) {
-    let exact: Vec<Option<Vec<Exact>>> = points.iter().map(|p| exact(compiled, p)).collect();
+    let at_points = |is_exact: bool| -> Vec<Option<Vec<Exact>>> {
+        let each = points.iter().map(|point| exact(compiled, point, is_exact));
+        each.collect()
+    };
+    let mut exact = at_points(false);
+    if exact.iter().all(Option::is_none) {
+        // A saturated function is at its branch point everywhere; there both are exact.
+        exact = at_points(true);
+    }
     let left_out = exact.iter().filter(|e| e.is_none()).count();
     let mut errors = Vec::new();
     for run in runs {
@@ -215,12 +223,13 @@ pub fn row(rounding: &Rounding) -> Row {
     }
 }
 
-/// Measured functions in 256-bit arithmetic; `None` if a value is not finite or rounding may decide a branch.
-fn exact(compiled: &Compiled, point: &Point<f64>) -> Option<Vec<Exact>> {
+/// Measured functions in 256-bit arithmetic; `None` if a value is not finite or rounding may decide a branch; if
+/// `is_exact`, not at a branch point itself.
+fn exact(compiled: &Compiled, point: &Point<f64>, is_exact: bool) -> Option<Vec<Exact>> {
     let functions = compiled.functions().into_iter();
     let measured = functions.filter(|function| !sections(function).is_empty());
     with_numbers(|| {
-        let all = long_results(compiled, measured, point, false)?.into_iter();
+        let all = long_results(compiled, measured, point, is_exact)?.into_iter();
         let all = all.map(|(function, values)| {
             let values = values.into_iter().map(|(value, bound)| {
                 let rounded = value.re();
@@ -242,7 +251,7 @@ fn error((rounded, rest, magnitude): (f64, f64, f64), got: f64) -> f64 {
     if error == 0.0 {
         return 0.0;
     }
-    let size = magnitude.max(rounded.abs()).max(f64::MIN_POSITIVE);
+    let size = magnitude.max(rounded.abs()).max(ErrorBound::NEGLIGIBLE);
     let error = error / (size.next_up() - size);
     if error.is_nan() { f64::INFINITY } else { error }
 }

@@ -4,7 +4,8 @@
 
 mod evaluate;
 
-use crate::evaluation::Inputs;
+use crate::evaluation::{Inputs, results};
+use crate::rounding::ALLOWED;
 use crate::row::{Measure, Row, Verdict, Worst};
 use codegen::compile::Compiled;
 use codegen::program::Function;
@@ -14,6 +15,7 @@ use evaluate::{OnLanes, generated_results, on_lanes};
 use lanes::Isa;
 use model_spec::model::Model;
 use oracle::Point;
+use oracle::scalar::ErrorBound;
 
 /// Name in reports of the check of bitwise agreement between backends.
 pub const BACKENDS: &str = "backends";
@@ -26,6 +28,9 @@ pub const GENERATED: &str = "generated code";
 
 /// Maximum difference by fused multiply-add, relative to the largest result of the function: 1e4 rounding errors.
 const FMA_TOLERANCE: f64 = 1e-12;
+
+/// Magnitude above which a fused and a separate operation may differ in whether they overflow.
+const OVERFLOW: f64 = 1e300;
 
 /// Results of one backend at a list of points.
 #[derive(Clone, Debug)]
@@ -138,21 +143,48 @@ pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
 
 /// Compares the first backends that fuse and that do not, relative to the largest result of the function.
 pub fn check_fma(compiled: &Compiled, runs: &[Run]) -> Row {
+    check_fma_at(compiled, &[], runs)
+}
+
+/// Compares as [`check_fma`] does; at the given points of the runs, a difference may also be that of the roundings of the
+/// terms of a value, which may cancel.
+pub(crate) fn check_fma_at(compiled: &Compiled, points: &[Point<f64>], runs: &[Run]) -> Row {
     let (Some(plain), Some(fused)) = (first(runs, false), first(runs, true)) else {
         return Row::skipped(FMA, "no backend fuses on this machine");
     };
     let mut worst = Worst::default();
-    for (plain, fused) in plain.results.iter().zip(&fused.results) {
-        for Function { name, .. } in compiled.functions() {
+    for (k, (plain, fused)) in plain.results.iter().zip(&fused.results).enumerate() {
+        let bounds = points.get(k).map_or_else(Vec::new, |point| {
+            results::<ErrorBound>(compiled, compiled.functions(), &point.lift())
+        });
+        for (f, Function { name, .. }) in compiled.functions().into_iter().enumerate() {
             let [plain, fused] = [plain, fused].map(|all| results_of(compiled, all, name));
-            let sizes = plain.iter().map(|v| v.abs());
-            let size = sizes.fold(f64::MIN_POSITIVE, f64::max);
-            for (a, b) in plain.iter().zip(fused) {
-                worst.update((a - b).abs() / size, || (*name).to_owned());
+            let sizes = plain.iter().map(|v| v.abs()).filter(|v| v.is_finite());
+            let size = sizes.fold(ErrorBound::NEGLIGIBLE, f64::max);
+            for (i, (&a, &b)) in plain.iter().zip(fused).enumerate() {
+                let bound = bounds.get(f).and_then(|(_, values)| values.get(i));
+                let size = size.max(bound.map_or(0.0, |bound| rounding(*bound)));
+                worst.update(difference(a, b) / size, || (*name).to_owned());
             }
         }
     }
     Row::judged(FMA, plain.results.len(), &worst, FMA_TOLERANCE)
+}
+
+/// Magnitude of which [`FMA_TOLERANCE`] is the sum of the allowed roundings of two values with these terms.
+fn rounding(bound: ErrorBound) -> f64 {
+    let size = bound.magnitude * (2.0 * ALLOWED * f64::EPSILON / FMA_TOLERANCE);
+    if size.is_finite() { size } else { 0.0 }
+}
+
+/// Absolute difference of two values; 0 if both overflow or nearly do.
+fn difference(a: f64, b: f64) -> f64 {
+    let overflows = |v: f64| v.is_nan() || v.abs() > OVERFLOW;
+    if overflows(a) && overflows(b) {
+        0.0
+    } else {
+        (a - b).abs()
+    }
 }
 
 /// Name of the function of a result among the concatenated ones.
