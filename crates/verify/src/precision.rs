@@ -54,12 +54,7 @@ pub(crate) fn decide(found: f64, expected: ErrorBound, of_code: f64, exact: Exac
         return Finding::Error(f64::INFINITY);
     }
     if exact.value.is_infinite() {
-        let is_huge = found.is_nan() || found.abs() > HUGE;
-        return if is_huge {
-            Finding::Overflow
-        } else {
-            Finding::Error(f64::INFINITY)
-        };
+        return Finding::Overflow;
     }
     // Of the terms of the code, no more than the rounding of the backends is allowed.
     let rounding = of_code * (ALLOWED * f64::EPSILON / TOLERANCE);
@@ -199,7 +194,7 @@ impl Tally {
                 others => format!(" and {others} more"),
             };
             out.push(format!(
-                "OVERFLOW ({check}): {name}{others} beyond the range of double precision at {count} of {points} points, \
+                "OVERFLOW ({check}): {name}{others}: beyond the range of double precision at {count} of {points} points, \
                  and not compared there"
             ));
         }

@@ -3,17 +3,20 @@
 
 use super::{
     Acting, DURATIONS, Flying, Found, MAX_DRAWS, MOMENTA, OWN_CLOCK, RELEASES, TOLERANCE, decided,
-    integrate, undecided_flights, unreleased,
+    undecided_flights, unreleased,
 };
+use crate::integration::integrate;
 use crate::options::Options;
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample::{is_valid, moved_within_limits, typical, within_limits};
 use crate::subject::Subject;
 use nalgebra::Vector3;
-use ode::IntegrationError;
+use ode::{IntegrationError, IntegrationOptions};
 use oracle::{ClaimedBody, Point, Quaternion, Tree};
 
+/// Maximum number of integration steps of a flight; a shorter flight is tried then.
+const MAX_STEPS: usize = 10_000;
 /// Maximum deviation of a state from its default, relative to its typical magnitude.
 const SPREAD: f64 = 0.2;
 
@@ -180,7 +183,11 @@ fn fly_with_sums(
     };
     let mut start = from.states.clone();
     start.extend([0.0; 10]);
-    let mut end = integrate(&mut moving, &start, duration, rtol)?;
+    let options = IntegrationOptions {
+        max_steps: MAX_STEPS,
+        ..IntegrationOptions::with_tolerance(rtol)
+    };
+    let mut end = integrate(&mut moving, &start, duration, &options)?;
     let sums = end.split_off(count);
     let end = Point {
         time: duration,

@@ -17,6 +17,7 @@ mod own_models;
 mod record;
 mod refuted;
 mod report;
+mod right_models;
 mod rounding;
 mod same_motion;
 mod seeds;
