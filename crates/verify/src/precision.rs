@@ -47,7 +47,8 @@ pub(crate) enum Finding {
     Overflow,
 }
 
-/// Compares a value found in `f64` with the exact one. `expected` is by a method in `f64`; `of_code` is the magnitude of
+/// Compares a value found in `f64` with the exact one. `expected` is by a method in `f64`, with a magnitude of NaN if the
+/// terms overflow; `of_code` is the magnitude of
 /// the terms that the code sums, 0 if unknown.
 pub(crate) fn decide(found: f64, expected: ErrorBound, of_code: f64, exact: Exact) -> Finding {
     if !exact.is_number {
@@ -72,6 +73,16 @@ pub(crate) fn decide(found: f64, expected: ErrorBound, of_code: f64, exact: Exac
     } else {
         Finding::Error(error)
     }
+}
+
+/// A value with the magnitude of its terms; NaN if the value overflows, and the magnitude is not known.
+pub(crate) fn bounded_by(value: f64, magnitude: f64) -> ErrorBound {
+    let magnitude = if value.is_finite() {
+        magnitude
+    } else {
+        f64::NAN
+    };
+    ErrorBound { value, magnitude }
 }
 
 /// State derivatives and observation of the law in 256 bits; `None` if the vector expressions cannot be evaluated.

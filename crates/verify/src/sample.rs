@@ -66,7 +66,19 @@ pub fn moved_within_limits(
             (best, outside) = (next, next_outside);
         }
     }
-    (outside == 0.0).then_some(best)
+    if outside > 0.0 {
+        return None;
+    }
+    // A change may lead far beyond the limit.
+    for _ in 0..HALVINGS {
+        let mut halfway = between(point, &best, 0.5);
+        normalize(model, &mut halfway);
+        if shortfall(model, &halfway) > 0.0 {
+            break;
+        }
+        best = halfway;
+    }
+    Some(best)
 }
 
 /// Sum over the validity limits of the distance by which a point is outside [`within_limits`], relative to the limit.

@@ -12,7 +12,7 @@ use super::function_rows::{
 };
 use crate::evaluation::Inputs;
 use crate::options::{Options, TOLERANCE};
-use crate::precision::{Finding, Tally};
+use crate::precision::{Finding, Tally, bounded_by};
 use crate::random::Random;
 use crate::row::Row;
 use crate::sample;
@@ -125,7 +125,8 @@ impl<'a> Comparison<'a> {
                 let at = (value.row, place);
                 let add = |tally: &mut Tally, found: f64, expected: ErrorBound, part: Part| {
                     let error = expected.relative_error(found);
-                    let finding = if error <= TOLERANCE || tally.is_refuted() {
+                    let is_known = error <= TOLERANCE && expected.magnitude.is_finite();
+                    let finding = if is_known || tally.is_refuted() {
                         Some(Finding::Error(error))
                     } else {
                         disputed.decide(found, expected, at, part)
@@ -138,7 +139,8 @@ impl<'a> Comparison<'a> {
                 // The results themselves are the same for every variable.
                 if std::ptr::eq(variable, &variables[0]) {
                     let found = value.found.value;
-                    add(&mut self.found[2], found, first.value, Part::Value);
+                    let first = bounded_by(first.value.value, first.value.magnitude);
+                    add(&mut self.found[2], found, first, Part::Value);
                 }
                 let Some(found) = value.derivative else {
                     continue;
@@ -147,13 +149,15 @@ impl<'a> Comparison<'a> {
                     0.0 => cancelled(first.value, size),
                     magnitude => magnitude,
                 };
+                let magnitude = magnitude.max(found.magnitude);
+                let magnitude = bounded_by(first.derivative.value, magnitude).magnitude;
                 let (num_dual, complex_step) =
                     (second.first.derivative(), second.second.derivative());
                 let each = [num_dual, complex_step, first.derivative.value];
                 for (tally, expected) in self.found.iter_mut().zip(each) {
                     let expected = ErrorBound {
                         value: expected,
-                        magnitude: magnitude.max(found.magnitude),
+                        magnitude,
                     };
                     add(tally, found.value, expected, Part::Derivative);
                 }

@@ -2,7 +2,7 @@
 
 use super::function_rows::{reference_column, tree_column};
 use crate::options::{Options, TOLERANCE};
-use crate::precision::{self, Finding, Tally, exact_values};
+use crate::precision::{Finding, Tally, bounded_by, decide, exact_values};
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;
@@ -147,13 +147,19 @@ pub(super) fn with_tree(
     for (i, expected) in expected.iter().enumerate() {
         let found = found.get(i).copied();
         let error = found.map_or(f64::INFINITY, |found| expected.relative_error(found));
+        let is_known = error <= TOLERANCE && expected.magnitude.is_finite();
         let exact = || exact.get_or_init(|| exact_values(model, point)).as_ref();
-        let finding = match found.filter(|_| error > TOLERANCE).zip(exact()) {
+        let finding = match found.filter(|_| !is_known).zip(exact()) {
             None => Finding::Error(error),
             Some((found, exact)) => {
                 let of_code = of_code.get_or_init(|| equations.magnitudes(point));
                 let of_code = of_code.get(i).copied().unwrap_or(0.0);
-                precision::decide(found, *expected, of_code, exact[i])
+                decide(
+                    found,
+                    bounded_by(expected.value, expected.magnitude),
+                    of_code,
+                    exact[i],
+                )
             }
         };
         errors(finding, value_name(model, i));

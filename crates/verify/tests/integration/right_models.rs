@@ -195,7 +195,7 @@ fn claimed(seed: u64) -> String {
         _ => "",
     };
     format!(
-        "model right; param m = {:.3e} kg; param a = 5 mm; param b = 3 mm; frame N; state x = 0.1 m; state vx = 0.2 m/s;
+        "model right; param m = {:.3e} kg; param a = 5 mm; param b = 3 mm; frame N; state x = 0 m; state vx = 0 m/s;
 let length = a + b; let f = {along};
 {limit}der(x) = vx; der(vx) = f/m;
 claim point right {{ mass m; position x*N.1; velocity vx*N.1; force f*N.1; }}\n",
