@@ -48,8 +48,7 @@ pub(crate) enum Finding {
 }
 
 /// Compares a value found in `f64` with the exact one. `expected` is by a method in `f64`, with a magnitude of NaN if the
-/// terms overflow; `of_code` is the magnitude of
-/// the terms that the code sums, 0 if unknown.
+/// terms overflow; `of_code` is the magnitude of the terms that the code sums, 0 if unknown.
 pub(crate) fn decide(found: f64, expected: ErrorBound, of_code: f64, exact: Exact) -> Finding {
     if !exact.is_number {
         return Finding::Error(f64::INFINITY);

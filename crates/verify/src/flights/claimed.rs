@@ -2,8 +2,8 @@
 //! integrals of their causes.
 
 use super::{
-    Acting, DURATIONS, Flying, Found, MAX_DRAWS, MOMENTA, OWN_CLOCK, RELEASES, TOLERANCE, decided,
-    undecided_flights, unreleased,
+    Acting, DURATIONS, Flying, Found, MAX_DRAWS, MAX_STEPS, MOMENTA, OWN_CLOCK, RELEASES,
+    TOLERANCE, decided, undecided_flights, unreleased,
 };
 use crate::integration::integrate;
 use crate::options::Options;
@@ -15,8 +15,6 @@ use nalgebra::Vector3;
 use ode::{IntegrationError, IntegrationOptions};
 use oracle::{ClaimedBody, Point, Quaternion, Tree};
 
-/// Maximum number of integration steps of a flight; a shorter flight is tried then.
-const MAX_STEPS: usize = 10_000;
 /// Maximum deviation of a state from its default, relative to its typical magnitude.
 const SPREAD: f64 = 0.2;
 

@@ -42,6 +42,8 @@ const RELEASES: usize = 3;
 const MAX_DRAWS: usize = 100;
 /// Duration of a simulated flight in the flight checks, s.
 const DURATION: f64 = 1.0;
+/// Maximum number of integration steps of a flight that may be replaced by a shorter one.
+const MAX_STEPS: usize = 10_000;
 /// Durations, s, of which the first is flown that ends within the limits of the model.
 const DURATIONS: [f64; 4] = [DURATION, 0.3, 0.1, 0.03];
 
@@ -304,7 +306,10 @@ fn fly_under_load(
             vec![0.0; at.states.len()]
         }
     };
-    let options = IntegrationOptions::with_tolerance(RTOL);
+    let mut options = IntegrationOptions::with_tolerance(RTOL);
+    if subject.reference.is_none() {
+        options.max_steps = MAX_STEPS;
+    }
     let end = integration::fly(&rates, from, duration, &options);
     if is_under_one_load.get() {
         end.map(Some)

@@ -1,11 +1,14 @@
 //! Right models with what `f64` handles badly are not refuted: sharp switches, kinks, overflow, limits, pulses, stiff contacts,
 //! terms that cancel. They are drawn at random; `HYZER_RIGHT_MODELS` sets how many, and `HYZER_RIGHT_SEED` the first seed.
 
-use crate::support::QUICK;
+use crate::support::{QUICK, row};
 use model_spec::load::inspect_text;
 use verify::Options;
+use verify::checks::reference::TREE;
+use verify::checks::{derivatives, identities};
+use verify::flights::{INVARIANTS, MOMENTA};
 use verify::random::Random;
-use verify::report::{Outcome, Report};
+use verify::report::{Outcome, Report, Verdict};
 
 /// Number of models that are drawn by default.
 const DRAWN: u64 = 40;
@@ -229,14 +232,7 @@ fn random_right_models_are_not_refuted() {
             effects: seed % 10 == 0,
             ..QUICK
         };
-        let start_of = std::time::Instant::now();
-        println!("{seed} {text}");
         let report = verified(&text, &options);
-        println!(
-            "TIME {seed} {:?} {:?}",
-            start_of.elapsed(),
-            report.outcome()
-        );
         match report.outcome() {
             Outcome::Verified => {}
             Outcome::NotVerified => open.push((seed, report.unverified())),
@@ -249,4 +245,104 @@ fn random_right_models_are_not_refuted() {
         open.len()
     );
     assert!(refuted.is_empty(), "{}", refuted.join("\n"));
+}
+
+const SLED: &str = "model sled; param m = 2 kg; frame N;
+    point sled { mass m; position (x, y, z) in N; velocity (u, v, w) in N; }\n";
+
+fn outcome(text: &str) -> Report {
+    let report = verified(text, &QUICK);
+    assert_eq!(report.outcome(), Outcome::Verified, "{}", report.table());
+    report
+}
+
+#[test]
+fn a_switch_whose_dual_numbers_overflow_is_not_refuted() {
+    // cosh overflows beyond 710.
+    let brake = "force brake = -3 [N]*tanh(u/(2 [mm/s]))*N.1;";
+    let step = "force drag = -(0.1 [kg/m])*(1 - tanh((norm(velocity) - 9 [m/s])/(0.01 [m/s])))*norm(velocity)*velocity;";
+    for force in [brake, step] {
+        outcome(&format!("{SLED}{force}"));
+    }
+}
+
+#[test]
+fn a_wrong_switch_is_refuted_although_its_dual_numbers_overflow() {
+    let text = |factor: &str| {
+        let force = format!("force brake = -{factor} [N]*tanh(u/(2 [mm/s]))*N.1;");
+        inspect_text("sled", &format!("{SLED}{force}"), &[]).unwrap()
+    };
+    let (right, wrong) = (text("3"), text("3.00000001"));
+    let compiled = codegen::compile(wrong.model.as_ref().unwrap());
+    let rows = verify::rows_of_code(right.model.as_ref().unwrap(), &compiled, &QUICK);
+    for check in [TREE, derivatives::CHECKS[0], derivatives::CHECKS[2]] {
+        let found = rows.iter().find(|row| row.check == check).unwrap();
+        assert_eq!(found.verdict, Verdict::Refuted, "{found:?}");
+    }
+}
+
+#[test]
+fn an_overflow_is_named_and_not_refuted() {
+    let blast = "force blast = 2 [N]*exp(-x/(0.9 [mm]))*N.2;";
+    let report = outcome(&format!("{SLED}{blast}"));
+    for check in [TREE, identities::IDENTITIES, derivatives::CHECKS[0]] {
+        let remark = row(&report, check).remark.clone().unwrap_or_default();
+        assert!(
+            remark.starts_with("OVERFLOW"),
+            "{check}: {}",
+            report.table()
+        );
+    }
+    assert!(
+        report
+            .table()
+            .contains("OVERFLOW (vector tree): der(v): beyond")
+    );
+}
+
+#[test]
+fn a_burn_and_a_bounce_within_the_flight_are_not_refuted() {
+    let burn = "force burn = 40 [N]*step(time - 0.2 [s])*step(0.4 [s] - time)*N.2;";
+    let floor = "force weight = -m*(9.81 [m/s^2])*N.3; force floor = (3e4 [N/m])*max(-z, 0)*N.3;";
+    for force in [burn, floor] {
+        let report = outcome(&format!("{SLED}{force}"));
+        let without_air = row(&report, INVARIANTS);
+        assert_eq!(without_air.verdict, Verdict::Skipped, "{}", report.table());
+    }
+}
+
+#[test]
+fn limits_far_from_typical_states_and_near_small_ones_leave_flights() {
+    let fast = "limit norm(velocity) > 120 m/s \"supersonic\"; force drag = -(1e-4 [kg/m])*norm(velocity)*velocity;";
+    let high = "limit z > 3 km \"thin air\"; force weight = -m*(9.81 [m/s^2])*N.3;";
+    for forces in [fast, high] {
+        let report = outcome(&format!("{SLED}{forces}"));
+        let flown = row(&report, INVARIANTS);
+        assert!(flown.cases > 0 || forces == fast, "{}", report.table());
+    }
+    let rail =
+        "model rail; param m = 20 g; param h = 4 mm; frame N; state s = 1 mm; state v = 0 m/s;
+        let gap = h + h; limit gap > 0 \"no gap\"; der(s) = v; der(v) = -(1 [N/m])*s/m;
+        claim point bead { mass m; position s*N.2; velocity v*N.2; force -(1 [N/m])*s*N.2; }";
+    assert!(row(&outcome(rail), MOMENTA).cases > 0);
+}
+
+#[test]
+fn an_entry_that_cancels_is_compared_with_the_rounding_of_its_terms() {
+    let dart =
+        "model dart; param m = 0.3 kg; param I_1 = 1e-3 kg*m^2; param I_2 = 2e-3 kg*m^2; frame N;
+        frame B = N by quaternion (q0, q1, q2, q3);
+        body dart { mass m; inertia diag(I_1, I_2, I_2) in B; fixed in B; position (x, y, z) in N;
+          velocity (u, v, w) in N; angular velocity (p, q, r) in B; }
+        let air = in_B(velocity);
+        force drag = -(0.4 [kg/s])*(air - air.1*B.1);";
+    let options = Options {
+        cases: 400,
+        effects: false,
+        ..QUICK
+    };
+    for seed in 1..=3 {
+        let report = verified(dart, &Options { seed, ..options });
+        assert_eq!(report.outcome(), Outcome::Verified, "{}", report.table());
+    }
 }
