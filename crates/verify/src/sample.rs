@@ -39,29 +39,32 @@ pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
 }
 
 /// The point with states changed at random, one at a time, whenever that brings it closer to the inside of the validity
-/// limits; `None` if it does not get there.
+/// limits; `None` if it does not get there. In a range narrower than the margins of [`within_limits`] these do not count.
 pub fn moved_within_limits(
     model: &Model,
     point: &Point<f64>,
     random: &mut Random,
 ) -> Option<Point<f64>> {
+    let mut found = [1.0, 0.0]
+        .into_iter()
+        .filter_map(|part| moved(model, point, part, random));
+    found.find(|point| is_valid(model, point))
+}
+
+/// See [`moved_within_limits`]; of each margin, `part` counts.
+fn moved(model: &Model, point: &Point<f64>, part: f64, random: &mut Random) -> Option<Point<f64>> {
     let mut best = point.clone();
-    let mut outside = shortfall(model, &best);
+    let mut outside = shortfall(model, &best, part);
     for _ in 0..MAX_MOVES {
         if outside == 0.0 || best.states.is_empty() {
             break;
         }
         let mut next = best.clone();
         let state = (random.next() % best.states.len() as u64) as usize;
-        let value = &mut next.states[state];
-        if random.once_in(2) {
-            *value *= 10f64.powf(random.between(-1.0, 1.0));
-        } else {
-            let size = typical(model.states[state].unit) * 10f64.powf(random.between(-3.0, 4.0));
-            *value += random.within(size);
-        }
+        let size = typical(model.states[state].unit) * 10f64.powf(random.between(-3.0, 4.0));
+        next.states[state] += random.within(size);
         normalize(model, &mut next);
-        let next_outside = shortfall(model, &next);
+        let next_outside = shortfall(model, &next, part);
         if next_outside < outside {
             (best, outside) = (next, next_outside);
         }
@@ -73,7 +76,7 @@ pub fn moved_within_limits(
     for _ in 0..HALVINGS {
         let mut halfway = between(point, &best, 0.5);
         normalize(model, &mut halfway);
-        if shortfall(model, &halfway) > 0.0 {
+        if shortfall(model, &halfway, part) > 0.0 {
             break;
         }
         best = halfway;
@@ -81,11 +84,12 @@ pub fn moved_within_limits(
     Some(best)
 }
 
-/// Sum over the validity limits of the distance by which a point is outside [`within_limits`], relative to the limit.
-fn shortfall(model: &Model, point: &Point<f64>) -> f64 {
+/// Sum over the validity limits of the distance by which a point is outside, relative to the limit; of the margin of
+/// [`within_limits`], `part` counts.
+fn shortfall(model: &Model, point: &Point<f64>, part: f64) -> f64 {
     let margins = margins(model, point).into_iter();
     let outside = margins.map(|(limit, value, margin)| {
-        let distance = (limit.bound + margin - value) / limit.bound.abs().max(1.0);
+        let distance = (limit.bound + part * margin - value) / limit.bound.abs().max(1.0);
         if distance.is_nan() {
             f64::INFINITY
         } else {

@@ -303,7 +303,7 @@ fn an_overflow_is_named_and_not_refuted() {
 #[test]
 fn a_burn_and_a_bounce_within_the_flight_are_not_refuted() {
     let burn = "force burn = 40 [N]*step(time - 0.2 [s])*step(0.4 [s] - time)*N.2;";
-    let floor = "force weight = -m*(9.81 [m/s^2])*N.3; force floor = (3e4 [N/m])*max(-z, 0)*N.3;";
+    let floor = "force weight = -m*(9.81 [m/s^2])*N.3; force floor = max((3e3 [N/m])*max(-z, 0) - (9 [kg/s])*w*step(-z), 0)*N.3;";
     for force in [burn, floor] {
         let report = outcome(&format!("{SLED}{force}"));
         let without_air = row(&report, INVARIANTS);
@@ -313,12 +313,12 @@ fn a_burn_and_a_bounce_within_the_flight_are_not_refuted() {
 
 #[test]
 fn limits_far_from_typical_states_and_near_small_ones_leave_flights() {
-    let fast = "limit norm(velocity) > 120 m/s \"supersonic\"; force drag = -(1e-4 [kg/m])*norm(velocity)*velocity;";
+    let fast = "limit norm(velocity) > 120 m/s \"supersonic\"; coefficient k = 1e-4 kg/m in 0 .. 1; force drag = -k*norm(velocity)*velocity;";
     let high = "limit z > 3 km \"thin air\"; force weight = -m*(9.81 [m/s^2])*N.3;";
-    for forces in [fast, high] {
+    let layer = "limit z > 500 m \"low\"; limit -z > -510 m \"high\"; force weight = -m*(9.81 [m/s^2])*N.3;";
+    for forces in [fast, high, layer] {
         let report = outcome(&format!("{SLED}{forces}"));
-        let flown = row(&report, INVARIANTS);
-        assert!(flown.cases > 0 || forces == fast, "{}", report.table());
+        assert!(row(&report, INVARIANTS).cases > 0, "{}", report.table());
     }
     let rail =
         "model rail; param m = 20 g; param h = 4 mm; frame N; state s = 1 mm; state v = 0 m/s;
