@@ -24,7 +24,6 @@ mod meaning;
 pub mod mutants;
 mod options;
 mod pairing;
-mod precision;
 pub mod random;
 pub mod record;
 pub mod refute;

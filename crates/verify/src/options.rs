@@ -27,3 +27,6 @@ impl Default for Options {
 /// Maximum rounding error in f64, relative to the sum of the magnitudes of the terms; flights have tolerances of their
 /// own.
 pub const TOLERANCE: f64 = 1e-12;
+
+/// Maximum allowed error, ulp of the magnitude: 128 rounding errors of half a unit with the same sign.
+pub const ALLOWED: f64 = 64.0;

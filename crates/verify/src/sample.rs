@@ -20,9 +20,10 @@ const HALVINGS: i32 = 20;
 /// states are outside the limits, they are moved within them.
 pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
     let defaults = Point::defaults(model);
-    let draws = match is_valid(model, &defaults) {
-        true => MAX_DRAWS,
-        false => FEW_DRAWS,
+    let draws = if is_valid(model, &defaults) {
+        MAX_DRAWS
+    } else {
+        FEW_DRAWS
     };
     let mut point = anywhere(model, random);
     for _ in 0..draws {

@@ -3,9 +3,9 @@
 //! numbers along the model's own equations. States need not be recovered from physical quantities, so the equations may
 //! have any number of states in any parametrization.
 
+use super::precision::{Tally, overflow};
 use crate::claim::{along, errors, is_fault};
 use crate::options::Options;
-use crate::precision::{Tally, overflow};
 use crate::random::Random;
 use crate::row::{Row, Verdict, Worst};
 use crate::sample;

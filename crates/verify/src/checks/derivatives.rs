@@ -10,9 +10,9 @@ use super::disputed::{Disputed, Part};
 use super::function_rows::{
     Variable, compared, functions, reference_column, tree_column, variables,
 };
+use super::precision::{Finding, Tally, bounded_by};
 use crate::evaluation::Inputs;
 use crate::options::{Options, TOLERANCE};
-use crate::precision::{Finding, Tally, bounded_by};
 use crate::random::Random;
 use crate::row::Row;
 use crate::sample;
@@ -122,14 +122,13 @@ impl<'a> Comparison<'a> {
             let compared = compared(model, &results, variable, expected.len());
             for (place, value) in compared.iter().enumerate() {
                 let ThreeWays { first, second } = expected[value.row];
-                let at = (value.row, place);
                 let add = |tally: &mut Tally, found: f64, expected: ErrorBound, part: Part| {
                     let error = expected.relative_error(found);
                     let is_known = error <= TOLERANCE && expected.magnitude.is_finite();
                     let finding = if is_known || tally.is_refuted() {
                         Some(Finding::Error(error))
                     } else {
-                        disputed.decide(found, expected, at, part)
+                        disputed.decide(found, expected, value.row, place, part)
                     };
                     match finding {
                         Some(finding) => tally.add(finding, || part.name(value)),

@@ -2,9 +2,9 @@
 
 use super::derivatives::{bounded, seed};
 use super::function_rows::{Value, Variable, compared, functions, tree_column};
+use super::precision::{Exact, Finding, decide, exact_column, neighbours};
 use crate::evaluation::results;
 use crate::options::TOLERANCE;
-use crate::precision::{Exact, Finding, decide, exact_column, neighbours};
 use codegen::Compiled;
 use codegen::program::Function;
 use model_spec::model::Model;
@@ -56,7 +56,8 @@ impl Disputed<'_> {
         &self,
         found: f64,
         expected: ErrorBound,
-        (row, place): (usize, usize),
+        row: usize,
+        place: usize,
         part: Part,
     ) -> Option<Finding> {
         let index = self.variable.index;

@@ -2,11 +2,11 @@
 //! with the null values substituted it must compile to no more operations. At random values, derivatives and observation
 //! must be those of the oracle, which evaluates the text of the effects without the compiler.
 
+use super::precision::Tally;
 use super::reference;
 use crate::expressions::fix_effects;
 use crate::options::Options;
 use crate::pairing::Pairing;
-use crate::precision::Tally;
 use crate::random::Random;
 use crate::row::{Row, Verdict, Worst};
 use crate::sample;

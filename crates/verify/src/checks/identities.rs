@@ -1,8 +1,8 @@
 //! Checks the balance laws under arbitrary loads: dp/dt = F, dH/dt = M, dE/dt = F·v + M·ω, and dr/dt = v.
 
+use super::precision::Tally;
 use crate::claim::{Bounded, along, errors};
 use crate::options::Options;
-use crate::precision::Tally;
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;

@@ -8,10 +8,10 @@
 
 use std::collections::BTreeSet;
 
+use super::precision::overflow;
 use crate::comparison::rate_differences;
 use crate::meaning::Meaning;
 use crate::options::Options;
-use crate::precision::overflow;
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample::{self, is_velocity};

@@ -1,8 +1,8 @@
 //! Compares derivatives and observation with the reference implementation and with the model's vector expressions.
 
 use super::function_rows::{reference_column, tree_column};
+use super::precision::{Finding, Tally, bounded_by, decide, exact_values};
 use crate::options::{Options, TOLERANCE};
-use crate::precision::{Finding, Tally, bounded_by, decide, exact_values};
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;

@@ -12,9 +12,8 @@ use crate::sample::{is_valid, moved_within_limits};
 use crate::subject::{Subject, body_properties};
 use nalgebra::{Matrix3, Vector3};
 use ode::{IntegrationError, IntegrationOptions};
-use std::cell::Cell;
-
 use oracle::{MassProperties, Physical, Point, Quaternion, Reference, Tree, inertia_in_n, solve};
+use std::cell::Cell;
 
 /// Name in reports of the check that energy and angular momentum are conserved in a flight without air.
 pub const INVARIANTS: &str = "flight without air";

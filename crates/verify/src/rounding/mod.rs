@@ -12,6 +12,7 @@ mod table;
 
 use crate::checks::backends::{self, Run};
 use crate::evaluation::long_results;
+pub use crate::options::ALLOWED;
 use crate::options::Options;
 use crate::random::Random;
 use crate::row::{Measure, Row, Verdict};
@@ -26,9 +27,6 @@ use statements::{Loss, REPORTED_BITS};
 
 /// Name in reports of the check of rounding errors.
 pub const ROUNDING: &str = "rounding";
-
-/// Maximum allowed error, ulp of the magnitude: 128 rounding errors of half a unit with the same sign.
-pub const ALLOWED: f64 = 64.0;
 
 /// Numbers of points at which the rounding errors of a model's code are measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

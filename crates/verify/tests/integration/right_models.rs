@@ -158,7 +158,7 @@ body right { mass m; inertia diag(I_1, I_2, I_2) in B; fixed in B; position (x, 
         text += &limit(random);
     }
     text += "force weight = -m*g*N.3;\n";
-    for k in 0..1 + random.next() % 3 {
+    for k in 0..=random.next() % 3 {
         text += &format!("force f{k} = {};\n", force(random));
     }
     let turned = if is_point {
@@ -172,7 +172,7 @@ body right { mass m; inertia diag(I_1, I_2, I_2) in B; fixed in B; position (x, 
 /// Text of a random model with stated equations: a point on a rail, held to its claim.
 fn claimed(seed: u64) -> String {
     let random = &mut Random::new(seed, "right claims");
-    let forces: Vec<String> = (0..1 + random.next() % 2)
+    let forces: Vec<String> = (0..=random.next() % 2)
         .map(|_| {
             let size = between(random, 1e-3, 1e1);
             let factor = if random.once_in(3) {

@@ -5,7 +5,7 @@
 mod evaluate;
 
 use crate::evaluation::{Inputs, results};
-use crate::rounding::ALLOWED;
+use crate::options::ALLOWED;
 use crate::row::{Measure, Row, Verdict, Worst};
 use codegen::compile::Compiled;
 use codegen::program::Function;

@@ -1,11 +1,10 @@
 //! What `f64` cannot decide. Where the code and a reference in `f64` disagree, the law is evaluated in 256 bits before
 //! anything is refuted: a reference may overflow, terms may cancel, and rounding may decide a branch.
 
-use crate::checks::function_rows::{law, row_name, tree_column, variables};
-use crate::options::TOLERANCE;
+use super::function_rows::{law, row_name, tree_column, variables};
+use crate::options::{ALLOWED, TOLERANCE};
 use crate::random::Random;
 use crate::report::Row;
-use crate::rounding::ALLOWED;
 use crate::row::Worst;
 use codegen::Compiled;
 use model_spec::model::Model;
@@ -162,9 +161,11 @@ impl Tally {
 
     /// Adds the errors at one point of a check of the law's own derivatives, unless these overflow there.
     pub fn add_point(&mut self, model: &Model, point: &Point<f64>, errors: Worst) {
-        let overflow = match errors.error.is_infinite() {
-            true => overflow(model, point),
-            false => None,
+        let is_infinite = errors.error.is_infinite();
+        let overflow = if is_infinite {
+            overflow(model, point)
+        } else {
+            None
         };
         match overflow {
             Some(name) => self.add(Finding::Overflow, || name),
