@@ -186,9 +186,10 @@ fn along<T: Field>(
         Some(parameter) if parameter == column => T::one(),
         Some(_) => T::zero(),
     };
-    Some(of_row.fold(T::zero(), |sum, ((_, column), &value)| {
-        sum + value * weight(*column as usize)
-    }))
+    // An entry that overflows must not spoil directions to which it does not contribute.
+    let terms = of_row.map(|((_, column), &value)| (value, weight(*column as usize)));
+    let terms = terms.filter(|(_, weight)| !weight.is_zero());
+    Some(terms.fold(T::zero(), |sum, (value, weight)| sum + value * weight))
 }
 
 /// Direction of differentiation in state space: a unit vector, projected onto the tangent space of the unit sphere for
