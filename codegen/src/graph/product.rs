@@ -67,6 +67,9 @@ impl ExprGraph {
         if coefficient.is_zero() {
             return self.number(Number::ZERO);
         }
+        if let Some(sum) = self.distributed_exponentials(&factors) {
+            return self.scale(coefficient, sum);
+        }
         let product = match factors.as_slice() {
             [] => return self.number(coefficient),
             [(single, 2)] => *single,

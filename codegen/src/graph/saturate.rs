@@ -50,6 +50,47 @@ impl ExprGraph {
         false
     }
 
+    /// Sum of the terms of a product (e^u + …) / w, where a term of the sum w has the factor e^u too, so that each term is
+    /// finite where e^u overflows; `None` for other products.
+    pub(super) fn distributed_exponentials(&mut self, factors: &[(NodeId, i32)]) -> Option<NodeId> {
+        let place = factors.iter().position(|&(base, exponent)| {
+            let sum = self.power_of_sum(base).filter(|_| exponent == 2);
+            let sum = sum.filter(|(_, doubled)| *doubled == 2);
+            sum.is_some_and(|(sum, _)| self.shares_exponential(sum, factors))
+        })?;
+        let (sum, _) = self.power_of_sum(factors[place].0)?;
+        let Node::Sum(terms, constant) = self.node(sum).clone() else {
+            return None;
+        };
+        let mut rest = factors.to_vec();
+        rest.remove(place);
+        let mut distributed = vec![(constant, self.product(rest.clone()))];
+        for &(coefficient, term) in &terms {
+            let mut factors = rest.clone();
+            factors.push((term, 2));
+            distributed.push((coefficient, self.product(factors)));
+        }
+        Some(self.sum(distributed, Number::ZERO))
+    }
+
+    /// Whether a term of `sum` has an exponential as factor that a term of a sum in a divisor among `factors` has too.
+    fn shares_exponential(&self, sum: NodeId, factors: &[(NodeId, i32)]) -> bool {
+        let Node::Sum(terms, _) = self.node(sum) else {
+            return false;
+        };
+        let of_terms = terms.iter().flat_map(|&(_, term)| self.monomial(term));
+        let is_exponential = |id| matches!(self.node(id), Node::Call(MathFunction::Exp, _));
+        let mut exponentials = of_terms.filter(|&(base, e)| e >= 2 && is_exponential(base));
+        exponentials.any(|(exponential, _)| {
+            factors.iter().any(|&(base, exponent)| {
+                let divisor = self.power_of_sum(base);
+                divisor.is_some_and(|(divisor, doubled)| {
+                    exponent * doubled < 0 && self.has_exponential(divisor, exponential)
+                })
+            })
+        })
+    }
+
     /// Node of the sum `sum` times e^-u, where `exponential` is e^u, a factor of some of its terms.
     fn divided_by_exponential(&mut self, sum: NodeId, exponential: NodeId, u: NodeId) -> NodeId {
         let Node::Sum(terms, constant) = self.node(sum).clone() else {
