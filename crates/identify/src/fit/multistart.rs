@@ -20,6 +20,13 @@ const SUSPECT_RATIO: f64 = 3.0;
 /// Maximum ratio of the new residual scale of a flight to the old one, for the new initial state to be accepted.
 const ACCEPTED_RATIO: f64 = 0.7;
 
+/// For flights without measured positions, whose initial attitude is guessed, instead of [`SUSPECT_RATIO`] and
+/// [`ACCEPTED_RATIO`]: a wrong minimum may be nearly as good. The residual scale must also exceed the usual one by
+/// [`SUSPECT_ERRORS`] of its standard errors.
+const BLIND_RATIOS: (f64, f64) = (1.2, 0.95);
+/// See [`BLIND_RATIOS`].
+const SUSPECT_ERRORS: f64 = 6.0;
+
 /// Median over the flights of their residual scales, in units of the initial noise estimate `sigma0`, above which the
 /// model or most initial guesses are wrong. The residual scale of a flight is then compared with `sigma0` instead of
 /// this median.
@@ -35,8 +42,12 @@ pub fn multistart(state: &mut State<'_>, cache: ResidualCache) -> Result<Residua
     let options = state.options;
     let scales = cache.scales().into_iter();
     let scales: Vec<f64> = scales.map(|s| s.unwrap_or(f64::INFINITY)).collect();
-    let limit = SUSPECT_RATIO * reference_scale(&scales, state.problem.sigma0);
-    let suspects: Vec<usize> = (0..scales.len()).filter(|&f| scales[f] > limit).collect();
+    let usual = reference_scale(&scales, state.problem.sigma0);
+    let is_suspect = |flight: &usize| match state.problem.sees_positions() {
+        true => scales[*flight] > SUSPECT_RATIO * usual,
+        false => cache.stands_out(*flight, usual, BLIND_RATIOS.0, SUSPECT_ERRORS),
+    };
+    let suspects: Vec<usize> = (0..scales.len()).filter(is_suspect).collect();
     if suspects.is_empty() || options.is_past_deadline() {
         return Ok(cache);
     }
@@ -78,7 +89,11 @@ fn reference_scale(scales: &[f64], sigma0: f64) -> f64 {
 /// guess leads to a residual scale clearly below `before`, m. `flight` is an index among the fitted flights.
 fn restart(state: &State<'_>, flight: usize, before: f64) -> Option<(DVector<f64>, String)> {
     let best = fly_to_the_end(state.fixed_global(), &state.flights[flight]);
-    let (scale, local, turns) = best.filter(|(scale, ..)| *scale < ACCEPTED_RATIO * before)?;
+    let accepted = match state.problem.sees_positions() {
+        true => ACCEPTED_RATIO,
+        false => BLIND_RATIOS.1,
+    };
+    let (scale, local, turns) = best.filter(|(scale, ..)| *scale < accepted * before)?;
     let mut note = format!(
         "its first fit had ended in a wrong minimum (residuals of {:.1} mm, now {:.1} mm); it was started anew",
         1e3 * before,

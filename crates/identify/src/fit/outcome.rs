@@ -13,14 +13,14 @@ use super::{FitError, flight_error, solve_error};
 use crate::channel::ChannelKind;
 use crate::error::FlightError;
 use crate::ids::GlobalId;
-use crate::least_squares::{ReducedSystem, StoppingCriteria, eliminate, solve};
+use crate::least_squares::{ReducedSystem, SolveError, StoppingCriteria, eliminate, solve};
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::predict::Loss;
 use crate::problem::FitProblem;
 use crate::report::{
     AxisNoise, Coefficient, Estimate, FitReport, FlightOutcome, FlightReport, Iterations, MARKER,
-    NoiseReport, Profile, ResidualPool, SensorReport,
+    NoiseReport, NonIdentifiable, Profile, ResidualPool, SensorReport,
 };
 use crate::uncertainty::{Covariance, interval, non_identifiable, profile};
 use dataset::AXES;
@@ -29,6 +29,13 @@ use dataset::statistics::median_of;
 /// Ratio of a flight's rms residual to the median over all fitted flights, above which the report contains a note on
 /// the flight.
 const MISFIT_RATIO: f64 = 4.0;
+
+/// Number of standard errors at which the rise of the deviance is tried.
+const TRIED: f64 = 2.0;
+/// Rises of the deviance at [`TRIED`] standard errors with which a standard error holds within a factor of two.
+const RISES: std::ops::Range<f64> = 1.0..16.0;
+/// Maximum number of coefficients whose standard errors are tried.
+const MAX_TRIED: usize = 2;
 
 /// Computes the uncertainties and residual statistics of a solution, and creates the report of the fit and those of the
 /// fitted flights. The caller adds the reports of the flights, the data faults, the marker distances, the assessment of
@@ -71,6 +78,12 @@ pub fn reports(
     let ranges = names.zip(ranges).filter(|(_, range)| *range != EMPTY_RANGE);
     let effects = problem.model.effects.iter();
     let sensors = sensors(problem, &fitted.noise, &channels);
+    let not_identifiable = non_identifiable(
+        &problem.model,
+        &problem.globals,
+        &covariance.model,
+        &ranges.collect(),
+    );
     let report = FitReport {
         schema: "hyzer.fit/2".into(),
         model: problem.model.name.clone(),
@@ -87,12 +100,8 @@ pub fn reports(
         marker_distances: Vec::new(),
         sensors,
         lack_of_fit: None,
-        not_identifiable: non_identifiable(
-            &problem.model,
-            &problem.globals,
-            &covariance.model,
-            &ranges.collect(),
-        ),
+        nonlinear: nonlinear(state, fitted, &covariance, &not_identifiable)?,
+        not_identifiable,
         profiles,
         residuals: pool.axes(),
         iterations: Iterations {
@@ -299,6 +308,65 @@ fn profiles(
         profiles.push(found.map_err(|error| solve_error(error, &state.flights))?);
     }
     Ok(profiles)
+}
+
+/// Standard errors of the least identifiable directions that the likelihood contradicts: at [`TRIED`] standard errors
+/// from the estimate of a coefficient, with all else fitted again, the deviance does not rise by about the square of
+/// that number. Where the data hardly determine a coefficient, the model need not be linear within its standard error.
+///
+/// # Errors
+/// [`FitError::Interrupted`] if the work is cancelled.
+fn nonlinear(
+    state: &State<'_>,
+    fitted: &Reweighted,
+    covariance: &Covariance,
+    directions: &[NonIdentifiable],
+) -> Result<Vec<String>, FitError> {
+    let (problem, options) = (state.problem, state.options);
+    // The fits of a diagnosis, whose faults are known, compare models; none of them is reported.
+    if options.known_faults.is_some() {
+        return Ok(Vec::new());
+    }
+    let loss = Loss::Whitened(&fitted.noise);
+    let mut objective = OutputError::of_all(problem, &state.flights, loss, options);
+    let mut names: Vec<&String> = directions
+        .iter()
+        .flat_map(|d| d.combination.first())
+        .collect();
+    names.truncate(MAX_TRIED);
+    let mut found = Vec::new();
+    for name in names {
+        let Some(index) = problem.globals.iter().position(|own| own.name == *name) else {
+            continue;
+        };
+        let best = fitted.solution.iterate.global[index];
+        let error = covariance.model[(index, index)].sqrt();
+        let bounds = objective.constraints[index].bounds;
+        for side in [-TRIED, TRIED] {
+            let value = best + side * error;
+            if !(bounds.0..=bounds.1).contains(&value) || options.is_past_deadline() {
+                continue;
+            }
+            objective.constraints[index].bounds = (value, value);
+            let mut start = fitted.solution.iterate.clone();
+            start.global[index] = value;
+            let rise = match solve(&objective, start, StoppingCriteria::CONVERGED) {
+                Ok(moved) => moved.squares - fitted.solution.squares,
+                Err(SolveError::Cancelled) => return Err(FitError::Interrupted),
+                Err(_) => continue,
+            };
+            if !RISES.contains(&rise) {
+                let why = format!(
+                    "the standard error of {name} does not hold: at {side} standard errors the deviance changes by {rise:.1}, not by {}",
+                    TRIED * TRIED
+                );
+                found.push(why);
+                break;
+            }
+        }
+        objective.constraints[index].bounds = bounds;
+    }
+    Ok(found)
 }
 
 /// Computes, for every fitted flight, its residual statistics and its report, which contains the initial state with

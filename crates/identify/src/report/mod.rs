@@ -61,6 +61,9 @@ pub struct FitReport {
     /// Coefficients and combinations of coefficients that are not identifiable, in the order of decreasing standard
     /// error.
     pub not_identifiable: Vec<NonIdentifiable>,
+    /// Standard errors that do not hold because the model is not linear within them, one sentence each.
+    #[serde(skip)]
+    pub nonlinear: Vec<String>,
     /// Profile likelihoods that the options request.
     pub profiles: Vec<Profile>,
     /// Residual diagnostics along each axis of the inertial frame, keyed by the names `x`, `y` and `z`.
