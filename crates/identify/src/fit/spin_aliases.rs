@@ -2,7 +2,7 @@
 //! samples and with one turn per sampling interval more or less; the fit with the smallest residuals is used.
 
 use super::FitError;
-use super::horizon_continuation::continue_horizon;
+use super::horizon_continuation::{anneal_scale, continue_horizon};
 use super::initial_guess::spin_note;
 use super::residual_cache::ResidualCache;
 use super::state::State;
@@ -49,7 +49,7 @@ pub fn resolve_spin_aliases<'a>(
     let mut failure = None;
     for alias in aliases {
         let mut tried = with_alias(&state, alternatives, alias);
-        let cache = match continue_horizon(&mut tried) {
+        let cache = match converged(&mut tried) {
             Ok(cache) => cache,
             Err(FitError::Interrupted) => return Err(FitError::Interrupted),
             Err(error) => {
@@ -71,6 +71,19 @@ pub fn resolve_spin_aliases<'a>(
     match best {
         Some((_, state, cache)) => Ok((state, cache)),
         None => Err(failure.unwrap_or(FitError::Interrupted)),
+    }
+}
+
+/// Fits all flights by horizon continuation, which ends after one step that reaches the noise, and from there to the
+/// minimum: likelihoods are compared at minima.
+///
+/// # Errors
+/// The errors of [`continue_horizon`].
+fn converged(state: &mut State<'_>) -> Result<ResidualCache, FitError> {
+    let cache = continue_horizon(state)?;
+    match cache.median_scale() < MAX_SCALE * state.problem.sigma0 {
+        true => anneal_scale(state),
+        false => Ok(cache),
     }
 }
 

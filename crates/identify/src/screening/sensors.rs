@@ -6,6 +6,7 @@ use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 use crate::data_fault::{DataFault, FaultKind};
 use crate::problem::FitProblem;
+use dataset::statistics::median_of;
 use dataset::{ANGULAR_RATES, Dataset, Flight, Reading, Sensor, SensorKind, attitude};
 use flight::throw::ThrownModel;
 use model_spec::compose::Instrument;
@@ -125,13 +126,12 @@ fn saturated(dataset: &Dataset, (sensor, channel): (&Sensor, usize)) -> Vec<Data
     faults
 }
 
-/// Unit of the recorded angular velocities, if it is one of [`ANGULAR_RATES`] other than rad/s in all flights that tell.
+/// Unit of the recorded angular velocities, if it is one of [`ANGULAR_RATES`] other than rad/s by the median of the
+/// flights that tell: noise hides it in a flight that hardly wobbles.
 fn unit(dataset: &Dataset, channel: usize) -> Option<&'static str> {
     let flights = dataset.flights.iter();
-    let told: Vec<f64> = flights
-        .filter_map(|flight| apparent_unit(flight, channel))
-        .collect();
-    let is_near = |unit: f64| told.iter().all(|own| (own / unit - 1.0).abs() < UNIT_ERROR);
+    let told = median_of(flights.filter_map(|flight| apparent_unit(flight, channel)))?;
+    let is_near = |unit: f64| (told / unit - 1.0).abs() < UNIT_ERROR;
     let mut known = ANGULAR_RATES.into_iter();
     let (name, unit) = known.find(|(_, unit)| is_near(*unit))?;
     (unit != 1.0).then_some(name)
