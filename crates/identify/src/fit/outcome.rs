@@ -84,6 +84,8 @@ pub fn reports(
         &covariance.model,
         &ranges.collect(),
     );
+    let mut doubts = state.doubts.clone();
+    doubts.extend(nonlinear(state, fitted, &covariance, &not_identifiable)?);
     let report = FitReport {
         schema: "hyzer.fit/2".into(),
         model: problem.model.name.clone(),
@@ -100,7 +102,7 @@ pub fn reports(
         marker_distances: Vec::new(),
         sensors,
         lack_of_fit: None,
-        nonlinear: nonlinear(state, fitted, &covariance, &not_identifiable)?,
+        doubts,
         not_identifiable,
         profiles,
         residuals: pool.axes(),

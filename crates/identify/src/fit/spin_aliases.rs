@@ -46,7 +46,7 @@ pub fn resolve_spin_aliases<'a>(
         return Ok((state, cache));
     }
     let mut best: Option<(f64, State<'_>, ResidualCache)> = None;
-    let mut failure = None;
+    let (mut failure, mut is_doubtful) = (None, false);
     for alias in aliases {
         let mut tried = with_alias(&state, alternatives, alias);
         let cache = match converged(&mut tried) {
@@ -64,12 +64,28 @@ pub fn resolve_spin_aliases<'a>(
                     && *least < MAX_SCALE * state.problem.sigma0
                     && is_likelier(&cache, before, *least))
         });
+        // Another spin that fits as well, or one that fits as badly, at residuals that are noise.
+        if let Some((least, _, before)) = &best
+            && (ACCEPTED_RATIO * scale..scale / ACCEPTED_RATIO).contains(least)
+            && scale < MAX_SCALE * state.problem.sigma0
+        {
+            let is_alike =
+                !is_likelier(&cache, before, *least) && !is_likelier(before, &cache, *least);
+            is_doubtful = is_alike || is_doubtful && !is_better;
+        } else {
+            is_doubtful &= !is_better;
+        }
         if is_better {
             best = Some((scale, tried, cache));
         }
     }
     match best {
-        Some((_, state, cache)) => Ok((state, cache)),
+        Some((_, mut state, cache)) => {
+            state.doubts.extend(is_doubtful.then(|| {
+                "the spin is not determined: with a turn more or less per sampling interval the flights fit as well".to_owned()
+            }));
+            Ok((state, cache))
+        }
         None => Err(failure.unwrap_or(FitError::Interrupted)),
     }
 }

@@ -38,6 +38,8 @@ pub(crate) struct State<'a> {
     pub steps: usize,
     /// Number of times that the noise has been estimated so far.
     pub rounds: usize,
+    /// What the fit has found against its own estimates, one sentence each.
+    pub doubts: Vec<String>,
 }
 
 impl<'a> State<'a> {
@@ -61,6 +63,7 @@ impl<'a> State<'a> {
             interval,
             steps: 0,
             rounds: 0,
+            doubts: Vec::new(),
         }
     }
 

@@ -61,9 +61,10 @@ pub struct FitReport {
     /// Coefficients and combinations of coefficients that are not identifiable, in the order of decreasing standard
     /// error.
     pub not_identifiable: Vec<NonIdentifiable>,
-    /// Standard errors that do not hold because the model is not linear within them, one sentence each.
+    /// What the fit itself found against its estimates, such as standard errors within which the model is not linear, one
+    /// sentence each.
     #[serde(skip)]
-    pub nonlinear: Vec<String>,
+    pub doubts: Vec<String>,
     /// Profile likelihoods that the options request.
     pub profiles: Vec<Profile>,
     /// Residual diagnostics along each axis of the inertial frame, keyed by the names `x`, `y` and `z`.

@@ -42,7 +42,7 @@ fn cautions(report: &FitReport) -> Vec<String> {
         marker_distances(report),
     ];
     let mut cautions: Vec<String> = cautions.into_iter().flatten().collect();
-    cautions.extend(report.nonlinear.iter().cloned());
+    cautions.extend(report.doubts.iter().cloned());
     for (name, coefficient) in &report.coefficients {
         cautions.extend(at_bound(name, coefficient));
         cautions.extend(prior_conflict(name, coefficient));

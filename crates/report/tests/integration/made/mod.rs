@@ -284,7 +284,7 @@ pub fn report(flights: usize) -> FitReport {
         data_faults: Vec::new(),
         marker_distances: Vec::new(),
         lack_of_fit: None,
-        nonlinear: Vec::new(),
+        doubts: Vec::new(),
         not_identifiable: vec![NonIdentifiable {
             combination: vec!["C_Rr".into()],
             weights: BTreeMap::from([("C_Rr".into(), 0.99), ("C_Mq".into(), -0.12)]),
