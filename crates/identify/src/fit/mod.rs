@@ -24,6 +24,7 @@ mod output_error;
 mod post_fit;
 mod residual_cache;
 mod reweighting;
+mod rigidity;
 mod spin_aliases;
 mod state;
 mod taking_back;

@@ -8,6 +8,7 @@ use nalgebra::{DMatrix, DVector};
 use super::output_error::OutputError;
 use super::post_fit::{ChannelSum, EMPTY_RANGE, PostFit, joined, post_fit, square_sums};
 use super::reweighting::Reweighted;
+use super::rigidity;
 use super::state::State;
 use super::{FitError, flight_error, solve_error};
 use crate::channel::ChannelKind;
@@ -85,6 +86,7 @@ pub fn reports(
         &ranges.collect(),
     );
     let mut doubts = state.doubts.clone();
+    doubts.extend(rigidity::doubt(state, &fitted.noise));
     doubts.extend(nonlinear(state, fitted, &covariance, &not_identifiable)?);
     let report = FitReport {
         schema: "hyzer.fit/2".into(),
