@@ -72,6 +72,22 @@ pub enum Study {
     /// template and the coefficients from them
     #[command(after_help = "Example:\n  hyzer-studies takes --seeds 20 --python python3")]
     Takes(Takes),
+    /// Fits and diagnoses of recordings as they occur: nothing wrong, mistakes of a laboratory, and hidden physics
+    #[command(
+        after_help = "Example:\n  hyzer-studies wild --seeds 2 --diagnose-every 0 --only 'rolling shutter'"
+    )]
+    Wild(Wild),
+}
+
+/// Options of `hyzer-studies wild`.
+#[derive(Args)]
+pub struct Wild {
+    /// Options of the runs; `--seeds` is the number of datasets of each class of mistakes (default 16)
+    #[command(flatten)]
+    pub runs: Runs,
+    /// Diagnose every dataset whose number within its class is a multiple of this one; 0: none
+    #[arg(long, default_value_t = 4)]
+    pub diagnose_every: u64,
 }
 
 /// Options of `hyzer-studies bodies`.

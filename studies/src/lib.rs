@@ -26,6 +26,7 @@ pub mod spoiled;
 mod statistics;
 pub mod takes;
 pub mod throws;
+pub mod wild;
 
 pub use error::StudyError;
 pub use page::Page;

@@ -25,6 +25,7 @@ use studies::sensors::{sensors, sensors_page};
 use studies::spoiled::{self, spoiled_page};
 use studies::takes::takes_page;
 use studies::throws::{launches, rolls, throws_page, winds};
+use studies::wild::{cases, wild, wild_page};
 
 fn main() -> ExitCode {
     match run(cli::Cli::parse().study) {
@@ -63,6 +64,7 @@ fn run(study: cli::Study) -> anyhow::Result<()> {
         ),
         cli::Study::Bodies(options) => (bodies(options.data.as_deref())?, options.out),
         cli::Study::Takes(options) => (takes(&options)?, options.runs.out),
+        cli::Study::Wild(options) => (in_the_wild(&options)?, options.runs.out),
         cli::Study::Cuts(options) => {
             let cuts = cut_section(options.seeds.unwrap_or(100), options.threads());
             (spoiled_page(&[], Some(cuts))?, options.out)
@@ -146,6 +148,20 @@ fn random_fits(options: &cli::Runs) -> anyhow::Result<Page> {
     anyhow::ensure!(!seeds.is_empty(), "no fit has the words `{words}`");
     let outcomes = fits(&seeds, options.threads(), &report_progress);
     Ok(fits_page(&outcomes)?)
+}
+
+fn in_the_wild(options: &cli::Wild) -> anyhow::Result<Page> {
+    let runs = &options.runs;
+    let words = runs.only.as_deref().unwrap_or_default();
+    let cases = cases(runs.seeds.unwrap_or(16), words);
+    anyhow::ensure!(!cases.is_empty(), "no dataset has the words `{words}`");
+    let outcomes = wild(
+        &cases,
+        options.diagnose_every,
+        runs.threads(),
+        &report_progress,
+    );
+    Ok(wild_page(&outcomes)?)
 }
 
 fn models_of_users(options: &cli::Runs) -> anyhow::Result<Page> {

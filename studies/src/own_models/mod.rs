@@ -16,3 +16,4 @@ pub use hidden_lists::hidden_of;
 pub use page::own_models_page;
 pub use run::{Outcome, Task, own_models, tasks};
 pub use subjects::{SUBJECTS, Subject};
+pub(crate) use world::dataset as flights;

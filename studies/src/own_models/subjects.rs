@@ -17,7 +17,7 @@ pub struct Subject {
     pub kind: &'static str,
     /// Factor by which all coefficients of the model are multiplied in the simulation, so that the true values differ
     /// from the initial values of a fit.
-    pub(super) truth: f64,
+    pub(crate) truth: f64,
     /// Positions of the markers in the body frame, m.
     pub(super) markers: &'static [[f64; 3]],
     /// Time span of each flight that is simulated and measured, s.

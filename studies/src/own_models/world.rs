@@ -36,7 +36,7 @@ struct World<'w> {
 ///
 /// # Panics
 /// If the oracle does not support the model.
-pub(super) fn dataset(
+pub(crate) fn dataset(
     subject: &Subject,
     model: &Model,
     hidden: Option<(Hidden, f64)>,

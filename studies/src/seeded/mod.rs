@@ -19,3 +19,4 @@ pub use effects::SeededEffects;
 pub use input_errors::InputErrors;
 pub use strength::{STRENGTHS, Strength, strength};
 pub use unlisted::{UNLISTED, UnlistedEffect, unlisted};
+pub(crate) use world::SeededWorld;

@@ -1,7 +1,7 @@
 //! The oracle's law of motion with added effects, and the simulated measurement of a flight under it.
 
 use nalgebra::Vector3;
-use oracle::Physical;
+use oracle::{Motion, Physical};
 use rand::{Rng, RngExt};
 use rand_distr::StandardNormal;
 
@@ -11,7 +11,7 @@ use super::unlisted::{LAG, UnlistedEffect, unlisted};
 use crate::oracle_flights::{Derivatives, integrate_law};
 
 /// Law of motion with added effects, under which one flight is simulated.
-pub(super) struct SeededWorld {
+pub(crate) struct SeededWorld {
     world: ExtendedLaw<f64>,
     unlisted: Vec<(&'static UnlistedEffect, f64)>,
 }
@@ -21,7 +21,7 @@ impl SeededWorld {
     ///
     /// # Panics
     /// If an effect does not act on this body, or if its number of values is wrong.
-    pub(super) fn draw(
+    pub(crate) fn draw(
         world: &ExtendedLaw<f64>,
         seeded: &SeededEffects,
         random: &mut impl Rng,
@@ -58,13 +58,29 @@ impl SeededWorld {
     ) -> Vec<Vec<Option<[f64; 3]>>> {
         let states = self.fly(start, times);
         let observed = |body: &Physical<f64>| {
-            let each = markers.iter().enumerate().map(|(k, &marker)| {
-                let which = Vector3::from_fn(|axis, _| if axis == k { 1.0 } else { 0.0 });
-                Some(self.world.observation(body, marker.into(), which).into())
-            });
-            each.collect()
+            let each = markers.iter().enumerate();
+            each.map(|(k, &marker)| Some(self.observation(body, marker, k).into()))
+                .collect()
         };
         states.iter().map(observed).collect()
+    }
+
+    /// Measured position, m, inertial axes, without noise, of the marker with the index `index` at `marker` (m, body
+    /// axes).
+    pub(crate) fn observation(
+        &self,
+        body: &Physical<f64>,
+        marker: [f64; 3],
+        index: usize,
+    ) -> Vector3<f64> {
+        let which = Vector3::from_fn(|axis, _| if axis == index { 1.0 } else { 0.0 });
+        self.world.observation(body, marker.into(), which)
+    }
+
+    /// Loads and accelerations of the body at `time`, s. The lift does not lag.
+    pub(crate) fn motion(&self, body: &Physical<f64>, time: f64) -> Motion<f64> {
+        let alpha = self.scene(body, time).alpha();
+        self.derivatives(body, time, alpha).motion
     }
 
     /// Maximum magnitude of the angle of attack, rad, over the states at `times` of a flight that starts in the state
@@ -77,7 +93,7 @@ impl SeededWorld {
 
     /// Body states at `times` (s). These are time stamps of the measurements, which may run at another rate than true
     /// time.
-    fn fly(&self, start: Physical<f64>, times: &[f64]) -> Vec<Physical<f64>> {
+    pub(crate) fn fly(&self, start: Physical<f64>, times: &[f64]) -> Vec<Physical<f64>> {
         let clock = self.world.clock();
         let true_times: Vec<f64> = times.iter().map(|time| time * clock).collect();
         let initial_lagged_alpha = self.scene(&start, 0.0).alpha();

@@ -125,7 +125,7 @@ pub fn sensor_flights(model: &Model, plan: &Plan<'_>, observed: &Observed, seed:
 
 /// Appends what a sensor at the position `place` on the body (m, body axes) reads in one sample, with noise, to
 /// `readings`.
-fn read(
+pub(crate) fn read(
     kind: SensorKind,
     (body, motion): (&Physical<f64>, &Motion<f64>),
     place: Vector3<f64>,

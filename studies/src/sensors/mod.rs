@@ -5,6 +5,7 @@ mod flights;
 mod page;
 mod study;
 
+pub(crate) use flights::read;
 pub use flights::{Observed, SensorNoise, sensor_flights};
 pub use page::sensors_page;
 pub use study::{DISPLACEMENT, SensorSet, sensors};

@@ -1,0 +1,125 @@
+//! Executes the runs: simulates each dataset, fits it, and diagnoses a part of them.
+
+use std::time::{Duration, Instant};
+
+use dataset::Dataset;
+use diagnose::{DiagnosisOptions, diagnose};
+use identify::{CancellationToken, FitOptions, fit};
+
+use super::case::{Case, Group};
+use super::judge::{Diagnosed, Fitted};
+use super::recording::Recording;
+use crate::bounded_fit::{cancelled_after, on_threads};
+use crate::progress::{Progress, each_run};
+
+/// Limit of the computing time of a fit or diagnosis.
+const LIMIT: Duration = Duration::from_secs(60);
+
+/// Result of one dataset.
+#[derive(Clone)]
+pub struct Outcome {
+    /// The dataset.
+    pub case: Case,
+    /// Description of the recording and of its mistake.
+    pub description: String,
+    /// What the fit says.
+    pub fitted: Fitted,
+    /// What the diagnosis says; `None` if the dataset was not diagnosed.
+    pub diagnosed: Option<Diagnosed>,
+}
+
+impl Outcome {
+    /// Whether nothing is wrong with the dataset, and the fit says that it is not reliable, or has no result.
+    pub fn is_vetoed(&self) -> bool {
+        self.case.group() == Group::Clean && !self.fitted.reliable
+    }
+}
+
+/// Fits every dataset of `cases` on one thread, and diagnoses every `diagnosed_of`-th of each class (none for 0);
+/// `threads` datasets in parallel. Calls `progress` after each.
+pub fn wild(
+    cases: &[Case],
+    diagnosed_of: u64,
+    threads: usize,
+    progress: Progress<'_>,
+) -> Vec<Outcome> {
+    each_run(threads, cases.len(), progress, |index| {
+        let case = cases[index];
+        let is_diagnosed = diagnosed_of > 0 && case.run.is_multiple_of(diagnosed_of);
+        outcome(case, is_diagnosed)
+    })
+}
+
+fn outcome(case: Case, is_diagnosed: bool) -> Outcome {
+    let recording = case.recording(false);
+    let (fitted, seconds) = timed(|token| {
+        fit(
+            &recording.model,
+            &recording.dataset,
+            &options(&recording, token),
+        )
+    });
+    Outcome {
+        fitted: Fitted::of(&fitted, &recording, seconds),
+        diagnosed: is_diagnosed.then(|| diagnosed(&case, &recording)),
+        description: recording.description,
+        case,
+    }
+}
+
+fn diagnosed(case: &Case, recording: &Recording) -> Diagnosed {
+    let (found, seconds) = timed(|token| {
+        let options = DiagnosisOptions {
+            dataset: "wild",
+            fit: options(recording, token),
+            ..DiagnosisOptions::default()
+        };
+        diagnose(&recording.model, &recording.dataset, &options)
+    });
+    let found = found
+        .map(|found| found.report)
+        .map_err(|error| error.to_string());
+    let misfit = match case.group() {
+        Group::Hidden => misfit(case),
+        Group::Clean | Group::Mistake => None,
+    };
+    Diagnosed::of(found, case, misfit, seconds)
+}
+
+/// RMS residual of a fit of the flights without noise, as a multiple of the noise.
+fn misfit(case: &Case) -> Option<f64> {
+    let exact = case.recording(true);
+    let sigma = exact.sigma?;
+    let dataset = Dataset {
+        sigma: Some(sigma),
+        ..exact.dataset
+    };
+    let (found, _) = timed(|token| {
+        let options = FitOptions {
+            cancellation: Some(token),
+            trust_data: true,
+            ..on_threads(1)
+        };
+        fit(&exact.model, &dataset, &options)
+    });
+    Some(found.ok()?.report.rms() / sigma)
+}
+
+/// Options with which a user fits a recording, on one thread.
+fn options<'r>(recording: &'r Recording, token: &'r CancellationToken) -> FitOptions<'r> {
+    FitOptions {
+        fixed: &recording.fixed,
+        priors: &recording.priors,
+        cancellation: Some(token),
+        ..on_threads(1)
+    }
+}
+
+/// Result and elapsed time, s, of work that is cancelled after [`LIMIT`].
+fn timed<R>(work: impl FnOnce(&CancellationToken) -> R) -> (R, f64) {
+    cancelled_after(LIMIT, |token| {
+        let clock = Instant::now();
+        let result = work(token);
+        (result, clock.elapsed().as_secs_f64())
+    })
+}
