@@ -52,12 +52,10 @@ pub fn wild(
 
 fn outcome(case: Case, is_diagnosed: bool) -> Outcome {
     let recording = case.recording(false);
+    // As `hyzer fit` does: the lack-of-fit test decides whether the fit is reliable.
     let (fitted, seconds) = timed(|token| {
-        fit(
-            &recording.model,
-            &recording.dataset,
-            &options(&recording, token),
-        )
+        let options = options(&recording, token);
+        fit(&recording.model, &recording.dataset, &options)?.with_lack_of_fit(1)
     });
     Outcome {
         fitted: Fitted::of(&fitted, &recording, seconds),
