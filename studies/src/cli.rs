@@ -85,9 +85,12 @@ pub struct Wild {
     /// Options of the runs; `--seeds` is the number of datasets of each class of mistakes (default 16)
     #[command(flatten)]
     pub runs: Runs,
-    /// Diagnose every dataset whose number within its class is a multiple of this one; 0: none
-    #[arg(long, default_value_t = 4)]
+    /// Diagnose every n-th of the selected datasets, the first one included; 0: none
+    #[arg(long, value_name = "N", default_value_t = 5)]
     pub diagnose_every: u64,
+    /// Write the selected datasets as folders that `hyzer` reads, and run nothing
+    #[arg(long, value_name = "DIR")]
+    pub write: Option<PathBuf>,
 }
 
 /// Options of `hyzer-studies bodies`.

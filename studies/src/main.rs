@@ -64,7 +64,10 @@ fn run(study: cli::Study) -> anyhow::Result<()> {
         ),
         cli::Study::Bodies(options) => (bodies(options.data.as_deref())?, options.out),
         cli::Study::Takes(options) => (takes(&options)?, options.runs.out),
-        cli::Study::Wild(options) => (in_the_wild(&options)?, options.runs.out),
+        cli::Study::Wild(options) => match in_the_wild(&options)? {
+            Some(page) => (page, options.runs.out),
+            None => return Ok(()),
+        },
         cli::Study::Cuts(options) => {
             let cuts = cut_section(options.seeds.unwrap_or(100), options.threads());
             (spoiled_page(&[], Some(cuts))?, options.out)
@@ -150,18 +153,22 @@ fn random_fits(options: &cli::Runs) -> anyhow::Result<Page> {
     Ok(fits_page(&outcomes)?)
 }
 
-fn in_the_wild(options: &cli::Wild) -> anyhow::Result<Page> {
+/// Page of the study of datasets in the wild; `None` if they are to be written and not fitted.
+fn in_the_wild(options: &cli::Wild) -> anyhow::Result<Option<Page>> {
     let runs = &options.runs;
     let words = runs.only.as_deref().unwrap_or_default();
     let cases = cases(runs.seeds.unwrap_or(16), words);
     anyhow::ensure!(!cases.is_empty(), "no dataset has the words `{words}`");
-    let outcomes = wild(
-        &cases,
-        options.diagnose_every,
-        runs.threads(),
-        &report_progress,
-    );
-    Ok(wild_page(&outcomes)?)
+    if let Some(folder) = &options.write {
+        for case in &cases {
+            let name = case.class().replace([':', ','], "").replace(' ', "_");
+            case.write(&folder.join(format!("{name}_{}", case.run)))?;
+        }
+        return Ok(None);
+    }
+    let threads = runs.threads();
+    let outcomes = wild(&cases, options.diagnose_every, threads, &report_progress);
+    Ok(Some(wild_page(&outcomes)?))
 }
 
 fn models_of_users(options: &cli::Runs) -> anyhow::Result<Page> {

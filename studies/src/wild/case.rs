@@ -1,5 +1,7 @@
 //! One dataset of the study: its class, and the recording that follows from its seed.
 
+use std::path::Path;
+
 use dataset::synthesize::Corruption;
 use model_spec::load::load;
 use oracle::Law;
@@ -42,7 +44,7 @@ impl Group {
     }
 }
 
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 enum Kind {
     Disc(&'static Class),
     Effect {
@@ -59,7 +61,7 @@ enum Kind {
 }
 
 /// One simulated dataset of the study.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Case {
     kind: Kind,
     /// Number of the dataset within its class, from 0.
@@ -222,6 +224,34 @@ impl Case {
         let bytes = bytes.chain(self.run.to_le_bytes());
         // Other code multiplies seeds by 1000.
         model_spec::fingerprint(&bytes.collect::<Vec<u8>>()) >> 24
+    }
+
+    /// Writes the dataset to a folder, as the program `hyzer` reads it, with a file `truth.txt`: description, options of
+    /// the fit, true coefficients.
+    ///
+    /// # Errors
+    /// If the folder has other content, or cannot be written.
+    pub fn write(&self, folder: &Path) -> std::io::Result<()> {
+        let recording = self.recording(false);
+        let mut text = format!(
+            "{}, number {}\n{}\n",
+            self.class(),
+            self.run,
+            recording.description
+        );
+        for (name, value) in &recording.fixed {
+            text += &format!("--hold {name}={}\n", value.unwrap_or(f64::NAN));
+        }
+        for prior in &recording.priors {
+            text += &format!("--prior {}={}+-{}\n", prior.name, prior.value, prior.sigma);
+        }
+        for own in &recording.model.coefficients {
+            text += &format!("{} within {:?}\n", own.name, own.bounds);
+        }
+        for (name, value) in &recording.truth {
+            text += &format!("{name} = {value}\n");
+        }
+        dataset::write_with(folder, &recording.dataset, &[("truth.txt", text)])
     }
 
     /// Simulates the recording, without noise if `is_exact`.

@@ -8,6 +8,7 @@ use super::mistakes::{self, Spoil, uniform};
 use super::setting::{Measured, Setting};
 
 /// A class of recordings: how its setting differs from a usual one, and what happens to the recording afterwards.
+#[derive(Debug)]
 pub(super) struct Class {
     /// Name of the class on the page and on the command line.
     pub(super) name: &'static str,

@@ -19,7 +19,7 @@ pub struct Fitted {
     pub worst: Option<(String, f64)>,
     /// Reasons why the estimates are not reliable, or the error that ended the fit.
     pub reasons: String,
-    /// Elapsed time of the fit on one thread, s.
+    /// Processor time of the fit on one thread, s.
     pub seconds: f64,
 }
 
@@ -68,7 +68,7 @@ pub struct Diagnosed {
     /// RMS residual that the hidden physics leaves in a fit of the flights without noise / noise; `None` without hidden
     /// physics, or if that fit has no result.
     pub misfit: Option<f64>,
-    /// Elapsed time of the diagnosis on one thread, s.
+    /// Processor time of the diagnosis on one thread, s.
     pub seconds: f64,
 }
 

@@ -11,7 +11,7 @@ use crate::statistics::median;
 /// Maximum length of a quoted text on the page, in characters.
 const MAX_QUOTE: usize = 240;
 
-/// Maximum elapsed time of a fit or a diagnosis, s.
+/// Maximum processor time of a fit or a diagnosis, s.
 const MAX_SECONDS: f64 = 20.0;
 
 #[derive(Serialize)]

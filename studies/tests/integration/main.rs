@@ -15,3 +15,4 @@ mod sensors;
 mod spoiled;
 mod takes;
 mod throws;
+mod wild;
