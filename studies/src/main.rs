@@ -157,7 +157,8 @@ fn random_fits(options: &cli::Runs) -> anyhow::Result<Page> {
 fn in_the_wild(options: &cli::Wild) -> anyhow::Result<Option<Page>> {
     let runs = &options.runs;
     let words = runs.only.as_deref().unwrap_or_default();
-    let cases = cases(runs.seeds.unwrap_or(16), words);
+    let seeds = runs.seeds.unwrap_or(16);
+    let cases = cases(seeds, words);
     anyhow::ensure!(!cases.is_empty(), "no dataset has the words `{words}`");
     if let Some(folder) = &options.write {
         for case in &cases {
@@ -168,7 +169,7 @@ fn in_the_wild(options: &cli::Wild) -> anyhow::Result<Option<Page>> {
     }
     let threads = runs.threads();
     let outcomes = wild(&cases, options.diagnose_every, threads, &report_progress);
-    Ok(Some(wild_page(&outcomes)?))
+    Ok(Some(wild_page(&outcomes, seeds, options.diagnose_every)?))
 }
 
 fn models_of_users(options: &cli::Runs) -> anyhow::Result<Page> {

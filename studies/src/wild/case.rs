@@ -90,7 +90,7 @@ pub fn cases(seeds: u64, words: &str) -> Vec<Case> {
             );
         }
     }
-    let few = seeds.div_ceil(8);
+    let few = seeds.div_ceil(16);
     for severity in [Severity::Mild, Severity::Severe] {
         for name in effects_of_discs() {
             for flights in FEW_AND_MANY {
@@ -203,10 +203,11 @@ impl Case {
     }
 
     /// Whether a diagnosis that identifies an effect, or several together, names what is in the dataset.
-    pub(super) fn is_cause(&self, names: &[String], sites: &[String]) -> bool {
+    /// `cause` is the effect that describes a mistake of the recording.
+    pub(super) fn is_cause(&self, cause: Option<&str>, names: &[String], sites: &[String]) -> bool {
         let is_alone = |accepted: &str| names == [accepted];
         match self.kind {
-            Kind::Disc(class) => class.causes.iter().any(|name| is_alone(name)),
+            Kind::Disc(_) => cause.is_some_and(is_alone),
             Kind::Effect { name, .. } => {
                 let near = crate::seeded::unlisted(name).and_then(|found| found.near);
                 is_alone(name) || near.is_some_and(is_alone)
@@ -299,7 +300,8 @@ fn flown(setting: &Setting, is_exact: bool, seed: u64) -> Recording {
 
 fn with_hidden(setting: &Setting, is_exact: bool, seed: u64) -> Recording {
     let mut recording = flown(setting, is_exact, seed);
-    recording.scale_truth(factor_of_coefficients(&setting.hidden), |_| true);
+    let factor = factor_of_coefficients(&setting.hidden);
+    recording.scale_truth(factor, |name| name != "C_Nr");
     let SeededEffects {
         listed, unlisted, ..
     } = &setting.hidden;
@@ -359,6 +361,7 @@ fn of_ball(
         dataset: ball::dataset(&plan, &seeded, seed),
         model,
         fixed: Vec::new(),
+        cause: None,
         priors: Vec::new(),
         sigma: Some(sigma),
         description: format!("{flights} flights, {rate} Hz, {:.1} mm", 1e3 * sigma),
@@ -386,13 +389,19 @@ fn of_own(
     });
     let model = subject.model();
     let noise = if is_exact { 0.0 } else { sigma };
+    // No flight of a kite tells its mass from its coefficients.
+    let mass = match hidden {
+        Some((hidden, size)) if hidden.name == "heavy" => 1.0 + size,
+        _ => 1.0,
+    };
     let truth = model.coefficients.iter();
-    let truth = truth.map(|own| (own.name.clone(), own.value * subject.truth));
+    let truth = truth.map(|own| (own.name.clone(), own.value * subject.truth / mass));
     Recording {
         truth: truth.collect(),
         dataset: own_flights(subject, hidden, flights, noise, seed),
         model,
         fixed: Vec::new(),
+        cause: None,
         priors: Vec::new(),
         sigma: Some(sigma),
         description: format!("{flights} flights, 120 Hz, {:.1} mm", 1e3 * sigma),

@@ -21,8 +21,6 @@ pub(super) struct Class {
     pub(super) prepare: fn(&mut Setting, &mut ChaCha12Rng),
     /// Changes the recording.
     pub(super) spoil: Spoil,
-    /// Effects of which a diagnosis may name one.
-    pub(super) causes: &'static [&'static str],
 }
 
 use Measured::{Gyroscope, Inertial, Markers, MarkersAndInertial, Pose, PoseAndGyroscope, Speed};
@@ -37,7 +35,6 @@ const fn clean(name: &'static str, measured: &'static [Measured], share: usize) 
         share,
         prepare: same,
         spoil: mistakes::none,
-        causes: &[],
     }
 }
 
@@ -123,22 +120,16 @@ pub(super) const CLASSES: &[Class] = &[
         MARKERS,
         mistakes::marker_off_in_plane,
     ),
-    Class {
-        causes: &["marker_height"],
-        ..mistake(
-            "markers off along the axis",
-            MARKERS,
-            mistakes::markers_off_along_axis,
-        )
-    },
-    Class {
-        causes: &["marker_offset_in_plane"],
-        ..mistake(
-            "mass centre off the axis",
-            MARKERS,
-            mistakes::mass_centre_off,
-        )
-    },
+    mistake(
+        "markers off along the axis",
+        MARKERS,
+        mistakes::markers_off_along_axis,
+    ),
+    mistake(
+        "mass centre off the axis",
+        MARKERS,
+        mistakes::mass_centre_off,
+    ),
     mistake("template tilted", MARKERS, mistakes::template_tilted),
     Class {
         prepare: other_disc,

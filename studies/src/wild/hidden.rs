@@ -90,8 +90,8 @@ fn signed(effect: &str, mut values: Vec<f64>, random: &mut impl Rng) -> Vec<f64>
     values
 }
 
-/// Factor by which a hidden effect multiplies all aerodynamic coefficients: flights do not tell the density of the air
-/// from the coefficients. 1 for every other effect.
+/// Factor by which a hidden effect multiplies all coefficients of pressure: flights do not tell the density of the air
+/// from these coefficients. 1 for every other effect.
 pub(super) fn factor_of_coefficients(hidden: &SeededEffects) -> f64 {
     let mut listed = hidden.listed.iter();
     let density = listed.find(|(name, _)| name == "air_density");

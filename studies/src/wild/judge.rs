@@ -19,6 +19,11 @@ pub struct Fitted {
     pub worst: Option<(String, f64)>,
     /// Reasons why the estimates are not reliable, or the error that ended the fit.
     pub reasons: String,
+    /// RMS residual, as a multiple of the noise, that hidden physics leaves in a fit of the flights without noise; only
+    /// for a fit that is confidently wrong.
+    pub misfit: Option<f64>,
+    /// Whether the fit was cancelled at the limit of its time.
+    pub interrupted: bool,
     /// Processor time of the fit on one thread, s.
     pub seconds: f64,
 }
@@ -32,6 +37,8 @@ impl Fitted {
                     reliable: false,
                     worst: None,
                     reasons: format!("no result: {}", error.to_string().replace('\n', " ")),
+                    misfit: None,
+                    interrupted: matches!(error, FitError::Interrupted),
                     seconds,
                 };
             }
@@ -46,6 +53,8 @@ impl Fitted {
             reliable: report.reliable,
             worst: errors.max_by(|a, b| a.1.total_cmp(&b.1)),
             reasons: report.cautions.join("; ").replace('\n', " "),
+            misfit: None,
+            interrupted: false,
             seconds,
         }
     }
@@ -79,6 +88,7 @@ impl Diagnosed {
     pub(super) fn of(
         result: Result<Report, String>,
         case: &Case,
+        cause: Option<&str>,
         misfit: Option<f64>,
         seconds: f64,
     ) -> Self {
@@ -102,7 +112,7 @@ impl Diagnosed {
         names.sort();
         let sites: Vec<String> = effects.iter().map(|effect| effect.site.clone()).collect();
         let identified = report.verdict == Verdict::Identified;
-        found.is_wrong_cause = identified && !case.is_cause(&names, &sites);
+        found.is_wrong_cause = identified && !case.is_cause(cause, &names, &sites);
         let is_clear = misfit.is_some_and(|misfit| misfit > CLEAR);
         let finds_nothing = report.verdict == Verdict::Adequate;
         found.is_false_all_clear = case.group() == Group::Hidden && finds_nothing && is_clear;

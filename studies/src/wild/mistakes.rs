@@ -90,12 +90,14 @@ pub(super) fn y_up_body(recording: &mut Recording, _: &mut ChaCha12Rng) {
 }
 
 pub(super) fn in_g(recording: &mut Recording, _: &mut ChaCha12Rng) {
+    recording.cause = Some("accelerometer_scale".to_owned());
     each_reading(recording, Instrument::Accelerometer, |a| {
         a.map(|x| x / 9.80665)
     });
 }
 
 pub(super) fn in_degrees(recording: &mut Recording, _: &mut ChaCha12Rng) {
+    recording.cause = Some("gyroscope_scale".to_owned());
     each_reading(recording, Instrument::Gyroscope, |rate| {
         rate.map(f64::to_degrees)
     });
@@ -172,6 +174,7 @@ pub(super) fn marker_off_in_plane(recording: &mut Recording, random: &mut ChaCha
         which + 1,
         1e3 * off.norm()
     ));
+    recording.cause = Some(format!("marker_{}_misplaced", which + 1));
     restate(
         recording,
         |k, place| if k == which { place + off } else { place },
@@ -179,12 +182,14 @@ pub(super) fn marker_off_in_plane(recording: &mut Recording, random: &mut ChaCha
 }
 
 pub(super) fn markers_off_along_axis(recording: &mut Recording, random: &mut ChaCha12Rng) {
+    recording.cause = Some("marker_height".to_owned());
     let off = sign(random) * uniform(random, 0.002, 0.012);
     recording.note(format!("by {:.1} mm", 1e3 * off));
     restate(recording, |_, place| place + Vector3::z() * off);
 }
 
 pub(super) fn mass_centre_off(recording: &mut Recording, random: &mut ChaCha12Rng) {
+    recording.cause = Some("marker_offset_in_plane".to_owned());
     let off = uniform(random, 0.001, 0.006);
     let off = in_plane(random, off);
     recording.note(format!("by {:.1} mm", 1e3 * off.norm()));

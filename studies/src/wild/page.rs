@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::case::Group;
-use super::run::Outcome;
+use super::run::{LIMIT, Outcome};
 use crate::error::StudyError;
 use crate::page::Page;
 use crate::statistics::median;
@@ -14,8 +14,15 @@ const MAX_QUOTE: usize = 240;
 /// Maximum processor time of a fit or a diagnosis, s.
 const MAX_SECONDS: f64 = 20.0;
 
+/// RMS residual by hidden physics, as a multiple of the noise, that hardly any test can see.
+const INVISIBLE: f64 = 0.2;
+
 #[derive(Serialize)]
 struct Results {
+    seeds: u64,
+    diagnose_every: u64,
+    /// Limit of the elapsed time of a fit or diagnosis, s.
+    limit: u64,
     total: Counts,
     clean: Counts,
     mistakes: Counts,
@@ -40,6 +47,8 @@ struct Counts {
     slowest: f64,
     slowest_diagnosis: f64,
     slow: usize,
+    /// Fits that are confidently wrong although the hidden physics leaves residuals of less than a fifth of the noise.
+    invisible: usize,
 }
 
 #[derive(Serialize)]
@@ -58,11 +67,16 @@ struct Row {
     diagnosis_seconds: Option<f64>,
 }
 
-/// Renders docs/studies/wild.md from the outcomes of the datasets.
+/// Renders docs/studies/wild.md from the outcomes of the datasets. `seeds` and `diagnose_every` are the numbers with which
+/// the datasets and those to be diagnosed were selected.
 ///
 /// # Errors
 /// [`StudyError::Page`] if the template cannot be rendered with the results.
-pub fn wild_page(outcomes: &[Outcome]) -> Result<Page, StudyError> {
+pub fn wild_page(
+    outcomes: &[Outcome],
+    seeds: u64,
+    diagnose_every: u64,
+) -> Result<Page, StudyError> {
     let all: Vec<&Outcome> = outcomes.iter().collect();
     let of = |group: Group| -> Counts {
         let of = all.iter().filter(|o| o.case.group() == group);
@@ -80,6 +94,9 @@ pub fn wild_page(outcomes: &[Outcome]) -> Result<Page, StudyError> {
         counts(name, &of.copied().collect::<Vec<_>>())
     });
     let results = Results {
+        seeds,
+        diagnose_every,
+        limit: LIMIT.as_secs(),
         total: counts("all", &all),
         clean: of(Group::Clean),
         mistakes: of(Group::Mistake),
@@ -109,7 +126,10 @@ fn counts(name: &str, of: &[&Outcome]) -> Counts {
         median: median(fits.clone()),
         slowest: fits.clone().fold(0.0, f64::max),
         slowest_diagnosis: of_diagnoses.clone().fold(0.0, f64::max),
-        slow: fits.filter(slow).count() + of_diagnoses.filter(slow).count(),
+        slow: fits.filter(slow).count()
+            + of_diagnoses.filter(slow).count()
+            + number(&|o| o.fitted.interrupted && o.fitted.seconds <= MAX_SECONDS),
+        invisible: number(&|o| o.fitted.misfit.is_some_and(|misfit| misfit < INVISIBLE)),
     }
 }
 
@@ -139,7 +159,7 @@ fn row(outcome: &Outcome) -> Row {
             Some(found) if found.is_false_all_clear => "false all-clear",
             Some(_) => "not wrong",
         },
-        misfit: diagnosed.and_then(|found| found.misfit),
+        misfit: fitted.misfit.or(diagnosed.and_then(|found| found.misfit)),
         seconds: fitted.seconds,
         diagnosis_seconds: diagnosed.map(|found| found.seconds),
     }

@@ -20,6 +20,8 @@ pub(super) struct Recording {
     pub(super) truth: Vec<(String, f64)>,
     /// Coefficients that the user holds, as in [`identify::FitOptions::fixed`].
     pub(super) fixed: Vec<(String, Option<f64>)>,
+    /// Effect of the catalogue that describes the mistake of the recording; `None` if there is none.
+    pub(super) cause: Option<String>,
     /// Priors that the user states.
     pub(super) priors: Vec<Prior>,
     /// Standard deviation of the noise of a measured position, m; `None` where no position is measured.
@@ -39,6 +41,7 @@ impl Recording {
             model,
             dataset,
             fixed: Vec::new(),
+            cause: None,
             priors: Vec::new(),
         }
     }

@@ -13,7 +13,7 @@ use crate::bounded_fit::{cancelled_after, on_threads};
 use crate::progress::{Progress, each_run};
 
 /// Limit of the elapsed time of a fit or diagnosis.
-const LIMIT: Duration = Duration::from_secs(120);
+pub(super) const LIMIT: Duration = Duration::from_secs(75);
 
 /// Result of one dataset.
 #[derive(Clone, Debug)]
@@ -56,8 +56,12 @@ fn outcome(case: Case, is_diagnosed: bool) -> Outcome {
         let options = options(&recording, token);
         fit(&recording.model, &recording.dataset, &options)?.with_lack_of_fit(1)
     });
+    let mut fitted = Fitted::of(&fitted, &recording, seconds);
+    if case.group() == Group::Hidden && fitted.is_confidently_wrong() {
+        fitted.misfit = misfit(&case);
+    }
     Outcome {
-        fitted: Fitted::of(&fitted, &recording, seconds),
+        fitted,
         diagnosed: is_diagnosed.then(|| diagnosed(&case, &recording)),
         description: recording.description,
         case,
@@ -80,7 +84,7 @@ fn diagnosed(case: &Case, recording: &Recording) -> Diagnosed {
         Group::Hidden => misfit(case),
         Group::Clean | Group::Mistake => None,
     };
-    Diagnosed::of(found, case, misfit, seconds)
+    Diagnosed::of(found, case, recording.cause.as_deref(), misfit, seconds)
 }
 
 /// RMS residual of a fit of the flights without noise, as a multiple of the noise.

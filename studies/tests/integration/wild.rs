@@ -44,7 +44,9 @@ fn a_right_recording_is_fitted_and_mistakes_are_not_relied_on() {
         assert!(!outcome.fitted.reliable, "{:?}", outcome.fitted);
         assert!(!outcome.fitted.reasons.is_empty() && !outcome.is_vetoed());
     }
-    let page = wild_page(&[right, wrong].concat()).expect("a page").text;
+    let page = wild_page(&[right, wrong].concat(), 1, 0)
+        .expect("a page")
+        .text;
     assert!(page.contains("| 0.0 % (0 of 2) |"), "{page}");
 }
 
