@@ -160,7 +160,7 @@ impl Case {
                 hidden,
                 flights,
             } => match hidden {
-                None => format!("nothing wrong: {}", subject.name),
+                None => format!("nothing wrong: {}, {flights} flights", subject.name),
                 Some((hidden, severity)) => {
                     let (name, severity) = (hidden.name, severity.label());
                     format!(
