@@ -19,8 +19,10 @@ const SATURATED_RUNS: usize = 3;
 /// Maximum relative difference between the apparent and a known unit of a gyroscope: free motions of the axis turn in
 /// the body at another rate than the spin.
 const UNIT_ERROR: f64 = 0.5;
-/// Maximum angle by which a direction may turn in the body from sample to sample, rad; noise seems to turn by 1.4.
-const MAX_TURN: f64 = 1.0;
+/// Maximum angle by which a direction may turn in the body from sample to sample, rad: nearly half a turn.
+const MAX_TURN: f64 = 2.5;
+/// Minimum share of what turns in the mean square of the angular velocity across its mean direction; the rest is noise.
+const MIN_TURNING: f64 = 0.4;
 /// Minimum ratio by which the angular momentum must turn less under another convention of quaternions, in squares.
 const STEADIER: f64 = 4.0;
 /// Rotation between two compared angular momenta, rad: enough to see a direction that turns with the body.
@@ -145,20 +147,24 @@ fn apparent_unit(flight: &Flight, channel: usize) -> Option<f64> {
         .collect();
     let mean = rates.iter().map(|(_, rate)| rate).sum::<Vector3<f64>>() / rates.len() as f64;
     let axis = mean.normalize();
-    let (mut changes, mut squares, mut intervals) = (0.0, 0.0, 0.0);
-    for window in rates.windows(2) {
-        let across = |rate: Vector3<f64>| rate - axis * axis.dot(&rate);
-        changes += across(window[1].1 - window[0].1).norm_squared();
-        squares += across(window[0].1).norm_squared();
-        intervals += window[1].0 - window[0].0;
-    }
-    let turned = (changes / squares).sqrt();
-    if turned.is_nan() || turned > MAX_TURN {
+    let across = rates.iter().map(|(_, rate)| rate - axis * axis.dot(rate));
+    let across: Vec<Vector3<f64>> = across.collect();
+    let product = |lag: usize| {
+        let pairs = across.iter().zip(across.iter().skip(lag));
+        pairs.map(|(a, b)| a.dot(b)).sum::<f64>() / across.len().saturating_sub(lag) as f64
+    };
+    // A part that turns by φ from sample to sample in either sense has the mean products P cos φ and P cos 2φ with the
+    // next samples, to which noise adds nothing: cos φ = x with 2x² − 1 = (cos 2φ/cos φ) x.
+    let next = product(1);
+    let ratio = product(2) / next;
+    let cosine = (ratio + next.signum() * (ratio * ratio + 8.0).sqrt()) / 4.0;
+    let turned = cosine.clamp(-1.0, 1.0).acos();
+    let is_turning = next / cosine > MIN_TURNING * product(0);
+    if !is_turning || turned > MAX_TURN {
         return None;
     }
-    let interval = intervals / (rates.len() - 1) as f64;
-    let rate = 2.0 * (turned / 2.0).asin() / interval;
-    Some(rate / mean.norm())
+    let interval = (rates.last()?.0 - rates[0].0) / (rates.len() - 1) as f64;
+    Some(turned / interval / mean.norm())
 }
 
 fn unit_message(sensor: &Sensor, unit: &str) -> (String, String) {
