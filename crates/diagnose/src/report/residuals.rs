@@ -79,6 +79,25 @@ pub(crate) fn describe_departures(report: &mut Report) {
     }
 }
 
+/// Withdraws the verdict that an effect is missing where the data contradict what the user states of coefficients: the
+/// effect may stand in for a wrong prior or a wrong held value.
+pub(crate) fn withdraw_by_conflicts(report: &mut Report, conflicts: &[String]) {
+    if conflicts.is_empty() || !matches!(report.verdict, Verdict::Identified | Verdict::Ambiguous) {
+        return;
+    }
+    report.verdict = Verdict::Unattributed;
+    let names: Vec<String> = report.explanations.iter().map(|own| own.name()).collect();
+    report.unattributed = Some(Unattributed {
+        description: format!(
+            "Stated values are wrong before an effect is missing: {}. Estimate them, or state others; {} may stand in for them.",
+            conflicts.join("; "),
+            names.join(", ")
+        ),
+        channels: Vec::new(),
+        terms: Vec::new(),
+    });
+}
+
 fn departures(found: &LackOfFit) -> String {
     let each = found.largest_misfits.iter().take(MAX_DEPARTURES);
     let each: Vec<String> = each.map(departure).collect();

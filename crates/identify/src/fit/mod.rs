@@ -13,6 +13,7 @@ mod exclusion;
 mod fitted_text;
 mod global_error;
 mod held_out;
+mod held_values;
 mod horizon_continuation;
 mod initial_guess;
 mod marker_distances;
@@ -120,7 +121,13 @@ fn fit_after(
 ) -> Result<Fit, FitError> {
     options.validate()?;
     parallel::within(options.threads(), || {
-        fit_within(model, dataset, options, earlier)
+        let mut fit = fit_within(model, dataset, options, earlier)?;
+        // The fits of a diagnosis, whose faults are known, hold what its first fit held.
+        if options.known_faults.is_none() && !options.fixed.is_empty() {
+            fit.report.stated_conflicts = held_values::conflicts(model, dataset, options, &fit)?;
+            fit.report.assess();
+        }
+        Ok(fit)
     })
 }
 

@@ -105,6 +105,7 @@ pub fn reports(
         sensors,
         lack_of_fit: None,
         doubts,
+        stated_conflicts: Vec::new(),
         not_identifiable,
         profiles,
         residuals: pool.axes(),

@@ -14,7 +14,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 pub use evidence::{AxisResiduals, FlightEvidence, SensorEvidence};
 pub use lack_of_fit::{LackOfFit, SmoothMisfit};
 pub use outcome::{FitStatus, FlightOutcome, Iterations};
-pub use reliability::{convergence_caution, exclusion_caution};
+pub use reliability::{MAX_PRIOR_CONFLICT, convergence_caution, exclusion_caution};
 pub(crate) use residual_rms::SquareSums;
 pub use residual_rms::{MARKER, Rms};
 pub(crate) use residuals::ResidualPool;
@@ -61,6 +61,9 @@ pub struct FitReport {
     /// Coefficients and combinations of coefficients that are not identifiable, in the order of decreasing standard
     /// error.
     pub not_identifiable: Vec<NonIdentifiable>,
+    /// Held values that the data contradict, one sentence each.
+    #[serde(skip)]
+    pub stated_conflicts: Vec<String>,
     /// What the fit itself found against its estimates, such as standard errors within which the model is not linear, one
     /// sentence each.
     #[serde(skip)]

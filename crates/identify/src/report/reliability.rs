@@ -22,13 +22,22 @@ const LACK_OF_FIT_LEVEL: f64 = 0.01;
 
 /// Difference between a prior and the value that the data alone give, in its standard deviations, above which the two
 /// contradict each other.
-const MAX_PRIOR_CONFLICT: f64 = 3.0;
+pub const MAX_PRIOR_CONFLICT: f64 = 3.0;
 
 impl FitReport {
     /// Decides whether the fit is reliable, and states the reasons if it is not.
     pub(crate) fn assess(&mut self) {
         self.cautions = cautions(self);
         self.reliable = self.cautions.is_empty();
+    }
+
+    /// Sentences on what the user states of coefficients and the data contradict: priors, and held values.
+    pub fn conflicts(&self) -> Vec<String> {
+        let coefficients = self.coefficients.iter();
+        let priors = coefficients.filter_map(|(name, own)| prior_conflict(name, own));
+        priors
+            .chain(self.stated_conflicts.iter().cloned())
+            .collect()
     }
 }
 
@@ -43,10 +52,9 @@ fn cautions(report: &FitReport) -> Vec<String> {
     ];
     let mut cautions: Vec<String> = cautions.into_iter().flatten().collect();
     cautions.extend(report.doubts.iter().cloned());
-    for (name, coefficient) in &report.coefficients {
-        cautions.extend(at_bound(name, coefficient));
-        cautions.extend(prior_conflict(name, coefficient));
-    }
+    let coefficients = report.coefficients.iter();
+    cautions.extend(coefficients.filter_map(|(name, own)| at_bound(name, own)));
+    cautions.extend(report.conflicts());
     cautions
 }
 

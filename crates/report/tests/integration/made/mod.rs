@@ -285,6 +285,7 @@ pub fn report(flights: usize) -> FitReport {
         marker_distances: Vec::new(),
         lack_of_fit: None,
         doubts: Vec::new(),
+        stated_conflicts: Vec::new(),
         not_identifiable: vec![NonIdentifiable {
             combination: vec!["C_Rr".into()],
             weights: BTreeMap::from([("C_Rr".into(), 0.99), ("C_Mq".into(), -0.12)]),
