@@ -199,6 +199,7 @@ impl<'a> Analysis<'a> {
             (after, made) = offered.unzip();
         }
         report::describe_departures(&mut report);
+        report::withdraw_by_excess(&mut report, self.before.report.excess.as_ref());
         report::withdraw_by_conflicts(&mut report, &self.before.report.conflicts());
         let is_out_of_time = context.is_out_of_time();
         if is_out_of_time || (self.model.is_exhausted() && self.search.accepted.is_empty()) {

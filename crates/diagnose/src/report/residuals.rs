@@ -79,6 +79,19 @@ pub(crate) fn describe_departures(report: &mut Report) {
     }
 }
 
+/// Withdraws the verdict that the model is adequate where the residuals exceed the noise between the markers.
+pub(crate) fn withdraw_by_excess(report: &mut Report, excess: Option<&String>) {
+    let Some(excess) = excess.filter(|_| report.verdict == Verdict::Adequate) else {
+        return;
+    };
+    report.verdict = Verdict::Unattributed;
+    report.unattributed = Some(Unattributed {
+        description: format!("No candidate explains what the fit found: {excess}."),
+        channels: Vec::new(),
+        terms: Vec::new(),
+    });
+}
+
 /// Withdraws the verdict that an effect is missing where the data contradict what the user states of coefficients: the
 /// effect may stand in for a wrong prior or a wrong held value.
 pub(crate) fn withdraw_by_conflicts(report: &mut Report, conflicts: &[String]) {

@@ -86,7 +86,6 @@ pub fn reports(
         &ranges.collect(),
     );
     let mut doubts = state.doubts.clone();
-    doubts.extend(rigidity::doubt(state, &fitted.noise));
     doubts.extend(nonlinear(state, fitted, &covariance, &not_identifiable)?);
     let report = FitReport {
         schema: "hyzer.fit/2".into(),
@@ -105,6 +104,7 @@ pub fn reports(
         sensors,
         lack_of_fit: None,
         doubts,
+        excess: rigidity::excess(state, &fitted.noise),
         stated_conflicts: Vec::new(),
         not_identifiable,
         profiles,

@@ -22,7 +22,7 @@ const MIN_DISTANCES: usize = 10;
 const MAX_MARKERS: usize = 6;
 
 /// Sentence that the residuals exceed the noise by rigidity; `None` if they do not, or the flights do not tell.
-pub fn doubt(state: &State<'_>, noise: &NoiseModel) -> Option<String> {
+pub fn excess(state: &State<'_>, noise: &NoiseModel) -> Option<String> {
     let channels = state.problem.channels.iter().enumerate();
     let markers = channels.filter(|(_, channel)| channel.is_marker());
     let markers: Vec<usize> = markers.map(|(index, _)| index).take(MAX_MARKERS).collect();

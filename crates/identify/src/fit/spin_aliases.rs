@@ -65,7 +65,8 @@ pub fn resolve_spin_aliases<'a>(
                     && is_likelier(&cache, before, *least))
         });
         // Another spin that fits as well, or one that fits as badly, at residuals that are noise.
-        if let Some((least, _, before)) = &best
+        if let Some((least, other, before)) = &best
+            && is_another(&tried, other)
             && (ACCEPTED_RATIO * scale..scale / ACCEPTED_RATIO).contains(least)
             && scale < MAX_SCALE * state.problem.sigma0
         {
@@ -101,6 +102,17 @@ fn converged(state: &mut State<'_>) -> Result<ResidualCache, FitError> {
         true => anneal_scale(state),
         false => Ok(cache),
     }
+}
+
+/// Least relative difference of the initial states of a flight in which two fits count as different: a turn more per
+/// sampling interval is most of a state.
+const ANOTHER: f64 = 0.1;
+
+/// Whether a flight has another initial state in another fit: with a gyroscope both may arrive at the same spin.
+fn is_another(one: &State<'_>, other: &State<'_>) -> bool {
+    let mut pairs = one.local.iter().zip(&other.local);
+    one.local.len() == other.local.len()
+        && pairs.any(|(one, other)| (one - other).norm() > ANOTHER * other.norm())
 }
 
 /// Whether the residuals `new` are likelier than `before` by [`MIN_DEVIANCE`], for noise of unknown size; `scale` is the

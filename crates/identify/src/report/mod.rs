@@ -61,6 +61,9 @@ pub struct FitReport {
     /// Coefficients and combinations of coefficients that are not identifiable, in the order of decreasing standard
     /// error.
     pub not_identifiable: Vec<NonIdentifiable>,
+    /// Sentence that the residuals exceed the noise that the distances between the markers show; `None` if they do not.
+    #[serde(skip)]
+    pub excess: Option<String>,
     /// Held values that the data contradict, one sentence each.
     #[serde(skip)]
     pub stated_conflicts: Vec<String>,

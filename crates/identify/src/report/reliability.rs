@@ -51,7 +51,7 @@ fn cautions(report: &FitReport) -> Vec<String> {
         marker_distances(report),
     ];
     let mut cautions: Vec<String> = cautions.into_iter().flatten().collect();
-    cautions.extend(report.doubts.iter().cloned());
+    cautions.extend(report.excess.iter().chain(&report.doubts).cloned());
     let coefficients = report.coefficients.iter();
     cautions.extend(coefficients.filter_map(|(name, own)| at_bound(name, own)));
     cautions.extend(report.conflicts());

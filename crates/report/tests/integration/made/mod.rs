@@ -286,6 +286,7 @@ pub fn report(flights: usize) -> FitReport {
         lack_of_fit: None,
         doubts: Vec::new(),
         stated_conflicts: Vec::new(),
+        excess: None,
         not_identifiable: vec![NonIdentifiable {
             combination: vec!["C_Rr".into()],
             weights: BTreeMap::from([("C_Rr".into(), 0.99), ("C_Mq".into(), -0.12)]),
