@@ -49,7 +49,7 @@ pub fn run(options: &Check) -> anyhow::Result<Answer> {
 }
 
 /// What is wrong with the products of inertia of the model's body at the default values; `None` if nothing is.
-fn inertia_fault(model: &Model) -> Option<String> {
+pub(super) fn inertia_fault(model: &Model) -> Option<String> {
     let rotation = model.body.as_ref()?.rotation.as_ref()?;
     let is_zero =
         |entry: &Expr| matches!(entry.kind, ExprKind::Number { value, .. } if value == 0.0);

@@ -128,3 +128,27 @@ fn the_examples_of_the_help_run_one_after_the_other() {
         }
     }
 }
+
+#[test]
+fn a_body_whose_inertia_is_not_positive_definite_is_neither_checked_nor_verified() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let model = at(folder.path(), "brick.hyz");
+    let text = |product: &str| {
+        format!(
+            "model brick; param m = 1 kg; param a = 0.02 kg*m^2; param b = 0.03 kg*m^2; param c = 0.04 kg*m^2;
+param I_13 = {product} kg*m^2; param g = 9.81 m/s^2; frame N;
+frame B = N by quaternion (q0, q1, q2, q3);
+body brick {{ mass m; inertia ((a, 0, I_13), (0, b, 0), (I_13, 0, c)) in B; fixed in B;
+position (x, y, z) in N; velocity (vx, vy, vz) in N; angular velocity (p, q, r) in B; }}
+force weight = -m*g*N.3;"
+        )
+    };
+    fs::write(&model, text("0.1")).expect("a model");
+    let (status, _, said) = verify(&[&model, "--cases", "10"]);
+    assert_eq!(status, 1, "{said}");
+    let (checked, printed, _) = told(hyzer().arg("check").arg(&model));
+    assert_eq!(checked, 1, "{printed}");
+    for told in [said, printed] {
+        assert!(told.contains("not positive definite"), "{told}");
+    }
+}

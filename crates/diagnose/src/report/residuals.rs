@@ -1,6 +1,6 @@
 //! The lack-of-fit test in the report, and its description as text.
 
-use super::types::{Report, Unattributed, Verdict};
+use super::types::{Explanation, Report, Unattributed, Verdict};
 use crate::context::display_name;
 use crate::extension::ExtendedModel;
 use identify::numbers::{millimetres, percent, significant};
@@ -99,7 +99,8 @@ pub(crate) fn withdraw_by_conflicts(report: &mut Report, conflicts: &[String]) {
         return;
     }
     report.verdict = Verdict::Unattributed;
-    let names: Vec<String> = report.explanations.iter().map(|own| own.name()).collect();
+    let explanations = report.explanations.iter();
+    let names: Vec<String> = explanations.map(Explanation::name).collect();
     report.unattributed = Some(Unattributed {
         description: format!(
             "Stated values are wrong before an effect is missing: {}. Estimate them, or state others; {} may stand in for them.",

@@ -336,7 +336,7 @@ fn nonlinear(
     let mut objective = OutputError::of_all(problem, &state.flights, loss, options);
     let mut names: Vec<&String> = directions
         .iter()
-        .flat_map(|d| d.combination.first())
+        .filter_map(|d| d.combination.first())
         .collect();
     names.truncate(MAX_TRIED);
     let mut found = Vec::new();

@@ -116,7 +116,7 @@ impl Control {
             let remaining = self.segment_end[lane] - self.t[lane];
             let ends_segment = h >= remaining * (1.0 - FINAL_STEP_SLACK);
             let h = if ends_segment { remaining } else { h };
-            self.is_last[lane] = ends_segment & (self.segment_end[lane] == self.t_end);
+            self.is_last[lane] = ends_segment && self.segment_end[lane] == self.t_end;
             self.end[lane] = if ends_segment {
                 self.segment_end[lane]
             } else {
