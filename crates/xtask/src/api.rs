@@ -200,7 +200,7 @@ fn is_hidden(attributes: &[syn::Attribute]) -> bool {
 fn fields(fields: &Fields) -> impl Iterator<Item = String> {
     let public = fields
         .iter()
-        .filter(|field| matches!(field.vis, Visibility::Public(_)));
+        .filter(|field| matches!(field.vis, Visibility::Public(_)) && !is_hidden(&field.attrs));
     public.filter_map(|field| {
         let name = field.ident.as_ref()?;
         Some(format!("{name}: {}", text(field.ty.to_token_stream())))

@@ -63,13 +63,16 @@ pub struct FitReport {
     pub not_identifiable: Vec<NonIdentifiable>,
     /// Sentence that the residuals exceed the noise that the distances between the markers show; `None` if they do not.
     #[serde(skip)]
+    #[doc(hidden)]
     pub excess: Option<String>,
     /// Held values that the data contradict, one sentence each.
     #[serde(skip)]
+    #[doc(hidden)]
     pub stated_conflicts: Vec<String>,
     /// What the fit itself found against its estimates, such as standard errors within which the model is not linear, one
     /// sentence each.
     #[serde(skip)]
+    #[doc(hidden)]
     pub doubts: Vec<String>,
     /// Profile likelihoods that the options request.
     pub profiles: Vec<Profile>,

@@ -32,6 +32,7 @@ impl FitReport {
     }
 
     /// Sentences on what the user states of coefficients and the data contradict: priors, and held values.
+    #[doc(hidden)]
     pub fn conflicts(&self) -> Vec<String> {
         let coefficients = self.coefficients.iter();
         let priors = coefficients.filter_map(|(name, own)| prior_conflict(name, own));

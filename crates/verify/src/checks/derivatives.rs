@@ -8,7 +8,7 @@
 use super::backends::{Functions, Tapes, results_of};
 use super::disputed::{Disputed, Part};
 use super::function_rows::{
-    Variable, compared, functions, reference_column, tree_column, variables,
+    Bounded, Variable, bounded, compared, functions, reference_column, seed, tree_column, variables,
 };
 use super::precision::{Finding, Tally, bounded_by};
 use crate::evaluation::Inputs;
@@ -20,7 +20,7 @@ use crate::subject::Subject;
 use codegen::Compiled;
 use codegen::program::Function;
 use model_spec::model::Model;
-use oracle::scalar::{ComplexStep, Dual, ErrorBound, Lockstep, NumDual, Real};
+use oracle::scalar::{ComplexStep, ErrorBound, Lockstep, NumDual, Real};
 use oracle::{Point, Reference, Tree};
 use std::cell::OnceCell;
 
@@ -32,14 +32,8 @@ pub const CHECKS: [&str; 4] = [
     "derivatives: reference",
 ];
 
-type Bounded = Dual<ErrorBound>;
-
 /// Scalar that differentiates by three methods at once.
 type ThreeWays = Lockstep<Bounded, Lockstep<NumDual, ComplexStep>>;
-
-pub(super) fn bounded(value: f64, derivative: f64) -> Bounded {
-    Dual::new(ErrorBound::lit(value), ErrorBound::lit(derivative))
-}
 
 fn three_ways(value: f64, derivative: f64) -> ThreeWays {
     Lockstep {
@@ -212,25 +206,6 @@ fn has_reference(model: &Model, reference: &Reference, variable: usize) -> bool 
     variable
         .checked_sub(first)
         .is_none_or(|index| !reference.unknown.contains(&index))
-}
-
-/// The point with derivatives with respect to a variable; `seeded(value, derivative)` creates a scalar.
-pub(super) fn seed<T: Real>(
-    point: &Point<f64>,
-    variable: &Variable<'_, ErrorBound>,
-    seeded: fn(f64, f64) -> T,
-) -> Point<T> {
-    let mut out = point.lift::<T>();
-    for (state, derivative) in out.states.iter_mut().zip(&variable.direction) {
-        if derivative.value != 0.0 {
-            *state = seeded(state.re(), derivative.value);
-        }
-    }
-    let parameter = variable.index.checked_sub(point.states.len());
-    if let Some(value) = parameter.and_then(|k| out.parameters_mut().nth(k)) {
-        *value = seeded(value.re(), 1.0);
-    }
-    out
 }
 
 /// Relative difference of a derivative; the larger sum of magnitudes counts.

@@ -1,7 +1,6 @@
 //! Values and derivatives at one point about which the code and a reference in `f64` disagree, decided in 256 bits.
 
-use super::derivatives::{bounded, seed};
-use super::function_rows::{Value, Variable, compared, functions, tree_column};
+use super::function_rows::{Value, Variable, bounded, compared, functions, seed, tree_column};
 use super::precision::{Exact, Finding, decide, exact_column, neighbours};
 use crate::evaluation::results;
 use crate::options::TOLERANCE;

@@ -3,7 +3,7 @@
 use codegen::Compiled;
 use codegen::program::Function;
 use model_spec::model::{FrameKind, Model};
-use oracle::scalar::{Dual, Field, Real};
+use oracle::scalar::{Dual, ErrorBound, Field, Real};
 use oracle::{Point, Reference, Tree, Unsupported, derivatives_of};
 use std::ops::Range;
 
@@ -242,6 +242,33 @@ pub(crate) fn reference_column<T: Real>(
     let mut out = reference.derivatives(point);
     if model.observation.is_some() {
         out.extend(reference.observation(point).iter());
+    }
+    out
+}
+
+/// Dual number whose parts have bounds of their rounding errors.
+pub type Bounded = Dual<ErrorBound>;
+
+/// The [`Bounded`] number with this value and this derivative.
+pub fn bounded(value: f64, derivative: f64) -> Bounded {
+    Dual::new(ErrorBound::lit(value), ErrorBound::lit(derivative))
+}
+
+/// The point with derivatives with respect to a variable; `seeded(value, derivative)` creates a scalar.
+pub fn seed<T: Real>(
+    point: &Point<f64>,
+    variable: &Variable<'_, ErrorBound>,
+    seeded: fn(f64, f64) -> T,
+) -> Point<T> {
+    let mut out = point.lift::<T>();
+    for (state, derivative) in out.states.iter_mut().zip(&variable.direction) {
+        if derivative.value != 0.0 {
+            *state = seeded(state.re(), derivative.value);
+        }
+    }
+    let parameter = variable.index.checked_sub(point.states.len());
+    if let Some(value) = parameter.and_then(|k| out.parameters_mut().nth(k)) {
+        *value = seeded(value.re(), 1.0);
     }
     out
 }
