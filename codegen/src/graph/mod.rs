@@ -90,6 +90,7 @@ pub struct ExprGraph {
     root_of: FastMap<NodeId, NodeId>,
     names: FastMap<NodeId, String>,
     has_masks: bool,
+    has_exponentials: bool,
     tables: Tables,
 }
 
@@ -304,6 +305,7 @@ impl ExprGraph {
         let id = NodeId::new(self.nodes.len());
         let facts = self.derive_facts(&node);
         self.has_masks |= matches!(node, Node::Call(MathFunction::NonZero, _));
+        self.has_exponentials |= matches!(node, Node::Call(MathFunction::Exp, _));
         self.index.insert(node.clone(), id);
         self.nodes.push(node);
         self.facts.push(facts);

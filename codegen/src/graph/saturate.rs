@@ -13,6 +13,9 @@ impl ExprGraph {
         flat: &mut Vec<(NodeId, i32)>,
         pending: &mut Vec<(NodeId, i32)>,
     ) -> bool {
+        if !self.has_exponentials {
+            return false;
+        }
         for &(exponential, above) in flat.iter() {
             let Node::Call(MathFunction::Exp, u) = *self.node(exponential) else {
                 continue;
@@ -53,6 +56,9 @@ impl ExprGraph {
     /// Sum of the terms of a product (e^u + …) / w, where a term of the sum w has the factor e^u too, so that each term is
     /// finite where e^u overflows; `None` for other products.
     pub(super) fn distributed_exponentials(&mut self, factors: &[(NodeId, i32)]) -> Option<NodeId> {
+        if !self.has_exponentials {
+            return None;
+        }
         let place = factors.iter().position(|&(base, exponent)| {
             let sum = self.power_of_sum(base).filter(|_| exponent == 2);
             let sum = sum.filter(|(_, doubled)| *doubled == 2);

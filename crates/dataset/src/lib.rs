@@ -36,7 +36,7 @@ pub use body_template::BodyTemplate;
 use flight::parallel;
 pub use input_error::InputError;
 pub use recording::ANGULAR_RATES;
-pub use sensor::{Reading, Sensor, SensorKind, attitude, points_on_body, points_seen};
+pub use sensor::{Reading, Sensor, SensorKind, attitude, points_on_body, points_seen, spin_axis};
 use write::quoted;
 pub use write::{manifest_text, table_text, write, write_commented, write_with};
 

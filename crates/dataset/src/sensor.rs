@@ -111,6 +111,28 @@ pub fn attitude([w, x, y, z]: Reading) -> UnitQuaternion<f64> {
     UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z))
 }
 
+/// Least share of the mean angular velocity, seen from the body, that is about an axis about which the body spins.
+const SPIN_SHARE: f64 = 0.9;
+
+/// Index of the body axis about which a body spins in flights, each given by its successive attitudes; `None` if it
+/// turns by less than a turn, or about no axis of the body.
+pub fn spin_axis<A>(flights: impl IntoIterator<Item = A>) -> Option<usize>
+where
+    A: IntoIterator<Item = UnitQuaternion<f64>>,
+{
+    let mut turned = Vector3::zeros();
+    for attitudes in flights {
+        let mut before: Option<UnitQuaternion<f64>> = None;
+        for attitude in attitudes {
+            if let Some(before) = before.replace(attitude) {
+                turned += (before.inverse() * attitude).scaled_axis();
+            }
+        }
+    }
+    let (axis, all) = (turned.iamax(), turned.norm());
+    (all > std::f64::consts::TAU && turned[axis].abs() > SPIN_SHARE * all).then_some(axis)
+}
+
 /// Three virtual marker points that represent a pose sensor at `position`, in the frame of the marker positions, m.
 pub fn points_on_body(position: [f64; 3]) -> [[f64; 3]; 3] {
     let [x, y, z] = position;

@@ -2,9 +2,9 @@
 //!
 //! Sums, products and quotients are exact. Sine and cosine of an angle are a point of the unit circle, consistent for
 //! small integer multiples of states and arctangents. A square root is the root that is itself a square, and e^-x is
-//! 1/e^x. Any other function value is a symbol: a pseudo-random element that depends only on the function and its arguments. Two
-//! programs with equal results at random points are, with high probability, the same function of states, parameters and
-//! symbols.
+//! 1/e^x. Any other function value is a symbol: a pseudo-random element that depends only on the function and its
+//! arguments. Two programs with equal results at random points are, with high probability, the same function of states,
+//! parameters and symbols.
 
 use crate::random::Random;
 use codegen::functions::{MathFunction, Parity};

@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use super::error::{Fault, Location};
-use super::quaternion::product;
 use super::words::listed;
 use super::{
     Axis, Motion, Pose, Take, TakeError, Throw, ThrowOptions, find_throws, motion, rotated,
 };
+use crate::sensor::{attitude, spin_axis};
 use crate::{Flight, Marker};
 
 /// What the user states about the recordings of a body.
@@ -77,7 +77,12 @@ impl ImportedTake {
         let throws = found.throws.iter();
         let mut decisions = decisions(take, options, up, &labels);
         if let Followed::Pose(body, _) = &followed
-            && spins_about(&turned.bodies[*body].poses, &found.throws, up)
+            && up.index != 2
+            && spin_axis(found.throws.iter().flat_map(|throw| {
+                // Where the body was not seen, it may have turned any number of times.
+                let seen = turned.bodies[*body].poses[throw.samples()].split(Option::is_none);
+                seen.map(|poses| poses.iter().flatten().map(|pose| attitude(pose.quaternion)))
+            })) == Some(up.index)
         {
             let poses = turned.bodies[*body].poses.iter_mut().flatten();
             for pose in poses {
@@ -100,31 +105,6 @@ impl ImportedTake {
             notes,
         })
     }
-}
-
-/// Least share of the mean angular velocity, seen from the body, that is about an axis about which the body spins.
-const SPIN_SHARE: f64 = 0.9;
-
-/// Whether the body spins in the throws about its axis `axis`, and this is not the third: a tracker with another axis up
-/// gives new bodies the axes of the room.
-fn spins_about(poses: &[Option<Pose>], throws: &[Throw], axis: Axis) -> bool {
-    let mut turned = [0.0; 3];
-    for throw in throws {
-        for i in throw.samples().skip(1) {
-            let (Some(before), Some(now)) = (poses[i - 1], poses[i]) else {
-                continue;
-            };
-            let [w, x, y, z] = before.quaternion;
-            let [w, x, y, z] = product([w, -x, -y, -z], now.quaternion);
-            let half = (x * x + y * y + z * z).sqrt().atan2(w.abs());
-            let scale = 2.0 * half.copysign(w) / half.sin().max(f64::MIN_POSITIVE);
-            for (sum, part) in turned.iter_mut().zip([x, y, z]) {
-                *sum += scale * part;
-            }
-        }
-    }
-    let all = turned.iter().map(|part| part * part).sum::<f64>().sqrt();
-    all > std::f64::consts::TAU && axis.index != 2 && turned[axis.index].abs() > SPIN_SHARE * all
 }
 
 fn fault(found: String, expected: String) -> Fault {

@@ -51,11 +51,7 @@ pub(crate) fn describe_departures(report: &mut Report) {
             unattributed.description = format!("{} {says}", unattributed.description);
         }
         (none, Verdict::Unattributed) => {
-            *none = Some(Unattributed {
-                description: says,
-                channels: Vec::new(),
-                terms: Vec::new(),
-            });
+            *none = Some(Unattributed::described(says));
         }
         (none, Verdict::Identified) if report.consensus.is_none() => {
             let nearest = report.explanations.first();
@@ -63,15 +59,11 @@ pub(crate) fn describe_departures(report: &mut Report) {
                 None => report.notes.push(format!("a lack of fit remains: {says}")),
                 Some(nearest) => {
                     report.verdict = Verdict::Unattributed;
-                    *none = Some(Unattributed {
-                        description: format!(
-                            "The nearest candidate, {}, explains {} of the misfit. {says}",
-                            nearest.name(),
-                            percent(nearest.explained_fraction)
-                        ),
-                        channels: Vec::new(),
-                        terms: Vec::new(),
-                    });
+                    *none = Some(Unattributed::described(format!(
+                        "The nearest candidate, {}, explains {} of the misfit. {says}",
+                        nearest.name(),
+                        percent(nearest.explained_fraction)
+                    )));
                 }
             }
         }
@@ -85,11 +77,9 @@ pub(crate) fn withdraw_by_excess(report: &mut Report, excess: Option<&String>) {
         return;
     };
     report.verdict = Verdict::Unattributed;
-    report.unattributed = Some(Unattributed {
-        description: format!("No candidate explains what the fit found: {excess}."),
-        channels: Vec::new(),
-        terms: Vec::new(),
-    });
+    report.unattributed = Some(Unattributed::described(format!(
+        "No candidate explains what the fit found: {excess}."
+    )));
 }
 
 /// Withdraws the verdict that an effect is missing where the data contradict what the user states of coefficients: the
@@ -101,15 +91,11 @@ pub(crate) fn withdraw_by_conflicts(report: &mut Report, conflicts: &[String]) {
     report.verdict = Verdict::Unattributed;
     let explanations = report.explanations.iter();
     let names: Vec<String> = explanations.map(Explanation::name).collect();
-    report.unattributed = Some(Unattributed {
-        description: format!(
-            "Stated values are wrong before an effect is missing: {}. Estimate them, or state others; {} may stand in for them.",
-            conflicts.join("; "),
-            names.join(", ")
-        ),
-        channels: Vec::new(),
-        terms: Vec::new(),
-    });
+    report.unattributed = Some(Unattributed::described(format!(
+        "Stated values are wrong before an effect is missing: {}. Estimate them, or state others; {} may stand in for them.",
+        conflicts.join("; "),
+        names.join(", ")
+    )));
 }
 
 fn departures(found: &LackOfFit) -> String {

@@ -269,6 +269,17 @@ pub struct Unattributed {
     pub terms: Vec<StepwiseTerm>,
 }
 
+impl Unattributed {
+    /// A lack of fit with this description, without estimated loads and terms.
+    pub(crate) fn described(description: String) -> Unattributed {
+        Unattributed {
+            description,
+            channels: Vec::new(),
+            terms: Vec::new(),
+        }
+    }
+}
+
 /// Agreement of the flights on the accepted explanations. Reported if the explanations leave part of the misfit
 /// unexplained, which differs from flight to flight, or if discordant flights are excluded.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

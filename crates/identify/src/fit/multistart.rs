@@ -13,19 +13,40 @@ use super::undistorted;
 use crate::observations::Observations;
 use dataset::statistics::median;
 
-/// Ratio of a flight's residual scale to a reference value, which is usually the median over the flights, above which
-/// the flight is fitted again.
-const SUSPECT_RATIO: f64 = 3.0;
+/// When a flight is fitted again, and when the new fit is accepted.
+struct Limits {
+    /// Ratio of the flight's residual scale to a reference value, which is usually the median over the flights, above
+    /// which the flight is fitted again.
+    suspect: f64,
+    /// Number of standard errors by which the residual scale must exceed the reference value too.
+    errors: f64,
+    /// Maximum ratio of the new residual scale of a flight to the old one, for the new initial state to be accepted.
+    accepted: f64,
+}
 
-/// Maximum ratio of the new residual scale of a flight to the old one, for the new initial state to be accepted.
-const ACCEPTED_RATIO: f64 = 0.7;
+/// Limits for flights with measured positions.
+const SEEN: Limits = Limits {
+    suspect: 3.0,
+    errors: 0.0,
+    accepted: 0.7,
+};
 
-/// For flights without measured positions, whose initial attitude is guessed, instead of [`SUSPECT_RATIO`] and
-/// [`ACCEPTED_RATIO`]: a wrong minimum may be nearly as good. The residual scale must also exceed the usual one by
-/// [`SUSPECT_ERRORS`] of its standard errors.
-const BLIND_RATIOS: (f64, f64) = (1.2, 0.95);
-/// See [`BLIND_RATIOS`].
-const SUSPECT_ERRORS: f64 = 6.0;
+/// Limits for flights without measured positions, whose initial attitude is guessed: a wrong minimum may be nearly as
+/// good.
+const BLIND: Limits = Limits {
+    suspect: 1.2,
+    errors: 6.0,
+    accepted: 0.95,
+};
+
+impl Limits {
+    fn of(state: &State<'_>) -> Limits {
+        match state.problem.sees_positions() {
+            true => SEEN,
+            false => BLIND,
+        }
+    }
+}
 
 /// Median over the flights of their residual scales, in units of the initial noise estimate `sigma0`, above which the
 /// model or most initial guesses are wrong. The residual scale of a flight is then compared with `sigma0` instead of
@@ -43,10 +64,9 @@ pub fn multistart(state: &mut State<'_>, cache: ResidualCache) -> Result<Residua
     let scales = cache.scales().into_iter();
     let scales: Vec<f64> = scales.map(|s| s.unwrap_or(f64::INFINITY)).collect();
     let usual = reference_scale(&scales, state.problem.sigma0);
-    let is_suspect = |flight: &usize| match state.problem.sees_positions() {
-        true => scales[*flight] > SUSPECT_RATIO * usual,
-        false => cache.stands_out(*flight, usual, BLIND_RATIOS.0, SUSPECT_ERRORS),
-    };
+    let limits = Limits::of(state);
+    let is_suspect =
+        |flight: &usize| cache.stands_out(*flight, usual, limits.suspect, limits.errors);
     let suspects: Vec<usize> = (0..scales.len()).filter(is_suspect).collect();
     if suspects.is_empty() || options.is_past_deadline() {
         return Ok(cache);
@@ -89,10 +109,7 @@ fn reference_scale(scales: &[f64], sigma0: f64) -> f64 {
 /// guess leads to a residual scale clearly below `before`, m. `flight` is an index among the fitted flights.
 fn restart(state: &State<'_>, flight: usize, before: f64) -> Option<(DVector<f64>, String)> {
     let best = fly_to_the_end(state.fixed_global(), &state.flights[flight]);
-    let accepted = match state.problem.sees_positions() {
-        true => ACCEPTED_RATIO,
-        false => BLIND_RATIOS.1,
-    };
+    let accepted = Limits::of(state).accepted;
     let (scale, local, turns) = best.filter(|(scale, ..)| *scale < accepted * before)?;
     let mut note = format!(
         "its first fit had ended in a wrong minimum (residuals of {:.1} mm, now {:.1} mm); it was started anew",

@@ -329,7 +329,7 @@ fn nonlinear(
 ) -> Result<Vec<String>, FitError> {
     let (problem, options) = (state.problem, state.options);
     // The fits of a diagnosis, whose faults are known, compare models; none of them is reported.
-    if options.known_faults.is_some() {
+    if directions.is_empty() || options.known_faults.is_some() {
         return Ok(Vec::new());
     }
     let loss = Loss::Whitened(&fitted.noise);

@@ -31,9 +31,6 @@ const COMPARED_ROTATION: f64 = 1.5;
 /// Least ratio of the moment of inertia about the third axis to the others at which a body counts as flat: such a body
 /// is not thrown spinning about another axis.
 const FLAT: f64 = 1.2;
-/// Least share of the mean angular velocity, seen from the body, that is about an axis about which the body spins.
-const SPIN_SHARE: f64 = 0.9;
-
 /// Faults of the sensors.
 pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
     if dataset.sensors.is_empty() {
@@ -231,21 +228,9 @@ fn body_axes(
 ) -> Option<(String, String)> {
     let diagonal = inertia.diagonal();
     let is_flat = diagonal.z > FLAT * diagonal.x.max(diagonal.y);
-    let mut turned = Vector3::zeros();
-    for flight in &dataset.flights {
-        let poses: Vec<_> = series(flight, channel)
-            .map(|(_, reading)| attitude(reading))
-            .collect();
-        let turns = poses
-            .windows(2)
-            .map(|pair| (pair[0].inverse() * pair[1]).scaled_axis());
-        turned += turns.sum::<Vector3<f64>>();
-    }
-    let axis = turned.iamax();
-    let is_spin = turned.norm() > std::f64::consts::TAU;
-    if !is_flat || !is_spin || axis == 2 || turned[axis].abs() < SPIN_SHARE * turned.norm() {
-        return None;
-    }
+    let flights = dataset.flights.iter();
+    let attitudes = flights.map(|flight| series(flight, channel).map(|(_, own)| attitude(own)));
+    let axis = dataset::spin_axis(attitudes).filter(|axis| is_flat && *axis != 2)?;
     let name = dataset::AXES[axis];
     Some((
         format!(

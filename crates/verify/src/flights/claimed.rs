@@ -2,14 +2,14 @@
 //! integrals of their causes.
 
 use super::{
-    Acting, DURATIONS, Flying, Found, MAX_DRAWS, MAX_STEPS, MOMENTA, OWN_CLOCK, RELEASES,
-    TOLERANCE, decided, undecided_flights, unreleased,
+    Acting, DURATIONS, Flying, Found, MAX_STEPS, MOMENTA, OWN_CLOCK, RELEASES, TOLERANCE, decided,
+    drawn_within, undecided_flights, unreleased,
 };
 use crate::integration::integrate;
 use crate::options::Options;
 use crate::random::Random;
 use crate::row::{Row, Worst};
-use crate::sample::{is_valid, moved_within_limits, typical, within_limits};
+use crate::sample::{is_valid, typical, within_limits};
 use crate::subject::Subject;
 use nalgebra::Vector3;
 use ode::{IntegrationError, IntegrationOptions};
@@ -105,7 +105,7 @@ pub(super) fn flying(subject: &Subject<'_>, point: &Point<f64>) -> Option<Flying
 /// Draws a release near the default state, with random inputs and without effects.
 pub(super) fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     let model = subject.model;
-    let mut draw = || {
+    let draw = |random: &mut Random| {
         let mut point = Point::defaults(model);
         for (state, value) in model.states.iter().zip(&mut point.states) {
             *value += random.within(SPREAD * typical(state.unit));
@@ -121,16 +121,9 @@ pub(super) fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Poin
         for input in &mut point.inputs {
             *input = Vector3::from_fn(|_, _| random.within(2.0));
         }
-        subject.without_effects(point)
+        Some(subject.without_effects(point))
     };
-    let mut point = draw();
-    for _ in 1..MAX_DRAWS {
-        if within_limits(model, &point) {
-            return Some(point);
-        }
-        point = draw();
-    }
-    moved_within_limits(model, &point, random)
+    drawn_within(model, random, draw, within_limits)
 }
 
 /// A flight of a claimed body.

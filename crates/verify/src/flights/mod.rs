@@ -10,6 +10,7 @@ use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample::{is_valid, moved_within_limits};
 use crate::subject::{Subject, body_properties};
+use model_spec::model::Model;
 use nalgebra::{Matrix3, Vector3};
 use ode::{IntegrationError, IntegrationOptions};
 use oracle::{MassProperties, Physical, Point, Quaternion, Reference, Tree, inertia_in_n, solve};
@@ -190,14 +191,26 @@ fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     if subject.is_known_by_claim() {
         return claimed::release(subject, random);
     }
-    let mut point = any_release(subject, random)?;
+    let draw = |random: &mut Random| any_release(subject, random);
+    drawn_within(subject.model, random, draw, is_valid)
+}
+
+/// First of at most [`MAX_DRAWS`] drawn points that is inside the validity limits, or the last, moved within them;
+/// `None` if there is none.
+fn drawn_within(
+    model: &Model,
+    random: &mut Random,
+    draw: impl Fn(&mut Random) -> Option<Point<f64>>,
+    is_inside: fn(&Model, &Point<f64>) -> bool,
+) -> Option<Point<f64>> {
+    let mut point = draw(random)?;
     for _ in 1..MAX_DRAWS {
-        if is_valid(subject.model, &point) {
+        if is_inside(model, &point) {
             return Some(point);
         }
-        point = any_release(subject, random)?;
+        point = draw(random)?;
     }
-    moved_within_limits(subject.model, &point, random)
+    moved_within_limits(model, &point, random)
 }
 
 /// Draws a release with random inputs: 12 ± 3 m/s along the first inertial axis, spin of −40 ± 10 rad/s about the third
