@@ -185,7 +185,9 @@ pub enum FitError {
         expected: &'static str,
     },
     /// The model has no measurement equation, which gives the predicted position of a point of the body.
-    #[error("the model {model} does not say what is observed of it")]
+    #[error(
+        "the model {model} does not say what is observed of it: add a marker and where it is seen, such as `marker spot in FRAME; observe spot = position + spot;`"
+    )]
     NoObservation {
         /// Name of the model.
         model: String,
@@ -232,7 +234,7 @@ pub enum FitError {
         reason: FlightError,
     },
     /// The data of every flight to be fitted have a fault. Contains the faults found.
-    #[error("the data of every flight are faulty; do not rely on them:\n{}", first_faults(.0))]
+    #[error("the data of every flight are faulty:\n{}\ncorrect them; if they are right as they are, `--trust-data` fits them", first_faults(.0))]
     FaultyData(Vec<DataFault>),
     /// No flight can be fitted. Contains all excluded flights with their reasons.
     #[error("none of the flights can be fitted:\n{}", first_reasons(.0))]

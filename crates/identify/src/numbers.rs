@@ -97,6 +97,14 @@ pub fn millimetres(metres: f64) -> String {
     format!("{}\u{a0}mm", significant(1e3 * metres, 3))
 }
 
+/// Formats a value in SI units with three significant digits and its unit, lengths in mm; `–` if it is not finite.
+pub fn quantity(value: f64, of: &str) -> String {
+    if matches!(of, "" | "m") || !value.is_finite() {
+        return millimetres(value);
+    }
+    format!("{}\u{a0}{}", significant(value, 3), unit(of))
+}
+
 /// Formats a fraction (0 to 1) as a percentage; `–` if it is not finite.
 pub fn percent(share: f64) -> String {
     if !share.is_finite() {

@@ -6,7 +6,7 @@ use crate::root::first_past_root;
 use std::borrow::Cow;
 
 /// Number of equal subintervals of a step that are searched for a sign change of an event function, and for a minimum.
-const SEARCH_INTERVALS: u32 = 8;
+const SEARCH_INTERVALS: u32 = 16;
 
 /// Distance from the end of a step, as a fraction of a subinterval, at which the slope of an event function is asked.
 const SLOPE_STEP: f64 = 1e-3;
@@ -16,7 +16,7 @@ const MINIMUM_WIDTH: f64 = 1e-7;
 
 /// Distance of the cubic Hermite interpolant from 0 at which the dense output is asked, in units of the bound of the
 /// interpolant's distance from its chord: the two differ by terms of fourth and higher order in the step size.
-pub(crate) const HERMITE_MARGIN: f64 = 0.05;
+pub(crate) const HERMITE_MARGIN: f64 = 0.3;
 
 /// Distance of an event function from 0, in units of its changes between both ends and the middle of a step, beyond
 /// which it does not reach 0 within the step.

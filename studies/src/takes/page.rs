@@ -47,6 +47,9 @@ struct Results {
     fits: Vec<FitRow>,
     coefficients: Vec<CoefficientRow>,
     examples: Vec<String>,
+    /// Number of sessions that were diagnosed, and what the diagnoses find, which is nothing where they are right.
+    diagnosed: usize,
+    alarms: Vec<String>,
 }
 
 /// Statistics of the estimated heights of the centre of mass in the marker template, mm.
@@ -159,6 +162,8 @@ pub fn takes_page(sessions: &[Session]) -> Result<Page, StudyError> {
             })
             .collect(),
         examples: examples(sessions),
+        diagnosed: results.iter().filter(|result| result.found.is_ok()).count(),
+        alarms: alarms(sessions),
     };
     Page::without_figures(include_str!("page.md"), all)
 }
@@ -229,6 +234,15 @@ fn formats(sessions: &[Session]) -> Vec<FormatRow> {
         }
     };
     names.into_iter().map(row).collect()
+}
+
+/// What the diagnoses find in sessions in which nothing is missing: one text for each.
+fn alarms(sessions: &[Session]) -> Vec<String> {
+    let each = sessions.iter().filter_map(|session| {
+        let found = session.result.as_ref().ok()?.found.as_ref().ok()?.as_ref()?;
+        Some(format!("seed {}: {found}", session.seed))
+    });
+    each.collect()
 }
 
 /// Describes the simulated recording sessions that ended with an error or in which a fit failed: one text with settings

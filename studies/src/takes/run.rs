@@ -9,12 +9,14 @@ use dataset::takes::{
     Throws, estimate_template, find_throws,
 };
 use dataset::{Dataset, Flight, Marker};
+use diagnose::{DiagnosisOptions, Verdict, diagnose};
 use flight::parallel;
+use identify::FitOptions;
 
 use super::c3d;
 use super::session::{Filmed, FilmedTake, filmed, turned};
 use super::text::Writer;
-use crate::bounded_fit::bounded_fit;
+use crate::bounded_fit::{bounded_fit, cancelled_after, on_threads};
 use crate::error::StudyError;
 use crate::oracle_flights::{TRUTH, disc, empty, file_name};
 use crate::progress::{Progress, each_run};
@@ -63,6 +65,9 @@ pub struct SessionResult {
     /// Errors of four fits, or the error of a fit that failed: with detected flight ends and estimated marker template,
     /// detected ends and true template, true ends and estimated template, true ends and true template.
     pub fits: Vec<Result<FitErrors, StudyError>>,
+    /// What a diagnosis with detected ends and estimated template finds in these flights, which lack nothing: its
+    /// verdict and the names of its explanations; `None` if it finds nothing.
+    pub found: Result<Option<String>, StudyError>,
 }
 
 /// Errors (estimated − true) of the coefficients and of the centre-of-mass height in one fit.
@@ -229,6 +234,12 @@ fn round_trip(filmed: &Filmed, files: &[Vec<u8>]) -> Result<SessionResult, Study
         template: template_errors(&template, &filmed.markers),
         template_of_true_cuts: template_errors(&of_true_cuts, &filmed.markers),
         fits: fits.into(),
+        found: diagnosed(&session_dataset(
+            &labels,
+            &positions(&template),
+            Some(template.origin_error()),
+            &found,
+        )),
     })
 }
 
@@ -316,24 +327,54 @@ fn template_errors(template: &EstimatedTemplate, markers: &[[f64; 3]]) -> Templa
     }
 }
 
+fn session_dataset(
+    labels: &[String],
+    markers: &[[f64; 3]],
+    origin_error: Option<[f64; 3]>,
+    flights: &[Flight],
+) -> Dataset {
+    let markers = labels.iter().zip(markers).map(|(name, position)| Marker {
+        name: name.clone(),
+        position: *position,
+    });
+    Dataset {
+        markers: markers.collect(),
+        origin_error,
+        flights: flights.to_vec(),
+        ..empty(&disc())
+    }
+}
+
+/// Diagnoses a dataset in which nothing is missing. Returns what the diagnosis finds, `None` if it finds nothing.
+fn diagnosed(dataset: &Dataset) -> Result<Option<String>, StudyError> {
+    let found = cancelled_after(LIMIT, |token| {
+        let options = DiagnosisOptions {
+            dataset: "takes",
+            fit: FitOptions {
+                cancellation: Some(token),
+                ..on_threads(1)
+            },
+            ..DiagnosisOptions::default()
+        };
+        diagnose(&disc(), dataset, &options)
+    });
+    let report = found?.report;
+    let explanations = report.explanations.iter();
+    let names: Vec<String> = explanations.map(diagnose::Explanation::name).collect();
+    Ok(match report.verdict {
+        Verdict::Adequate | Verdict::Negligible => None,
+        verdict => Some(format!("{verdict:?}: {}", names.join(", "))),
+    })
+}
+
 fn fit(
     labels: &[String],
     markers: &[[f64; 3]],
     origin_error: Option<[f64; 3]>,
     flights: &[Flight],
 ) -> Result<FitErrors, StudyError> {
-    let model = disc();
-    let markers = labels.iter().zip(markers).map(|(name, position)| Marker {
-        name: name.clone(),
-        position: *position,
-    });
-    let dataset = Dataset {
-        markers: markers.collect(),
-        origin_error,
-        flights: flights.to_vec(),
-        ..empty(&model)
-    };
-    let report = bounded_fit(&model, &dataset, LIMIT).result?.report;
+    let dataset = session_dataset(labels, markers, origin_error, flights);
+    let report = bounded_fit(&disc(), &dataset, LIMIT).result?.report;
     let each = TRUTH.iter().map(|(name, truth)| {
         let found = report.coefficients.get(*name);
         let found = found.ok_or_else(|| StudyError::Name {

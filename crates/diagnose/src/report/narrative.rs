@@ -37,7 +37,7 @@ impl Report {
                 all.len()
             ),
             (Verdict::Unattributed, _) => {
-                "The model lacks an effect that is not in the catalogue.".to_owned()
+                "The model lacks an effect, and no candidate explains what is missing.".to_owned()
             }
             (Verdict::Negligible, _) => lacks("an effect below the smallest size of interest"),
         }

@@ -2,7 +2,7 @@
 
 use identify::{Fit, convergence_caution, exclusion_caution};
 
-use super::types::{Report, Verified};
+use super::types::{Report, Verdict, Verified};
 
 impl Report {
     /// Records the result of verifying the extended model, `verified`, and assesses whether the diagnosis is reliable.
@@ -19,9 +19,20 @@ impl Report {
             caution(!self.complete, "the search was not completed"),
             exclusion_caution(&before.report),
             caution(is_refuted, "the extended model fails an independent check"),
+            caution(
+                self.lack_remains(),
+                "the residuals are not noise with what was found either: it is at best a part of what is missing",
+            ),
         ];
         self.cautions = cautions.into_iter().flatten().collect();
         self.reliable = self.cautions.is_empty();
         self.verified = verified;
+    }
+
+    /// Whether the diagnosis states what is missing, and the residuals with it are not noise.
+    fn lack_remains(&self) -> bool {
+        let is_stated = matches!(self.verdict, Verdict::Identified | Verdict::Ambiguous);
+        let test = self.lack_of_fit.as_ref();
+        is_stated && test.is_some_and(|test| test.p_value < self.threshold.alpha)
     }
 }

@@ -3,7 +3,7 @@
 use super::types::{Explanation, Report, Unattributed, Verdict};
 use crate::context::display_name;
 use crate::extension::ExtendedModel;
-use identify::numbers::{millimetres, percent, significant};
+use identify::numbers::{percent, quantity, significant};
 use identify::{LackOfFit, SmoothMisfit};
 
 /// Maximum number of flights whose largest smooth deviation is described in the report's text on the lack of fit.
@@ -53,7 +53,7 @@ pub(crate) fn describe_departures(report: &mut Report) {
         (none, Verdict::Unattributed) => {
             *none = Some(Unattributed::described(says));
         }
-        (none, Verdict::Identified) if report.consensus.is_none() => {
+        (none, Verdict::Identified | Verdict::Ambiguous) if report.consensus.is_none() => {
             let nearest = report.explanations.first();
             match nearest.filter(|nearest| nearest.explained_fraction < MIN_EXPLAINED) {
                 None => report.notes.push(format!("a lack of fit remains: {says}")),
@@ -102,10 +102,9 @@ fn departures(found: &LackOfFit) -> String {
     let each = found.largest_misfits.iter().take(MAX_DEPARTURES);
     let each: Vec<String> = each.map(departure).collect();
     format!(
-        "The residuals are not noise (p = {}): {} beyond the noise of {} that no smooth motion can follow. The greatest deviations: {}.",
+        "The residuals are not noise (p = {}): {} remain. The greatest deviations: {}.",
         significant(found.p_value, 3),
-        millimetres(found.beyond_noise_m),
-        millimetres(found.noise_m),
+        found.beyond_noise(),
         each.join("; ")
     )
 }
@@ -120,10 +119,7 @@ fn departure(found: &SmoothMisfit) -> String {
         unit,
         ..
     } = found;
-    let size = match unit.as_str() {
-        "" | "m" => millimetres(*size_m),
-        unit => format!("{} {unit}", significant(*size_m, 3)),
-    };
+    let size = quantity(*size_m, unit);
     let sign = if *size_m > 0.0 { "+" } else { "" };
     format!("{file}, {coordinate} by {sign}{size} at {from_s:.2} to {to_s:.2} s")
 }

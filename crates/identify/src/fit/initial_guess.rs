@@ -4,6 +4,7 @@ use flight::parallel;
 
 use super::FitError;
 use super::one_flight::FixedGlobal;
+use super::several_starts;
 use super::state::State;
 use crate::error::{ExcludedFlight, FlightError};
 use crate::ground_contact::{self, ContactSearch};
@@ -17,7 +18,6 @@ use crate::vertical;
 use dataset::pose::Pose;
 use dataset::statistics::median_of;
 use dataset::{Dataset, Flight};
-use model_spec::sort_by_number;
 
 /// Duration of the first segment of a flight, to which the guess of its initial state is fitted, s.
 const FIRST_SEGMENT: f64 = 0.15;
@@ -212,8 +212,8 @@ pub fn observations_and_poses(
 }
 
 /// Returns guesses of the initial state of a flight, refined by a fit to the first segment of the flight, each with its
-/// sum of squares after the fit; the guess with the slowest spin is first. If no positions are measured, returns only
-/// the guess with the smallest sum of squares. After the deadline set in the fit options, guesses are returned without
+/// sum of squares after the fit; the guess with the slowest spin is first. If no positions are measured, returns the
+/// best guesses of each speed, the smallest sum of squares first. After the deadline set in the fit options, guesses are returned without
 /// refinement, with an infinite sum of squares.
 ///
 /// # Errors
@@ -226,19 +226,18 @@ pub fn refined_guesses(
     let samples = first_segment(observations);
     let mut refined = Vec::new();
     let mut failure = FlightError::NoMatchingState;
-    for InitialGuess { state, turns } in initial_state::initial_guesses(problem, observations)? {
+    for guess in initial_state::initial_guesses(problem, observations)? {
         if at.options.is_past_deadline() {
-            refined.push((f64::INFINITY, InitialGuess { state, turns }));
+            refined.push((f64::INFINITY, guess));
             continue;
         }
-        match at.fit_initial_state(observations, samples, state) {
-            Ok((squares, state)) => refined.push((squares, InitialGuess { state, turns })),
+        match at.fit_initial_state(observations, samples, guess.state.clone()) {
+            Ok((squares, state)) => refined.push((squares, InitialGuess { state, ..guess })),
             Err(reason) => failure = reason,
         }
     }
     if !problem.sees_positions() {
-        sort_by_number(&mut refined, |(squares, _)| *squares);
-        refined.truncate(1);
+        several_starts::keep_best(&mut refined);
     }
     match refined.is_empty() {
         true => Err(failure),

@@ -26,9 +26,11 @@ mod post_fit;
 mod residual_cache;
 mod reweighting;
 mod rigidity;
+mod several_starts;
 mod spin_aliases;
 mod state;
 mod taking_back;
+mod trial;
 mod undistorted;
 mod unlike_flights;
 mod warm_start;
@@ -157,6 +159,7 @@ fn fit_within(
     if vertical::is_in(model) {
         data_faults.retain(|fault| fault.fault != FaultKind::Axes);
     }
+    trial::remove_refuted(model, dataset, options, &mut data_faults)?;
     let faulty = screening::excluded(dataset, &data_faults, options);
     let is_faulty = |flight: &FlightId| faulty.iter().any(|excluded| excluded.flight == *flight);
     fitted.retain(|flight| !is_faulty(flight));
@@ -319,7 +322,11 @@ fn from_guesses<'a>(
 ) -> Result<(State<'a>, (ResidualCache, Option<f64>)), FitError> {
     let (mut state, alternatives) = (guesses.state, &guesses.alternatives);
     state.excluded.extend(doubtful);
-    let (mut state, cache) = spin_aliases::resolve_spin_aliases(state, alternatives)?;
+    let (mut state, cache) = if state.problem.sees_positions() {
+        spin_aliases::resolve_spin_aliases(state, alternatives)?
+    } else {
+        several_starts::best_of_several(state, alternatives)?
+    };
     let cache = global_error::bound_global_errors(&mut state, cache);
     let cache = wrong_minimum::start_undistorted(&mut state, cache)?;
     let cache = multiple_shooting::shoot_again(&mut state, cache)?;

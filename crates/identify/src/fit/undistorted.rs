@@ -35,7 +35,11 @@ pub fn initial_guesses(
 ) -> Result<Vec<InitialGuess>, FlightError> {
     let mut guesses = initial_state::initial_guesses(at.problem, observations)?;
     let found = undistorted_guess(at.problem, observations, at.global, &guesses[0].state);
-    guesses.extend(found.map(|state| InitialGuess { state, turns: 0 }));
+    guesses.extend(found.map(|state| InitialGuess {
+        state,
+        turns: 0,
+        speed: 0,
+    }));
     Ok(guesses)
 }
 

@@ -28,15 +28,16 @@ const TILT: f64 = 0.35;
 /// Angular rate above which the body is considered to spin about an axis, rad/s.
 const SPINS: f64 = 5.0;
 
-/// Returns the motions at the first sample that are tried as initial guesses of a flight without measured positions.
-/// They are compatible with the first readings of its instruments.
+/// Returns the motions at the first sample that are tried as initial guesses of a flight without measured positions, each
+/// with the index of its speed among those that are tried. They are compatible with the first readings of its
+/// instruments.
 ///
 /// # Errors
 /// [`FlightError::NoMatchingState`] if no instrument has a reading.
 pub fn motions(
     problem: &FitProblem,
     observations: &Observations,
-) -> Result<Vec<RigidMotion>, FlightError> {
+) -> Result<Vec<(usize, RigidMotion)>, FlightError> {
     let readings = |wanted: Instrument| -> Vec<(f64, Vector3<f64>, Vector3<f64>)> {
         let is_wanted = |kind: &ChannelKind| matches!(kind, ChannelKind::Instrument(index) if problem.instruments[*index].0 == wanted);
         let channels = problem.channels.iter().enumerate();
@@ -75,15 +76,16 @@ pub fn motions(
     let speeds = measured.map_or(SPEEDS.to_vec(), |speed| vec![speed]);
     let mut motions = Vec::new();
     for attitude in attitudes() {
-        for &speed in &speeds {
+        for (index, &speed) in speeds.iter().enumerate() {
             for angle in ANGLES {
                 let velocity = speed * (angle.cos() * along - angle.sin() * up);
-                motions.push(RigidMotion {
+                let motion = RigidMotion {
                     position: Vector3::zeros(),
                     velocity: attitude * velocity,
                     attitude: problem.has_attitude.then_some(attitude),
                     rates: problem.has_attitude.then(|| attitude * spin),
-                });
+                };
+                motions.push((index, motion));
             }
         }
     }

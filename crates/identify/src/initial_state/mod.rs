@@ -24,6 +24,8 @@ pub struct InitialGuess {
     pub state: DVector<f64>,
     /// Number of turns per sampling interval added to the slowest spin that is compatible with the samples.
     pub turns: i32,
+    /// Index of the speed from which the guess was made, among those that were tried; 0 if positions are measured.
+    pub speed: usize,
 }
 
 /// Maximum spin of an additional initial guess that has whole turns per sampling interval added (aliasing), rad/s.
@@ -61,7 +63,11 @@ pub fn initial_guesses(
             continue;
         }
         match state_for_motion(problem, observations, &motion) {
-            Ok(state) => guesses.push(InitialGuess { state, turns }),
+            Ok(state) => guesses.push(InitialGuess {
+                state,
+                turns,
+                speed: 0,
+            }),
             Err(reason) => failure = reason,
         }
     }
@@ -79,9 +85,13 @@ fn instrument_guesses(
     observations: &Observations,
 ) -> Result<Vec<InitialGuess>, FlightError> {
     let motions = instruments::motions(problem, observations)?;
-    let states = motions.iter().filter_map(|motion| {
+    let states = motions.iter().filter_map(|(speed, motion)| {
         let state = state_for_motion(problem, observations, motion).ok()?;
-        Some(InitialGuess { state, turns: 0 })
+        Some(InitialGuess {
+            state,
+            turns: 0,
+            speed: *speed,
+        })
     });
     let guesses: Vec<InitialGuess> = states.collect();
     match guesses.is_empty() {

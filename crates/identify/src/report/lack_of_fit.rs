@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use crate::noise::NoiseModel;
-use crate::numbers::{millimetres, probability};
+use crate::numbers::{millimetres, probability, significant};
 
 /// Result of the lack-of-fit test, which compares the residuals of a fit with the measurement noise. The noise is
 /// estimated from changes of the residuals that are too fast for any smooth motion.
@@ -28,6 +28,9 @@ pub struct LackOfFit {
     /// fast deviations of the residuals from zero, at least 0.
     #[serde(skip)]
     pub excess_chi2: f64,
+    /// Whether positions alone are measured. Other residuals have no length, and are stated relative to the noise.
+    #[serde(skip)]
+    pub has_length: bool,
     /// Estimated noise model: the noise floor of the residuals.
     #[serde(skip, default = "no_noise")]
     pub noise: NoiseModel,
@@ -60,15 +63,32 @@ impl LackOfFit {
     /// Sentence on the result of the test.
     pub fn sentence(&self) -> String {
         let p = probability(self.p_value);
-        let floor = millimetres(self.noise_m);
-        if self.largest_misfits.is_empty() {
+        if !self.largest_misfits.is_empty() {
+            let beyond = self.beyond_noise();
             return format!(
-                "The residuals are compatible with noise of {floor} (lack-of-fit test, p = {p})."
+                "The residuals are not noise (lack-of-fit test, p = {p}): {beyond} remain."
             );
         }
-        format!(
-            "The residuals are not noise (lack-of-fit test, p = {p}): {} rms remain beyond the noise of {floor}.",
-            millimetres(self.beyond_noise_m)
-        )
+        let noise = if self.has_length {
+            format!("noise of {}", millimetres(self.noise_m))
+        } else {
+            "the noise".to_owned()
+        };
+        format!("The residuals are compatible with {noise} (lack-of-fit test, p = {p}).")
+    }
+
+    /// The residuals in excess of the noise, in words.
+    #[doc(hidden)]
+    pub fn beyond_noise(&self) -> String {
+        if self.has_length {
+            let [beyond, noise] = [self.beyond_noise_m, self.noise_m].map(millimetres);
+            format!("{beyond} rms beyond the noise of {noise}")
+        } else {
+            let ratio = self.beyond_noise_m / self.noise_m;
+            format!(
+                "rms residuals of {} times the noise, beyond it,",
+                significant(ratio, 2)
+            )
+        }
     }
 }

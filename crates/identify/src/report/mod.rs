@@ -246,6 +246,17 @@ impl FitReport {
         residual_rms::leading(&self.residual_rms).map_or(f64::NAN, |rms| rms.value)
     }
 
+    /// [`rms`](Self::rms) with its unit, in words; `–` if there is none.
+    #[doc(hidden)]
+    pub fn rms_text(&self) -> String {
+        residual_rms::text(&self.residual_rms)
+    }
+
+    /// Root mean square residual of a coordinate of the measured positions, m; `None` where no positions are measured.
+    pub(crate) fn position_rms(&self) -> Option<f64> {
+        self.residual_rms.get(MARKER).map(|rms| rms.value)
+    }
+
     /// Noise of the measured positions; without positions, that of the first kind of sensor in `noise`.
     pub fn leading_noise(&self) -> &NoiseReport {
         leading_noise(&self.noise)
@@ -284,6 +295,12 @@ impl FlightReport {
     /// sensor in `residual_rms`, in its unit. NaN if the flight is excluded.
     pub fn rms(&self) -> f64 {
         residual_rms::leading(&self.residual_rms).map_or(f64::NAN, |rms| rms.value)
+    }
+
+    /// [`rms`](Self::rms) with its unit, in words; `–` if there is none.
+    #[doc(hidden)]
+    pub fn rms_text(&self) -> String {
+        residual_rms::text(&self.residual_rms)
     }
 }
 

@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use crate::numbers::quantity;
+
 /// Kind under which the residuals and the noise of measured positions are reported: of markers or, without markers, of
 /// pose sensors.
 pub const MARKER: &str = "marker";
@@ -39,6 +41,11 @@ impl SquareSums {
         });
         each.collect()
     }
+}
+
+/// The value of the [`leading`] kind of sensor with its unit, in words; `–` if there is none.
+pub(super) fn text(by_kind: &BTreeMap<String, Rms>) -> String {
+    leading(by_kind).map_or_else(|| "–".to_owned(), |rms| quantity(rms.value, &rms.unit))
 }
 
 /// What belongs to the positions among the kinds of sensors, or to the first kind where no positions are measured.

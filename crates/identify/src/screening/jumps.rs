@@ -15,6 +15,11 @@ const SIDE: usize = 8;
 /// Minimum size of a jump in a measured path that is reported: the larger of the first number times the noise of the
 /// path and the second number in m.
 const JUMP: (f64, f64) = (15.0, 0.08);
+/// Minimum size of a jump by whole frames ahead that is reported, in units of the noise of the path: no motion of a body
+/// looks like a missing frame.
+const FRAMES: f64 = 10.0;
+/// Maximum difference between a jump and the motion in whole frames, in frames.
+const WHOLE: f64 = 0.2;
 /// Minimum size of a jump in a measured path that is reported, in units of the distance that the body moves in the
 /// sampling interval of the jump.
 const STEPS: f64 = 0.5;
@@ -34,9 +39,10 @@ pub fn check(track: &Track, flight: &Flight) -> Option<DataFault> {
     }
     let usual = median_of(points.windows(2).map(|w| w[1].time - w[0].time))?;
     let least = (JUMP.0 * track.noise).max(JUMP.1);
+    let of_frames = FRAMES * track.noise;
     for index in SIDE..=points.len() - SIDE {
         let interval = points[index].time - points[index - 1].time;
-        if interval > GAP * usual || !may_jump(points, index, least) {
+        if interval > GAP * usual || !may_jump(points, index, least.min(of_frames)) {
             continue;
         }
         let time = points[index - 1].time + 0.5 * interval;
@@ -49,12 +55,16 @@ pub fn check(track: &Track, flight: &Flight) -> Option<DataFault> {
         let span = |side: &[PathPoint]| side[SIDE - 1].time - side[0].time;
         let longest = span(&points[index - SIDE..index]).max(span(&points[index..index + SIDE]));
         let curved = (after - before).norm() * longest / 6.0;
-        if jump.norm() < least.max(STEPS * step.norm()) + curved {
+        let size = jump.norm();
+        let is_ahead = jump.dot(&step) > AHEAD * size * step.norm();
+        let frames = size / step.norm();
+        let is_whole = is_ahead && frames > 0.5 && (frames - frames.round()).abs() < WHOLE;
+        let least = if is_whole { of_frames } else { least };
+        if size < least.max(STEPS * step.norm()) + curved {
             continue;
         }
-        let size = jump.norm();
         let time = points[index].time;
-        let (detail, correction) = match jump.dot(&step) > AHEAD * size * step.norm() {
+        let (detail, correction) = match is_ahead {
             true => (
                 format!(
                     "the body jumps ahead by {size:.2} m at t = {time:.3} s, as where frames are missing and the times do not say so"

@@ -25,6 +25,9 @@ const MAX_TURN: f64 = 2.5;
 const MIN_TURNING: f64 = 0.4;
 /// Minimum ratio by which the angular momentum must turn less under another convention of quaternions, in squares.
 const STEADIER: f64 = 4.0;
+/// Maximum mean square change of the angular momentum, relative to its square, at which another convention of quaternions
+/// is taken: aerodynamic moments turn the angular momentum of some bodies in any convention.
+const STEADY: f64 = 0.15;
 /// Rotation between two compared angular momenta, rad: enough to see a direction that turns with the body.
 const COMPARED_ROTATION: f64 = 1.5;
 
@@ -208,7 +211,7 @@ fn convention(
         ))
     });
     let best = tried.min_by(|a, b| a.0.total_cmp(&b.0))?;
-    (STEADIER * best.0 < stated).then(|| {
+    (best.0 < STEADY && STEADIER * best.0 < stated).then(|| {
         (
             format!(
                 "the quaternions seem to {}: as they are, the angular momentum turns with the body",

@@ -2,6 +2,7 @@
 
 mod analytic;
 mod batch;
+mod dips;
 mod disc;
 mod events;
 mod methods;

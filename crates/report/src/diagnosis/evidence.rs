@@ -13,7 +13,8 @@ use crate::page::flight_link;
 use crate::table::{Cell, Table};
 use crate::thin::{MAX_ROWS, largest_first};
 use identify::numbers::{
-    equivalent_z, millimetres, percent, plain, probability, probability_of_ln, significant,
+    equivalent_z, millimetres, percent, plain, probability, probability_of_ln, quantity,
+    significant,
 };
 use identify::wording::{names, short};
 
@@ -137,10 +138,7 @@ pub(super) fn scores(report: &Report) -> Table {
 
 /// Table of the largest smooth deviations of the residuals from zero, smallest p-value first.
 fn misfits(test: &LackOfFit) -> Table {
-    let size = |misfit: &SmoothMisfit| match misfit.unit.as_str() {
-        "" | "m" => millimetres(misfit.size_m),
-        unit => format!("{} {unit}", significant(misfit.size_m, 3)),
-    };
+    let size = |misfit: &SmoothMisfit| quantity(misfit.size_m, &misfit.unit);
     Table::of(test.largest_misfits.iter().take(MAX_ROWS))
         .file("flight", |misfit| &misfit.file)
         .plain("coordinate", |misfit| &misfit.coordinate)

@@ -1,7 +1,7 @@
 //! Names and sentences of the page of a diagnosis.
 
 use diagnose::Report;
-use identify::numbers::{millimetres, percent, plain};
+use identify::numbers::{percent, plain, quantity};
 
 /// Name of an effect as words separated by spaces.
 pub(super) fn readable(name: &str) -> String {
@@ -14,7 +14,7 @@ pub(super) fn noise(report: &Report) -> String {
     format!(
         "The noise per coordinate is {} (standard deviation), with a lag-1 autocorrelation of {}; {} of the points were \
          classified as outliers.",
-        millimetres(noise.sigma),
+        quantity(noise.sigma, &noise.unit),
         plain(noise.lag1_autocorrelation, 2),
         percent(noise.outlier_fraction)
     )

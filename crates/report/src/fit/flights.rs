@@ -9,7 +9,7 @@ use crate::html::Html;
 use crate::page::flight_link;
 use crate::table::Table;
 use crate::thin::{MAX_FLIGHTS, MAX_ROWS, largest_first};
-use identify::numbers::{millimetres, plain};
+use identify::numbers::plain;
 use identify::wording::short;
 
 /// Section of the flights, with a histogram of their residuals.
@@ -72,9 +72,7 @@ pub(super) fn table(page: &FitPage<'_>, flights: &[&FlightReport]) -> Table {
     Table::of(flights.iter().take(MAX_ROWS))
         .file("flight", |flight| links(page, &flight.file))
         .number("samples", |flight| flight.samples)
-        .number("rms", |flight| {
-            flight.is_used().then(|| millimetres(flight.rms()))
-        })
+        .number("rms", |flight| flight.is_used().then(|| flight.rms_text()))
         .number("outliers", |flight| flight.outliers)
         .text("cut", |flight| cut(flight).unwrap_or_default())
         .text("notes", |flight| short(&flight.notes.join("; ")))

@@ -11,7 +11,7 @@ use crate::html::Html;
 use crate::page::{Page, heading, watch};
 use crate::table::Table;
 use crate::thin::{MAX_FLIGHTS, MAX_ROWS};
-use identify::numbers::{millimetres, percent, plain};
+use identify::numbers::{percent, plain, quantity};
 use identify::wording::{durations, names, sentence};
 
 /// Number of flights whose figures of the states over time are expanded when the page is opened.
@@ -203,7 +203,7 @@ pub(super) fn noise_table(report: &FitReport) -> Table {
     let all = ("all", noise.sigma, noise.lag1_autocorrelation);
     Table::of(axes.chain([all]))
         .name("axis", |row| row.0)
-        .number("standard deviation", |row| millimetres(row.1))
+        .number("standard deviation", |row| quantity(row.1, &noise.unit))
         .number("lag-1 autocorrelation", |row| plain(row.2, 2))
         .number("correlation time", |row| {
             correlation_time(row.2, noise.interval_s)

@@ -5,7 +5,7 @@ use identify::wording::count;
 use identify::{Coefficient, FitReport, FlightReport};
 
 use super::FitPage;
-use identify::numbers::{millimetres, percent, plain, significant};
+use identify::numbers::{percent, plain, quantity, significant};
 use identify::wording::{counted, names, short};
 
 /// Maximum relative standard error at which the report calls a coefficient well determined.
@@ -54,8 +54,8 @@ pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
     if left_out > 0 {
         text += &format!(" {} excluded.", counted(left_out, "flight"));
     }
-    let rms = millimetres(report.rms());
-    let sigma = millimetres(noise.sigma);
+    let rms = report.rms_text();
+    let sigma = quantity(noise.sigma, &noise.unit);
     let ratio = report.rms() / noise.sigma;
     let fits = if noise.estimated {
         format!(
@@ -89,11 +89,12 @@ fn held_out_words(report: &FitReport) -> Option<String> {
         ratio if ratio.is_finite() => format!(", {} times the noise", plain(ratio, 1)),
         _ => String::new(),
     };
-    let far = millimetres(*most) + &times(*most);
+    let unit = &report.leading_noise().unit;
+    let far = quantity(*most, unit) + &times(*most);
     Some(if rms.len() == 1 {
         format!("The RMS prediction error of the held-out flight is {far}.")
     } else {
-        let near = millimetres(*least);
+        let near = quantity(*least, unit);
         format!("The RMS prediction errors of the held-out flights range from {near} to {far}.")
     })
 }

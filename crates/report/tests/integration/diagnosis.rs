@@ -114,7 +114,7 @@ fn verdicts_have_their_words() {
         ),
         (
             Verdict::Unattributed,
-            "The model lacks an effect that is not in the catalogue.",
+            "The model lacks an effect, and no candidate explains what is missing.",
         ),
         (
             Verdict::Negligible,

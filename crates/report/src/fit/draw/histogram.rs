@@ -2,6 +2,7 @@
 
 use dataset::Role;
 use identify::FitReport;
+use identify::numbers::with_unit;
 
 use super::not_drawn;
 use crate::figure::Figure;
@@ -10,9 +11,14 @@ use crate::figures::{Bar, Layout, Panel};
 /// Minimum number of fitted flights for which the histogram of their residuals is drawn.
 const MIN_FLIGHTS: usize = 8;
 
-/// Draws the histogram of the RMS residuals (mm) of the fitted flights; `None` for fewer than [`MIN_FLIGHTS`] flights.
+/// Draws the histogram of the RMS residuals of the fitted flights; `None` for fewer than [`MIN_FLIGHTS`] flights.
 pub(in super::super) fn histogram(report: &FitReport) -> Option<Figure> {
-    let mut rms: Vec<f64> = report.used(Role::Fit).map(|f| 1e3 * f.rms()).collect();
+    let (scale, unit) = match report.leading_noise().unit.as_str() {
+        "" | "m" => (1e3, "mm"),
+        unit => (1.0, unit),
+    };
+    let flights = report.used(Role::Fit);
+    let mut rms: Vec<f64> = flights.map(|flight| scale * flight.rms()).collect();
     rms.retain(|v| v.is_finite());
     if rms.len() < MIN_FLIGHTS {
         return None;
@@ -40,7 +46,7 @@ pub(in super::super) fn histogram(report: &FitReport) -> Option<Figure> {
     });
     let panel = Panel {
         bars: bars.collect(),
-        ..Panel::new("Flights", "RMS residual of a flight, mm")
+        ..Panel::new("Flights", with_unit("RMS residual of a flight", unit))
     };
     let beyond = rms.iter().filter(|v| **v > high).count();
     let more = not_drawn(beyond, "with larger residuals");
