@@ -239,7 +239,14 @@ fn formats(sessions: &[Session]) -> Vec<FormatRow> {
 /// What the diagnoses find in sessions in which nothing is missing: one text for each.
 fn alarms(sessions: &[Session]) -> Vec<String> {
     let each = sessions.iter().filter_map(|session| {
-        let found = session.result.as_ref().ok()?.found.as_ref().ok()?.as_ref()?;
+        let found = session
+            .result
+            .as_ref()
+            .ok()?
+            .found
+            .as_ref()
+            .ok()?
+            .as_ref()?;
         Some(format!("seed {}: {found}", session.seed))
     });
     each.collect()

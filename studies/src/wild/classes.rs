@@ -96,7 +96,7 @@ pub(super) const CLASSES: &[Class] = &[
     },
     Class {
         prepare: rolling_shutter,
-        ..mistake("rolling shutter", &[Markers], mistakes::none)
+        ..mistake("rolling shutter", &[Markers], mistakes::rolling_shutter)
     },
     mistake("low-pass filter", &[Markers], mistakes::low_pass),
     Class {

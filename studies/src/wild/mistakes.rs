@@ -89,6 +89,11 @@ pub(super) fn y_up_body(recording: &mut Recording, _: &mut ChaCha12Rng) {
     each_attitude(recording, |attitude| attitude * turn);
 }
 
+/// The rows of the pictures are exposed one after the other: the setting has their time.
+pub(super) fn rolling_shutter(recording: &mut Recording, _: &mut ChaCha12Rng) {
+    recording.cause = Some("rolling_shutter".to_owned());
+}
+
 pub(super) fn in_g(recording: &mut Recording, _: &mut ChaCha12Rng) {
     recording.cause = Some("accelerometer_scale".to_owned());
     each_reading(recording, Instrument::Accelerometer, |a| {

@@ -39,10 +39,15 @@ pub fn check(track: &Track, flight: &Flight) -> Option<DataFault> {
     }
     let usual = median_of(points.windows(2).map(|w| w[1].time - w[0].time))?;
     let least = (JUMP.0 * track.noise).max(JUMP.1);
-    let of_frames = FRAMES * track.noise;
     for index in SIDE..=points.len() - SIDE {
         let interval = points[index].time - points[index - 1].time;
-        if interval > GAP * usual || !may_jump(points, index, least.min(of_frames)) {
+        if interval > GAP * usual {
+            continue;
+        }
+        if let Some(ahead) = missing_frames(points, index, FRAMES * track.noise) {
+            return Some(frames_are_missing(flight, ahead, points[index].time));
+        }
+        if !may_jump(points, index, least) {
             continue;
         }
         let time = points[index - 1].time + 0.5 * interval;
@@ -55,30 +60,47 @@ pub fn check(track: &Track, flight: &Flight) -> Option<DataFault> {
         let span = |side: &[PathPoint]| side[SIDE - 1].time - side[0].time;
         let longest = span(&points[index - SIDE..index]).max(span(&points[index..index + SIDE]));
         let curved = (after - before).norm() * longest / 6.0;
-        let size = jump.norm();
-        let is_ahead = jump.dot(&step) > AHEAD * size * step.norm();
-        let frames = size / step.norm();
-        let is_whole = is_ahead && frames > 0.5 && (frames - frames.round()).abs() < WHOLE;
-        let least = if is_whole { of_frames } else { least };
-        if size < least.max(STEPS * step.norm()) + curved {
+        if jump.norm() < least.max(STEPS * step.norm()) + curved {
             continue;
         }
+        let size = jump.norm();
         let time = points[index].time;
-        let (detail, correction) = match is_ahead {
-            true => (
-                format!(
-                    "the body jumps ahead by {size:.2} m at t = {time:.3} s, as where frames are missing and the times do not say so"
-                ),
-                "write the times at which the frames were recorded",
-            ),
-            false => (
-                format!("the track jumps by {size:.2} m at t = {time:.3} s"),
-                "end the table there, or check that the track is of one body",
-            ),
-        };
-        return Some(DataFault::new(flight, FaultKind::Other, detail, correction));
+        if jump.dot(&step) > AHEAD * size * step.norm() {
+            return Some(frames_are_missing(flight, size, time));
+        }
+        return Some(DataFault::new(
+            flight,
+            FaultKind::Other,
+            format!("the track jumps by {size:.2} m at t = {time:.3} s"),
+            "end the table there, or check that the track is of one body",
+        ));
     }
     None
+}
+
+fn frames_are_missing(flight: &Flight, ahead: f64, time: f64) -> DataFault {
+    DataFault::new(
+        flight,
+        FaultKind::Other,
+        format!(
+            "the body jumps ahead by {ahead:.2} m at t = {time:.3} s, as where frames are missing and the times do not say so"
+        ),
+        "write the times at which the frames were recorded",
+    )
+}
+
+/// Length, m, by which the body moves farther just before the path point with the index `index` than in the two adjacent
+/// sampling intervals, if that is the motion of whole frames and more than `least`, m.
+fn missing_frames(points: &[PathPoint], index: usize, least: f64) -> Option<f64> {
+    let moved = |k: usize| points[k].position - points[k - 1].position;
+    let (before, after) = (moved(index - 1), moved(index + 1));
+    let step = 0.5 * (before + after);
+    let ahead = moved(index) - step;
+    let frames = (ahead.dot(&step) / step.norm_squared()).round();
+    let is_whole = (ahead - frames * step).norm() < WHOLE * step.norm();
+    let is_steady = (after - before).norm() < WHOLE * step.norm();
+    let size = ahead.norm();
+    (frames >= 1.0 && is_whole && is_steady && size > least).then_some(size)
 }
 
 /// Quick test for a possible jump of at least `least`, m, between the path point with the index `index` and the
