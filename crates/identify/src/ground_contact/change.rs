@@ -48,6 +48,8 @@ const MIN_NOISE: f64 = 1e-9;
 struct Change {
     /// Index of the point.
     index: usize,
+    /// Duration of the interval, s.
+    interval: f64,
     /// Decrease of the sum of squared residuals if the motion changes, m².
     squares: f64,
     /// Residual variance if the motion changes, m².
@@ -65,10 +67,12 @@ impl Change {
         self.squares / noise.max(self.variance)
     }
 
-    /// Whether the jump is one at the ground: upward, of a body that descends.
-    fn is_upward(&self) -> bool {
+    /// Whether the jump is one at the ground: upward, of a body that descends, and not of its position, as where frames
+    /// are missing. The residuals are then smaller than the distance that the body moves during the interval.
+    fn is_impact(&self) -> bool {
         let least = MIN_JUMP.max(MIN_UPWARD_PART * self.jump.norm());
-        self.velocity.z < 0.0 && self.jump.z > least
+        let moved = self.velocity.norm() * self.interval;
+        self.velocity.z < 0.0 && self.jump.z > least && self.variance < moved * moved
     }
 }
 
@@ -96,7 +100,7 @@ pub fn first_change(path: &[PathPoint]) -> Option<Contact> {
             true => whole,
             false => median_of(gains[..earlier].iter().copied()).unwrap_or(whole),
         };
-        change.is_upward() && **gain > LEVEL * usual.max(MIN_USUAL)
+        change.is_impact() && **gain > LEVEL * usual.max(MIN_USUAL)
     })?;
     if is_stopped(&path.points, found.index, &found.velocity) {
         return None;
@@ -137,6 +141,7 @@ impl Path {
         let changed = fit(&kept, self.noise, about, true)?;
         Some(Change {
             index,
+            interval: self.points[index].time - self.points[index - 1].time,
             squares: smooth.squares - changed.squares,
             variance: changed.squares / changed.freedom,
             velocity: changed.velocity(),
