@@ -20,19 +20,23 @@ const SIDES: (usize, usize) = (20, 8);
 /// Minimum numbers of points before and after an interval that is tested for a contact: enough for four coefficients
 /// before it and for two more after it.
 const MIN_SIDES: (usize, usize) = (8, 3);
-/// Maximum number of points around a tested interval that are left out as outliers.
+/// Maximum number of points around a tested interval that are left out as outliers. If more were, a contact near the end
+/// of the points could be taken for outliers.
 const MAX_OUTLIERS: usize = 2;
 /// Decrease of the sum of squared residuals, in units of the noise variance, above which a point is an outlier: χ² of
 /// three coordinates exceeds it with probability 10⁻⁸.
 const OUTLIER: f64 = 40.0;
-/// Level of the test: minimum gain of a contact, in units of the usual gain of intervals without a contact.
+/// Level of the test: minimum gain of a contact, in units of the usual gain of intervals without a contact. It is
+/// exceeded in 2 of 2,500 simulated flights of discs and balls that touch nothing, with outliers, gaps and correlated
+/// noise.
 const LEVEL: f64 = 7.0;
-/// Minimum usual gain. Noise alone gives 6, the number of coefficients of the two jumps.
+/// Minimum usual gain: white noise alone gives 6, the number of coefficients of the two jumps, and correlated noise more.
 const MIN_USUAL: f64 = 10.0;
 /// Minimum number of earlier intervals for the usual gain to be the median of their gains. With fewer, it is the lower
 /// quartile over the whole flight.
 const EARLIER: usize = 8;
-/// Minimum upward velocity jump of a contact, m/s. The jumps that fast changes of lift feign are smaller.
+/// Minimum upward velocity jump of a contact, m/s. At the start of a fast throw, lift that changes within a few samples
+/// feigns jumps of 0.2 to 0.4 m/s.
 const MIN_JUMP: f64 = 0.5;
 /// Minimum ratio of the upward component of a velocity jump at the ground to its magnitude; limited friction limits the
 /// horizontal component.
