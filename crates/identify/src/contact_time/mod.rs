@@ -42,10 +42,6 @@ const MIN_GAIN: f64 = 60.0;
 /// squares by this jump to the largest decrease by a jump at an earlier sample. Deviations due to a wrong model grow
 /// smoothly and stay below this ratio.
 const MIN_GROWTH: f64 = 4.0;
-/// An earlier velocity jump is preferred to the best one if its decrease of the sum of squares is smaller by at most
-/// this value, the 90 % quantile of χ² with one degree of freedom. If the contact with the ground is dated too late,
-/// disturbed samples remain in the data; this is worse than the loss of undisturbed samples if it is dated too early.
-const UNDECIDED_GAIN: f64 = 2.71;
 /// Requirements for later samples to confirm a contact with the ground or an object: number of additional samples with
 /// which the velocity jump is tested again, and factor by which they must increase the gain of the jump (decrease of
 /// the sum of squares) if the gain increased abruptly before (see `OUTLIER_GAIN`). Otherwise, any increase suffices.
@@ -145,10 +141,7 @@ fn departure(
         let before = found.contact.checked_sub(tried.start + 1);
         let usual = before.map_or(0.0, |index| greatest[index]);
         if is_confirmed && found.gain > MIN_GAIN.max(MIN_GROWTH * usual) {
-            let mut jumps = tests[last - tried.start].iter();
-            return jumps
-                .find(|jump| jump.gain >= found.gain - UNDECIDED_GAIN)
-                .map(Departure::Contact);
+            return Some(Departure::Contact(found));
         }
         if !is_confirmed && found.gain > previous + OUTLIER_GAIN {
             return Some(Departure::Outlier(last));
