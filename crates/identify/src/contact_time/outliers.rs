@@ -1,8 +1,9 @@
 //! Outlier detection: marks marker positions that agree neither with free motion nor with a contact.
 
-use super::quadratic::Quadratic;
+use super::MAX_OUTLIERS;
+use super::jump::free_motion;
 use super::rows::whitened;
-use super::trajectory::Part;
+use super::trajectory::Trajectory;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use dataset::pose::distance;
@@ -18,11 +19,11 @@ const DISTANCE: f64 = 6.0;
 /// from the predicted distances by more than `DISTANCE`.
 pub fn leave_out_displaced(
     observations: &mut Observations,
-    trajectory: Part<'_>,
+    trajectory: &Trajectory,
     noise: &NoiseModel,
 ) {
     let limit = DISTANCE * noise.overall();
-    for (sample, predicted) in (trajectory.first..).zip(trajectory.samples) {
+    for (sample, predicted) in (trajectory.first..).zip(&trajectory.samples) {
         let seen: Vec<(usize, [f64; 3])> = observations
             .points(sample)
             .iter()
@@ -42,27 +43,21 @@ pub fn leave_out_displaced(
     }
 }
 
-/// Marks as outliers at most `most` marker positions that are far from the fitted motion without contact, one after
-/// another, each time the farthest one. Examines only samples before `trajectory.tried`, the first sample before which
-/// a velocity jump is tried.
+/// Marks as outliers at most `MAX_OUTLIERS` marker positions that are far from the fitted motion without contact, one
+/// after another, each time the farthest one. Examines only samples before `tried`, the first sample before which a
+/// velocity jump is tried.
 pub fn leave_out_before(
     observations: &mut Observations,
-    trajectory: Part<'_>,
+    trajectory: &Trajectory,
     noise: &NoiseModel,
-    most: usize,
+    tried: usize,
 ) {
-    for _ in 0..most {
+    for _ in 0..MAX_OUTLIERS {
         let rows = whitened(observations, trajectory, noise);
-        let before = &rows[..trajectory.tried - trajectory.first];
-        let mut sum = Quadratic::zeros(trajectory.dimension);
-        before
-            .iter()
-            .flatten()
-            .for_each(|point| point.add_to(&mut sum));
-        let Some(change) = sum.minimum() else {
+        let before = &rows[..tried - trajectory.first];
+        let Some(change) = free_motion(before.iter().flatten(), trajectory.dimension) else {
             return;
         };
-        let change = change.into();
         let each = (trajectory.first..).zip(before);
         let each =
             each.flat_map(|(sample, points)| points.iter().map(move |point| (sample, point)));

@@ -2,8 +2,7 @@
 
 use nalgebra::DVector;
 
-use super::quadratic::Quadratic;
-use super::trajectory::{Part, Predicted};
+use super::trajectory::{Predicted, Trajectory};
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 
@@ -36,24 +35,17 @@ impl Point {
         each.map(|row| (row.residual + row.derivatives.dot(change)).powi(2))
             .sum()
     }
-
-    /// Adds the squares of the marker's residuals, as functions of the initial state of the flight, to `sum`.
-    pub fn add_to(&self, sum: &mut Quadratic) {
-        for row in &self.rows {
-            sum.add(row.derivatives.as_slice(), row.residual);
-        }
-    }
 }
 
 /// Whitened residuals of all measured marker positions that are not outliers: one vector of marker positions for each
 /// sample of `trajectory`.
 pub fn whitened(
     observations: &Observations,
-    trajectory: Part<'_>,
+    trajectory: &Trajectory,
     noise: &NoiseModel,
 ) -> Vec<Vec<Point>> {
     let mut earlier: Vec<Option<(usize, &Predicted)>> = vec![None; observations.markers];
-    let samples = (trajectory.first..).zip(trajectory.samples);
+    let samples = (trajectory.first..).zip(&trajectory.samples);
     let each = samples.map(|(sample, markers)| {
         let mut points = Vec::with_capacity(markers.len());
         for (marker, predicted) in markers.iter().enumerate() {

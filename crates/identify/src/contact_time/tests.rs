@@ -3,7 +3,7 @@
 use ::flight::release::{Vocabulary, built_in, read};
 use nalgebra::Vector3;
 
-use super::{Onset, contact_time, predicted};
+use super::{Onset, contact_time};
 use crate::fit::FixedGlobal;
 use crate::fit::contact_refinement::tests::pushed;
 use crate::noise::{AxesNoise, NoiseModel};
@@ -59,8 +59,7 @@ fn contacts(
             let (_, local) = fitted.unwrap();
             let end = changed.times.len();
             let tried = SHOWN..end;
-            let predicted = predicted(&problem, &changed, (&global, &local), &tried).unwrap();
-            contact_time(&changed, &predicted, &noise, tried, 1)
+            contact_time(&problem, &changed, (&global, &local), &noise, tried)
         });
     each.collect()
 }

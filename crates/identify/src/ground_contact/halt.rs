@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::motion::Point;
+use super::PathPoint;
 
 /// Maximum number of points within which a hand stops a body, counted from an interval in which a contact with the
 /// ground is suspected. A disc that slides on the ground takes longer to stop.
@@ -16,7 +16,7 @@ const REST: f64 = 0.2;
 
 /// Whether a body that has the velocity `velocity`, m/s, before point `index` comes to rest within the next `WITHIN`
 /// points, as if stopped by a hand.
-pub fn is_stopped(points: &[Point], index: usize, velocity: &Vector3<f64>) -> bool {
+pub fn is_stopped(points: &[PathPoint], index: usize, velocity: &Vector3<f64>) -> bool {
     let end = index.saturating_add(WITHIN).min(points.len());
     let soon = points.get(index..end).unwrap_or_default();
     let Some([first, .., last]) = soon.last_chunk::<LAST>() else {
@@ -35,16 +35,16 @@ mod tests {
 
     /// Simulated points of a body that flies at 9 m/s and, from point 40 on, loses the fraction `lost` of its speed
     /// over `braked` sampling intervals.
-    fn points(count: usize, braked: usize, lost: f64) -> Vec<Point> {
+    fn points(count: usize, braked: usize, lost: f64) -> Vec<PathPoint> {
         let mut position = Vector3::new(0.0, 0.0, 1.0);
         let each = (0..count).map(|sample| {
             let part = (sample.saturating_sub(40) as f64 / braked as f64).min(1.0);
             position += VELOCITY * (1.0 - lost * part) * INTERVAL;
-            Point {
+            PathPoint {
                 sample,
                 time: sample as f64 * INTERVAL,
                 position,
-                axis: Vector3::z(),
+                attitude: None,
             }
         });
         each.collect()

@@ -1,19 +1,13 @@
 //! Detection of the first contact of a flight; samples after it do not belong to free flight.
 
-mod designs;
+mod change;
 mod halt;
-mod impact_detection;
-mod motion;
-mod motion_fits;
-mod onset;
-mod regression;
+mod smooth_motion;
 #[cfg(test)]
 mod tests;
-mod touch;
-mod wobble;
 
+pub(crate) use change::MIN_UPWARD_PART;
 use nalgebra::{UnitQuaternion, Vector3};
-pub(crate) use touch::MIN_UPWARD_PART;
 
 use crate::observations::Observations;
 use crate::problem::FitProblem;
@@ -26,10 +20,6 @@ const MAX_VARIANCE_RATIO: f64 = 25.0;
 /// Minimum threshold, m², for the residual variance of a pose (of the marker positions about the fitted rigid body). A
 /// sample with a variance above the threshold is considered to contain an outlier.
 const MIN_OUTLIER_VARIANCE: f64 = 1e-8;
-
-/// Maximum difference, in samples, between a ground contact detected from the path of the body and one detected from
-/// its attitude, for both to be the same contact.
-const MAX_SAMPLE_DIFFERENCE: usize = 4;
 
 /// Point of the measured path of a body: position of its origin, and attitude if known, in one sample.
 #[derive(Clone, Copy, Debug)]
@@ -157,34 +147,5 @@ fn variance_limit(variances: impl Iterator<Item = f64>) -> f64 {
 /// Finds the first contact of a body with the ground or an object, from the path of its origin and from its attitude;
 /// `None` if there is none.
 pub fn contact(path: &[PathPoint]) -> Option<Contact> {
-    let of_path = impact_detection::impact(path).map(|impact| Contact {
-        sample: path[impact.index].sample,
-        why: format!(
-            "the velocity jumps by ({:.1}, {:.1}, {:.1}) m/s",
-            impact.jump.x, impact.jump.y, impact.jump.z
-        ),
-    });
-    let of_attitude = touch::touch(path).map(|touch| Contact {
-        sample: touch.sample,
-        why: format!(
-            "the body is turned aside and its velocity jumps up by {:.1} m/s",
-            touch.jump
-        ),
-    });
-    match (of_path, of_attitude) {
-        // For a hard impact, the detection on the path is late, because the rest of the rim hits later, and that by the
-        // attitude is early.
-        (Some(path), Some(touch))
-            if (touch.sample..=touch.sample + MAX_SAMPLE_DIFFERENCE).contains(&path.sample) =>
-        {
-            Some(Contact {
-                sample: touch.sample.midpoint(path.sample),
-                ..touch
-            })
-        }
-        (of_path, of_attitude) => {
-            let both = of_path.into_iter().chain(of_attitude);
-            both.min_by_key(|contact| contact.sample)
-        }
-    }
+    change::first_change(path)
 }

@@ -19,8 +19,8 @@ pub use levenberg_marquardt::{Solution, solve, solve_after};
 pub(crate) use normal_equations::SchurComplement;
 pub use normal_equations::{NormalBlock, ReducedSystem, UndeterminedFlight, eliminate};
 pub use problem::{FailedFlight, Iterate, LeastSquaresProblem, SolveError, Unknowns};
-pub(crate) use scaled_cholesky::floored_inverse;
 pub use scaled_cholesky::pseudo_inverse;
+pub(crate) use scaled_cholesky::{ScaledCholesky, floored_inverse};
 pub use stopping_criteria::{StopReason, StoppingCriteria};
 pub use watchdog::solve_with_watchdog;
 

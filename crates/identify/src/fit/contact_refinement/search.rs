@@ -1,11 +1,9 @@
 //! Search of one flight for its ground contact, with the global parameters of a fit held fixed.
 
-use std::ops::Range;
-
 use nalgebra::DVector;
 
 use super::LEFT_OUT_RATIO;
-use crate::contact_time::{self, Onset, Trajectory, contact_time};
+use crate::contact_time::{Onset, contact_time};
 use crate::fit::initial_guess::{first_segment, refined_guesses};
 use crate::fit::one_flight::FixedGlobal;
 use crate::fit::taking_back::LIKE_RATIO;
@@ -19,9 +17,6 @@ use dataset::Flight;
 const SEARCH_RANGE: (usize, usize) = (12, 14);
 /// Number of samples by which the ranges of two successive searches for a ground contact in one flight overlap.
 const OVERLAP: usize = 8;
-/// Maximum ratio of a flight's residual scale (robust standard deviation of its residuals) to the one that is typical of
-/// the fitted flights, at which the search for a contact does not fit its initial state again.
-const NEAR_RATIO: f64 = 3.0;
 
 /// A flight whose last used sample was changed in the search for a ground contact: its observations up to the new last
 /// sample, and the initial state fitted to them.
@@ -44,7 +39,7 @@ impl Search<'_> {
     /// Searches a fitted flight for its ground contact, and returns the flight truncated there. `present` are the
     /// observations used so far and `local` the initial state fitted to them. If the search does not confirm the
     /// contact at which `present` is truncated, the flight is returned with its whole length. `None` if the last used
-    /// sample of the flight does not change.
+    /// sample of the flight does not change, or if the model does not predict the flight until there.
     pub fn retruncated(
         &self,
         flight: &Flight,
@@ -53,38 +48,32 @@ impl Search<'_> {
     ) -> Option<Retruncated> {
         let mut whole = Observations::new(self.at.problem, flight).ok()?;
         whole.notes.clone_from(&present.notes);
-        let least = first_segment(&whole);
-        let end = present.times.len();
-        let within = match present.truncation {
-            Some(_) => (
+        let (least, end) = (first_segment(&whole), present.times.len());
+        let was_found = present.truncation.is_some();
+        let within = match was_found {
+            true => (
                 end.saturating_sub(SEARCH_RANGE.0).max(least),
                 end + SEARCH_RANGE.1,
             ),
-            None => (least, end),
+            false => (least, end),
         };
-        let was_found = present.truncation.is_some();
-        let Some((onset, local)) = self.contact(&whole, local.clone(), within) else {
-            return was_found.then(|| self.restored(whole, local)).flatten();
-        };
-        if onset.sample == end {
-            return None;
+        match self.contact(&whole, local.clone(), within) {
+            Some((onset, local)) => {
+                let is_new = onset.sample != end && (was_found || is_upward(&onset));
+                let moved = is_new.then(|| self.truncated(whole, &onset, local))??;
+                self.is_within(LIKE_RATIO, &moved).then_some(moved)
+            }
+            None => {
+                let samples = whole.times.len();
+                let local = was_found.then(|| self.fitted(&whole, samples, local))??;
+                let restored = Retruncated {
+                    observations: whole,
+                    local,
+                };
+                self.is_within(LEFT_OUT_RATIO, &restored)
+                    .then_some(restored)
+            }
         }
-        let moved = self.truncated(whole, &onset, local)?;
-        let is_contact = was_found || is_upward(&onset) && self.is_within(LIKE_RATIO, &moved);
-        is_contact.then_some(moved)
-    }
-
-    /// Restores the whole length of a flight that was truncated at a supposed ground contact. `whole` are the
-    /// observations without the truncation; their initial state is fitted from the initial guess `local`. `None` if
-    /// this fit fails, or if the residual scale (robust standard deviation of the residuals) exceeds `LEFT_OUT_RATIO`
-    /// times `self.usual`, the residual scale that is typical of the fitted flights.
-    fn restored(&self, whole: Observations, local: &DVector<f64>) -> Option<Retruncated> {
-        let local = self.fitted(&whole, whole.times.len(), local)?;
-        let moved = Retruncated {
-            observations: whole,
-            local,
-        };
-        self.is_within(LEFT_OUT_RATIO, &moved).then_some(moved)
     }
 
     /// Truncates an excluded flight at its ground contact. The flight was excluded because no fit predicts its whole
@@ -96,9 +85,7 @@ impl Search<'_> {
         let best = guesses.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
         let within = (first_segment(&whole), whole.times.len());
         let (onset, local) = self.contact(&whole, best.1.state, within)?;
-        let moved = self
-            .truncated(whole, &onset, local)
-            .filter(|_| is_upward(&onset))?;
+        let moved = is_upward(&onset).then(|| self.truncated(whole, &onset, local))??;
         self.is_within(LIKE_RATIO, &moved).then_some(moved)
     }
 
@@ -113,8 +100,7 @@ impl Search<'_> {
 
     /// Searches the samples `from..to` of the flight `whole` for the first ground contact, in successive ranges.
     /// Returns the contact, and the initial state fitted to the samples before the range of the contact; `None` if no
-    /// contact was found. `local` is the initial guess of the initial state, which is not fitted again if its residuals
-    /// are small.
+    /// contact was found. `local` is the initial guess of the initial state.
     fn contact(
         &self,
         whole: &Observations,
@@ -122,27 +108,15 @@ impl Search<'_> {
         (from, to): (usize, usize),
     ) -> Option<(Onset, DVector<f64>)> {
         let to = to.min(whole.times.len());
-        let near = match self.is_near(whole, &local, to) {
-            true => self.predicted(whole, &local, from..to),
-            false => None,
-        };
         let mut samples = from;
         while samples < to && !self.at.options.is_past_deadline() {
+            // Few samples may not determine all components of the initial state.
+            local = self.fitted(whole, samples, &local).unwrap_or(local);
             // A prediction far beyond the fitted samples is not linear in the initial state.
             let until = to.min(2 * samples);
-            let after = match near {
-                Some(_) => None,
-                None => {
-                    // Few samples may not determine all components of the initial state.
-                    local = self.fitted(whole, samples, &local).unwrap_or(local);
-                    self.predicted(whole, &local, samples..until)
-                }
-            };
-            let predicted = near.as_ref().or(after.as_ref());
-            let threads = self.at.options.threads();
-            let found = predicted.and_then(|predicted| {
-                contact_time(whole, predicted, self.noise, samples..until, threads)
-            });
+            let unknowns = (self.at.global, &local);
+            let sought = samples..until;
+            let found = contact_time(self.at.problem, whole, unknowns, self.noise, sought);
             if let Some(onset) = found {
                 return Some((onset, local));
             }
@@ -154,23 +128,6 @@ impl Search<'_> {
             };
         }
         None
-    }
-
-    /// Whether the residuals of the first `samples` samples, for the initial state `local`, are so small that the
-    /// prediction may be linearised about this state.
-    fn is_near(&self, whole: &Observations, local: &DVector<f64>, samples: usize) -> bool {
-        let scale = self.at.residual_scale(whole, local, samples);
-        scale.is_some_and(|scale| scale <= NEAR_RATIO * self.usual)
-    }
-
-    fn predicted(
-        &self,
-        whole: &Observations,
-        local: &DVector<f64>,
-        tried: Range<usize>,
-    ) -> Option<Trajectory> {
-        let unknowns = (self.at.global, local);
-        contact_time::predicted(self.at.problem, whole, unknowns, &tried)
     }
 
     /// Truncates the flight `whole` at the contact `onset` and fits its initial state to the remaining samples,
