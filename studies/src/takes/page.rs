@@ -47,9 +47,10 @@ struct Results {
     fits: Vec<FitRow>,
     coefficients: Vec<CoefficientRow>,
     examples: Vec<String>,
-    /// Number of sessions that were diagnosed, and what the diagnoses find, which is nothing where they are right.
+    /// Number of sessions that were diagnosed.
     diagnosed: usize,
-    alarms: Vec<String>,
+    /// Seeds of the sessions in which a diagnosis finds something, and what it finds. Nothing is missing in any.
+    alarms: Vec<(u64, String)>,
 }
 
 /// Statistics of the estimated heights of the centre of mass in the marker template, mm.
@@ -236,8 +237,7 @@ fn formats(sessions: &[Session]) -> Vec<FormatRow> {
     names.into_iter().map(row).collect()
 }
 
-/// What the diagnoses find in sessions in which nothing is missing: one text for each.
-fn alarms(sessions: &[Session]) -> Vec<String> {
+fn alarms(sessions: &[Session]) -> Vec<(u64, String)> {
     let each = sessions.iter().filter_map(|session| {
         let found = session
             .result
@@ -247,7 +247,7 @@ fn alarms(sessions: &[Session]) -> Vec<String> {
             .as_ref()
             .ok()?
             .as_ref()?;
-        Some(format!("seed {}: {found}", session.seed))
+        Some((session.seed, found.trim_end_matches(": ").to_owned()))
     });
     each.collect()
 }
