@@ -4,7 +4,6 @@ use flight::parallel;
 
 use super::FitError;
 use super::one_flight::FixedGlobal;
-use super::several_starts;
 use super::state::State;
 use crate::error::{ExcludedFlight, FlightError};
 use crate::ground_contact::{self, ContactSearch};
@@ -18,6 +17,7 @@ use crate::vertical;
 use dataset::pose::Pose;
 use dataset::statistics::median_of;
 use dataset::{Dataset, Flight};
+use model_spec::sort_by_number;
 
 /// Duration of the first segment of a flight, to which the guess of its initial state is fitted, s.
 const FIRST_SEGMENT: f64 = 0.15;
@@ -34,6 +34,12 @@ const MIN_SIGMA0: f64 = 1e-7;
 /// which the noise floor is used instead. The deviations of the markers from a rigid body are then due to wrong marker
 /// positions or sampling times. Correlated noise also lowers the ratio, but less.
 const MAX_FLOOR_RATIO: f64 = 0.2;
+
+/// Number of initial guesses of each speed that are kept for a flight.
+const KEPT: usize = 5;
+
+/// Relative difference of sums of squares, and of states, below which two guesses are refined to the same one.
+const SAME_GUESS: f64 = 1e-3;
 
 /// Noise of a coordinate averaged over the axes: root mean square of the standard deviations `sigma` along the three
 /// axes.
@@ -237,10 +243,28 @@ pub fn refined_guesses(
         }
     }
     if !problem.sees_positions() {
-        several_starts::keep_best(&mut refined);
+        keep_best(&mut refined);
     }
     match refined.is_empty() {
         true => Err(failure),
         false => Ok(refined),
     }
+}
+
+/// Keeps the best guesses of each speed, each with its sum of squares, the smallest sum of squares first. Short first
+/// segments look alike at different speeds.
+fn keep_best(guesses: &mut Vec<(f64, InitialGuess)>) {
+    sort_by_number(guesses, |(squares, _)| *squares);
+    let mut kept: Vec<(f64, InitialGuess)> = Vec::new();
+    for (squares, guess) in guesses.drain(..) {
+        let of_speed = kept.iter().filter(|(_, other)| other.speed == guess.speed);
+        let is_known = of_speed.clone().any(|(least, other)| {
+            squares - least <= SAME_GUESS * least
+                && (&guess.state - &other.state).norm() < SAME_GUESS * other.state.norm()
+        });
+        if !is_known && of_speed.count() < KEPT {
+            kept.push((squares, guess));
+        }
+    }
+    *guesses = kept;
 }

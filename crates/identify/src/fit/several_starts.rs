@@ -10,16 +10,9 @@ use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::ids::FlightId;
 use crate::initial_state::InitialGuess;
-use model_spec::sort_by_number;
-
-/// Number of initial guesses of each speed that are kept for a flight.
-const KEPT: usize = 5;
 
 /// Number of fits of all flights that are started from each speed.
 const STARTS: usize = 2;
-
-/// Relative difference of sums of squares, and of states, below which two guesses are refined to the same one.
-const SAME_GUESS: f64 = 1e-3;
 
 /// Maximum number of times that all flights are fitted again after single flights moved to better initial states.
 const EXCHANGES: usize = 3;
@@ -33,24 +26,6 @@ const CLIPPED: f64 = 4.0;
 
 /// Difference of the deviances of two fits below which they have arrived at the same minimum.
 const SAME_MINIMUM: f64 = 1.0;
-
-/// Keeps the best guesses of each speed, each with its sum of squares, the smallest sum of squares first. Short first
-/// segments look alike at different speeds.
-pub fn keep_best(guesses: &mut Vec<(f64, InitialGuess)>) {
-    sort_by_number(guesses, |(squares, _)| *squares);
-    let mut kept: Vec<(f64, InitialGuess)> = Vec::new();
-    for (squares, guess) in guesses.drain(..) {
-        let of_speed = kept.iter().filter(|(_, other)| other.speed == guess.speed);
-        let is_known = of_speed.clone().any(|(least, other)| {
-            squares - least <= SAME_GUESS * least
-                && (&guess.state - &other.state).norm() < SAME_GUESS * other.state.norm()
-        });
-        if !is_known && of_speed.count() < KEPT {
-            kept.push((squares, guess));
-        }
-    }
-    *guesses = kept;
-}
 
 /// Fits all flights several times, from initial guesses of every speed, until two fits arrive at the least deviance. If
 /// none do, single flights are tried from their other guesses. If still one fit alone arrives there, a better minimum may
