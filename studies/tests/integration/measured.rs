@@ -43,8 +43,8 @@ fn measured_balls_and_a_wind_tunnel() {
         "{}",
         page.text
     );
-    // The tracking of this throw is lost after 60 poses.
-    assert!(page.text.contains("| putt2 | 86 | 60 |"), "{}", page.text);
+    // The tracking of this throw is lost after 60 poses; with all of them its ratio agrees with that of the others.
+    assert!(page.text.contains("| putt2 | 86 |"), "{}", page.text);
     let figures = page.figures.iter();
     let mut tunnel = figures.filter(|(name, _)| name == "real-data-tunnel.svg");
     assert!(tunnel.any(|(_, svg)| svg.contains("pitching moment")));
