@@ -91,18 +91,24 @@ pub fn significant(value: f64, digits: i32) -> String {
 
 /// Formats a length in m as mm with three significant digits; `–` if it is not finite.
 pub fn millimetres(metres: f64) -> String {
-    if !metres.is_finite() {
-        return "–".to_owned();
-    }
-    format!("{}\u{a0}mm", significant(1e3 * metres, 3))
+    quantity(metres, "m")
 }
 
 /// Formats a value in SI units with three significant digits and its unit, lengths in mm; `–` if it is not finite.
 pub fn quantity(value: f64, of: &str) -> String {
-    if matches!(of, "" | "m") || !value.is_finite() {
-        return millimetres(value);
+    if !value.is_finite() {
+        return "–".to_owned();
     }
-    format!("{}\u{a0}{}", significant(value, 3), unit(of))
+    let (scale, of) = displayed(of);
+    format!("{}\u{a0}{}", significant(scale * value, 3), unit(of))
+}
+
+/// Unit in which residuals of the SI unit `of` are displayed, and its number in that unit: mm for lengths.
+pub fn displayed(of: &str) -> (f64, &str) {
+    match of {
+        "" | "m" => (1e3, "mm"),
+        of => (1.0, of),
+    }
 }
 
 /// Formats a fraction (0 to 1) as a percentage; `–` if it is not finite.

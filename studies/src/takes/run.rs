@@ -12,6 +12,7 @@ use dataset::{Dataset, Flight, Marker};
 use diagnose::{DiagnosisOptions, Verdict, diagnose};
 use flight::parallel;
 use identify::FitOptions;
+use model_spec::model::Model;
 
 use super::c3d;
 use super::session::{Filmed, FilmedTake, filmed, turned};
@@ -234,12 +235,7 @@ fn round_trip(filmed: &Filmed, files: &[Vec<u8>]) -> Result<SessionResult, Study
         template: template_errors(&template, &filmed.markers),
         template_of_true_cuts: template_errors(&of_true_cuts, &filmed.markers),
         fits: fits.into(),
-        found: diagnosed(&session_dataset(
-            &labels,
-            &positions(&template),
-            Some(template.origin_error()),
-            &found,
-        )),
+        found: diagnosed(&labels, &template, &found),
     })
 }
 
@@ -327,7 +323,9 @@ fn template_errors(template: &EstimatedTemplate, markers: &[[f64; 3]]) -> Templa
     }
 }
 
+/// Dataset of a session: its flights with the markers `labels` at the positions `markers`, m, on the body.
 fn session_dataset(
+    model: &Model,
     labels: &[String],
     markers: &[[f64; 3]],
     origin_error: Option<[f64; 3]>,
@@ -341,12 +339,19 @@ fn session_dataset(
         markers: markers.collect(),
         origin_error,
         flights: flights.to_vec(),
-        ..empty(&disc())
+        ..empty(model)
     }
 }
 
-/// Diagnoses a dataset in which nothing is missing. Returns what the diagnosis finds, `None` if it finds nothing.
-fn diagnosed(dataset: &Dataset) -> Result<Option<String>, StudyError> {
+/// Diagnoses the flights of a session, in which nothing is missing. Returns what the diagnosis finds, `None` if it finds
+/// nothing.
+fn diagnosed(
+    labels: &[String],
+    template: &EstimatedTemplate,
+    flights: &[Flight],
+) -> Result<Option<String>, StudyError> {
+    let (model, origin_error) = (disc(), Some(template.origin_error()));
+    let dataset = session_dataset(&model, labels, &positions(template), origin_error, flights);
     let found = cancelled_after(LIMIT, |token| {
         let options = DiagnosisOptions {
             dataset: "takes",
@@ -356,7 +361,7 @@ fn diagnosed(dataset: &Dataset) -> Result<Option<String>, StudyError> {
             },
             ..DiagnosisOptions::default()
         };
-        diagnose(&disc(), dataset, &options)
+        diagnose(&model, &dataset, &options)
     });
     let report = found?.report;
     let explanations = report.explanations.iter();
@@ -373,8 +378,9 @@ fn fit(
     origin_error: Option<[f64; 3]>,
     flights: &[Flight],
 ) -> Result<FitErrors, StudyError> {
-    let dataset = session_dataset(labels, markers, origin_error, flights);
-    let report = bounded_fit(&disc(), &dataset, LIMIT).result?.report;
+    let model = disc();
+    let dataset = session_dataset(&model, labels, markers, origin_error, flights);
+    let report = bounded_fit(&model, &dataset, LIMIT).result?.report;
     let each = TRUTH.iter().map(|(name, truth)| {
         let found = report.coefficients.get(*name);
         let found = found.ok_or_else(|| StudyError::Name {

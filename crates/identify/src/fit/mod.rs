@@ -1,6 +1,7 @@
 //! Output-error fit of the global parameters to all flights, together with the initial state of each flight.
 //!
-//! Stages: initial guesses; horizon continuation for each possible alias of the spin; restarts if this may have ended
+//! Stages: initial guesses; horizon continuation for each possible alias of the spin or, without measured positions, from
+//! several initial guesses; restarts if this may have ended
 //! in a wrong minimum; multistart of single flights in a wrong minimum; refinement of ground contacts with the fitted
 //! model; and reweighting, which estimates the noise (scale and lag-1 correlation along each axis, outliers) together
 //! with the unknowns.

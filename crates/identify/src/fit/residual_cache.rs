@@ -16,6 +16,9 @@ pub struct ResidualCache(Vec<CachedFlight>);
 /// Standard error of a robust standard deviation s, computed from n normally distributed values, in units of s/√n.
 const SCALE_ERROR: f64 = 1.17;
 
+/// Size at which residuals are clipped in the deviance, in units of the residual scale: outliers tell nothing.
+const CLIPPED: f64 = 4.0;
+
 struct CachedFlight {
     path: Result<Path, FlightError>,
     /// Robust standard deviation of the flight's residuals, m; `None` if there are no residuals.
@@ -90,8 +93,10 @@ impl ResidualCache {
         median_of(scales).unwrap_or(0.0)
     }
 
-    /// Sum of the squares of all residuals, each at most `limit` m in size, m², and their number.
-    pub fn clipped_squares(&self, limit: f64) -> (f64, usize) {
+    /// Sum of the squares of all residuals, m², clipped at [`CLIPPED`] times the residual scale `scale`, m, and their
+    /// number.
+    pub fn clipped_squares(&self, scale: f64) -> (f64, usize) {
+        let limit = CLIPPED * scale;
         let paths = self.0.iter().filter_map(|flight| flight.path.as_ref().ok());
         let residuals = paths.flat_map(|path| path.residuals.iter().flatten().flatten().flatten());
         residuals.fold((0.0, 0), |(squares, count), residual| {

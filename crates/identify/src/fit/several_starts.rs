@@ -1,5 +1,5 @@
 //! Fits of flights without measured positions. Their instruments do not determine the initial attitude and velocity, so
-//! that the fit has many minima: it is started from several initial guesses of every flight, and the best minimum is kept.
+//! that the fit has many minima: it is started from several initial guesses of every flight, and the best minimum is used.
 
 use flight::parallel;
 use nalgebra::DVector;
@@ -20,9 +20,6 @@ const EXCHANGES: usize = 3;
 /// Decrease of the sum of squares of a flight, in units of the variance of the noise, at which another initial state is
 /// preferred.
 const MIN_DECREASE: f64 = 1.0;
-
-/// Size at which residuals are clipped in the deviance, in units of the residual scale: outliers tell nothing.
-const CLIPPED: f64 = 4.0;
 
 /// Difference of the deviances of two fits below which they have arrived at the same minimum.
 const SAME_MINIMUM: f64 = 1.0;
@@ -83,9 +80,9 @@ pub fn best_of_several<'a>(
 /// Index of the fit with the least deviance, and the number of fits that arrive at it.
 fn arrivals(fits: &[(State<'_>, ResidualCache)]) -> (usize, usize) {
     let scales = fits.iter().map(|(_, cache)| cache.median_scale());
-    let clip = CLIPPED * scales.fold(f64::INFINITY, f64::min);
+    let scale = scales.fold(f64::INFINITY, f64::min);
     let deviance = |(state, cache): &(State<'_>, ResidualCache)| {
-        let (squares, count) = cache.clipped_squares(clip);
+        let (squares, count) = cache.clipped_squares(scale);
         let count = count as f64;
         // A fit that has lost flights is no better for it.
         let lost = state.excluded.len() as f64;

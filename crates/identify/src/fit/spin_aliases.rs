@@ -26,9 +26,6 @@ const MIN_DEVIANCE: f64 = 10.0;
 /// residuals of a model that does not describe the flights are no noise.
 const MAX_SCALE: f64 = 2.0;
 
-/// Size at which residuals are clipped in the deviance, in units of the residual scale: outliers tell nothing.
-const CLIPPED: f64 = 4.0;
-
 /// Fits all flights by horizon continuation once for each spin alias (number of additional turns between samples), and
 /// returns the fit with the smallest residuals.
 ///
@@ -118,8 +115,7 @@ fn is_another(one: &State<'_>, other: &State<'_>) -> bool {
 /// Whether the residuals `new` are likelier than `before` by [`MIN_DEVIANCE`], for noise of unknown size; `scale` is the
 /// residual scale, m.
 fn is_likelier(new: &ResidualCache, before: &ResidualCache, scale: f64) -> bool {
-    let [(new, count), (before, other)] =
-        [new, before].map(|cache| cache.clipped_squares(CLIPPED * scale));
+    let [(new, count), (before, other)] = [new, before].map(|cache| cache.clipped_squares(scale));
     count >= other && count as f64 * (before / new).ln() > MIN_DEVIANCE
 }
 

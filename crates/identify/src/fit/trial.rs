@@ -67,7 +67,7 @@ fn rests_on_loads(fault: FaultKind) -> bool {
     )
 }
 
-/// Whether the accelerations that the fit leaves are small beside those that wrong data leave.
+/// Whether the accelerations that the fit leaves are small compared with those that wrong data leave.
 fn flies_as_recorded(fit: &Fit) -> bool {
     let flights = fit.fitted();
     let durations = flights.filter_map(|flight| {

@@ -85,12 +85,12 @@ impl Change {
 pub fn first_change(path: &[PathPoint]) -> Option<Contact> {
     let has_attitude = path.iter().any(|point| point.attitude.is_some());
     let of_path = |point: &&PathPoint| point.attitude.is_some() == has_attitude;
+    let points: Vec<PathPoint> = path.iter().filter(of_path).copied().collect();
+    let noise = path_noise(points.iter().map(|point| (point.time, point.position)));
     let mut path = Path {
-        points: path.iter().filter(of_path).copied().collect(),
-        noise: 0.0,
+        points,
+        noise: noise.max(MIN_NOISE),
     };
-    let noise = path_noise(path.points.iter().map(|point| (point.time, point.position)));
-    path.noise = noise.max(MIN_NOISE);
     // Noise from differences of samples does not include correlated noise.
     let variance = quartile(path.changes().map(|change| change.variance));
     path.noise = variance.sqrt().max(MIN_NOISE);

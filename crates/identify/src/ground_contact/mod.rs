@@ -6,7 +6,7 @@ mod smooth_motion;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use change::MIN_UPWARD_PART;
+pub(crate) use change::{MIN_UPWARD_PART, first_change};
 use nalgebra::{UnitQuaternion, Vector3};
 
 use crate::observations::Observations;
@@ -108,7 +108,7 @@ fn contact_of(
 ) -> Option<Contact> {
     let points = |sample: usize| observations.points(sample);
     let of_point_mass = (!problem.has_attitude).then_some(&problem.markers[..]);
-    contact(&path(&observations.times, poses, of_point_mass, &points))
+    first_change(&path(&observations.times, poses, of_point_mass, &points))
 }
 
 /// Path of the body's origin, computed from the pose in each sample. For a point mass, `of_point_mass` contains the
@@ -142,10 +142,4 @@ pub fn path<'p>(
 fn variance_limit(variances: impl Iterator<Item = f64>) -> f64 {
     let usual = median_of(variances).unwrap_or(0.0);
     (MAX_VARIANCE_RATIO * usual).max(MIN_OUTLIER_VARIANCE)
-}
-
-/// Finds the first contact of a body with the ground or an object, from the path of its origin and from its attitude;
-/// `None` if there is none.
-pub fn contact(path: &[PathPoint]) -> Option<Contact> {
-    change::first_change(path)
 }

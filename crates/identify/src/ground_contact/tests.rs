@@ -2,7 +2,7 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::{PathPoint, contact};
+use super::{PathPoint, first_change};
 
 /// Interval between samples, s.
 const INTERVAL: f64 = 1.0 / 120.0;
@@ -53,7 +53,7 @@ fn flight(touch: Option<f64>, jump: f64, seed: usize) -> Vec<PathPoint> {
 }
 
 fn found(path: &[PathPoint]) -> Option<usize> {
-    contact(path).map(|contact| contact.sample)
+    first_change(path).map(|contact| contact.sample)
 }
 
 #[test]

@@ -102,10 +102,7 @@ impl LackOfFit {
         let misfits: Vec<Option<FlightMisfit>> = misfits.into_iter().collect::<Result<_, _>>()?;
         let channels = &fit.problem().channels;
         let misfits = (misfits.as_slice(), channels.as_slice());
-        Ok(Some(Self {
-            has_length: channels.iter().all(Channel::is_position),
-            ..Self::of_misfits((&kept, &series), misfits, &floor)
-        }))
+        Ok(Some(Self::of_misfits((&kept, &series), misfits, &floor)))
     }
 
     fn of_misfits(
@@ -163,7 +160,7 @@ impl LackOfFit {
             excess_chi2: (slow.value - slow.degrees_of_freedom)
                 .max(fine.value - fine.degrees_of_freedom)
                 .max(0.0),
-            has_length: true,
+            has_length: channels.iter().all(Channel::is_position),
             noise: floor.noise.clone(),
         }
     }

@@ -75,7 +75,7 @@ impl Track {
         rows: &[Vec<Option<[f64; 3]>>],
     ) -> (Self, ContactSearch) {
         let (mut track, poses) = Self::of(&problem.markers, problem.has_attitude, times, rows);
-        let contact = ground_contact::contact(&track.points);
+        let contact = ground_contact::first_change(&track.points);
         if let Some(contact) = &contact {
             track.points.retain(|point| point.sample < contact.sample);
         }

@@ -30,7 +30,7 @@ fn cut_at(problem: &FitProblem, flight: &Flight) -> Option<usize> {
         &flight.times,
         &flight.positions,
     );
-    ground_contact::contact(&track.points).map(|contact| contact.sample)
+    ground_contact::first_change(&track.points).map(|contact| contact.sample)
 }
 
 fn cuts(seeds: std::ops::Range<u64>) -> [usize; 4] {

@@ -2,7 +2,7 @@
 
 use dataset::Role;
 use identify::FitReport;
-use identify::numbers::with_unit;
+use identify::numbers::{displayed, with_unit};
 
 use super::not_drawn;
 use crate::figure::Figure;
@@ -13,10 +13,7 @@ const MIN_FLIGHTS: usize = 8;
 
 /// Draws the histogram of the RMS residuals of the fitted flights; `None` for fewer than [`MIN_FLIGHTS`] flights.
 pub(in super::super) fn histogram(report: &FitReport) -> Option<Figure> {
-    let (scale, unit) = match report.leading_noise().unit.as_str() {
-        "" | "m" => (1e3, "mm"),
-        unit => (1.0, unit),
-    };
+    let (scale, unit) = displayed(&report.leading_noise().unit);
     let flights = report.used(Role::Fit);
     let mut rms: Vec<f64> = flights.map(|flight| scale * flight.rms()).collect();
     rms.retain(|v| v.is_finite());
