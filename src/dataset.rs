@@ -20,7 +20,7 @@ use crate::{Error, Model};
 ///     .marker("m1", [0.1, 0.0, 0.01])
 ///     .flight("throw1", Role::Fit, &times, positions)
 ///     .build()?;
-/// assert_eq!(dataset.flights[0].measurements(), 9);
+/// assert_eq!(dataset.flights[0].positions.len(), 3);
 /// # Ok::<(), hyzer::Error>(())
 /// ```
 #[derive(Clone, Debug)]

@@ -107,7 +107,7 @@ fn marker(text: &str) -> anyhow::Result<Marker> {
 fn summary(made: &SyntheticDataset, folder: &Path) -> String {
     let flights = &made.dataset.flights;
     let samples: usize = flights.iter().map(|flight| flight.times.len()).sum();
-    let seen: usize = flights.iter().map(|flight| flight.measurements() / 3).sum();
+    let seen: usize = flights.iter().map(dataset::measurements).sum();
     let all = samples * made.dataset.markers.len();
     format!(
         "{}: {} flights of {}, {samples} samples, {seen} of {all} marker points measured\n",

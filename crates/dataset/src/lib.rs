@@ -63,6 +63,9 @@ pub struct Dataset {
     /// Standard errors, along the body axes, of the origin of the markers' positions, m; the origin is then estimated
     /// in the fit. `None` if the origin is known exactly.
     pub origin_error: Option<[f64; 3]>,
+    /// Standard error of the direction of the third body axis relative to the markers, rad; the direction is then
+    /// estimated in the fit. `None` if it is known exactly.
+    pub axis_error: Option<f64>,
     /// Standard deviation of one coordinate of a measured position, m; `None` if unknown.
     pub sigma: Option<f64>,
     /// The measured flights, in the order of their entries in `dataset.toml`.
@@ -129,14 +132,10 @@ pub struct Flight {
     pub readings: Vec<Vec<Option<Reading>>>,
 }
 
-impl Flight {
-    /// Number of measured values, counted as three for each measured position of a marker and three for each reading of
-    /// a sensor channel, whatever the number of its components.
-    pub fn measurements(&self) -> usize {
-        let positions = self.positions.iter().flatten().flatten().count();
-        let readings = self.readings.iter().flatten().flatten().count();
-        3 * (positions + readings)
-    }
+/// Number of measured positions of markers and readings of sensors in a flight.
+pub fn measurements(flight: &Flight) -> usize {
+    let positions = flight.positions.iter().flatten().flatten().count();
+    positions + flight.readings.iter().flatten().flatten().count()
 }
 
 /// Reads and checks a dataset folder (`dataset.toml` and the tables of the flights), with one thread per processor.
@@ -225,8 +224,8 @@ fn assemble(
     let (mut markers, mut sensors) = (manifest.markers, manifest.sensors);
     let unknown_vertical = manifest.recording.up == recording::Up::Unknown;
     let unplaced = (&manifest.unplaced[..], !unknown_vertical);
-    let origin_error =
-        unplaced::estimate_positions(&mut markers, unplaced, &mut sensors, &flights)?;
+    let estimated = unplaced::estimate_positions(&mut markers, unplaced, &mut sensors, &flights)?;
+    let estimated = estimated.as_ref();
     for (path, flight) in paths.iter().zip(&flights) {
         samples::check_flight(path, flight, &markers)?;
     }
@@ -236,7 +235,12 @@ fn assemble(
         markers,
         sensors,
         unknown_vertical,
-        origin_error: manifest.origin_error.or(origin_error),
+        origin_error: manifest
+            .origin_error
+            .or(estimated.map(takes::EstimatedTemplate::origin_error)),
+        axis_error: manifest
+            .axis_error
+            .or(estimated.map(takes::EstimatedTemplate::axis_error)),
         sigma: manifest.sigma,
         flights,
     })

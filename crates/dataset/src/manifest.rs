@@ -26,13 +26,18 @@ const MAX_COORDINATE: f64 = 10.0;
 const MIN_DISTANCE: f64 = 1e-6;
 /// Maximum standard deviation of a measured coordinate, m; larger values suggest millimetres.
 const MAX_SIGMA: f64 = 1.0;
+/// Maximum standard error of the direction of an axis, rad; larger values suggest degrees.
+const MAX_AXIS_ERROR: f64 = 0.5;
 
 /// The checked contents of `dataset.toml`.
 #[derive(Debug, PartialEq)]
 pub(super) struct Manifest {
     pub model: String,
     pub recording: Recording,
+    /// Standard errors of the origin of the markers' positions along the body axes, m.
     pub origin_error: Option<[f64; 3]>,
+    /// Standard error of the direction of the third body axis relative to the markers, rad.
+    pub axis_error: Option<f64>,
     pub parameters: BTreeMap<String, f64>,
     pub markers: Vec<Marker>,
     /// Markers whose positions on the body are unknown.
@@ -103,11 +108,13 @@ impl Checker<'_> {
         let mut sigma = self.sigma(document)?;
         let sensors = self.sensors(document, (&mut markers, &mut unplaced), &mut sigma)?;
         let recording = Recording::read(fields, document, &sensors)?;
+        let (origin_error, axis_error) = self.template_errors(document)?;
         let flights = self.flights(document)?;
         Ok(Manifest {
             model,
             recording,
-            origin_error: self.origin_error(document)?,
+            origin_error,
+            axis_error,
             parameters,
             markers,
             unplaced,
@@ -219,23 +226,36 @@ impl Checker<'_> {
         Ok(markers)
     }
 
-    /// Reads the key `origin_error` of the TOML table `[template]`: standard errors, along the body axes, of the origin
-    /// of the markers' positions, m; `None` if the key is absent.
-    fn origin_error(&self, document: &DeTable<'_>) -> Result<Option<[f64; 3]>, InputError> {
+    /// Reads the TOML table `[template]`: the standard errors of the origin of the markers' positions along the body
+    /// axes, m, and that of the direction of the third axis, rad. `None` for a key that is absent.
+    fn template_errors(
+        &self,
+        document: &DeTable<'_>,
+    ) -> Result<(Option<[f64; 3]>, Option<f64>), InputError> {
+        const KEYS: [&str; 2] = ["origin_error", "axis_error"];
         let Some(template) = self.0.table(document, "template")? else {
-            return Ok(None);
+            return Ok((None, None));
         };
-        self.0.keys(template, " in [template]", &["origin_error"])?;
-        let Some(value) = template.get("origin_error") else {
-            return Ok(None);
-        };
-        let errors = self.0.vector(value, "origin_error")?;
-        if errors.iter().all(|error| (0.0..=MAX_SIGMA).contains(error)) {
-            return Ok(Some(errors));
-        }
-        let expected = format!("standard errors from 0 to {MAX_SIGMA} m");
-        let found = format!("{errors:?}");
-        Err(self.0.refused(value, "origin_error", found, expected))
+        self.0.keys(template, " in [template]", &KEYS)?;
+        let [origin, axis] = KEYS.map(|key| template.get(key));
+        let origin = origin.map(|value| {
+            let errors = self.0.vector(value, KEYS[0])?;
+            let is_valid = errors.iter().all(|error| (0.0..=MAX_SIGMA).contains(error));
+            let expected = format!("standard errors from 0 to {MAX_SIGMA} m");
+            let refused = || {
+                self.0
+                    .refused(value, KEYS[0], format!("{errors:?}"), expected)
+            };
+            is_valid.then_some(errors).ok_or_else(refused)
+        });
+        let axis = axis.map(|value| {
+            let error = self.0.number(value, KEYS[1])?;
+            let is_valid = (0.0..=MAX_AXIS_ERROR).contains(&error);
+            let expected = format!("a standard error from 0 to {MAX_AXIS_ERROR} rad");
+            let refused = || self.0.refused(value, KEYS[1], error, expected);
+            is_valid.then_some(error).ok_or_else(refused)
+        });
+        Ok((origin.transpose()?, axis.transpose()?))
     }
 
     /// Creates the record of the marker with the index `marker`, whose position is unknown. `value` is its entry in

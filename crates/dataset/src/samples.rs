@@ -72,7 +72,7 @@ pub(super) fn check_flight(
     markers: &[Marker],
 ) -> Result<(), InputError> {
     let wrong = |found: String, expected: &str| Err(InputError::of_file(file, found, expected));
-    if flight.measurements() == 0 {
+    if super::measurements(flight) == 0 {
         return wrong(
             "dropouts alone".into(),
             "a marker that is seen at least once",

@@ -1,6 +1,6 @@
 //! Estimates, from the flights, positions on the body that a dataset does not state.
 
-use crate::takes::{FreeFlight, estimate_template};
+use crate::takes::{EstimatedTemplate, FreeFlight, estimate_template};
 use nalgebra::Vector3;
 
 use super::sensor::attitude;
@@ -34,8 +34,7 @@ impl Unplaced {
 const NEEDED: &str = "at least three markers with positions that are not on a line, or none";
 
 /// Estimates the unknown positions of markers and pose sensors and writes them into `markers` and `sensors`. If all
-/// positions of markers are unknown, returns the standard errors of the estimated mass centre along the body axes, m;
-/// otherwise `None`.
+/// positions of markers are unknown, returns the template that was estimated from the flights; otherwise `None`.
 ///
 /// # Errors
 /// [`InputError`], located at the first marker concerned, if the flights do not determine the positions.
@@ -44,30 +43,29 @@ pub(super) fn estimate_positions(
     (unplaced, vertical_is_known): (&[Unplaced], bool),
     sensors: &mut [Sensor],
     flights: &[Flight],
-) -> Result<Option<[f64; 3]>, InputError> {
-    let mut origin_error = None;
+) -> Result<Option<EstimatedTemplate>, InputError> {
+    let mut template = None;
     if let Some(first) = unplaced.first() {
         if unplaced.len() == markers.len() {
             if !vertical_is_known {
                 let expected = "positions of the markers, or the direction up";
                 return Err(first.error("no position of a marker and up = \"unknown\"", expected));
             }
-            origin_error = Some(estimate_all_markers(markers, first, flights)?);
+            template = Some(estimate_all_markers(markers, first, flights)?);
         } else {
             estimate_some_markers(markers, unplaced, flights)?;
         }
     }
     estimate_pose_sensors(markers, sensors, flights);
-    Ok(origin_error)
+    Ok(template)
 }
 
-/// Estimates the positions of all markers from their motion in free flight. Returns the standard errors of the position
-/// of the mass centre along the body axes, m.
+/// Estimates the positions of all markers from their motion in free flight.
 fn estimate_all_markers(
     markers: &mut [Marker],
     first: &Unplaced,
     flights: &[Flight],
-) -> Result<[f64; 3], InputError> {
+) -> Result<EstimatedTemplate, InputError> {
     let labels: Vec<String> = markers.iter().map(|marker| marker.name.clone()).collect();
     let free = flights.iter().map(|flight| FreeFlight {
         times: &flight.times,
@@ -84,7 +82,7 @@ fn estimate_all_markers(
     for (marker, found) in markers.iter_mut().zip(&template.markers) {
         marker.position = found.position;
     }
-    Ok(template.origin_error())
+    Ok(template)
 }
 
 /// Estimates the unknown positions of some markers from the known positions of the remaining markers. Returns an error

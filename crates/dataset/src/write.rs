@@ -170,8 +170,14 @@ pub fn manifest_text(dataset: &Dataset) -> String {
     if dataset.unknown_vertical {
         text.push_str("\n[recording]\nup = \"unknown\"\n");
     }
+    if dataset.origin_error.is_some() || dataset.axis_error.is_some() {
+        text.push_str("\n[template]\n");
+    }
     if let Some(errors) = &dataset.origin_error {
-        let _ = writeln!(text, "\n[template]\norigin_error = {errors:?}");
+        let _ = writeln!(text, "origin_error = {errors:?}");
+    }
+    if let Some(error) = &dataset.axis_error {
+        let _ = writeln!(text, "axis_error = {error:?}");
     }
     for marker in &dataset.markers {
         let name = quoted(&marker.name);

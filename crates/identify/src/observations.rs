@@ -139,6 +139,8 @@ impl Observations {
         }
         observations.keep(samples);
         observations.samples = other.samples;
+        observations.measured.clone_from(&other.measured);
+        observations.stand_ins.clone_from(&other.stand_ins);
         observations.outlier.clone_from(&other.outlier);
         observations.truncation.clone_from(&other.truncation);
         observations.notes.clone_from(&other.notes);
@@ -198,14 +200,26 @@ impl Observations {
         median_of(pairs.map(|pair| pair[1] - pair[0]))
     }
 
-    /// Drops all but the first `samples` samples, and records the time and the reason `why` of the truncation.
+    /// Forgets what was measured in the first `samples` samples.
+    pub fn forget_first(&mut self, samples: usize) {
+        self.measured[..samples * self.channels].fill(None);
+        let points = self.stand_ins.len().min(samples * self.markers);
+        self.stand_ins[..points].fill(None);
+        self.samples -= samples;
+    }
+
+    /// Drops all but the first `samples` samples, and records the time and the reason of the truncation.
     pub fn truncate(&mut self, samples: usize, reason: String) {
         let dropped = self.times.len() - samples;
         self.keep(samples);
         self.samples -= dropped;
         self.truncation = Some(Truncation {
             t: self.origin + self.times.last().copied().unwrap_or(0.0),
-            samples: dropped,
+            samples: dropped
+                + self
+                    .truncation
+                    .as_ref()
+                    .map_or(0, |earlier| earlier.samples),
             reason,
         });
     }

@@ -17,6 +17,9 @@ use dataset::{Dataset, Sensor, SensorKind};
 /// Effect that displaces all markers together on the body: its name and the names of its coefficients, m.
 const OFFSET: (&str, [&str; 3]) = ("marker_offset", ["offset_1", "offset_2", "offset_3"]);
 
+/// Effect that tilts the template of the markers on the body: its name and the names of its coefficients, rad.
+const TILT: (&str, [&str; 2]) = ("template_tilt", ["tilt_1", "tilt_2"]);
+
 /// Effect that displaces the accelerometer on the body: its name and the names of its coefficients, m.
 const LEVER: (&str, [&str; 3]) = (
     "accelerometer_misplaced",
@@ -50,13 +53,12 @@ pub struct Resolved<'d> {
 }
 
 impl Resolved<'_> {
-    /// Adds to the model an effect with a name and three coefficients, which displace the markers or the accelerometer
-    /// along the axes of the body. `errors` are the prior standard deviations of the coefficients about 0, m; 0 fixes a
-    /// coefficient.
-    fn free(
+    /// Adds to the model an effect with a name and coefficients, which displace the markers or the accelerometer on the
+    /// body. `errors` are the prior standard deviations of the coefficients about 0, m or rad; 0 fixes a coefficient.
+    fn free<const N: usize>(
         &mut self,
-        (effect, coefficients): &(&str, [&str; 3]),
-        errors: [f64; 3],
+        (effect, coefficients): &(&str, [&str; N]),
+        errors: [f64; N],
     ) -> Result<(), FitError> {
         if self.model.effects.iter().all(|own| own.name != *effect) {
             let extended = ModelTree::of(&self.model).with_named([*effect]);
@@ -109,6 +111,10 @@ pub fn resolve<'d>(
     if let Some(errors) = dataset.origin_error {
         resolved.free(&OFFSET, errors)?;
         resolved.dataset.to_mut().origin_error = None;
+    }
+    if let Some(error) = dataset.axis_error {
+        resolved.free(&TILT, [error; 2])?;
+        resolved.dataset.to_mut().axis_error = None;
     }
     place_sensors(&mut resolved)?;
     if dataset.unknown_vertical {
@@ -183,7 +189,8 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
         .sensors
         .iter()
         .all(|sensor| !sensor.position_is_unknown);
-    if is_placed && !dataset.unknown_vertical && dataset.origin_error.is_none() {
+    let is_template_exact = dataset.origin_error.is_none() && dataset.axis_error.is_none();
+    if is_placed && !dataset.unknown_vertical && is_template_exact {
         return fit::fit(model, dataset, options);
     }
     options.validate()?;

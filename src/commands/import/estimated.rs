@@ -22,6 +22,8 @@ pub struct Estimated {
     pub comments: Vec<String>,
     /// Standard errors of the estimated centre of mass along the axes of the body, m.
     pub origin_error: [f64; 3],
+    /// Standard error of the direction of the third body axis relative to the markers, rad.
+    pub axis_error: f64,
 }
 
 /// Estimates the positions on the body of the points that move as one rigid body in every recording with a throw.
@@ -108,6 +110,7 @@ pub fn estimated(
     });
     Ok(Estimated {
         origin_error: found.origin_error(),
+        axis_error: found.axis_error(),
         comments: comments.collect(),
         template: BodyTemplate {
             model: None,

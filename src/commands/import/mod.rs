@@ -43,7 +43,7 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
     let mut labels = labels(&options.label)?;
     let reading = reading(options)?;
     let mut decisions = String::new();
-    let (mut comments, mut origin_error) = (Vec::new(), None);
+    let (mut comments, mut origin_error, mut axis_error) = (Vec::new(), None, None);
     let template = match (&options.markers, &options.model) {
         (Some(file), _) => BodyTemplate::read(file)?,
         // Poses of a body need no positions of markers.
@@ -53,6 +53,7 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
             decisions = found.decisions;
             comments = found.comments;
             origin_error = Some(found.origin_error);
+            axis_error = Some(found.axis_error);
             found.template
         }
         (None, None) => bail!(
@@ -79,6 +80,7 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
         sensors: Vec::new(),
         unknown_vertical: false,
         origin_error,
+        axis_error,
         sigma: None,
         flights: Vec::new(),
     };

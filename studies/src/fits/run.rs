@@ -86,7 +86,7 @@ pub fn fit_outcome(case: FitCase, threads: usize) -> FitOutcome {
     let coordinates: usize = dataset
         .flights
         .iter()
-        .map(dataset::Flight::measurements)
+        .map(|flight| 3 * dataset::measurements(flight))
         .sum();
     let dof = 1.0 - (model.coefficients.len() + states) as f64 / coordinates as f64;
     let noise = rms_distance(&exact, &dataset).unwrap_or(f64::NAN);

@@ -4,8 +4,8 @@
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
+use dataset::Dataset;
 use dataset::synthesize::Corruption;
-use dataset::{Dataset, Flight};
 use diagnose::{DiagnosisError, DiagnosisOptions, Report, Verdict, diagnose};
 use identify::FitOptions;
 use model_spec::model::Model;
@@ -215,7 +215,7 @@ fn detectability(model: &Model, mut exact: Dataset, sigma: f64) -> Option<f64> {
     let squares = flights.filter(|(report, _)| report.role == dataset::Role::Fit);
     let chi2: f64 = squares
         .map(|(report, flight)| match report.position_rms() {
-            Some(rms) => (rms / sigma).powi(2) * Flight::measurements(flight) as f64,
+            Some(rms) => (rms / sigma).powi(2) * 3.0 * dataset::measurements(flight) as f64,
             None => 0.0,
         })
         .sum();

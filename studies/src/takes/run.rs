@@ -215,9 +215,8 @@ fn round_trip(filmed: &Filmed, files: &[Vec<u8>]) -> Result<SessionResult, Study
     let template = estimated(&found)?;
     let of_true_cuts = estimated(&exact)?;
     let by = |template: &EstimatedTemplate, flights: &[Flight]| {
-        let origin = Some(template.origin_error());
         let errors = template_errors(template, &filmed.markers);
-        let mut found = fit(&labels, &positions(template), origin, flights)?;
+        let mut found = fit(&labels, &positions(template), Some(template), flights)?;
         if let Some((shift, _)) = &mut found.height {
             *shift += errors.height;
         }
@@ -323,12 +322,13 @@ fn template_errors(template: &EstimatedTemplate, markers: &[[f64; 3]]) -> Templa
     }
 }
 
-/// Dataset of a session: its flights with the markers `labels` at the positions `markers`, m, on the body.
+/// Dataset of a session: its flights with the markers `labels` at the positions `markers`, m, on the body. The errors
+/// of these positions are those of `template`, if it was estimated.
 fn session_dataset(
     model: &Model,
     labels: &[String],
     markers: &[[f64; 3]],
-    origin_error: Option<[f64; 3]>,
+    template: Option<&EstimatedTemplate>,
     flights: &[Flight],
 ) -> Dataset {
     let markers = labels.iter().zip(markers).map(|(name, position)| Marker {
@@ -337,7 +337,8 @@ fn session_dataset(
     });
     Dataset {
         markers: markers.collect(),
-        origin_error,
+        origin_error: template.map(EstimatedTemplate::origin_error),
+        axis_error: template.map(EstimatedTemplate::axis_error),
         flights: flights.to_vec(),
         ..empty(model)
     }
@@ -350,8 +351,14 @@ fn diagnosed(
     template: &EstimatedTemplate,
     flights: &[Flight],
 ) -> Result<Option<String>, StudyError> {
-    let (model, origin_error) = (disc(), Some(template.origin_error()));
-    let dataset = session_dataset(&model, labels, &positions(template), origin_error, flights);
+    let model = disc();
+    let dataset = session_dataset(
+        &model,
+        labels,
+        &positions(template),
+        Some(template),
+        flights,
+    );
     let found = cancelled_after(LIMIT, |token| {
         let options = DiagnosisOptions {
             dataset: "takes",
@@ -375,11 +382,11 @@ fn diagnosed(
 fn fit(
     labels: &[String],
     markers: &[[f64; 3]],
-    origin_error: Option<[f64; 3]>,
+    template: Option<&EstimatedTemplate>,
     flights: &[Flight],
 ) -> Result<FitErrors, StudyError> {
     let model = disc();
-    let dataset = session_dataset(&model, labels, markers, origin_error, flights);
+    let dataset = session_dataset(&model, labels, markers, template, flights);
     let report = bounded_fit(&model, &dataset, LIMIT).result?.report;
     let each = TRUTH.iter().map(|(name, truth)| {
         let found = report.coefficients.get(*name);

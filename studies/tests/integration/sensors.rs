@@ -218,3 +218,25 @@ fn unknown_positions_of_sensors_are_estimated() {
     assert!((found[0] - 0.03).abs() < 1e-3 && (found[2] - 0.01).abs() < 1e-3);
     assert!(!placed.sensors[0].position_is_unknown);
 }
+
+#[test]
+fn a_tilted_template_is_estimated() {
+    let set = observed(true, Vec::new(), [0.0; 3]);
+    let mut dataset = sensor_flights(&disc(), &PLAN, &set, 19);
+    let tilt = Vector3::new(0.003, -0.002, 0.0);
+    for marker in &mut dataset.markers {
+        let place = Vector3::from(marker.position);
+        marker.position = (place - tilt.cross(&place)).into();
+    }
+    dataset.axis_error = Some(0.005);
+    let report = fitted(&dataset);
+    for (name, truth) in [("tilt_1", tilt.x), ("tilt_2", tilt.y)] {
+        let found = &report.coefficients[name];
+        let z = (found.value - truth) / found.std_error;
+        assert!(
+            z.abs() < MAX_Z && found.std_error < 5e-4,
+            "{name} {found:?}"
+        );
+    }
+    assert_true(&report, "tilted template");
+}

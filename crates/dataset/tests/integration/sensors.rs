@@ -102,6 +102,11 @@ fn what_is_stated_wrongly_is_refused() {
             table,
             "found origin_error = [0.0, 0.0, -1.0], expected standard errors from 0 to 1 m",
         ),
+        (
+            format!("{}\n[template]\naxis_error = 2\n", sensor("pose", "")),
+            table,
+            "found axis_error = 2, expected a standard error from 0 to 0.5 rad",
+        ),
     ];
     for (manifest, table, message) in cases {
         let error = read(&manifest, table).expect_err(message);

@@ -26,6 +26,7 @@ fn small() -> Dataset {
         sensors: Vec::new(),
         unknown_vertical: false,
         origin_error: None,
+        axis_error: None,
         sigma: Some(0.001),
         flights: vec![flight("a.csv"), flight("sub/b.csv")],
     }
@@ -181,6 +182,7 @@ fn dataset() -> impl Strategy<Value = Dataset> {
                     sensors: Vec::new(),
                     unknown_vertical: false,
                     origin_error: None,
+                    axis_error: None,
                     sigma,
                     flights,
                 }

@@ -82,8 +82,8 @@ pub(crate) fn withdraw_by_excess(report: &mut Report, excess: Option<&String>) {
     )));
 }
 
-/// Withdraws the verdict that an effect is missing where the data contradict what the user states of coefficients: the
-/// effect may stand in for a wrong prior or a wrong held value.
+/// Withdraws the verdict that an effect is missing where the data contradict what the user states: the effect may stand
+/// in for a wrong prior or a wrong held value, or for a filter of the tracks.
 pub(crate) fn withdraw_by_conflicts(report: &mut Report, conflicts: &[String]) {
     if conflicts.is_empty() || !matches!(report.verdict, Verdict::Identified | Verdict::Ambiguous) {
         return;
@@ -92,7 +92,7 @@ pub(crate) fn withdraw_by_conflicts(report: &mut Report, conflicts: &[String]) {
     let explanations = report.explanations.iter();
     let names: Vec<String> = explanations.map(Explanation::name).collect();
     report.unattributed = Some(Unattributed::described(format!(
-        "Stated values are wrong before an effect is missing: {}. Estimate them, or state others; {} may stand in for them.",
+        "The data contradict what is stated, before an effect is missing: {}. Correct it first; {} may stand in for it.",
         conflicts.join("; "),
         names.join(", ")
     )));

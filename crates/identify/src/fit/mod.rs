@@ -3,14 +3,16 @@
 //! Stages: initial guesses; horizon continuation for each possible alias of the spin or, without measured positions, from
 //! several initial guesses; restarts if this may have ended
 //! in a wrong minimum; multistart of single flights in a wrong minimum; refinement of ground contacts with the fitted
-//! model; and reweighting, which estimates the noise (scale and lag-1 correlation along each axis, outliers) together
-//! with the unknowns.
+//! model; reweighting, which estimates the noise (scale and lag-1 correlation along each axis, outliers) together
+//! with the unknowns; and samples at the ends of flights that are left out.
 
 mod bootstrap;
 mod channel_scales;
 pub(crate) mod contact_refinement;
 mod continued;
+mod ends;
 mod exclusion;
+mod filtered;
 mod fitted_text;
 mod global_error;
 mod held_out;
@@ -47,6 +49,7 @@ use nalgebra::DVector;
 
 use self::initial_guess::InitialGuesses;
 use self::residual_cache::ResidualCache;
+use self::reweighting::Reweighted;
 use self::state::State;
 use crate::data_fault::{DataFault, FaultKind};
 use crate::error::{ExcludedFlight, FitError, FlightError};
@@ -127,7 +130,8 @@ fn fit_after(
         let mut fit = fit_within(model, dataset, options, earlier)?;
         // The fits of a diagnosis, whose faults are known, hold what its first fit held.
         if options.known_faults.is_none() && !options.fixed.is_empty() {
-            fit.report.stated_conflicts = held_values::conflicts(model, dataset, options, &fit)?;
+            let conflicts = held_values::conflicts(model, dataset, options, &fit)?;
+            fit.report.contradicted.extend(conflicts);
             fit.report.assess();
         }
         Ok(fit)
@@ -195,7 +199,8 @@ fn fit_within(
                     .position_noise()
                     .and_then(|noise| noise.floor),
             );
-            return screened.finish(state, (cache, None), floors, clock.elapsed().as_secs_f64());
+            let reweighted = reweighting::reweight(&mut state, cache, None)?;
+            return screened.finish(state, reweighted, floors, clock.elapsed().as_secs_f64());
         }
     }
     let observed = initial_guess::observe(&problem, dataset, &fitted, &screened.contacts, options);
@@ -206,8 +211,10 @@ fn fit_within(
     let floor_m = noise_floor.map(initial_guess::overall).or(observed.sigma0);
     let guesses = initial_guess::initial_guesses(&problem, dataset, observed, options)?;
     let started = clock.elapsed().as_secs_f64();
-    let (state, last) = from_guesses(dataset, guesses, doubtful)?;
-    screened.finish(state, last, (noise_floor, floor_m), started)
+    let (mut state, (cache, predicted_reduction)) = from_guesses(dataset, guesses, doubtful)?;
+    let reweighted = reweighting::reweight(&mut state, cache, predicted_reduction)?;
+    let reweighted = ends::leave_out_ends(&mut state, reweighted)?;
+    screened.finish(state, reweighted, (noise_floor, floor_m), started)
 }
 
 /// Dataset whose recordings were screened for mistakes, with the faults found and the flights concerned.
@@ -226,20 +233,17 @@ struct Screened<'a> {
 }
 
 impl Screened<'_> {
-    /// Last stages of a fit: estimates the noise, predicts the held-out flights, and creates the report. `cache`
-    /// contains the residuals for the present values of the unknowns in `state`, and `predicted_reduction` the
-    /// predicted reduction of the sum of squares by the step before, as for [`reweighting::reweight`]. `noise_floor` is
+    /// Last stages of a fit: takes flights back, predicts the held-out flights, and creates the report. `noise_floor` is
     /// the noise floor along each axis, m. `floor_m` is the noise that the report states as its floor, m: one value for
     /// all axes. `started` is the time, s after the start of the fit, at which the initial guesses were known.
     fn finish(
         mut self,
         mut state: State<'_>,
-        (cache, predicted_reduction): (ResidualCache, Option<f64>),
+        reweighted: Reweighted,
         (noise_floor, floor_m): (Option<[f64; 3]>, Option<f64>),
         started: f64,
     ) -> Result<Fit, FitError> {
         let (dataset, problem, options) = (self.dataset, state.problem, state.options);
-        let reweighted = reweighting::reweight(&mut state, cache, predicted_reduction)?;
         let reweighted = taking_back::take_back(dataset, &mut state, reweighted)?;
         let solved = self.clock.elapsed().as_secs_f64();
         let names: Vec<String> = dataset.markers.iter().map(|m| m.name.clone()).collect();
@@ -251,7 +255,7 @@ impl Screened<'_> {
             floor_m.unwrap_or(reweighted.noise.overall()),
         );
         let (mut report, reports) = outcome::reports(&state, &reweighted)?;
-        let reweighting::Reweighted {
+        let Reweighted {
             noise, solution, ..
         } = reweighted;
         let flights = (dataset, &self.contacts[..]);

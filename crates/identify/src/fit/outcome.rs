@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use flight::parallel;
 use nalgebra::{DMatrix, DVector};
 
+use super::filtered;
 use super::output_error::OutputError;
 use super::post_fit::{ChannelSum, EMPTY_RANGE, PostFit, joined, post_fit, square_sums};
 use super::reweighting::Reweighted;
@@ -105,7 +106,7 @@ pub fn reports(
         lack_of_fit: None,
         doubts,
         excess: rigidity::excess(state, &fitted.noise),
-        stated_conflicts: Vec::new(),
+        contradicted: filtered::filtered(state).into_iter().collect(),
         not_identifiable,
         profiles,
         residuals: pool.axes(),

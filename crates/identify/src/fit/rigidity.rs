@@ -3,6 +3,7 @@
 
 use super::state::State;
 use crate::noise::NoiseModel;
+use crate::problem::FitProblem;
 use dataset::statistics::median;
 use nalgebra::Vector3;
 
@@ -21,11 +22,16 @@ const MIN_DISTANCES: usize = 10;
 /// Maximum number of markers whose distances are compared.
 const MAX_MARKERS: usize = 6;
 
+/// Channels of the markers whose distances are compared.
+pub fn markers(problem: &FitProblem) -> Vec<usize> {
+    let channels = problem.channels.iter().enumerate();
+    let markers = channels.filter(|(_, channel)| channel.is_marker());
+    markers.map(|(index, _)| index).take(MAX_MARKERS).collect()
+}
+
 /// Sentence that the residuals exceed the noise by rigidity; `None` if they do not, or the flights do not tell.
 pub fn excess(state: &State<'_>, noise: &NoiseModel) -> Option<String> {
-    let channels = state.problem.channels.iter().enumerate();
-    let markers = channels.filter(|(_, channel)| channel.is_marker());
-    let markers: Vec<usize> = markers.map(|(index, _)| index).take(MAX_MARKERS).collect();
+    let markers = markers(state.problem);
     // Squared scatter of each pair's distances, and what the residuals let expect.
     let (mut found, mut expected, mut count) = (Vec::new(), Vec::new(), 0);
     for flight in &state.flights {

@@ -24,9 +24,12 @@ const MIN_DECREASE: f64 = 1.0;
 /// Difference of the deviances of two fits below which they have arrived at the same minimum.
 const SAME_MINIMUM: f64 = 1.0;
 
-/// Fits all flights several times, from initial guesses of every speed, until two fits arrive at the least deviance. If
-/// none do, single flights are tried from their other guesses. If still one fit alone arrives there, a better minimum may
-/// have been missed, which becomes a doubt of the fit.
+/// Number of flights with which the minimum is searched where several instruments observe each of them. The others start
+/// at their best initial states for the parameters found: the time of the search does not grow with the number of
+/// flights. Flights of one instrument determine the minimum only all together.
+const SEARCHED: usize = 4;
+
+/// Finds the best minimum of the longest flights, and fits all flights from there.
 ///
 /// # Errors
 /// The errors of [`continue_horizon`], if every fit fails.
@@ -34,10 +37,44 @@ pub fn best_of_several<'a>(
     start: State<'a>,
     alternatives: &[Vec<InitialGuess>],
 ) -> Result<(State<'a>, ResidualCache), FitError> {
-    let guesses = Guesses {
+    let guesses = &Guesses {
         ids: start.ids.clone(),
         of_flights: alternatives,
     };
+    let mut longest: Vec<usize> = (0..start.flights.len()).collect();
+    longest.sort_by_key(|&flight| std::cmp::Reverse(start.flights[flight].times.len()));
+    longest.truncate(SEARCHED);
+    if longest.len() == start.flights.len() || start.problem.channels.len() == 1 {
+        return best_minimum(start, guesses);
+    }
+    let mut few = start.without_flights();
+    for &flight in &longest {
+        let (observations, local) = (&start.flights[flight], &start.local[flight]);
+        few.push(start.ids[flight], observations.clone(), local.clone());
+    }
+    let (found, _) = best_minimum(few, guesses)?;
+    let mut state = start;
+    state.global.clone_from(&found.global);
+    state.doubts.extend(found.doubts);
+    exchange(&mut state, guesses);
+    for (id, local) in found.ids.into_iter().zip(found.local) {
+        let place = state.ids.iter().position(|own| *own == id);
+        state.local[place.expect("one of the flights")] = local;
+    }
+    let cache = anneal_scale(&mut state)?;
+    Ok((state, cache))
+}
+
+/// Fits the flights several times, from initial guesses of every speed, until two fits arrive at the least deviance. If
+/// none do, single flights are tried from their other guesses. If still one fit alone arrives there, a better minimum may
+/// have been missed, which becomes a doubt of the fit.
+///
+/// # Errors
+/// The errors of [`continue_horizon`], if every fit fails.
+fn best_minimum<'a>(
+    start: State<'a>,
+    guesses: &Guesses<'_>,
+) -> Result<(State<'a>, ResidualCache), FitError> {
     let mut arrived: Vec<(State<'a>, ResidualCache)> = Vec::new();
     let mut failure = None;
     for rank in 0..STARTS {
@@ -60,7 +97,7 @@ pub fn best_of_several<'a>(
     }
     if arrivals(&arrived).1 < 2 {
         for (state, cache) in &mut arrived {
-            exchange_initial_states(state, cache, &guesses)?;
+            exchange_initial_states(state, cache, guesses)?;
         }
     }
     let (best, number) = arrivals(&arrived);

@@ -52,6 +52,17 @@ impl NormalBlock {
         self.count += 1;
     }
 
+    /// Adds the residuals of `other`, normal equations of the same unknowns.
+    pub fn join(&mut self, other: &Self) {
+        self.local += &other.local;
+        self.cross += &other.cross;
+        self.global += &other.global;
+        self.local_gradient += &other.local_gradient;
+        self.global_gradient += &other.global_gradient;
+        self.squares += other.squares;
+        self.count += other.count;
+    }
+
     /// Whether the residuals determine the local parameters at fixed global parameters.
     pub fn determines_local(&self) -> bool {
         ScaledCholesky::independent(&self.local, 0.0).is_some()

@@ -65,10 +65,11 @@ pub struct FitReport {
     #[serde(skip)]
     #[doc(hidden)]
     pub excess: Option<String>,
-    /// Held values that the data contradict, one sentence each.
+    /// What the user states and the data contradict, one sentence each: held values, positions that are not as they were
+    /// measured.
     #[serde(skip)]
     #[doc(hidden)]
-    pub stated_conflicts: Vec<String>,
+    pub contradicted: Vec<String>,
     /// What the fit itself found against its estimates, such as standard errors within which the model is not linear, one
     /// sentence each.
     #[serde(skip)]

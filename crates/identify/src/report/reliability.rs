@@ -31,14 +31,12 @@ impl FitReport {
         self.reliable = self.cautions.is_empty();
     }
 
-    /// Sentences on what the user states of coefficients and the data contradict: priors, and held values.
+    /// Sentences on what the user states and the data contradict.
     #[doc(hidden)]
     pub fn conflicts(&self) -> Vec<String> {
         let coefficients = self.coefficients.iter();
         let priors = coefficients.filter_map(|(name, own)| prior_conflict(name, own));
-        priors
-            .chain(self.stated_conflicts.iter().cloned())
-            .collect()
+        priors.chain(self.contradicted.iter().cloned()).collect()
     }
 }
 

@@ -148,22 +148,36 @@ pub enum TemplateError {
 /// is assumed.
 const ASSUMED: f64 = 0.02;
 
+/// Number of standard errors of an estimated template within which a fit of the same flights may move it: the fit sees
+/// the same noise again, and a bounce or a drift, which an estimate without a model does not see, is none.
+const ALLOWED: f64 = 5.0;
+
 impl EstimatedTemplate {
-    /// Standard errors of the centre of mass along the axes of the body, m, rounded up to 1 µm; 0 along the third axis
-    /// if the user stated the height of the centre of mass.
+    /// Allowed errors of the centre of mass along the axes of the body for a fit of the same flights, m: several standard
+    /// errors, rounded up to 1 µm; 0 along the third axis if the user stated the height of the centre of mass.
     pub fn origin_error(&self) -> [f64; 3] {
         let across = |axis: usize| {
             let each = self.markers.iter().map(|marker| marker.std_error[axis]);
             each.fold(0.0, f64::max)
         };
         let along = match self.height {
-            CentreHeight::Estimated { std_error, .. } => std_error,
+            CentreHeight::Estimated { std_error, .. } => ALLOWED * std_error,
             CentreHeight::Stated { .. } => 0.0,
             CentreHeight::Assumed { std_error } => std_error.unwrap_or(ASSUMED).max(ASSUMED),
         };
-        // More digits than a micrometre would pretend a precision that no estimate has.
-        [across(0), across(1), along].map(|error| (error * 1e6).ceil() / 1e6)
+        [ALLOWED * across(0), ALLOWED * across(1), along].map(rounded_up)
     }
+
+    /// Allowed error of the direction of the third body axis relative to the markers for a fit of the same flights, rad:
+    /// several standard errors, rounded up to 1 µrad.
+    pub fn axis_error(&self) -> f64 {
+        rounded_up(ALLOWED * self.tilt_error)
+    }
+}
+
+/// Standard error rounded up to a millionth: more digits would pretend a precision that no estimate has.
+fn rounded_up(error: f64) -> f64 {
+    (error * 1e6).ceil() / 1e6
 }
 
 /// Formats a count with its noun in the singular or plural, such as `1 flight` or `2 flights`.

@@ -285,7 +285,7 @@ pub fn report(flights: usize) -> FitReport {
         marker_distances: Vec::new(),
         lack_of_fit: None,
         doubts: Vec::new(),
-        stated_conflicts: Vec::new(),
+        contradicted: Vec::new(),
         excess: None,
         not_identifiable: vec![NonIdentifiable {
             combination: vec!["C_Rr".into()],
