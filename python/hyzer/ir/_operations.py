@@ -1,0 +1,106 @@
+"""What each operation computes, in terms of a few functions of a library."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from ._document import Table
+
+TINY = 1e-75
+"""Below this magnitude a number counts as zero where it would be divided by."""
+
+Operation = Callable[..., Any]
+
+
+class Library(Protocol):
+    """Functions of a library, for its numbers, arrays or expressions."""
+
+    def where(self, condition: Any, then: Any, otherwise: Any, /) -> Any:
+        """Return `then` where `condition` holds, else `otherwise`."""
+
+    def both(self, a: Any, b: Any, /) -> Any:
+        """Return whether both conditions hold."""
+
+    def lookup(self, table: Table, x: Any, /) -> Any:
+        """Return the value of a piecewise cubic at `x`."""
+
+    @property
+    def functions(self) -> dict[str, Operation]:
+        """Functions `abs`, `sqrt`, `sin`, `cos`, `asin`, `exp`, `log`, `tanh` and `atan2`."""
+        ...
+
+
+def operations(library: Library) -> dict[str, Operation]:
+    """Return the operations by name, except `table`.
+
+    A guarded function is evaluated at a harmless argument where its own is singular, so that
+    derivatives by the library are those of docs/reference/ir.md, and no warning appears.
+    """
+    return {**arithmetic(), **conditional(library), **guarded(library)}
+
+
+def arithmetic() -> dict[str, Operation]:
+    """Return the operations that need no library."""
+    return {
+        "neg": lambda x: -x,
+        "recip": lambda x: 1.0 / x,
+        "add": lambda a, b: a + b,
+        "sub": lambda a, b: a - b,
+        "mul": lambda a, b: a * b,
+        "div": lambda a, b: a / b,
+        "mul_add": lambda a, b, c: a * b + c,
+        "mul_sub": lambda a, b, c: a * b - c,
+        "neg_mul_add": lambda a, b, c: c - a * b,
+    }
+
+
+def conditional(library: Library) -> dict[str, Operation]:
+    """Return the operations that choose between values."""
+    where, magnitude = library.where, library.functions["abs"]
+
+    def recip_or_zero(x: Any) -> Any:
+        zero = magnitude(x) < TINY
+        return where(zero, 0.0, 1.0 / where(zero, 1.0, x))
+
+    return {
+        "recip_or_zero": recip_or_zero,
+        "if_zero": lambda x, then, otherwise: where(magnitude(x) < TINY, then, otherwise),
+        "nonzero": lambda x: where(magnitude(x) < TINY, 0.0, 1.0),
+        "sign": lambda x: where(x > 0, 1.0, where(x < 0, -1.0, 0.0)),
+        "step": lambda x: where(x > 0, 1.0, 0.0),
+        "min": lambda a, b: where(a < b, a, b),
+        "max": lambda a, b: where(b < a, a, b),
+    }
+
+
+def guarded(library: Library) -> dict[str, Operation]:
+    """Return the elementary functions, with their values at singular points."""
+    where, named = library.where, library.functions
+
+    def above_zero(function: Operation) -> Operation:
+        def evaluate(x: Any) -> Any:
+            outside = x <= 0
+            return where(outside, 0.0, function(where(outside, 1.0, x)))
+
+        return evaluate
+
+    def asin(x: Any) -> Any:
+        outside = named["abs"](x) >= 1
+        inside = named["asin"](where(outside, 0.0, x))
+        return where(outside, where(x > 0, math.pi / 2, -math.pi / 2), inside)
+
+    def atan2(y: Any, x: Any) -> Any:
+        origin = library.both(x == 0, y == 0)
+        return where(origin, 0.0, named["atan2"](y, where(origin, 1.0, x)))
+
+    plain = {name: named[name] for name in ("abs", "sin", "cos", "exp", "tanh")}
+    singular = {name: above_zero(named[name]) for name in ("sqrt", "log")}
+    return {**plain, **singular, "asin": asin, "atan2": atan2}
+
+
+def horner(coefficients: Any, h: Any) -> Any:
+    """Return the cubic with the coefficients of the powers 0 to 3 at the distance `h`."""
+    a, b, c, d = coefficients
+    return ((d * h + c) * h + b) * h + a

@@ -1,0 +1,83 @@
+"""Functions of a model for JAX."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from ._arrays import ArrayLibrary, ArrayModel
+from ._document import Ir
+from ._program import Programs, required
+from ._read import read
+from .numpy_ import NumpyLibrary
+
+if TYPE_CHECKING:
+    import jax
+
+    JaxModel = ArrayModel[jax.Array]
+
+
+def to_jax(ir: dict[str, Any] | Ir) -> JaxModel:
+    """Functions of a model over arrays of JAX, for `jit`, `grad` and `vmap`.
+
+    Parameters
+    ----------
+    ir : dict or Ir
+        Document as ``json.loads`` returns it.
+
+    Returns
+    -------
+    ArrayModel
+        Object with `rhs`, `jac`, `observe`, `observe_jac`, `quantities` and `limits`.
+
+    Raises
+    ------
+    IrError
+        If the document is not one of schema ``hyzer.ir/1``.
+    ImportError
+        If JAX is missing.
+    RuntimeError
+        If JAX computes with 32 bits.
+
+    Examples
+    --------
+    >>> import json, pathlib, jax
+    >>> jax.config.update("jax_enable_x64", True)
+    >>> ball = to_jax(json.loads(pathlib.Path("ball.json").read_text()))
+    >>> speed = lambda x: ball.rhs(0.0, x)[2]
+    >>> [float(part) for part in jax.jit(jax.grad(speed))(ball.x0)]
+    [0.0, 0.0, 0.0, 0.0, 0.0, 1.0]
+    """
+    jax = required("jax", "to_jax")
+    jnp = required("jax.numpy", "to_jax")
+    if not jax.config.jax_enable_x64:
+        advice = "call jax.config.update('jax_enable_x64', True) before any other use of JAX"
+        raise RuntimeError(f"JAX computes with 32 bits, hyzer needs 64: {advice}")
+    checked = read(ir)
+
+    def dense(
+        values: Sequence[Any],
+        places: Sequence[tuple[int, ...]],
+        batch: tuple[int, ...],
+        shape: tuple[int, ...],
+    ) -> Any:
+        known = dict(zip(places, values, strict=True))
+        every = [tuple(place) for place in _places(shape)]
+        parts = [jnp.broadcast_to(jnp.asarray(known.get(at, 0.0)), batch) for at in every]
+        stacked = jnp.stack(parts, axis=-1) if parts else jnp.zeros((*batch, 0))
+        return stacked.reshape(batch + shape)
+
+    library = ArrayLibrary(
+        array=lambda values: jnp.asarray(values, dtype=float),
+        broadcast_shapes=jnp.broadcast_shapes,
+        dense=dense,
+    )
+    return ArrayModel(checked, Programs(checked, NumpyLibrary(jnp)), library)
+
+
+def _places(shape: tuple[int, ...]) -> list[tuple[int, ...]]:
+    """Return all indices of an array, the last one running fastest."""
+    places: list[tuple[int, ...]] = [()]
+    for length in shape:
+        places = [(*place, k) for place in places for k in range(length)]
+    return places

@@ -1,0 +1,97 @@
+"""Functions of a model for NumPy and SciPy."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from ._arrays import ArrayLibrary, ArrayModel
+from ._document import Ir, Table
+from ._operations import Operation, horner
+from ._program import Programs, required
+from ._read import read
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    NumpyModel = ArrayModel[NDArray[np.float64]]
+
+
+class NumpyLibrary:
+    """NumPy's functions, or those of a library with the same names."""
+
+    def __init__(self, numpy: Any) -> None:
+        self.numpy = numpy
+        self.where: Any = numpy.where
+        self.both: Any = numpy.logical_and
+
+    @property
+    def functions(self) -> dict[str, Operation]:
+        """Functions by the names of the operations."""
+        names = {name: name for name in ("abs", "sqrt", "sin", "cos", "exp", "log", "tanh")}
+        names |= {"asin": "arcsin", "atan2": "arctan2"}
+        return {name: getattr(self.numpy, own) for name, own in names.items()}
+
+    def lookup(self, table: Table, x: Any) -> Any:
+        """Return the value of a piecewise cubic at `x`."""
+        knots, cubics = self.numpy.asarray(table.knots), self.numpy.asarray(table.cubics)
+        below = self.numpy.searchsorted(knots, x, side="right")
+        h = x - knots[self.numpy.maximum(below - 1, 0)]
+        return horner([cubics[below, power] for power in range(4)], h)
+
+
+def to_numpy(ir: dict[str, Any] | Ir) -> NumpyModel:
+    """Functions of a model over arrays of NumPy.
+
+    Parameters
+    ----------
+    ir : dict or Ir
+        Document as ``json.loads`` returns it.
+
+    Returns
+    -------
+    ArrayModel
+        Object with `rhs`, `jac`, `observe`, `observe_jac`, `quantities` and `limits`.
+
+    Raises
+    ------
+    IrError
+        If the document is not one of schema ``hyzer.ir/1``.
+    ImportError
+        If NumPy is missing.
+
+    Examples
+    --------
+    A ball that is thrown upwards at 2 m/s:
+
+    >>> import json, pathlib
+    >>> ball = to_numpy(json.loads(pathlib.Path("ball.json").read_text()))
+    >>> ball.states
+    ('x', 'y', 'z', 'vx', 'vy', 'vz')
+    >>> ball.rhs(0.0, [0, 0, 1, 0, 0, 2])[2]
+    np.float64(2.0)
+    >>> J, Jp = ball.jac(0.0, [[0, 0, 1, 0, 0, 2], [0, 0, 1, 3, 0, 2]])
+    >>> J.shape
+    (2, 6, 6)
+    """
+    numpy = required("numpy", "to_numpy")
+    checked = read(ir)
+
+    def dense(
+        values: Sequence[Any],
+        places: Sequence[tuple[int, ...]],
+        batch: tuple[int, ...],
+        shape: tuple[int, ...],
+    ) -> Any:
+        array = numpy.zeros(batch + shape)
+        for place, value in zip(places, values, strict=True):
+            array[(..., *place)] = value
+        return array
+
+    library = ArrayLibrary(
+        array=lambda values: numpy.asarray(values, dtype=float),
+        broadcast_shapes=numpy.broadcast_shapes,
+        dense=dense,
+    )
+    return ArrayModel(checked, Programs(checked, NumpyLibrary(numpy)), library)

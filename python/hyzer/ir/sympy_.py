@@ -1,0 +1,153 @@
+"""Expressions of a model for SymPy."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from ._document import Ir, Table
+from ._operations import Operation, horner
+from ._program import Programs, Values, required
+from ._read import read
+
+if TYPE_CHECKING:
+    import sympy
+
+
+@dataclass(frozen=True)
+class SympyModel:
+    """Expressions of a model by name, each computed when it is first asked for.
+
+    Attributes
+    ----------
+    symbols : dict
+        Real symbols by name: ``time``, the states, the parameters and the coordinates of the marker.
+    ir : Ir
+        Names, units and default values.
+    """
+
+    symbols: dict[str, sympy.Symbol]
+    ir: Ir
+    _programs: Programs
+    _sympy: Any
+
+    @cached_property
+    def rhs(self) -> dict[str, sympy.Expr]:
+        """Time derivative of each state."""
+        return self._named("rhs", "dx", [state.name for state in self.ir.states])
+
+    @cached_property
+    def jac(self) -> tuple[sympy.Matrix, sympy.Matrix]:
+        """Derivatives of `rhs` with respect to states and parameters: matrices J and Jp."""
+        values = self._values("jacobian")
+        outputs = self.ir.functions["jacobian"].outputs[1:]
+        j, jp = (self._matrix(o.shape, o.entries or (), values[o.name]) for o in outputs)
+        return j, jp
+
+    @cached_property
+    def observe(self) -> dict[str, sympy.Expr]:
+        """Observed position ``x``, ``y``, ``z``, m; empty if the model has no observation."""
+        return self._named("observe", "y", ["x", "y", "z"])
+
+    @cached_property
+    def quantities(self) -> dict[str, sympy.Expr]:
+        """Auxiliary variables of the model."""
+        return self._named("quantities", "q", [part.name for part in self.ir.quantities])
+
+    @cached_property
+    def limits(self) -> dict[str, sympy.Expr]:
+        """Margins to the limits of validity by their reason: the model holds where all are above 0."""
+        values = self._named("limits", "l", [limit.reason for limit in self.ir.limits])
+        return {limit.reason: values[limit.reason] - limit.bound for limit in self.ir.limits}
+
+    def _values(self, function: str) -> Values:
+        names = {
+            "x": [state.name for state in self.ir.states],
+            "p": [parameter.name for parameter in self.ir.parameters],
+            "m": self.ir.marker,
+            "t": ["time"],
+        }
+        symbols = {letter: [self.symbols[name] for name in own] for letter, own in names.items()}
+        return self._programs(function, symbols)
+
+    def _named(self, function: str, output: str, names: Sequence[str]) -> dict[str, Any]:
+        return dict(zip(names, self._values(function)[output], strict=False))
+
+    def _matrix(
+        self, shape: tuple[int, ...], places: Sequence[tuple[int, int]], values: list[Any]
+    ) -> Any:
+        entries: Mapping[tuple[int, int], Any] = dict(zip(places, values, strict=True))
+        return self._sympy.Matrix(*shape, lambda row, column: entries.get((row, column), 0))
+
+
+class SympyLibrary:
+    """SymPy's functions of expressions."""
+
+    def __init__(self, sympy: Any) -> None:
+        self.sympy = sympy
+        self.both: Any = sympy.And
+
+    def where(self, condition: Any, then: Any, otherwise: Any) -> Any:
+        """Return the expression that is `then` where the condition holds."""
+        return self.sympy.Piecewise((then, condition), (otherwise, True))
+
+    @property
+    def functions(self) -> dict[str, Operation]:
+        """Functions by the names of the operations."""
+        names = ("sqrt", "sin", "cos", "asin", "exp", "log", "tanh", "atan2")
+        return {"abs": self.sympy.Abs, **{name: getattr(self.sympy, name) for name in names}}
+
+    def lookup(self, table: Table, x: Any) -> Any:
+        """Return the value of a piecewise cubic at `x`."""
+        origins = (table.knots[0], *table.knots)
+        parts = [horner(c, x - o) for c, o in zip(table.cubics, origins, strict=True)]
+        ends = [x < knot for knot in table.knots]
+        return self.sympy.Piecewise(*zip(parts, [*ends, True], strict=True))
+
+
+def to_sympy(ir: dict[str, Any] | Ir) -> SympyModel:
+    """Expressions of a model for SymPy.
+
+    Parameters
+    ----------
+    ir : dict or Ir
+        Document as ``json.loads`` returns it.
+
+    Returns
+    -------
+    SympyModel
+        Object with the expressions `rhs`, `jac`, `observe`, `quantities` and `limits`.
+
+    Raises
+    ------
+    IrError
+        If the document is not one of schema ``hyzer.ir/1``.
+    ImportError
+        If SymPy is missing.
+
+    Examples
+    --------
+    >>> import json, pathlib
+    >>> ball = to_sympy(json.loads(pathlib.Path("ball.json").read_text()))
+    >>> ball.rhs["x"]
+    vx
+    >>> ball.symbols["C_D"] in ball.rhs["vx"].free_symbols
+    True
+    """
+    sympy = required("sympy", "to_sympy")
+    checked = read(ir)
+    parts = [*checked.states, *checked.parameters]
+    names = ["time", *(part.name for part in parts), *checked.marker]
+    symbols = {name: sympy.Symbol(name, real=True) for name in names}
+    return SympyModel(symbols, checked, Programs(checked, SympyLibrary(sympy), _number(sympy)), sympy)
+
+
+def _number(sympy: Any) -> Operation:
+    """Return a function that turns a float into an integer or a float of 53 bits."""
+
+    def number(value: float) -> Any:
+        return sympy.Integer(int(value)) if value == int(value) else sympy.Float(value)
+
+    return number
