@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import Any
 
 from ._document import Table
 
@@ -14,30 +14,49 @@ TINY = 1e-75
 Operation = Callable[..., Any]
 
 
-class Library(Protocol):
-    """Functions of a library, for its numbers, arrays or expressions."""
+class Library:
+    """Functions of a library, for its numbers, arrays or expressions.
 
-    def where(self, condition: Any, then: Any, otherwise: Any, /) -> Any:
-        """Return `then` where `condition` holds, else `otherwise`."""
+    Attributes
+    ----------
+    where : callable
+        ``where(condition, then, otherwise)``.
+    both : callable
+        Whether two conditions hold.
+    functions : dict
+        Functions ``abs``, ``sqrt``, ``sin``, ``cos``, ``asin``, ``exp``, ``log``, ``tanh``, ``atan2``.
+    """
 
-    def both(self, a: Any, b: Any, /) -> Any:
-        """Return whether both conditions hold."""
+    where: Operation
+    both: Operation
+    functions: dict[str, Operation]
 
-    def lookup(self, table: Table, x: Any, /) -> Any:
+    def is_zero(self, x: Any) -> Any:
+        """Return whether `x` is zero."""
+        return x == 0
+
+    def negligible(self, x: Any) -> Any:
+        """Return whether `x` counts as zero where it would be divided by."""
+        return self.functions["abs"](x) < TINY
+
+    def replaced(self, condition: Any, harmless: float, x: Any) -> Any:
+        """Return `x`, and a harmless number where the function of it would be singular.
+
+        Then derivatives by the library are those of docs/reference/ir.md, and no warning appears.
+        """
+        return self.where(condition, harmless, x)
+
+    def reciprocal(self, x: Any) -> Any:
+        """Return ``1 / x``, where `x` is not negligible."""
+        return 1.0 / x
+
+    def lookup(self, table: Table, x: Any) -> Any:
         """Return the value of a piecewise cubic at `x`."""
-
-    @property
-    def functions(self) -> dict[str, Operation]:
-        """Functions `abs`, `sqrt`, `sin`, `cos`, `asin`, `exp`, `log`, `tanh` and `atan2`."""
-        ...
+        raise NotImplementedError
 
 
 def operations(library: Library) -> dict[str, Operation]:
-    """Return the operations by name, except `table`.
-
-    A guarded function is evaluated at a harmless argument where its own is singular, so that
-    derivatives by the library are those of docs/reference/ir.md, and no warning appears.
-    """
+    """Return the operations by name, except `table`."""
     return {**arithmetic(), **conditional(library), **guarded(library)}
 
 
@@ -58,16 +77,16 @@ def arithmetic() -> dict[str, Operation]:
 
 def conditional(library: Library) -> dict[str, Operation]:
     """Return the operations that choose between values."""
-    where, magnitude = library.where, library.functions["abs"]
+    where, negligible = library.where, library.negligible
 
     def recip_or_zero(x: Any) -> Any:
-        zero = magnitude(x) < TINY
-        return where(zero, 0.0, 1.0 / where(zero, 1.0, x))
+        zero = negligible(x)
+        return where(zero, 0.0, library.reciprocal(library.replaced(zero, 1.0, x)))
 
     return {
         "recip_or_zero": recip_or_zero,
-        "if_zero": lambda x, then, otherwise: where(magnitude(x) < TINY, then, otherwise),
-        "nonzero": lambda x: where(magnitude(x) < TINY, 0.0, 1.0),
+        "if_zero": lambda x, then, otherwise: where(negligible(x), then, otherwise),
+        "nonzero": lambda x: where(negligible(x), 0.0, 1.0),
         "sign": lambda x: where(x > 0, 1.0, where(x < 0, -1.0, 0.0)),
         "step": lambda x: where(x > 0, 1.0, 0.0),
         "min": lambda a, b: where(a < b, a, b),
@@ -82,18 +101,18 @@ def guarded(library: Library) -> dict[str, Operation]:
     def above_zero(function: Operation) -> Operation:
         def evaluate(x: Any) -> Any:
             outside = x <= 0
-            return where(outside, 0.0, function(where(outside, 1.0, x)))
+            return where(outside, 0.0, function(library.replaced(outside, 1.0, x)))
 
         return evaluate
 
     def asin(x: Any) -> Any:
         outside = named["abs"](x) >= 1
-        inside = named["asin"](where(outside, 0.0, x))
+        inside = named["asin"](library.replaced(outside, 0.0, x))
         return where(outside, where(x > 0, math.pi / 2, -math.pi / 2), inside)
 
     def atan2(y: Any, x: Any) -> Any:
-        origin = library.both(x == 0, y == 0)
-        return where(origin, 0.0, named["atan2"](y, where(origin, 1.0, x)))
+        origin = library.both(library.is_zero(x), library.is_zero(y))
+        return where(origin, 0.0, named["atan2"](y, library.replaced(origin, 1.0, x)))
 
     plain = {name: named[name] for name in ("abs", "sin", "cos", "exp", "tanh")}
     singular = {name: above_zero(named[name]) for name in ("sqrt", "log")}

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 from ._document import Ir, Output, Table
-from ._operations import Operation, horner
+from ._operations import Library, horner
 from ._program import Programs, required
 from ._read import read
 
@@ -52,19 +52,14 @@ class CasadiModel:
         return [parameter.value for parameter in self.ir.parameters]
 
 
-class CasadiLibrary:
+class CasadiLibrary(Library):
     """CasADi's functions of symbolic expressions."""
 
     def __init__(self, casadi: Any) -> None:
-        self.casadi = casadi
-        self.where: Any = casadi.if_else
-        self.both: Any = casadi.logic_and
-
-    @property
-    def functions(self) -> dict[str, Operation]:
-        """Functions by the names of the operations."""
+        self.where = casadi.if_else
+        self.both = casadi.logic_and
         names = ("sqrt", "sin", "cos", "asin", "exp", "log", "tanh", "atan2")
-        return {"abs": self.casadi.fabs, **{name: getattr(self.casadi, name) for name in names}}
+        self.functions = {"abs": casadi.fabs, **{name: getattr(casadi, name) for name in names}}
 
     def lookup(self, table: Table, x: Any) -> Any:
         """Return the value of a piecewise cubic at `x`."""
@@ -121,9 +116,9 @@ def to_casadi(ir: dict[str, Any] | Ir, kind: Literal["SX", "MX"] = "SX") -> Casa
         name: casadi.vertsplit(symbol) if sizes[name] else [] for name, symbol in symbols.items()
     }
 
-    def function(name: str, of: str, outputs: dict[str, str], *more: Any) -> Any:
-        values = programs(of, arrays)
-        parts = {o.name: o for o in checked.functions[of].outputs}
+    def function(name: str, outputs: dict[str, str], *more: Any) -> Any:
+        values = programs(name, arrays)
+        parts = {output.name: output for output in checked.functions[name].outputs}
         results = [_matrix(symbolic, parts[own], values[own]) for own in outputs.values()]
         if name == "limits":
             results[0] -= casadi.DM([limit.bound for limit in checked.limits])
@@ -131,11 +126,11 @@ def to_casadi(ir: dict[str, Any] | Ir, kind: Literal["SX", "MX"] = "SX") -> Casa
         return casadi.Function(name, [*symbols.values(), *more], results, named, [*outputs])
 
     return CasadiModel(
-        rhs=function("rhs", "rhs", {"dx": "dx"}),
-        jac=function("jac", "jacobian", {"J": "j", "Jp": "jp"}),
-        observe=function("observe", "observe", {"y": "y"}, marker),
-        quantities=function("quantities", "quantities", {"q": "q"}),
-        limits=function("limits", "limits", {"margin": "l"}),
+        rhs=function("rhs", {"dx": "dx"}),
+        jac=function("jacobian", {"J": "j", "Jp": "jp"}),
+        observe=function("observe", {"y": "y"}, marker),
+        quantities=function("quantities", {"q": "q"}),
+        limits=function("limits", {"margin": "l"}),
         ir=checked,
     )
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from ._arrays import ArrayLibrary, ArrayModel
 from ._document import Ir, Table
-from ._operations import Operation, horner
+from ._operations import Library, horner
 from ._program import Programs, required
 from ._read import read
 
@@ -18,20 +18,16 @@ if TYPE_CHECKING:
     NumpyModel = ArrayModel[NDArray[np.float64]]
 
 
-class NumpyLibrary:
+class NumpyLibrary(Library):
     """NumPy's functions, or those of a library with the same names."""
 
     def __init__(self, numpy: Any) -> None:
         self.numpy = numpy
-        self.where: Any = numpy.where
-        self.both: Any = numpy.logical_and
-
-    @property
-    def functions(self) -> dict[str, Operation]:
-        """Functions by the names of the operations."""
+        self.where = numpy.where
+        self.both = numpy.logical_and
         names = {name: name for name in ("abs", "sqrt", "sin", "cos", "exp", "log", "tanh")}
         names |= {"asin": "arcsin", "atan2": "arctan2"}
-        return {name: getattr(self.numpy, own) for name, own in names.items()}
+        self.functions = {name: getattr(numpy, own) for name, own in names.items()}
 
     def lookup(self, table: Table, x: Any) -> Any:
         """Return the value of a piecewise cubic at `x`."""

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from ._document import Ir, Table
-from ._operations import Operation, horner
+from ._operations import Library, Operation, horner
 from ._program import Programs, Values, required
 from ._read import read
 
@@ -82,29 +82,58 @@ class SympyModel:
         return self._sympy.Matrix(*shape, lambda row, column: entries.get((row, column), 0))
 
 
-class SympyLibrary:
-    """SymPy's functions of expressions."""
+class SympyLibrary(Library):
+    """SymPy's functions of expressions; a number is negligible where it is 0."""
 
     def __init__(self, sympy: Any) -> None:
         self.sympy = sympy
-        self.both: Any = sympy.And
+        self.both = sympy.And
+        names = ("sqrt", "sin", "cos", "asin", "exp", "log", "tanh", "atan2")
+        self.functions = {"abs": sympy.Abs, **{name: getattr(sympy, name) for name in names}}
 
     def where(self, condition: Any, then: Any, otherwise: Any) -> Any:
         """Return the expression that is `then` where the condition holds."""
-        return self.sympy.Piecewise((then, condition), (otherwise, True))
+        return self.pieces((then, condition), (otherwise, True))
 
-    @property
-    def functions(self) -> dict[str, Operation]:
-        """Functions by the names of the operations."""
-        names = ("sqrt", "sin", "cos", "asin", "exp", "log", "tanh", "atan2")
-        return {"abs": self.sympy.Abs, **{name: getattr(self.sympy, name) for name in names}}
+    def pieces(self, *pairs: tuple[Any, Any]) -> Any:
+        """Return a `Piecewise` as it is written, without a search for simpler conditions."""
+        exact = [(self.number(x) if isinstance(x, float) else x, where) for x, where in pairs]
+        return self.sympy.Piecewise(*exact, evaluate=False)
+
+    def number(self, value: float) -> Any:
+        """Return an integer, or a float of 53 bits."""
+        exact = int(value)
+        return self.sympy.Integer(exact) if value == exact else self.sympy.Float(value)
+
+    def is_zero(self, x: Any) -> Any:
+        """Return the condition that `x` is zero; of a `Piecewise`, in terms of its pieces."""
+        if not isinstance(x, self.sympy.Piecewise):
+            return self.sympy.Eq(x, 0)
+        zero = self.sympy.false
+        for piece, where in reversed(x.args):
+            here = self.sympy.And(where, self.is_zero(piece))
+            zero = self.sympy.Or(here, self.sympy.And(self.sympy.Not(where), zero))
+        return zero
+
+    negligible = is_zero
+
+    def replaced(self, condition: Any, harmless: float, x: Any) -> Any:
+        """Return `x`: no expression is evaluated where its condition does not hold."""
+        return x
+
+    def reciprocal(self, x: Any) -> Any:
+        """Return the reciprocal; of a `Piecewise`, that of each piece that is not 0."""
+        if not isinstance(x, self.sympy.Piecewise):
+            return 1 / x
+        pairs = [(0 if e == 0 else self.reciprocal(e), where) for e, where in x.args]
+        return self.pieces(*pairs)
 
     def lookup(self, table: Table, x: Any) -> Any:
         """Return the value of a piecewise cubic at `x`."""
         origins = (table.knots[0], *table.knots)
         parts = [horner(c, x - o) for c, o in zip(table.cubics, origins, strict=True)]
         ends = [x < knot for knot in table.knots]
-        return self.sympy.Piecewise(*zip(parts, [*ends, True], strict=True))
+        return self.pieces(*zip(parts, [*ends, True], strict=True))
 
 
 def to_sympy(ir: dict[str, Any] | Ir) -> SympyModel:
@@ -141,13 +170,5 @@ def to_sympy(ir: dict[str, Any] | Ir) -> SympyModel:
     parts = [*checked.states, *checked.parameters]
     names = ["time", *(part.name for part in parts), *checked.marker]
     symbols = {name: sympy.Symbol(name, real=True) for name in names}
-    return SympyModel(symbols, checked, Programs(checked, SympyLibrary(sympy), _number(sympy)), sympy)
-
-
-def _number(sympy: Any) -> Operation:
-    """Return a function that turns a float into an integer or a float of 53 bits."""
-
-    def number(value: float) -> Any:
-        return sympy.Integer(int(value)) if value == int(value) else sympy.Float(value)
-
-    return number
+    library = SympyLibrary(sympy)
+    return SympyModel(symbols, checked, Programs(checked, library, library.number), sympy)
