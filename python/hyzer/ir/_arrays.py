@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Generic, NamedTuple, TypeVar
 
 from ._document import Ir, Output
-from ._program import Programs
+from ._program import Values
 
 A = TypeVar("A")
 """Array of the library."""
+
+
+Evaluate = Callable[[str, Mapping[str, Sequence[Any]]], Values]
 
 
 class ArrayLibrary(NamedTuple):
@@ -32,8 +35,8 @@ class ArrayModel(Generic[A]):
     ----------
     ir : Ir
         Checked document.
-    programs : Programs
-        Its functions, for elements of the arrays.
+    programs : callable
+        Evaluates its functions by name, at elements of the arrays.
     library : ArrayLibrary
         Functions of the library.
 
@@ -47,7 +50,7 @@ class ArrayModel(Generic[A]):
         Default values of the parameters, SI.
     """
 
-    def __init__(self, ir: Ir, programs: Programs, library: ArrayLibrary) -> None:
+    def __init__(self, ir: Ir, programs: Evaluate, library: ArrayLibrary) -> None:
         self.ir = ir
         self.states = tuple(state.name for state in ir.states)
         self.parameters = tuple(parameter.name for parameter in ir.parameters)
@@ -150,48 +153,55 @@ class ArrayModel(Generic[A]):
         self, name: str, t: Any, x: Any, p: Any, marker: Any, inputs: dict[str, Any]
     ) -> list[A]:
         """Return each output of a function as a dense array."""
-        t = self._library.array(t)
-        arrays = {
-            "t": [t],
-            "x": self._elements("x", x, self.states),
-            "p": self._elements("p", self.p0 if p is None else p, self.parameters),
-            "m": [],
+        given = {
+            "t": self._library.array(t)[..., None],
+            "x": self._checked("x", x, self.states),
+            "p": self._checked("p", self.p0 if p is None else p, self.parameters),
         }
-        for given, value in inputs.items():
-            self._replace(arrays["p"], given, value)
         if marker is not None:
-            arrays["m"] = self._marker(marker)
-        shapes = (element.shape for elements in arrays.values() for element in elements)
-        batch = self._library.broadcast_shapes(*dict.fromkeys(shapes))
+            given["m"] = self._marker(marker)
+        arrays = {letter: elements(array) for letter, array in given.items()}
+        shapes = {array.shape[:-1] for array in given.values()}
+        for own, value in inputs.items():
+            shapes.add(self._replace(arrays["p"], own, value))
+        batch = self._library.broadcast_shapes(*shapes)
         values = self._programs(name, arrays)
         return [
             self._library.dense(values[output.name], indices(output), batch, output.shape)
             for output in self.ir.functions[name].outputs
         ]
 
-    def _elements(self, name: str, value: Any, names: Sequence[str]) -> list[Any]:
-        """Return the elements along the last axis."""
-        value = self._library.array(value)
-        if value.ndim == 0 or value.shape[-1] != len(names):
+    def _checked(self, name: str, value: Any, names: Sequence[str]) -> Any:
+        """Return an array with an element for each name along its last axis."""
+        array = self._library.array(value)
+        if array.ndim == 0 or array.shape[-1] != len(names):
             expected = f"(..., {len(names)}), for {', '.join(names)}"
-            raise ValueError(f"{name}: found an array of shape {value.shape}, expected {expected}")
-        return [value[..., k] for k in range(len(names))]
+            raise ValueError(f"{name}: found an array of shape {array.shape}, expected {expected}")
+        return array
 
-    def _replace(self, p: list[Any], name: str, value: Any) -> None:
-        """Replace the components of an input among the parameters."""
+    def _replace(self, p: list[Any], name: str, value: Any) -> tuple[int, ...]:
+        """Replace the components of an input among the parameters; return the shape of its batch."""
         known = {given.name: given.parameters for given in self.ir.inputs}
         if name not in known:
             expected = ", ".join(known) or "none, which this model has"
             raise TypeError(f"found the input {name!r}, expected one of: {expected}")
-        parts = self._elements(name, value, known[name])
-        for parameter, part in zip(known[name], parts, strict=True):
+        array = self._checked(name, value, known[name])
+        for parameter, part in zip(known[name], elements(array), strict=True):
             p[self.parameters.index(parameter)] = part
+        return array.shape[:-1]
 
-    def _marker(self, value: Any) -> list[Any]:
-        value = self._library.array(value)
-        if value.ndim == 0:
-            return [value] * len(self.ir.marker)
-        return self._elements("marker", value, self.ir.marker)
+    def _marker(self, value: Any) -> Any:
+        array = self._library.array(value)
+        if array.ndim == 0:
+            return self._library.array([value] * len(self.ir.marker))
+        return self._checked("marker", array, self.ir.marker)
+
+
+def elements(array: Any) -> list[Any]:
+    """Return the elements along the last axis."""
+    if array.ndim == 1:
+        return list(array)
+    return [array[..., k] for k in range(array.shape[-1])]
 
 
 def indices(output: Output) -> Sequence[tuple[int, ...]]:

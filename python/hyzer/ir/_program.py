@@ -48,7 +48,7 @@ class Program:
             return places[operand]
 
         self.steps = [
-            (call, *map(place, statement.operands))
+            (call, [place(operand) for operand in statement.operands])
             for call, statement in zip(calls, function.statements, strict=True)
         ]
         self.results = {o.name: [place(value) for value in o.values] for o in function.outputs}
@@ -58,8 +58,11 @@ class Program:
         values = list(self.constants)
         for letter in self.inputs:
             values += arrays[letter]
-        for call, *places in self.steps:
-            values.append(call(*[values[k] for k in places]))
+        for call, places in self.steps:
+            if len(places) == 2:
+                values.append(call(values[places[0]], values[places[1]]))
+            else:
+                values.append(call(*[values[k] for k in places]))
         return {name: [values[k] for k in places] for name, places in self.results.items()}
 
 

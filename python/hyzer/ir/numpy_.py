@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import bisect
+import math
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ._arrays import ArrayLibrary, ArrayModel
 from ._document import Ir, Table
 from ._operations import Library, horner
-from ._program import Programs, required
+from ._program import Programs, Values, required
 from ._read import read
 
 if TYPE_CHECKING:
@@ -35,6 +37,38 @@ class NumpyLibrary(Library):
         below = self.numpy.searchsorted(knots, x, side="right")
         h = x - knots[self.numpy.maximum(below - 1, 0)]
         return horner([cubics[below, power] for power in range(4)], h)
+
+
+class MathLibrary(Library):
+    """Functions of one number, by the standard library: a tenth of the time of NumPy's."""
+
+    def __init__(self) -> None:
+        self.where = lambda condition, then, otherwise: then if condition else otherwise
+        self.both = lambda a, b: a and b
+        names = ("sqrt", "sin", "cos", "asin", "exp", "log", "tanh", "atan2")
+        self.functions = {"abs": abs, **{name: getattr(math, name) for name in names}}
+
+    def lookup(self, table: Table, x: Any) -> Any:
+        """Return the value of a piecewise cubic at `x`."""
+        below = bisect.bisect_right(table.knots, x)
+        return horner(table.cubics[below], x - table.knots[max(below - 1, 0)])
+
+
+class NumpyPrograms:
+    """Functions of an IR for numbers and for arrays."""
+
+    def __init__(self, ir: Ir, numpy: Any) -> None:
+        self.of_arrays = Programs(ir, NumpyLibrary(numpy))
+        self.of_numbers = Programs(ir, MathLibrary())
+
+    def __call__(self, name: str, arrays: Mapping[str, Sequence[Any]]) -> Values:
+        """Evaluate the function `name` at elements of `arrays`, which broadcast."""
+        try:
+            numbers = {letter: [part.item() for part in parts] for letter, parts in arrays.items()}
+            return self.of_numbers(name, numbers)
+        except (ArithmeticError, ValueError):
+            # Arrays have no item; and NumPy gives infinity where the standard library has an error.
+            return self.of_arrays(name, arrays)
 
 
 def to_numpy(ir: dict[str, Any] | Ir) -> NumpyModel:
@@ -80,6 +114,8 @@ def to_numpy(ir: dict[str, Any] | Ir) -> NumpyModel:
         batch: tuple[int, ...],
         shape: tuple[int, ...],
     ) -> Any:
+        if not batch and len(shape) == 1:
+            return numpy.array(values)
         array = numpy.zeros(batch + shape)
         for place, value in zip(places, values, strict=True):
             array[(..., *place)] = value
@@ -90,4 +126,4 @@ def to_numpy(ir: dict[str, Any] | Ir) -> NumpyModel:
         broadcast_shapes=numpy.broadcast_shapes,
         dense=dense,
     )
-    return ArrayModel(checked, Programs(checked, NumpyLibrary(numpy)), library)
+    return ArrayModel(checked, NumpyPrograms(checked, numpy), library)
