@@ -21,7 +21,9 @@ class ArrayLibrary(NamedTuple):
     array: Callable[[Any], Any]
     """Return an array of float64."""
     broadcast_shapes: Callable[..., tuple[int, ...]]
-    dense: Callable[[Sequence[Any], Sequence[tuple[int, ...]], tuple[int, ...], tuple[int, ...]], Any]
+    dense: Callable[
+        [Sequence[Any], Sequence[tuple[int, ...]], tuple[int, ...], tuple[int, ...]], Any
+    ]
     """Return an array from the values, their indices, the shape of the batch and that of one."""
 
 
@@ -81,7 +83,7 @@ class ArrayModel(Generic[A]):
         return self._all("rhs", t, x, p, None, inputs)[0]
 
     def jac(self, t: Any, x: Any, p: Any = None, **inputs: Any) -> tuple[A, A]:
-        """Derivatives of `rhs` with respect to the states and the parameters.
+        """Jacobians of `rhs` with respect to the states and the parameters.
 
         The arguments are those of `rhs`.
 
@@ -116,7 +118,7 @@ class ArrayModel(Generic[A]):
     def observe_jac(
         self, t: Any, x: Any, p: Any = None, marker: Any = 0.0, **inputs: Any
     ) -> tuple[A, A, A]:
-        """Derivatives of `observe` with respect to states, parameters and marker.
+        """Jacobians of `observe` with respect to states, parameters and marker.
 
         The arguments are those of `observe`.
 
@@ -131,7 +133,7 @@ class ArrayModel(Generic[A]):
 
     def quantities(self, t: Any, x: Any, p: Any = None, **inputs: Any) -> dict[str, A]:
         """Auxiliary variables of the model by name, SI; each has the shape of the batch."""
-        values = self._all("quantities", t, x, p, None, inputs)[0]
+        values: Any = self._all("quantities", t, x, p, None, inputs)[0]
         return {part.name: values[..., k] for k, part in enumerate(self.ir.quantities)}
 
     def limits(self, t: Any, x: Any, p: Any = None, **inputs: Any) -> A:
@@ -142,8 +144,9 @@ class ArrayModel(Generic[A]):
         array, shape (..., number of limits)
             Values minus bounds; ``ir.limits`` has the reasons.
         """
-        values = self._all("limits", t, x, p, None, inputs)[0]
-        return values - self._library.array([limit.bound for limit in self.ir.limits])
+        values: Any = self._all("limits", t, x, p, None, inputs)[0]
+        margins: A = values - self._library.array([limit.bound for limit in self.ir.limits])
+        return margins
 
     def _observed(self) -> None:
         if not self.ir.functions["observe"].outputs[0].values:
@@ -180,7 +183,7 @@ class ArrayModel(Generic[A]):
         return array
 
     def _replace(self, p: list[Any], name: str, value: Any) -> tuple[int, ...]:
-        """Replace the components of an input among the parameters; return the shape of its batch."""
+        """Replace the components of an input among the parameters; return its batch shape."""
         known = {given.name: given.parameters for given in self.ir.inputs}
         if name not in known:
             expected = ", ".join(known) or "none, which this model has"
@@ -188,7 +191,8 @@ class ArrayModel(Generic[A]):
         array = self._checked(name, value, known[name])
         for parameter, part in zip(known[name], elements(array), strict=True):
             p[self.parameters.index(parameter)] = part
-        return array.shape[:-1]
+        shape: tuple[int, ...] = array.shape[:-1]
+        return shape
 
     def _marker(self, value: Any) -> Any:
         array = self._library.array(value)

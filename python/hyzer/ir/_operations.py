@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import operator
 from collections.abc import Callable
 from typing import Any
 
@@ -24,7 +25,8 @@ class Library:
     both : callable
         Whether two conditions hold.
     functions : dict
-        Functions ``abs``, ``sqrt``, ``sin``, ``cos``, ``asin``, ``exp``, ``log``, ``tanh``, ``atan2``.
+        Functions ``abs``, ``sqrt``, ``sin``, ``cos``, ``asin``, ``exp``, ``log``, ``tanh`` and
+        ``atan2``.
     """
 
     where: Operation
@@ -63,16 +65,41 @@ def operations(library: Library) -> dict[str, Operation]:
 def arithmetic() -> dict[str, Operation]:
     """Return the operations that need no library."""
     return {
-        "neg": lambda x: -x,
-        "recip": lambda x: 1.0 / x,
-        "add": lambda a, b: a + b,
-        "sub": lambda a, b: a - b,
-        "mul": lambda a, b: a * b,
-        "div": lambda a, b: a / b,
-        "mul_add": lambda a, b, c: a * b + c,
-        "mul_sub": lambda a, b, c: a * b - c,
-        "neg_mul_add": lambda a, b, c: c - a * b,
+        "neg": operator.neg,
+        "recip": recip,
+        "add": operator.add,
+        "sub": operator.sub,
+        "mul": operator.mul,
+        "div": div,
+        "mul_add": mul_add,
+        "mul_sub": mul_sub,
+        "neg_mul_add": neg_mul_add,
     }
+
+
+def recip(x: Any) -> Any:
+    """Return ``1 / x``."""
+    return 1.0 / x
+
+
+def div(a: Any, b: Any) -> Any:
+    """Return ``a / b``."""
+    return a / b
+
+
+def mul_add(a: Any, b: Any, c: Any) -> Any:
+    """Return ``a * b + c``."""
+    return a * b + c
+
+
+def mul_sub(a: Any, b: Any, c: Any) -> Any:
+    """Return ``a * b - c``."""
+    return a * b - c
+
+
+def neg_mul_add(a: Any, b: Any, c: Any) -> Any:
+    """Return ``c - a * b``."""
+    return c - a * b
 
 
 def conditional(library: Library) -> dict[str, Operation]:
@@ -83,15 +110,30 @@ def conditional(library: Library) -> dict[str, Operation]:
         zero = negligible(x)
         return where(zero, 0.0, library.reciprocal(library.replaced(zero, 1.0, x)))
 
-    return {
+    def if_zero(x: Any, then: Any, otherwise: Any) -> Any:
+        return where(negligible(x), then, otherwise)
+
+    def nonzero(x: Any) -> Any:
+        return where(negligible(x), 0.0, 1.0)
+
+    def sign(x: Any) -> Any:
+        return where(x > 0, 1.0, where(x < 0, -1.0, 0.0))
+
+    def step(x: Any) -> Any:
+        return where(x > 0, 1.0, 0.0)
+
+    def minimum(a: Any, b: Any) -> Any:
+        return where(a < b, a, b)
+
+    def maximum(a: Any, b: Any) -> Any:
+        return where(b < a, a, b)
+
+    own: dict[str, Operation] = {
         "recip_or_zero": recip_or_zero,
-        "if_zero": lambda x, then, otherwise: where(negligible(x), then, otherwise),
-        "nonzero": lambda x: where(negligible(x), 0.0, 1.0),
-        "sign": lambda x: where(x > 0, 1.0, where(x < 0, -1.0, 0.0)),
-        "step": lambda x: where(x > 0, 1.0, 0.0),
-        "min": lambda a, b: where(a < b, a, b),
-        "max": lambda a, b: where(b < a, a, b),
+        "if_zero": if_zero,
+        "nonzero": nonzero,
     }
+    return {**own, "sign": sign, "step": step, "min": minimum, "max": maximum}
 
 
 def guarded(library: Library) -> dict[str, Operation]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 from ._document import Function, Ir, Operand
@@ -81,7 +82,7 @@ class Programs:
 
     def __init__(self, ir: Ir, library: Library, constant: Callable[[float], Any] = float):
         known = operations(library)
-        tables = [self._lookup(library, table) for table in ir.tables]
+        tables = [partial(library.lookup, table) for table in ir.tables]
         lengths = {
             "t": 1,
             "x": len(ir.states),
@@ -98,10 +99,6 @@ class Programs:
             program = Program(function, lengths, calls)
             program.constants = [constant(value) for value in program.constants]
             self.programs[name] = program
-
-    @staticmethod
-    def _lookup(library: Library, table: Any) -> Operation:
-        return lambda x: library.lookup(table, x)
 
     def __call__(self, name: str, arrays: Mapping[str, Sequence[Any]]) -> Values:
         """Evaluate the function `name`; ``prepare`` comes before it."""

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 import re
+import reprlib
 from collections.abc import Callable, Mapping
+from itertools import pairwise
 from typing import Any, TypeVar, cast
 
 from ._document import (
@@ -27,12 +29,16 @@ from ._document import (
 T = TypeVar("T")
 OPERAND = re.compile(r"t|([xpkms])(0|[1-9][0-9]{0,8})")
 Lengths = Mapping[str, int]
+SHORT = reprlib.Repr()
+SHORT.maxstring = SHORT.maxother = 60
 
 
 def fault(place: str, found: object, expected: str) -> IrError:
     """Return the error for a fault of a document."""
-    text = repr(found)
-    text = text if len(text) <= 60 else text[:57] + "..."
+    try:
+        text = SHORT.repr(found)
+    except ValueError:  # An integer of too many digits.
+        text = "a number of thousands of digits"
     return IrError(f"{place}: found {text}, expected {expected}")
 
 
@@ -159,7 +165,7 @@ def cubic(value: object, place: str) -> tuple[float, ...]:
 def table(value: object, place: str) -> Table:
     fields = Fields(value, place)
     knots, cubics = fields.all("knots", number), fields.all("cubics", cubic)
-    if not knots or any(b <= a for a, b in zip(knots, knots[1:], strict=False)):
+    if not knots or any(b <= a for a, b in pairwise(knots)):
         raise fault(f"{place}.knots", list(knots), "one or more increasing numbers")
     exactly(cubics, f"{place}.cubics", len(knots) + 1)
     return Table(fields.of("name", string), knots, cubics)
@@ -178,7 +184,9 @@ def operand(value: object, place: str, lengths: Lengths) -> Operand:
 
 def described(lengths: Lengths) -> str:
     """Return the operands that exist, as text."""
-    ranges = (f"{letter}0 to {letter}{n - 1}" for letter, n in lengths.items() if letter != "t" and n)
+    ranges = (
+        f"{letter}0 to {letter}{n - 1}" for letter, n in lengths.items() if letter != "t" and n
+    )
     return ", ".join(["t", *ranges] if "t" in lengths else ranges)
 
 
@@ -333,11 +341,11 @@ def read(ir: object) -> Ir:
         "l": len(limits),
     }
     inputs = fields.all("inputs", vector_input)
-    names = [part.name for part in (*states, *parameters)] + list(marker)
-    unique(names)
+    known = [parameter.name for parameter in parameters]
+    unique([*(state.name for state in states), *known, *marker])
     for k, given in enumerate(inputs):
         for name in given.parameters:
-            if name not in {part.name for part in parameters}:
+            if name not in known:
                 raise fault(f"inputs[{k}].parameters", name, "the name of a parameter")
     return Ir(
         version=fields.of("version", string),

@@ -111,9 +111,9 @@ def to_casadi(ir: dict[str, Any] | Ir, kind: Literal["SX", "MX"] = "SX") -> Casa
     sizes = {"t": 1, "x": len(checked.states), "p": len(checked.parameters)}
     symbols = {name: symbolic.sym(name, size) for name, size in sizes.items()}
     marker = symbolic.sym("marker", len(checked.marker))
-    arrays = {"m": casadi.vertsplit(marker)} if checked.marker else {"m": []}
-    arrays |= {
-        name: casadi.vertsplit(symbol) if sizes[name] else [] for name, symbol in symbols.items()
+    arrays: dict[str, list[Any]] = {
+        letter: casadi.vertsplit(symbol) if symbol.numel() else []
+        for letter, symbol in {**symbols, "m": marker}.items()
     }
 
     def function(name: str, outputs: dict[str, str], *more: Any) -> Any:

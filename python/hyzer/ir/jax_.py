@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from ._arrays import ArrayLibrary, ArrayModel
@@ -68,7 +69,7 @@ def to_jax(ir: dict[str, Any] | Ir) -> JaxModel:
         return stacked.reshape(batch + shape)
 
     library = ArrayLibrary(
-        array=lambda values: jnp.asarray(values, dtype=float),
+        array=partial(jnp.asarray, dtype=float),
         broadcast_shapes=jnp.broadcast_shapes,
         dense=dense,
     )

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from ._document import Ir, Table
-from ._operations import Library, Operation, horner
+from ._operations import Library, horner
 from ._program import Programs, Values, required
 from ._read import read
 
 if TYPE_CHECKING:
-    import sympy
+    import sympy  # type: ignore[import-untyped]
 
 
 @dataclass(frozen=True)
@@ -23,7 +23,7 @@ class SympyModel:
     Attributes
     ----------
     symbols : dict
-        Real symbols by name: ``time``, the states, the parameters and the coordinates of the marker.
+        Real symbols by name: ``time``, the states, the parameters, the marker's coordinates.
     ir : Ir
         Names, units and default values.
     """
@@ -58,7 +58,7 @@ class SympyModel:
 
     @cached_property
     def limits(self) -> dict[str, sympy.Expr]:
-        """Margins to the limits of validity by their reason: the model holds where all are above 0."""
+        """Margins to the limits of validity by their reason; above 0 where the model holds."""
         values = self._named("limits", "l", [limit.reason for limit in self.ir.limits])
         return {limit.reason: values[limit.reason] - limit.bound for limit in self.ir.limits}
 
@@ -78,8 +78,10 @@ class SympyModel:
     def _matrix(
         self, shape: tuple[int, ...], places: Sequence[tuple[int, int]], values: list[Any]
     ) -> Any:
-        entries: Mapping[tuple[int, int], Any] = dict(zip(places, values, strict=True))
-        return self._sympy.Matrix(*shape, lambda row, column: entries.get((row, column), 0))
+        matrix = self._sympy.zeros(*shape)
+        for place, value in zip(places, values, strict=True):
+            matrix[place] = value
+        return matrix
 
 
 class SympyLibrary(Library):
@@ -167,8 +169,9 @@ def to_sympy(ir: dict[str, Any] | Ir) -> SympyModel:
     """
     sympy = required("sympy", "to_sympy")
     checked = read(ir)
-    parts = [*checked.states, *checked.parameters]
-    names = ["time", *(part.name for part in parts), *checked.marker]
+    states = [state.name for state in checked.states]
+    parameters = [parameter.name for parameter in checked.parameters]
+    names = ["time", *states, *parameters, *checked.marker]
     symbols = {name: sympy.Symbol(name, real=True) for name in names}
     library = SympyLibrary(sympy)
     return SympyModel(symbols, checked, Programs(checked, library, library.number), sympy)

@@ -96,7 +96,9 @@ class Points:
         tape = program("-p", "hyzer-codegen", "--example", "tape")
         command = [str(tape), *case]
         done = subprocess.run(command, input=text, check=True, capture_output=True, text=True)
-        values = np.array([[float(word) for word in line.split()] for line in done.stdout.splitlines()])
+        values = np.array(
+            [[float(word) for word in line.split()] for line in done.stdout.splitlines()]
+        )
         outputs = [
             output
             for function in ("jacobian", "observe_jacobian", "quantities", "limits")

@@ -10,8 +10,8 @@ from typing import Any
 import jax
 import numpy as np
 import pytest
-
 from conftest import document, points
+
 from hyzer.ir import IrError, read, to_casadi, to_jax, to_numpy, to_sympy
 
 BALL = ("ball",)
@@ -81,7 +81,7 @@ def test_kind_and_schema_are_checked() -> None:
     with pytest.raises(ValueError, match="kind: found 'DM'"):
         to_casadi(document(BALL), "DM")  # type: ignore[arg-type]
     for function in (read, to_numpy, to_jax, to_casadi, to_sympy):
-        with pytest.raises(IrError, match="schema: found 'hyzer.ir/2', expected 'hyzer.ir/1'"):
+        with pytest.raises(IrError, match=r"schema: found .hyzer[.]ir/2., expected"):
             function({**document(BALL), "schema": "hyzer.ir/2"})
 
 

@@ -6,8 +6,8 @@ import subprocess
 
 import numpy as np
 import pytest
-
 from conftest import ROOT, document, error, points, program
+
 from hyzer.ir import to_numpy
 
 FOLDERS = ("effects", "general_effects")
@@ -41,5 +41,5 @@ def test_names_units_and_defaults_are_those_of_the_model() -> None:
     drag = next(parameter for parameter in ir.parameters if parameter.coefficient)
     assert (drag.name, drag.unit, drag.value, drag.bounds) == ("C_D", "1", 0.45, (0.0, 3.0))
     assert ir.inputs[0].parameters == ("wind_x", "wind_y", "wind_z")
-    assert ir.quantities[8].name == "V" and ir.quantities[8].unit == "m/s"
+    assert (ir.quantities[8].name, ir.quantities[8].unit) == ("V", "m/s")
     assert np.isclose(to_numpy(ir).quantities(0, [0, 0, 0, 3, 4, 0])["V"], 5)
