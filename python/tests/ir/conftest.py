@@ -43,7 +43,7 @@ def program(*arguments: str) -> Path:
     """Build a program of the repository and return its path."""
     subprocess.run(["cargo", "build", "--quiet", *arguments], cwd=ROOT, check=True)
     folder = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug"
-    return folder / ("examples/tape" if "tape" in arguments else "hyzer")
+    return folder / ("examples" if "--example" in arguments else ".") / arguments[-1]
 
 
 def hyzer(*arguments: str) -> str:
