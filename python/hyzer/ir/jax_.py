@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
+from itertools import product
 from typing import TYPE_CHECKING, Any
 
 from ._arrays import ArrayLibrary, ArrayModel
@@ -62,11 +63,11 @@ def to_jax(ir: dict[str, Any] | Ir) -> JaxModel:
         batch: tuple[int, ...],
         shape: tuple[int, ...],
     ) -> Any:
-        known = dict(zip(places, values, strict=True))
-        every = [tuple(place) for place in _places(shape)]
-        parts = [jnp.broadcast_to(jnp.asarray(known.get(at, 0.0)), batch) for at in every]
-        stacked = jnp.stack(parts, axis=-1) if parts else jnp.zeros((*batch, 0))
-        return stacked.reshape(batch + shape)
+        # One gather: an array of its own for each zero takes XLA minutes to compile.
+        stacked = jnp.stack([jnp.broadcast_to(value, batch) for value in [*values, 0.0]], axis=-1)
+        known = {place: k for k, place in enumerate(places)}
+        stored = [known.get(place, len(values)) for place in product(*map(range, shape))]
+        return stacked[..., jnp.asarray(stored, dtype=int)].reshape(batch + shape)
 
     library = ArrayLibrary(
         array=partial(jnp.asarray, dtype=float),
@@ -74,11 +75,3 @@ def to_jax(ir: dict[str, Any] | Ir) -> JaxModel:
         dense=dense,
     )
     return ArrayModel(checked, Programs(checked, NumpyLibrary(jnp)), library)
-
-
-def _places(shape: tuple[int, ...]) -> list[tuple[int, ...]]:
-    """Return all indices of an array, the last one running fastest."""
-    places: list[tuple[int, ...]] = [()]
-    for length in shape:
-        places = [(*place, k) for place in places for k in range(length)]
-    return places

@@ -95,7 +95,21 @@ class SympyLibrary(Library):
 
     def where(self, condition: Any, then: Any, otherwise: Any) -> Any:
         """Return the expression that is `then` where the condition holds."""
+        condition = self.without_pieces(condition)
         return self.pieces((then, condition), (otherwise, True))
+
+    def without_pieces(self, condition: Any) -> Any:
+        """Return a condition on a `Piecewise` as conditions on its pieces, which print."""
+        if not condition.has(self.sympy.Piecewise):
+            return condition
+        folded = self.sympy.piecewise_fold(condition)
+        if not isinstance(folded, self.sympy.Piecewise):
+            return folded
+        holds = self.sympy.false
+        for piece, where in reversed(folded.args):
+            here = self.sympy.And(where, self.without_pieces(piece))
+            holds = self.sympy.Or(here, self.sympy.And(self.sympy.Not(where), holds))
+        return holds
 
     def pieces(self, *pairs: tuple[Any, Any]) -> Any:
         """Return a `Piecewise` as it is written, without a search for simpler conditions."""
@@ -108,14 +122,8 @@ class SympyLibrary(Library):
         return self.sympy.Integer(exact) if value == exact else self.sympy.Float(value)
 
     def is_zero(self, x: Any) -> Any:
-        """Return the condition that `x` is zero; of a `Piecewise`, in terms of its pieces."""
-        if not isinstance(x, self.sympy.Piecewise):
-            return self.sympy.Eq(x, 0)
-        zero = self.sympy.false
-        for piece, where in reversed(x.args):
-            here = self.sympy.And(where, self.is_zero(piece))
-            zero = self.sympy.Or(here, self.sympy.And(self.sympy.Not(where), zero))
-        return zero
+        """Return the condition that `x` is zero."""
+        return self.sympy.Eq(x, 0)
 
     negligible = is_zero
 

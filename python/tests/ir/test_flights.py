@@ -13,9 +13,9 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from conftest import document, hyzer, program
 from scipy.integrate import solve_ivp
 
-from conftest import document, hyzer, program
 from hyzer.ir import to_casadi, to_jax, to_numpy
 
 DISC = [-0.903, 0.633, 0.913, 13.1, 0.41, -2.78, -0.07, -0.2, 0.0, -14.9, 1.48, -54.3]
@@ -46,9 +46,7 @@ def flown(model: str, folder: Path) -> tuple[Any, Any]:
 def test_scipy_flies_to_the_same_place(model: str, tmp_path: Path) -> None:
     times, expected = flown(model, tmp_path)
     own = to_numpy(document((model,)))
-    flight = solve_ivp(
-        own.rhs, (0, SECONDS), expected[0], "DOP853", times, rtol=1e-13, atol=1e-13
-    )
+    flight = solve_ivp(own.rhs, (0, SECONDS), expected[0], "DOP853", times, rtol=1e-13, atol=1e-13)
     assert np.max(np.abs(flight.y.T[:, :3] - expected[:, :3])) < 1e-8
 
 
