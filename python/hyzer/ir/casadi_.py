@@ -95,10 +95,11 @@ def to_casadi(ir: dict[str, Any] | Ir, kind: Literal["SX", "MX"] = "SX") -> Casa
 
     Examples
     --------
-    >>> import json, pathlib
-    >>> ball = to_casadi(json.loads(pathlib.Path("ball.json").read_text()))
+    >>> import json, subprocess
+    >>> text = subprocess.check_output(["hyzer", "export", "ball", "--ir"])
+    >>> ball = to_casadi(json.loads(text))
     >>> ball.rhs
-    Function(rhs:(t,x[6],p[12])->(dx[6]) SXFunction)
+    Function(rhs:(t,x[6],p[11])->(dx[6]) SXFunction)
     >>> ball.rhs(0, ball.x0, ball.p0)[5]
     DM(-9.81)
     """

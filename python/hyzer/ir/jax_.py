@@ -43,9 +43,10 @@ def to_jax(ir: dict[str, Any] | Ir) -> JaxModel:
 
     Examples
     --------
-    >>> import json, pathlib, jax
+    >>> import json, subprocess, jax
     >>> jax.config.update("jax_enable_x64", True)
-    >>> ball = to_jax(json.loads(pathlib.Path("ball.json").read_text()))
+    >>> text = subprocess.check_output(["hyzer", "export", "ball", "--ir"])
+    >>> ball = to_jax(json.loads(text))
     >>> speed = lambda x: ball.rhs(0.0, x)[2]
     >>> [float(part) for part in jax.jit(jax.grad(speed))(ball.x0)]
     [0.0, 0.0, 0.0, 0.0, 0.0, 1.0]

@@ -106,8 +106,9 @@ def to_numpy(ir: dict[str, Any] | Ir) -> NumpyModel:
     --------
     A ball that is thrown upwards at 2 m/s:
 
-    >>> import json, pathlib
-    >>> ball = to_numpy(json.loads(pathlib.Path("ball.json").read_text()))
+    >>> import json, subprocess
+    >>> text = subprocess.check_output(["hyzer", "export", "ball", "--ir"])
+    >>> ball = to_numpy(json.loads(text))
     >>> ball.states
     ('x', 'y', 'z', 'vx', 'vy', 'vz')
     >>> ball.rhs(0.0, [0, 0, 1, 0, 0, 2])[2]

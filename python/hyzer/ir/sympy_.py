@@ -168,8 +168,9 @@ def to_sympy(ir: dict[str, Any] | Ir) -> SympyModel:
 
     Examples
     --------
-    >>> import json, pathlib
-    >>> ball = to_sympy(json.loads(pathlib.Path("ball.json").read_text()))
+    >>> import json, subprocess
+    >>> text = subprocess.check_output(["hyzer", "export", "ball", "--ir"])
+    >>> ball = to_sympy(json.loads(text))
     >>> ball.rhs["x"]
     vx
     >>> ball.symbols["C_D"] in ball.rhs["vx"].free_symbols

@@ -11,7 +11,6 @@ from typing import Any
 
 import jax
 import numpy as np
-import pytest
 
 from hyzer.ir import Ir, read
 
@@ -132,11 +131,3 @@ def error(expected: Any, found: Any) -> float:
     assert np.isfinite(expected).all()
     size = np.max(np.abs(expected), axis=-1, keepdims=True, initial=1.0)
     return float(np.max(np.abs(expected - found) / size, initial=0.0))
-
-
-@pytest.fixture(autouse=True)
-def _documents(doctest_namespace: dict[str, Any], tmp_path: Path, request: Any) -> None:
-    """Run each doctest in a folder with the document ``ball.json``."""
-    if isinstance(request.node, pytest.DoctestItem):
-        (tmp_path / "ball.json").write_text(exported(("ball",)))
-        request.getfixturevalue("monkeypatch").chdir(tmp_path)

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import doctest
+import importlib
 import json
+import os
 import re
 from pathlib import Path
 from typing import Any
 
 import jsonschema
+import numpy as np
 import pytest
-from conftest import CASES, ROOT, document, hyzer, name_of
+from conftest import CASES, ROOT, document, hyzer, name_of, program
 
 from hyzer.ir import SCHEMA
 from hyzer.ir._document import ARITY
@@ -29,9 +33,18 @@ def test_the_page_on_other_solvers_runs(tmp_path: Path, monkeypatch: pytest.Monk
     names: dict[str, Any] = {}
     for block in re.findall(r"```python\n(.*?)```", page, flags=re.DOTALL):
         exec(compile(block, "other-solvers.md", "exec"), names)
+    assert np.max(np.abs(names["same"] - names["by_parameter"])) < 1e-5 * np.max(names["same"])
     assert 20 < names["landing"][0] < 120
     assert abs(names["landing"][2]) < 1e-9
     assert str(names["disc"].rhs["x"]) == "u*cos(theta) + w*sin(theta)"
+
+
+@pytest.mark.parametrize("module", ["_read", "numpy_", "jax_", "casadi_", "sympy_"])
+def test_the_examples_of_docstrings_run(module: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", str(program("--bin", "hyzer").parent), prepend=os.pathsep)
+    options = doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS
+    tested = doctest.testmod(importlib.import_module(f"hyzer.ir.{module}"), optionflags=options)
+    assert (tested.failed, tested.attempted > 0) == (0, True)
 
 
 @pytest.mark.parametrize("case", CASES, ids=name_of)
