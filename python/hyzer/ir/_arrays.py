@@ -210,4 +210,6 @@ def elements(array: Any) -> list[Any]:
 
 def indices(output: Output) -> Sequence[tuple[int, ...]]:
     """Return the index of each value of an output in its vector or matrix."""
-    return output.entries or [(k,) for k in range(len(output.values))]
+    if output.entries is None:
+        return [(k,) for k in range(len(output.values))]
+    return output.entries

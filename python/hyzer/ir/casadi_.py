@@ -140,7 +140,8 @@ def _matrix(symbolic: Any, output: Output, values: list[Any]) -> Any:
     """Return the matrix of an output, with the entries that it stores."""
     rows, columns = (*output.shape, 1)[:2]
     matrix = symbolic(rows, columns)
-    places = output.entries or [(k, 0) for k in range(rows)]
+    vector = [(k, 0) for k in range(rows)]
+    places = vector if output.entries is None else output.entries
     for (row, column), value in zip(places, values, strict=True):
         matrix[row, column] = value
     return matrix

@@ -19,6 +19,18 @@ if TYPE_CHECKING:
     JaxModel = ArrayModel[jax.Array]
 
 
+class JaxLibrary(NumpyLibrary):
+    """JAX's functions; the derivative of its own `abs` at 0 is 1, of this it is 0."""
+
+    def __init__(self, jnp: Any) -> None:
+        super().__init__(jnp)
+        self.functions["abs"] = self.magnitude
+
+    def magnitude(self, x: Any) -> Any:
+        """Return the absolute value."""
+        return x * self.numpy.sign(x)
+
+
 def to_jax(ir: dict[str, Any] | Ir) -> JaxModel:
     """Functions of a model over arrays of JAX, for `jit`, `grad` and `vmap`.
 
@@ -75,4 +87,4 @@ def to_jax(ir: dict[str, Any] | Ir) -> JaxModel:
         broadcast_shapes=jnp.broadcast_shapes,
         dense=dense,
     )
-    return ArrayModel(checked, Programs(checked, NumpyLibrary(jnp)), library)
+    return ArrayModel(checked, Programs(checked, JaxLibrary(jnp)), library)
