@@ -33,7 +33,7 @@ fn each<T>(
 }
 
 fn state(state: &State) -> Result<String, NotFinite> {
-    Ok(value(&state.name, &state.unit_text, state.value, &[])?)
+    value(&state.name, &state.unit_text, state.value, &[])
 }
 
 /// Object of a value with a name, a unit and a default; `more` are further fields.

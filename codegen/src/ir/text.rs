@@ -58,10 +58,10 @@ pub(super) fn lines(items: impl IntoIterator<Item = String>) -> String {
 }
 
 /// Object whose fields are separated by `gap`: a line break or nothing.
-pub(super) fn object<K: AsRef<str>>(fields: &[(K, String)], gap: &str) -> String {
+pub(super) fn object(fields: &[Field], gap: &str) -> String {
     let fields = fields.iter();
     let fields: Vec<String> = fields
-        .map(|(key, value)| format!("{}:{value}", string(key.as_ref())))
+        .map(|(key, value)| format!("{}:{value}", string(key)))
         .collect();
     format!("{{{gap}{}{gap}}}", fields.join(&format!(",{gap}")))
 }

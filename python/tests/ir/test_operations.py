@@ -15,7 +15,7 @@ from hyzer.ir._document import ARITY
 
 A, B = "x0", "x1"
 STATES = [{"name": name, "unit": "1", "value": 0.0} for name in ("a", "b")]
-TABLE = {"name": "T", "knots": [0, 1], "cubics": [[1, 1, 0, 0], [1, 1, 1, 0], [3, 0, 0, 0]]}
+TABLE = {"name": "T", "knots": [0, 1], "cubics": [[1, 1, 0, 0], [1, 1, 1, 0], [4, 0, 0, 0]]}
 
 POINTS: list[tuple[list[Any], tuple[float, float], float, tuple[float, float]]] = [
     (["neg", A], (2, 0), -2, (-1, 0)),
@@ -69,8 +69,8 @@ POINTS: list[tuple[list[Any], tuple[float, float], float, tuple[float, float]]] 
     (["table", 0, A], (-1, 0), 0, (1, 0)),
     (["table", 0, A], (0, 0), 1, (1, 0)),
     (["table", 0, A], (0.5, 0), 1.75, (2, 0)),
-    (["table", 0, A], (1, 0), 3, (0, 0)),
-    (["table", 0, A], (5, 0), 3, (0, 0)),
+    (["table", 0, A], (1, 0), 4, (0, 0)),
+    (["table", 0, A], (5, 0), 4, (0, 0)),
 ]
 every_point = pytest.mark.parametrize(("statement", "x", "value", "slopes"), POINTS)
 
