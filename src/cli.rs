@@ -42,6 +42,11 @@ pub enum Command {
         after_help = "Examples:\n  hyzer generate models/kite.hyz disc --out src/models\n  hyzer generate disc --with wind_by_height --out src/models --check\n  hyzer generate --check                # crates/generated\n\nEach model becomes one Rust module over f64 that needs no other crate: `mod kite;`. With --lanes it is generic over\nlanes::Real, for SIMD. Build scripts can use hyzer_codegen::build instead."
     )]
     Generate(Generate),
+    /// Export a model for other programs: its equations, derivatives and observation as JSON
+    #[command(
+        after_help = "Examples:\n  hyzer export disc --ir --out disc.json\n  hyzer export ball --with magnus --ir\n\nThe format, and what reads it: docs/reference/ir.md. hyzer.ir in Python makes NumPy, JAX, CasADi and SymPy functions of it."
+    )]
+    Export(Export),
     /// Verify models by every independent check against a reference implementation
     #[command(
         after_help = "Example:\n  hyzer verify disc --json\n  hyzer verify                          # all models\n  hyzer verify disc --rounding\n  hyzer verify disc --json > disc.json  # verdicts, and hashes (SHA-256) of the texts and of the generated code\n  hyzer verify --check disc.json        # the same verification again\n\nWith --check the exit status is 0 where hashes and verdicts agree, 1 where they differ, 2 for a bad file.\n\nExit status: 0 verified, every check that applies was made and holds; 1 refuted, at least one check fails; 3 not verified,\nno check fails and at least one that applies could not be made: the table says which and why. A check that is `skipped` does\nnot apply to the model."
@@ -149,6 +154,22 @@ pub struct Generate {
     /// Root folder of the repository, by default the one around the current folder
     #[arg(long, value_name = "DIR", conflicts_with = "out")]
     pub root: Option<PathBuf>,
+}
+
+/// Arguments of `hyzer export`.
+#[derive(Args)]
+pub struct Export {
+    /// Model: a name or a path
+    pub model: String,
+    /// Write the model as JSON, in the format of docs/reference/ir.md
+    #[arg(long, required = true)]
+    pub ir: bool,
+    /// Add an effect, by name or path; may be repeated
+    #[arg(long, alias = "effect", value_name = "EFFECT")]
+    pub with: Vec<String>,
+    /// File to write; without it the model is printed
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
 }
 
 /// Parser of the names of the registered backends, with their descriptions as help.

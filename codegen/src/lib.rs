@@ -15,6 +15,7 @@ pub mod explain;
 pub mod functions;
 pub mod generate;
 pub mod graph;
+pub mod ir;
 pub mod latex;
 pub mod lower;
 pub mod number;

@@ -7,6 +7,7 @@ mod diagnose;
 mod diff;
 mod effects;
 mod explain;
+mod export;
 mod fit;
 mod generate;
 mod import;
@@ -25,6 +26,7 @@ pub fn run(command: Command) -> anyhow::Result<Answer> {
     match command {
         Command::Check(options) => check::run(&options),
         Command::Generate(options) => generate::run(&options),
+        Command::Export(options) => export::run(&options),
         Command::Verify(options) => verify::run(&options),
         Command::Diff(options) => diff::run(&options),
         Command::Explain(options) => explain::run(&options),

@@ -463,7 +463,7 @@ fn bad_input_is_status_2_and_says_what_was_expected() {
 #[test]
 fn every_command_has_help_with_an_example() {
     for command in [
-        "check", "generate", "verify", "diff", "explain", "simulate", "fit", "effects",
+        "check", "generate", "export", "verify", "diff", "explain", "simulate", "fit", "effects",
     ] {
         let told = stdout(hyzer().args([command, "--help"]), 0);
         assert!(told.contains(&format!("  hyzer {command}")), "{told}");

@@ -6,6 +6,7 @@ mod cli;
 mod dask;
 mod design;
 mod diagnose;
+mod export;
 mod fit;
 mod generate;
 mod import;

@@ -5,5 +5,6 @@ mod backends;
 mod code;
 mod derivatives;
 mod functions;
+mod ir;
 mod simplify;
 mod support;
