@@ -7,7 +7,7 @@ mod diagnose;
 mod diff;
 mod effects;
 mod explain;
-mod fit;
+pub mod fit;
 mod generate;
 mod import;
 mod simulate;

@@ -1,0 +1,2 @@
+"""hyzer."""
+from hyzer._hyzer import Model
