@@ -8,9 +8,49 @@ use identify::FitError;
 
 use crate::{Answer, cli, commands, output, progress};
 
-/// What the commands print and write of their results, for the Python package.
+/// What `hyzer check` prints of a model.
+pub mod check {
+    pub use crate::commands::check::report;
+}
+
+/// What `hyzer bootstrap` refits, prints and writes.
+pub mod bootstrap {
+    pub use crate::commands::bootstrap::{enough, refits, summary_json, table, text};
+}
+
+/// What `hyzer design` prints and writes of a throw.
+pub mod design {
+    pub use crate::commands::design::{Designed, aims};
+}
+
+/// What `hyzer stability` finds and writes.
+pub mod stability {
+    pub use crate::commands::stability::{files, found, json};
+}
+
+/// What `hyzer import` makes of recordings.
+pub mod import {
+    pub use crate::commands::import::Imported;
+}
+
+/// What `hyzer fit` prints and writes of a fit.
 pub mod fit {
     pub use crate::commands::fit::{files, model_of, text};
+}
+
+/// What `hyzer diagnose` finds and writes.
+pub mod diagnose {
+    pub use crate::commands::diagnose::{diagnosis, files};
+}
+
+/// The plan that `hyzer sweep --example` prints.
+pub mod sweep {
+    pub use crate::commands::sweep::EXAMPLE;
+}
+
+/// What `hyzer simulate` writes of a flight.
+pub mod simulate {
+    pub use crate::commands::simulate::{Simulated, files, summary_json};
 }
 
 /// Runs the program with its arguments, the first of which is the name of the program, and returns the exit status. It
@@ -35,6 +75,19 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
                 _ => 2,
             }
         }
+    }
+}
+
+/// Imports recordings by the arguments of `hyzer import`, without `--out`.
+///
+/// # Errors
+/// If an argument or a recording is faulty, or no throw is found.
+pub fn import_takes(arguments: &[OsString]) -> anyhow::Result<import::Imported> {
+    let begin = ["hyzer", "import", "--out=imported"].map(OsString::from);
+    let cli = cli::Cli::try_parse_from(begin.iter().chain(arguments))?;
+    match cli.command {
+        cli::Command::Import(options) => commands::import::imported(&options),
+        _ => anyhow::bail!("expected the arguments of hyzer import"),
     }
 }
 

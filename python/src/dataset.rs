@@ -8,7 +8,7 @@ use dataset::Dataset as Data;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
-use crate::errors::raise;
+use crate::errors::{of_class, raise};
 use crate::work;
 
 /// Measured flights of one body.
@@ -22,6 +22,26 @@ pub struct Dataset {
     /// The folder that was read; `None` for a dataset built in memory.
     #[pyo3(get)]
     pub folder: Option<PathBuf>,
+    /// Further files of the folder, such as the true values of a synthetic dataset.
+    pub beside: Vec<(String, String)>,
+    /// Comments above the positions of the markers.
+    pub comments: Vec<String>,
+    /// What was decided when takes were imported.
+    pub decisions: String,
+}
+
+impl Dataset {
+    /// A dataset with a name in reports.
+    pub fn of(data: Data, name: String, folder: Option<PathBuf>) -> Dataset {
+        Dataset {
+            data: Arc::new(data),
+            name,
+            folder,
+            beside: Vec::new(),
+            comments: Vec::new(),
+            decisions: String::new(),
+        }
+    }
 }
 
 #[pymethods]
@@ -30,12 +50,7 @@ impl Dataset {
     #[pyo3(signature = (manifest, tables, name = String::new()))]
     fn new(manifest: &str, tables: BTreeMap<String, String>, name: String) -> PyResult<Dataset> {
         let data = dataset::from_texts(manifest, &tables).map_err(raise)?;
-        let data = Arc::new(data);
-        Ok(Dataset {
-            data,
-            name,
-            folder: None,
-        })
+        Ok(Dataset::of(data, name, None))
     }
 
     #[staticmethod]
@@ -45,12 +60,41 @@ impl Dataset {
         let name = name.to_string_lossy().into_owned();
         let path = folder.clone();
         let data = work::run(py, None, move |_| dataset::load_on(&path, threads))?;
-        let data = Arc::new(data.map_err(raise)?);
-        Ok(Dataset {
-            data,
-            name,
-            folder: Some(folder),
+        Ok(Dataset::of(data.map_err(raise)?, name, Some(folder)))
+    }
+
+    /// Texts of `dataset.toml` and of the tables, by file.
+    fn texts(&self) -> (String, Vec<(String, String)>) {
+        let Data {
+            markers,
+            sensors,
+            flights,
+            ..
+        } = &*self.data;
+        let tables = flights.iter().map(|flight| {
+            (
+                flight.file.clone(),
+                dataset::table_text(flight, markers, sensors),
+            )
+        });
+        (dataset::manifest_text(&self.data), tables.collect())
+    }
+
+    fn save_files(&self, folder: PathBuf) -> PyResult<()> {
+        let beside: Vec<(&str, String)> = self
+            .beside
+            .iter()
+            .map(|(name, text)| (name.as_str(), text.clone()))
+            .collect();
+        dataset::write_commented(&folder, &self.data, &beside, &self.comments).map_err(|error| {
+            let text = format!("{}: {error}", folder.display());
+            of_class("FolderError", &text)
         })
+    }
+
+    #[getter]
+    fn decisions(&self) -> String {
+        self.decisions.clone()
     }
 
     #[getter]

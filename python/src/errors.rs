@@ -44,10 +44,15 @@ impl About {
 
 /// The exception for an error of the library.
 pub fn raise(error: impl Into<Error>) -> PyErr {
+    raise_or("Error", error)
+}
+
+/// The exception for an error of the library; of the class `class` where the error says no other.
+pub fn raise_or(class: &'static str, error: impl Into<Error>) -> PyErr {
     let error = error.into();
     let text = format!("{error:#}");
     let known = error.chain().find_map(about);
-    build(known.unwrap_or_else(|| About::of("Error")), &text)
+    build(known.unwrap_or_else(|| About::of(class)), &text)
 }
 
 /// The exception `InputError` for an argument: what was found and what was expected.

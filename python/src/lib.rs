@@ -1,10 +1,16 @@
 //! The module `hyzer._hyzer` of the Python package: models, flights, datasets and fits, and the program.
 
+mod analyses;
 mod array;
+mod checks;
 mod dataset;
+mod diagnosis;
 mod errors;
 mod fit;
+mod flight;
+mod made;
 mod model;
+mod report;
 mod work;
 
 use std::ffi::OsString;
@@ -23,9 +29,21 @@ mod _hyzer {
     #[pymodule_export]
     use super::main;
     #[pymodule_export]
+    use crate::analyses::{bootstrap, design, stability, sweep, sweep_plan};
+    #[pymodule_export]
+    use crate::checks::{diff, verify};
+    #[pymodule_export]
     use crate::dataset::Dataset;
+    #[pymodule_export]
+    use crate::diagnosis::{Diagnosis, diagnose};
     #[pymodule_export]
     use crate::fit::{Fit, fit};
     #[pymodule_export]
+    use crate::flight::{Flight, fly, release_names, release_text};
+    #[pymodule_export]
+    use crate::made::{import_takes, synthesize, table_text};
+    #[pymodule_export]
     use crate::model::Model;
+    #[pymodule_export]
+    use crate::report::Report;
 }

@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyMapping, PyTuple};
 
 use crate::array::{Rows, array, points, rows, times, vector};
-use crate::errors::{input, raise};
+use crate::errors::{input, of_class, raise};
 
 thread_local! {
     static WORKSPACE: RefCell<Workspace> = RefCell::default();
@@ -29,6 +29,8 @@ pub struct Model {
     pub layout: Layout,
     /// Name, path or text by which the model was loaded.
     pub source: String,
+    /// Whether effects or values were added to what `source` names.
+    pub is_changed: bool,
     compiled: OnceLock<Compiled>,
 }
 
@@ -62,6 +64,7 @@ impl Model {
             checked: Arc::new(checked),
             tree,
             source,
+            is_changed: false,
             compiled: OnceLock::new(),
         })
     }
@@ -202,7 +205,11 @@ impl Model {
                 other => input(other.to_string()),
             })?;
         }
-        Model::of(tree, source)
+        let is_changed = parameters.is_some() || !effects.is_empty();
+        Ok(Model {
+            is_changed,
+            ..Model::of(tree, source)?
+        })
     }
 
     #[getter]
@@ -282,6 +289,13 @@ impl Model {
     #[getter]
     fn is_compiled(&self) -> bool {
         self.compiled().model.is_generated()
+    }
+
+    fn check(&self) -> PyResult<String> {
+        match hyzer::program::check::report(&self.checked) {
+            (text, true) => Ok(text),
+            (text, false) => Err(of_class("ModelError", &text)),
+        }
     }
 
     #[pyo3(signature = (p = None))]

@@ -33,6 +33,8 @@ pub struct SweepOptions<'a> {
     pub csv: bool,
     /// Called after each completed part, with the number of flights in the part.
     pub progress: &'a (dyn Fn(u64) + Sync),
+    /// Whether to stop; asked before each part. The parts computed until then are kept.
+    pub is_cancelled: &'a (dyn Fn() -> bool + Sync),
 }
 
 /// Maximum number of parts, per thread, that are computed while an earlier part is not yet merged into the summary; it
@@ -115,6 +117,9 @@ pub fn run(
             && rows.status.len() as u64 == len
         {
             return Ok(Summary::of(&rows, end));
+        }
+        if (options.is_cancelled)() {
+            return Err(SweepError::Interrupted);
         }
         let rows = flier.fly(part);
         table::write(&path, &rows).map_err(|source| SweepError::Table { path, source })?;
