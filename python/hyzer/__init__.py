@@ -1,8 +1,8 @@
-"""Flight models with exact derivatives, fitted to measured flights and diagnosed for missing effects.
+"""Flight models with exact derivatives, fitted to flights and diagnosed for missing effects.
 
-A `Model` is loaded by name, path or text, and evaluated on arrays; `Model.fly` simulates a `Release`.
-A `Dataset` is read from files or built from DataFrames; `fit` estimates coefficients from it, and
-`diagnose` finds what the model lacks.
+A `Model` is loaded by name, path or text, and evaluated on arrays; `Model.fly` simulates a
+`Release`. A `Dataset` is read from files or built from DataFrames; `fit` estimates coefficients
+from it, and `diagnose` finds what the model lacks.
 
 >>> import hyzer
 >>> found = hyzer.diagnose("examples/mystery")
@@ -10,21 +10,8 @@ A `Dataset` is read from files or built from DataFrames; `fit` estimates coeffic
 'identified'
 """
 
-from hyzer._analyses import (
-    Bootstrap,
-    Design,
-    Difference,
-    Stability,
-    Sweep,
-    Verification,
-    bootstrap,
-    design,
-    diff,
-    stability,
-    sweep,
-    synthesize,
-    verify,
-)
+from hyzer._analyses import Bootstrap, Design, Stability, bootstrap, design, stability
+from hyzer._checks import Difference, Verification, diff, verify
 from hyzer._dataset import Dataset
 from hyzer._errors import (
     Cancelled,
@@ -41,6 +28,8 @@ from hyzer._flight import Flight
 from hyzer._model import Model
 from hyzer._release import Release
 from hyzer._results import Diagnosis, Fit
+from hyzer._sweep import Sweep, sweep
+from hyzer._synthesis import synthesize
 
 __all__ = [
     "Bootstrap",

@@ -5,23 +5,15 @@ from __future__ import annotations
 import io
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
-from hyzer import _hyzer, _toml
-from hyzer._errors import InputError
+from hyzer import _hyzer
 from hyzer._extras import extra
+from hyzer._tables import csv, manifest, named, table
 
 if TYPE_CHECKING:
     import numpy.typing as npt
     import pandas as pd
-
-_ENDINGS = {
-    "marker": ("_x", "_y", "_z"),
-    "pose": ("_x", "_y", "_z", "_qw", "_qx", "_qy", "_qz"),
-    "gyroscope": ("_x", "_y", "_z"),
-    "accelerometer": ("_x", "_y", "_z"),
-    "speed": ("",),
-}
 
 
 class Dataset:
@@ -73,7 +65,8 @@ class Dataset:
         >>> import hyzer
         >>> hyzer.Dataset.read("nowhere")
         Traceback (most recent call last):
-        hyzer._errors.InputError: nowhere: found no such folder, expected a dataset: a folder with ...
+        hyzer._errors.InputError: nowhere: found no such folder, expected a dataset: a folder with
+        ...
         """
         return cls(_hyzer.Dataset.load(folder, threads))
 
@@ -97,14 +90,14 @@ class Dataset:
         Parameters
         ----------
         flights : sequence or mapping of DataFrame
-            Tables with a column or index `t`, s, and columns `NAME_x`, `NAME_y`, `NAME_z`, m, for each
-            marker (z up); columns of other sensors as in a table of a dataset. A missing value is NaN.
-            A sequence is named `flight01.csv`, `flight02.csv`, …
+            Tables with a column or index `t`, s, and columns `NAME_x`, `NAME_y`, `NAME_z`, m, for
+            each marker (z up); columns of other sensors as in a table of a dataset. A missing value
+            is NaN. A sequence is named `flight01.csv`, `flight02.csv`, …
         markers : mapping of str to sequence of 3 floats
             Positions of the markers in the body frame, m, or "unknown" where it is to be estimated.
         sensors : mapping of str to mapping
-            Other sensors by name: `kind` (`pose`, `gyroscope`, `accelerometer`, `speed`), `position` in
-            the body frame, m, and optionally `sigma`, `sigma_angle`.
+            Other sensors by name: `kind` (`pose`, `gyroscope`, `accelerometer`, `speed`),
+            `position` in the body frame, m, and optionally `sigma`, `sigma_angle`.
         model : str
             Model by name or path.
         parameters : mapping of str to float
@@ -133,12 +126,12 @@ class Dataset:
         >>> data.files[:2]
         ('flight01.csv', 'flight02.csv')
         """
-        named = _named(flights)
-        texts = {file: _csv(frame) for file, frame in named.items()}
-        manifest = _manifest(
+        tables = named(flights)
+        texts = {file: csv(frame) for file, frame in tables.items()}
+        about = manifest(
             list(texts), model, markers, sensors, parameters, sigma, held_out, known, recording
         )
-        return cls(_hyzer.Dataset(manifest, texts, name))
+        return cls(_hyzer.Dataset(about, texts, name))
 
     @classmethod
     def from_arrays(
@@ -154,9 +147,9 @@ class Dataset:
         Parameters
         ----------
         flights : sequence or mapping of mappings
-            Arrays by name: `t`, shape (m,), s; each marker, shape (m, 3), m; each other sensor, with a
-            column for each of its components: 7 for a pose (x, y, z, qw, qx, qy, qz), 1 for a speed,
-            else 3. NaN is a missing value.
+            Arrays by name: `t`, shape (m,), s; each marker, shape (m, 3), m; each other sensor,
+            with a column for each of its components: 7 for a pose (x, y, z, qw, qx, qy, qz), 1 for
+            a speed, else 3. NaN is a missing value.
         markers, sensors, **options
             As in `from_pandas`.
 
@@ -171,7 +164,7 @@ class Dataset:
         """
         kinds = dict.fromkeys(markers or {}, "marker")
         kinds |= {sensor: str(about.get("kind")) for sensor, about in (sensors or {}).items()}
-        texts = {file: _table(file, flight, kinds) for file, flight in _named(flights).items()}
+        texts = {file: table(file, flight, kinds) for file, flight in named(flights).items()}
         about = {
             key: options.pop(key, None)
             for key in ("parameters", "sigma", "held_out", "known", "recording")
@@ -179,8 +172,8 @@ class Dataset:
         model, name = options.pop("model", "disc"), options.pop("name", "")
         if options:
             raise TypeError(f"from_arrays() has no argument {', '.join(options)}")
-        manifest = _manifest(list(texts), model, markers, sensors, **about)
-        return cls(_hyzer.Dataset(manifest, texts, name))
+        text = manifest(list(texts), model, markers, sensors, **about)
+        return cls(_hyzer.Dataset(text, texts, name))
 
     @classmethod
     def import_takes(
@@ -207,11 +200,12 @@ class Dataset:
         model : str or path, optional
             Model; by default that of the template.
         markers : path, optional
-            Template: a TOML file with `[[markers]]`, such as a `dataset.toml`. Without it the positions
-            are estimated from the throws.
+            Template: a TOML file with `[[markers]]`, such as a `dataset.toml`. Without it the
+            positions are estimated from the throws.
         format, length, time, rate, up, left_handed
-            What the files do not state: the format, the unit of length (`m`, `cm`, `mm`, `in`, `ft`) and
-            time (`s`, `ms`), frames per second, the axis that points up (`+z`), left-handed axes.
+            What the files do not state: the format, the unit of length (`m`, `cm`, `mm`, `in`,
+            `ft`) and time (`s`, `ms`), frames per second, the axis that points up (`+z`),
+            left-handed axes.
         labels : mapping of str to str
             Names of markers by their labels in the files.
         centre_height : float, optional
@@ -286,66 +280,3 @@ class Dataset:
 def dataset_of(data: str | os.PathLike[str] | Dataset) -> _hyzer.Dataset:
     """Return a dataset given by its folder or as an object."""
     return (data if isinstance(data, Dataset) else Dataset.read(data)).native
-
-
-def _named(flights: Sequence[Any] | Mapping[str, Any]) -> dict[str, Any]:
-    if isinstance(flights, Mapping):
-        return dict(flights)
-    return {f"flight{k:02}.csv": flight for k, flight in enumerate(flights, start=1)}
-
-
-def _csv(frame: pd.DataFrame) -> str:
-    if "t" not in frame.columns and frame.index.name == "t":
-        frame = frame.reset_index()
-    return frame.to_csv(index=False)
-
-
-def _table(file: str, flight: Mapping[str, npt.ArrayLike], kinds: Mapping[str, str]) -> str:
-    """Return the text of the table of a flight from its arrays."""
-    columns: list[tuple[str, list[str], npt.ArrayLike]] = []
-    for name, values in flight.items():
-        endings = ("",) if name == "t" else _ENDINGS.get(kinds.get(name, ""))
-        if endings is None:
-            known = ", ".join(["t", *kinds])
-            raise InputError(f"{file}: found the array {name!r}, expected one of {known}")
-        columns.append((f"{file}: {name}", [name + ending for ending in endings], values))
-    return _hyzer.table_text(columns)
-
-
-def _manifest(
-    files: Sequence[str],
-    model: str,
-    markers: Mapping[str, Any] | None = None,
-    sensors: Mapping[str, Any] | None = None,
-    parameters: Mapping[str, float] | None = None,
-    sigma: float | None = None,
-    held_out: Iterable[str | int] | None = None,
-    known: Mapping[str | int, Mapping[str, Any]] | None = None,
-    recording: Mapping[str, Any] | None = None,
-) -> str:
-    """Return the text of dataset.toml."""
-    parts = [f"model = {_toml.text(os.fspath(model))}\n"]
-    parts.append(_toml.table("[parameters]", parameters or {}))
-    parts.append(_toml.table("[recording]", recording or {}))
-    for marker, position in (markers or {}).items():
-        parts.append(_toml.table("[[markers]]", {"name": marker, "position": position}))
-    for sensor, about in (sensors or {}).items():
-        parts.append(_toml.table("[[sensors]]", {"name": sensor, **about}))
-    parts.append(_toml.table("[noise]", {} if sigma is None else {"sigma": sigma}))
-    apart = {_file(flight, files) for flight in held_out or ()}
-    stated = {_file(flight, files): values for flight, values in (known or {}).items()}
-    for file in files:
-        about = {"file": file, "role": "held-out" if file in apart else "fit"}
-        values = {"known": stated[file]} if file in stated else {}
-        parts.append(_toml.table("[[flights]]", {**about, **values}))
-    return "".join(parts)
-
-
-def _file(flight: str | int, files: Sequence[str]) -> str:
-    """Return the name of a flight given by name or number."""
-    if isinstance(flight, str) and flight in files:
-        return flight
-    if isinstance(flight, int) and 0 <= flight < len(files):
-        return cast(str, files[flight])
-    expected = f"one of {', '.join(files)} or its number from 0"
-    raise InputError(f"found the flight {flight!r}, expected {expected}")

@@ -1,6 +1,7 @@
 """Exceptions of hyzer.
 
-Every exception that hyzer raises on purpose is an `Error`, except `Cancelled`, which follows Ctrl-C.
+Every exception that hyzer raises on purpose is an `Error`, except `Cancelled`, which follows
+Ctrl-C.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping
-from typing import Any
+from typing import Any, cast
 
 from hyzer import _hyzer
 from hyzer._dataset import Dataset, dataset_of
@@ -25,9 +25,13 @@ def options(
     max_seconds: float | None = None,
 ) -> dict[str, Any]:
     """Return the options of a fit as the compiled part takes them."""
-    held = fixed.items() if isinstance(fixed, Mapping) else ((name, None) for name in fixed)
+    held: dict[str, float | None]
+    if isinstance(fixed, Mapping):
+        held = dict(cast("Mapping[str, float | None]", fixed))
+    else:
+        held = dict.fromkeys([fixed] if isinstance(fixed, str) else fixed)
     return {
-        "fixed": list(held),
+        "fixed": list(held.items()),
         "free": list(free),
         "priors": [(name, value, sigma) for name, (value, sigma) in (priors or {}).items()],
         "profiles": list(profiles),
@@ -63,7 +67,8 @@ def fit(
     fixed : mapping of str to float or None, or iterable of str
         Coefficients that are not estimated, with their values, SI; by default those of the model.
     free : iterable of str
-        Parameters or components of inputs (`wind_x`) that are estimated too, one value for all flights.
+        Parameters or components of inputs (`wind_x`) that are estimated too, one value for all
+        flights.
     priors : mapping of str to (float, float)
         Gaussian priors: mean and standard deviation, SI.
     profiles : iterable of str
@@ -77,8 +82,8 @@ def fit(
     max_seconds : float, optional
         Stop after this time with the best estimates so far.
     progress : callable, bool or None
-        Called with stage, number done and total. By default a bar in terminals and notebooks; `False`
-        for none. An exception of the function cancels the fit.
+        Called with stage, number done and total. By default a bar in terminals and notebooks;
+        `False` for none. An exception of the function cancels the fit.
 
     Returns
     -------
@@ -97,9 +102,9 @@ def fit(
     --------
     >>> import hyzer
     >>> fit = hyzer.fit("examples/ball", priors={"C_D": (0.45, 0.1)})
-    >>> fit.coefficients.C_D.unit
-    '1'
-    >>> fit.fitted.fly("serve").ended_by
+    >>> fit.coefficients.C_D.std_error < 0.1
+    True
+    >>> fit.fitted.fly("serve", until="ground").ended_by
     'ground'
     """
     asked = options(

@@ -43,7 +43,7 @@ class Flight:
     >>> flight = hyzer.Model("disc").fly("backhand")
     >>> flight.ended_by, flight.landing.shape
     ('ground', (3,))
-    >>> flight["z"].max() > 1.0
+    >>> float(flight["z"].max()) > 1.0
     True
     """
 
@@ -84,7 +84,7 @@ class Flight:
     def __getitem__(self, name: str) -> npt.NDArray[np.float64]:
         """Return the values of a state by name, shape (m,)."""
         try:
-            return cast("npt.NDArray[np.float64]", self.states[:, self.names.index(name)])
+            return self.states[:, self.names.index(name)]
         except ValueError:
             expected = ", ".join(self.names)
             raise KeyError(f"found {name!r}, expected one of {expected}") from None
@@ -165,7 +165,7 @@ class Flight:
         return axes
 
     def view(self, height: int = 480) -> Any:
-        """Show the flight in three dimensions, in a notebook: the page `flight.html` of the program.
+        """Show the flight in three dimensions, in a notebook: the page `flight.html`.
 
         Parameters
         ----------

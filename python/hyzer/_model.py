@@ -20,8 +20,8 @@ class Model(_hyzer.Model):
     Parameters
     ----------
     source : str or path
-        A built-in model by name (`disc`, `disc_quaternion`, `discus`, `ball`), the path of a file, or
-        a text in the model language, which has more than one line.
+        A built-in model by name (`disc`, `disc_quaternion`, `discus`, `ball`), the path of a file,
+        or a text in the model language, which has more than one line.
     effects : iterable of str
         Effects to add, by name or path: `hyzer effects` lists those that are built in.
     parameters : mapping of str to float
@@ -49,8 +49,8 @@ class Model(_hyzer.Model):
     Raises
     ------
     ModelError
-        If there is no such model or effect, or a text has faults: the message of `hyzer check`, with
-        the place and hint of the first fault as attributes, and all of them in `faults`.
+        If there is no such model or effect, or a text has faults: the message of `hyzer check`,
+        with the place and hint of the first fault as attributes, and all of them in `faults`.
 
     Examples
     --------
@@ -88,8 +88,8 @@ class Model(_hyzer.Model):
         Parameters
         ----------
         release : str, path, Release or mapping
-            A built-in release by name (`backhand`, `discus`, `serve`, `fssh3`, `bffl8`), a release file,
-            a `Release`, or the initial value of every state by name.
+            A built-in release by name (`backhand`, `discus`, `serve`, `fssh3`, `bffl8`), a release
+            file, a `Release`, or the initial value of every state by name.
         until : {"ground"} or float, optional
             Where the flight ends: on the ground, or after so many seconds. By default that of the
             release.

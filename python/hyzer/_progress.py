@@ -44,9 +44,12 @@ class Watching:
 
     def __init__(self, progress: Progress | bool | None) -> None:
         stream = _stream(shown=progress is True)
-        is_own = progress is not None and not isinstance(progress, bool)
-        self._bar = Bar(stream) if stream and progress is not False and not is_own else None
-        self._progress: Progress | None = progress if is_own else self._bar  # type: ignore[assignment]  # pyright: ignore
+        self._bar: Bar | None = None
+        self._progress: Progress | None = None
+        if progress is not None and not isinstance(progress, bool):
+            self._progress = progress
+        elif stream and progress is not False:
+            self._progress = self._bar = Bar(stream)
 
     def __enter__(self) -> Progress | None:
         """Return the function to call."""

@@ -103,7 +103,9 @@ def _html(rows: list[dict[str, Any]]) -> str:
     heads = list(dict.fromkeys(name for row in rows for name in row if _is_scalar(row[name])))
     head = "".join(f'<th scope="col">{html.escape(name)}</th>' for name in heads)
     body = "".join(
-        "<tr>" + "".join(f"<td>{html.escape(shown(row.get(name)))}</td>" for name in heads) + "</tr>"
+        "<tr>"
+        + "".join(f"<td>{html.escape(shown(row.get(name)))}</td>" for name in heads)
+        + "</tr>"
         for row in rows
     )
     return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
@@ -116,7 +118,7 @@ def _is_scalar(value: object) -> bool:
 def shown(value: object) -> str:
     """Return a value as a page shows it: five digits, a dash for what does not exist."""
     if value is None:
-        return "–"
+        return "-"
     if isinstance(value, float):
         return f"{value:.5g}"
     return str(value)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping
-from typing import Any
+from typing import Any, cast
 
 from hyzer import _hyzer, _toml
 
@@ -25,7 +25,8 @@ class Release:
     nose : float
         Angle of attack, positive nose-up, deg.
     hyzer : float
-        Tilt about the velocity, positive when the left edge is the lower one, seen from behind, deg.
+        Tilt about the velocity, positive when the left edge is the lower one, seen from behind,
+        deg.
     spin : float
         Spin, positive clockwise seen from above, rpm.
     height : float
@@ -33,8 +34,8 @@ class Release:
     wobble : float
         Angle between the body's axis and its angular momentum, deg.
     wind : sequence of 3 floats or mapping, optional
-        Constant velocity of the air in the inertial frame, m/s, or the keys of `[wind]` in a release
-        file: profiles over height, gusts.
+        Constant velocity of the air in the inertial frame, m/s, or the keys of `[wind]` in a
+        release file: profiles over height, gusts.
     until : {"ground"} or float
         Where the flight ends: on the ground, or after so many seconds.
     parameters, coefficients : mapping of str to float, optional
@@ -86,10 +87,13 @@ class Release:
         self._throw = {name: value for name, value in stated.items() if value is not None}
         self._initial = initial
         self._until = until
+        blown: Mapping[str, Any] = {"constant": wind} if wind is not None else {}
+        if isinstance(wind, Mapping):
+            blown = cast("Mapping[str, Any]", wind)
         self._tables: dict[str, Mapping[str, Any]] = {
             "parameters": parameters or {},
             "coefficients": coefficients or {},
-            "wind": wind if isinstance(wind, Mapping) else {"constant": wind} if wind else {},
+            "wind": blown,
         }
         self._text: str | None = None
 
@@ -129,7 +133,9 @@ class Release:
         until: dict[str, Any] = {"until": self._until}
         if not isinstance(self._until, str):
             until = {"duration": self._until}
-        lines = [f"{name} = {_toml.text(value)}\n" for name, value in {"model": model, **until}.items()]
+        lines = [
+            f"{name} = {_toml.text(value)}\n" for name, value in {"model": model, **until}.items()
+        ]
         of_motion = "[throw]" if self._initial is None else "[initial]"
         motion = self._throw if self._initial is None else {**self._initial, **self._throw}
         tables = [_toml.table(f"[{name}]", values) for name, values in self._tables.items()]

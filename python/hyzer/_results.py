@@ -39,7 +39,7 @@ class Native(Protocol):
 
 
 class Result(Record):
-    """A result with a report: its keys are attributes, which are read when they are first asked for."""
+    """A result with a report: its keys are attributes, read when they are first asked for."""
 
     def __init__(self, native: Native) -> None:
         super().__init__({})
@@ -59,7 +59,7 @@ class Result(Record):
         return self._native.page_html()
 
     def save(self, folder: str | os.PathLike[str]) -> None:
-        """Write the folder that the program writes with `--out`: report, page, model, figures, tables.
+        """Write the folder of the program: report, page, model, figures, tables.
 
         Parameters
         ----------
@@ -129,7 +129,7 @@ class Fit(Result):
         return extra("numpy").array(matrix, dtype=float)  # type: ignore[no-any-return]
 
     def covariance(self) -> npt.NDArray[np.float64]:
-        """Return the covariance matrix of the estimates (Cramér–Rao), SI, as ordered in `estimated`."""
+        """Return the covariance matrix of the estimates, SI, in the order of `estimated`."""
         numpy = extra("numpy")
         about = self["coefficients"].to_dict()
         errors = [about[name]["std_error"] for name in self.estimated]
@@ -227,7 +227,7 @@ class Diagnosis(Result):
         return None if text is None else Model(text)
 
     def plot(self, axes: Any = None) -> Any:
-        """Draw what the diagnosis found: a coefficient before and after, or the tests of candidates.
+        """Draw what was found: a coefficient before and after, or the tests of candidates.
 
         Parameters
         ----------
@@ -259,11 +259,11 @@ class Diagnosis(Result):
         return f"<Diagnosis of {self['model']}, {self['verdict']}{causes}>"
 
     def _repr_html_(self) -> str:
-        items = "".join(
-            f"<li>{html.escape(' and '.join(effect['description'] for effect in found['effects']))}: "
-            f"{100 * (found['explained_fraction'] or 0.0):.0f} % of the misfit</li>"
-            for found in self["explanations"]
-        )
+        items = ""
+        for found in self["explanations"]:
+            words = html.escape(" and ".join(effect["description"] for effect in found["effects"]))
+            share = 100 * (found["explained_fraction"] or 0.0)
+            items += f"<li>{words}: {share:.0f} % of the misfit</li>"
         verdict = html.escape(f"{self['model']}: {self['verdict']}")
         summary = html.escape(self["summary"])
         found = f"<ol>{items}</ol>" if items else ""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping
-from typing import Any
+from typing import Any, cast
 
 
 def text(value: object) -> str:
@@ -14,13 +14,13 @@ def text(value: object) -> str:
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, Mapping):
-        items: Mapping[Any, Any] = value
+        items = cast("Mapping[Any, Any]", value)
         each = (f"{text(str(name))} = {text(item)}" for name, item in items.items())
         return "{ " + ", ".join(each) + " }"
     if isinstance(value, Iterable):
-        parts: Iterable[Any] = value
+        parts = cast("Iterable[Any]", value)
         return "[" + ", ".join(text(part) for part in parts) + "]"
-    return repr(float(value))  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]
+    return repr(float(cast("float", value)))
 
 
 def table(heading: str, values: Mapping[str, Any]) -> str:
