@@ -6,7 +6,7 @@ import io
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Any, cast
 
 from hyzer import _hyzer, _toml
 from hyzer._dataset import Dataset, dataset_of
@@ -131,7 +131,7 @@ def design(
     goal: str,
     *,
     target: Sequence[float] | None = None,
-    bounds: Mapping[str, Sequence[float]] | str | os.PathLike[str] | None = None,
+    bounds: Mapping[str, Any] | str | os.PathLike[str] | None = None,
     starts: int = 384,
     samples: int = 400,
     seed: int = 1,
@@ -148,9 +148,10 @@ def design(
         level at a point; landing at a point with the least spread.
     target : sequence of 3 floats, optional
         The point of the goal, m, with the release above the origin.
-    bounds : mapping of str to (float, float), or path, optional
+    bounds : mapping or path, optional
         Least and greatest `speed` (m/s), `heading`, `launch`, `nose`, `hyzer` (deg), `spin` (rpm)
-        and `height` (m); or a file of bounds, which may have an obstacle and a scatter.
+        and `height` (m), or one number to hold; `obstacle`, `circle` and `scatter` as mappings; or
+        a file of bounds with these keys.
     starts, samples, seed : int
         Numbers of starting throws and of sampled landings; seed of both.
     threads : int, optional
@@ -178,7 +179,7 @@ def design(
     """
     limits: str | None = None
     if isinstance(bounds, Mapping):
-        limits = _toml.table("[bounds]", bounds)
+        limits = _toml.document(bounds)
     elif bounds is not None:
         limits = Path(bounds).read_text(encoding="utf-8")
     point = None if target is None else [float(x) for x in target]

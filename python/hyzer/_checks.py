@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, cast
 
@@ -77,7 +78,7 @@ def diff(old: AnyModel, new: AnyModel, *, releases: Iterable[str] = ()) -> Diffe
     Parameters
     ----------
     old, new : str, path or Model
-        The models.
+        The models; those given by name, path or text may have units that disagree.
     releases : iterable of str
         Releases, by name or path, that are flown with both.
 
@@ -91,5 +92,5 @@ def diff(old: AnyModel, new: AnyModel, *, releases: Iterable[str] = ()) -> Diffe
     >>> hyzer.diff("disc", hyzer.Model("disc", effects=["wind"])).changed
     True
     """
-    before, after = cast(_hyzer.Model, model_of(old)), cast(_hyzer.Model, model_of(new))
-    return Difference(_hyzer.diff(before, after, list(releases)))
+    models = [m if isinstance(m, _hyzer.Model) else os.fspath(m) for m in (old, new)]
+    return Difference(_hyzer.diff(models[0], models[1], list(releases)))

@@ -107,12 +107,7 @@ def sweep(
 def _plan(plan: str | os.PathLike[str] | Mapping[str, Any]) -> tuple[str, str, str]:
     """Return name, text and folder of a plan."""
     if isinstance(plan, Mapping):
-        keys: Mapping[str, Any] = plan
-        plain = {key: value for key, value in keys.items() if not isinstance(value, Mapping)}
-        tables: dict[str, Mapping[str, Any]]
-        tables = {key: value for key, value in keys.items() if isinstance(value, Mapping)}
-        text = "".join(f"{_toml.text(key)} = {_toml.text(value)}\n" for key, value in plain.items())
-        return "plan", text + "".join(_toml.table(f"[{k}]", t) for k, t in tables.items()), "."
+        return "plan", _toml.document(plan), "."
     named = os.fspath(plan)
     if "\n" in named:
         return "plan", named, "."

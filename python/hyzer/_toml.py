@@ -23,6 +23,14 @@ def text(value: object) -> str:
     return repr(float(cast("float", value)))
 
 
+def document(values: Mapping[str, Any]) -> str:
+    """Return a document: plain keys first, then the tables."""
+    plain = {key: value for key, value in values.items() if not isinstance(value, Mapping)}
+    lines = [f"{text(str(key))} = {text(value)}\n" for key, value in plain.items()]
+    tables = [table(f"[{text(str(key))}]", values[key]) for key in values if key not in plain]
+    return "".join([*lines, *tables])
+
+
 def table(heading: str, values: Mapping[str, Any]) -> str:
     """Return a table with its heading; nothing where it is empty."""
     lines = [f"{text(str(name))} = {text(value)}\n" for name, value in values.items()]

@@ -40,9 +40,8 @@ pub fn numbers(array: &Bound<'_, PyAny>, what: &str) -> PyResult<(Vec<f64>, Vec<
             "{what} has the dtype {dtype}, expected float64"
         )));
     }
-    let found = numpy.call_method1("ascontiguousarray", (found, "float64"))?;
-    // `ascontiguousarray` makes an array of one dimension of a number.
-    let shape: Vec<usize> = numpy.call_method1("shape", (array,))?.extract()?;
+    let shape: Vec<usize> = found.getattr("shape")?.extract()?;
+    let found = numpy.call_method1("require", (found, "float64", ["C", "A"]))?;
     let found = found.cast_into::<PyArrayDyn<f64>>().map_err(PyErr::from)?;
     let found = found.readonly();
     let values = found.as_slice().map_err(|error| input(error.to_string()))?;
@@ -133,7 +132,8 @@ fn finite(values: &[f64], what: &str, name: impl Fn(usize) -> String, n: usize) 
     )))
 }
 
-fn shape_text(shape: &[usize]) -> String {
+/// A shape as Python shows it.
+pub fn shape_text(shape: &[usize]) -> String {
     match shape {
         [one] => format!("({one},)"),
         _ => {

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use ::diagnose::{Diagnosis as Found, DiagnosisOptions};
+use ::diagnose::{Diagnosis as Found, DiagnosisError, DiagnosisOptions};
 use dataset::Dataset as Data;
 use flight::files::ResultFile;
 use hyzer::program;
@@ -94,7 +94,7 @@ pub fn diagnose(
                 fit: *fit,
                 ..DiagnosisOptions::default()
             };
-            options.validate(&model).map_err(anyhow::Error::from)?;
+            options.validate(&model).map_err(DiagnosisError::from)?;
             program::diagnose::diagnosis(&model, &on, &options)
         })
     })?;

@@ -1,7 +1,9 @@
 //! Errors as Python exceptions, with their place and hint; the classes are in `hyzer/_errors.py`.
 
+use analysis::sweep::SweepError;
 use anyhow::Error;
 use dataset::InputError;
+use dataset::synthesize::SynthesisError;
 use diagnose::DiagnosisError;
 use flight::files::ResultFolderError;
 use flight::release::ReleaseError;
@@ -97,6 +99,17 @@ fn about(error: &(dyn std::error::Error + 'static)) -> Option<About> {
     if let Some(error) = error.downcast_ref::<hyzer::Error>() {
         return of_library(error);
     }
+    match error.downcast_ref::<SweepError>() {
+        Some(SweepError::Plan(error)) => return about(error),
+        Some(SweepError::Folder(_) | SweepError::Table { .. }) => {
+            return Some(About::of("FolderError"));
+        }
+        Some(_) => return Some(About::of("FlightError")),
+        None => {}
+    }
+    if let Some(DiagnosisError::Load(error)) = error.downcast_ref() {
+        return about(error);
+    }
     if let Some(error) = error.downcast_ref::<InputError>() {
         let place = (Some(error.file.display().to_string()), error.place);
         let hint = Some(format!("expected {}", error.expected));
@@ -143,6 +156,14 @@ fn class_of(error: &(dyn std::error::Error + 'static)) -> Option<&'static str> {
         return Some(match error {
             DiagnosisError::Fit(error) => fit(error),
             _ => "InputError",
+        });
+    }
+    if let Some(error) = error.downcast_ref::<SynthesisError>() {
+        let is_flight = matches!(error, SynthesisError::Flight { .. });
+        return Some(if is_flight {
+            "FlightError"
+        } else {
+            "InputError"
         });
     }
     if error.is::<ResultFolderError>()

@@ -9,7 +9,7 @@ use dataset::synthesize::{Corruption, Plan, Spread, flights};
 use flight::release::Release;
 use pyo3::prelude::*;
 
-use crate::array::numbers;
+use crate::array::{numbers, shape_text};
 use crate::dataset::Dataset;
 use crate::errors::{input, raise, raise_or};
 use crate::flight::released;
@@ -131,9 +131,9 @@ pub fn table_text(columns: Vec<(String, Vec<String>, Bound<'_, PyAny>)>) -> PyRe
         };
         let expected = *rows.get_or_insert(found);
         if width != names.len() || found != expected {
-            let names = names.len();
+            let (names, found) = (names.len(), shape_text(&shape));
             return Err(input(format!(
-                "{what} has the shape {shape:?}, expected {expected} rows of {names}"
+                "{what} has the shape {found}, expected {expected} rows of {names}"
             )));
         }
         heads.extend(names);

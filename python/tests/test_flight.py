@@ -1,21 +1,15 @@
 import json
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests_of_program import program
 
 import hyzer
 
 DISC = hyzer.Model("disc")
-
-
-def program(*arguments: str) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "hyzer", *arguments]
-    return subprocess.run(command, capture_output=True, text=True, check=False)
 
 
 def test_a_flight_is_that_of_the_program(tmp_path: Path) -> None:
@@ -80,7 +74,11 @@ def test_tables_and_figures() -> None:
     [
         ("nothing", {}, "expected a TOML file, or a release by name: fssh3"),
         (hyzer.Release(speed=-1), {}, "release:.*speed"),
-        (hyzer.Release(speed=20, nose=200), {}, "nose is 200; expected a number from -90 to 90 deg"),
+        (
+            hyzer.Release(speed=20, nose=200),
+            {},
+            "nose is 200; expected a number from -90 to 90 deg",
+        ),
         ({"z": 1.0}, {}, "expected every state of the model"),
         ("backhand", {"until": -1}, 'until is -1, expected "ground" or a number'),
         ("backhand", {"until": "sky"}, "until is sky"),
