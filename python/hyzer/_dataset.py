@@ -162,9 +162,6 @@ class Dataset:
         >>> len(data)
         1
         """
-        kinds = dict.fromkeys(markers or {}, "marker")
-        kinds |= {sensor: str(about.get("kind")) for sensor, about in (sensors or {}).items()}
-        texts = {file: table(file, flight, kinds) for file, flight in named(flights).items()}
         about = {
             key: options.pop(key, None)
             for key in ("parameters", "sigma", "held_out", "known", "recording")
@@ -172,6 +169,9 @@ class Dataset:
         model, name = options.pop("model", "disc"), options.pop("name", "")
         if options:
             raise TypeError(f"from_arrays() has no argument {', '.join(options)}")
+        kinds = dict.fromkeys(markers or {}, "marker")
+        kinds |= {sensor: str(about.get("kind")) for sensor, about in (sensors or {}).items()}
+        texts = {file: table(file, flight, kinds) for file, flight in named(flights).items()}
         text = manifest(list(texts), model, markers, sensors, **about)
         return cls(_hyzer.Dataset(text, texts, name))
 
