@@ -6,13 +6,16 @@ from typing import Any, final
 
 import numpy as np
 import numpy.typing as npt
-from typing_extensions import Self
+from typing_extensions import Self, disjoint_base
+
+__all__: list[str]
 
 _Array = npt.NDArray[np.float64]
 _Parameters = npt.ArrayLike | Mapping[str, float]
 _Path = str | os.PathLike[str]
 _Progress = Callable[[str, int, int], object]
 
+@disjoint_base
 class Model:
     def __new__(
         cls,
@@ -57,6 +60,7 @@ class Model:
         self, t: npt.ArrayLike, x: npt.ArrayLike, p: _Parameters | None = None
     ) -> dict[str, Any]: ...
 
+@final
 class Flight:
     @property
     def names(self) -> list[str]: ...
@@ -78,8 +82,9 @@ class Flight:
     def view_html(self) -> str | None: ...
     def save_files(self, folder: _Path) -> None: ...
 
+@final
 class Dataset:
-    def __new__(cls, manifest: str, tables: Mapping[str, str], name: str = "") -> Self: ...
+    def __new__(cls, manifest: str, tables: Mapping[str, str], name: str = ...) -> Self: ...
     @staticmethod
     def load(folder: _Path, threads: int | None = None) -> Dataset: ...
     @property
@@ -99,6 +104,7 @@ class Dataset:
     def texts(self) -> tuple[str, list[tuple[str, str]]]: ...
     def save_files(self, folder: _Path) -> None: ...
 
+@final
 class Fit:
     def report_json(self) -> str: ...
     def summary_text(self) -> str: ...
@@ -106,6 +112,7 @@ class Fit:
     def page_html(self) -> str: ...
     def save_files(self, folder: _Path) -> None: ...
 
+@final
 class Diagnosis:
     def report_json(self) -> str: ...
     def summary_text(self) -> str: ...

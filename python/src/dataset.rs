@@ -12,7 +12,7 @@ use crate::errors::{of_class, raise};
 use crate::work;
 
 /// Measured flights of one body.
-#[pyclass(subclass, frozen, module = "hyzer._hyzer")]
+#[pyclass(frozen, module = "hyzer._hyzer")]
 pub struct Dataset {
     /// The flights, markers and sensors.
     pub data: Arc<Data>,

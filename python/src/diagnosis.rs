@@ -16,7 +16,7 @@ use crate::model::Model;
 use crate::work;
 
 /// Result of a diagnosis.
-#[pyclass(subclass, frozen, module = "hyzer._hyzer")]
+#[pyclass(frozen, module = "hyzer._hyzer")]
 pub struct Diagnosis {
     found: Arc<Mutex<Found>>,
     data: Arc<Data>,

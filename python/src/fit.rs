@@ -85,7 +85,7 @@ pub fn write(folder: &Path, files: &[ResultFile]) -> PyResult<()> {
 }
 
 /// Result of a fit.
-#[pyclass(subclass, frozen, module = "hyzer._hyzer")]
+#[pyclass(frozen, module = "hyzer._hyzer")]
 pub struct Fit {
     fit: Arc<identify::Fit>,
     model: Arc<Checked>,

@@ -21,7 +21,7 @@ use crate::work;
 const MAX_ROWS: f64 = 1e6;
 
 /// A simulated flight.
-#[pyclass(subclass, frozen, module = "hyzer._hyzer")]
+#[pyclass(frozen, module = "hyzer._hyzer")]
 pub struct Flight {
     model: Arc<Checked>,
     body: Arc<CompiledModel>,

@@ -6,10 +6,12 @@ mod checks;
 mod dataset;
 mod diagnosis;
 mod errors;
+mod evaluation;
 mod fit;
 mod flight;
 mod made;
 mod model;
+mod model_methods;
 mod report;
 mod work;
 
