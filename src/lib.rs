@@ -35,6 +35,7 @@ mod model;
 #[cfg(feature = "cli")]
 mod output;
 #[cfg(feature = "cli")]
+#[doc(hidden)]
 pub mod program;
 #[cfg(feature = "cli")]
 mod progress;

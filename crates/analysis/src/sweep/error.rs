@@ -26,9 +26,6 @@ pub enum SweepError {
         /// Name of the model that has no state `z`.
         model: String,
     },
-    /// The caller cancelled the sweep.
-    #[error("interrupted")]
-    Interrupted,
     /// The output folder cannot be used, for example because it holds the results of another computation.
     #[error(transparent)]
     Folder(#[from] FolderError),
