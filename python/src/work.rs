@@ -75,6 +75,8 @@ pub fn run<T: Send + 'static>(
     let (watch, (sender, mut receiver)) = (Watch::default(), mpsc::channel());
     let watched = watch.clone();
     let thread = std::thread::Builder::new().name("hyzer".into());
+    // As much as the main thread of the program has.
+    let thread = thread.stack_size(8 << 20);
     let spawned = thread.spawn(move || {
         let done = catch_unwind(AssertUnwindSafe(|| work(&watched)));
         // Nobody waits any more for work that was cancelled.

@@ -133,6 +133,12 @@ def test_a_model_is_checked_as_the_program_does() -> None:
         hyzer.Model("disc", effects=["nothing"])
 
 
+@pytest.mark.parametrize("deep", ["(" * 100_000, "-" * 100_000, "{" * 100_000, "1^" * 100_000])
+def test_deep_texts_are_refused(deep: str) -> None:
+    with pytest.raises(hyzer.ModelError):
+        hyzer.Model(f"model deep;\nlet a = {deep}1;\n")
+
+
 def test_a_check_case_that_fails_is_an_error() -> None:
     text = hyzer.Model("ball").text + '\ncheck "wrong" {\n  expect der(z) = 5.0 within 0.1;\n}\n'
     with pytest.raises(hyzer.ModelError):
