@@ -68,9 +68,7 @@ def leaks(model: hyzer.Model) -> None:
     grown = (resident() - used) / 1024
     after = tracemalloc.take_snapshot()
     traced = sum(line.size_diff for line in after.compare_to(before, "filename"))
-    print(
-        f"1e5 rounds of rhs, jac, observe, a refusal: {traced} bytes traced, {grown:.0f} kB resident"
-    )
+    print(f"1e5 rounds of calls and a refusal: {traced} bytes traced, {grown:.0f} kB resident")
 
 
 def threads(model: hyzer.Model) -> None:

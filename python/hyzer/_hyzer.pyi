@@ -8,7 +8,29 @@ import numpy as np
 import numpy.typing as npt
 from typing_extensions import Self, disjoint_base
 
-__all__: list[str]
+__all__ = [
+    "Dataset",
+    "Diagnosis",
+    "Fit",
+    "Flight",
+    "Model",
+    "Report",
+    "bootstrap",
+    "design",
+    "diagnose",
+    "diff",
+    "fit",
+    "fly",
+    "import_takes",
+    "main",
+    "release_text",
+    "stability",
+    "sweep",
+    "sweep_plan",
+    "synthesize",
+    "table_text",
+    "verify",
+]
 
 _Array = npt.NDArray[np.float64]
 _Parameters = npt.ArrayLike | Mapping[str, float]
@@ -130,7 +152,6 @@ class Report:
 
 def main(arguments: Sequence[str]) -> int: ...
 def release_text(name: str) -> str: ...
-def release_names() -> list[str]: ...
 def table_text(columns: Sequence[tuple[str, list[str], npt.ArrayLike]]) -> str: ...
 def import_takes(arguments: Sequence[str]) -> Dataset: ...
 def sweep_plan() -> str: ...

@@ -61,12 +61,6 @@ pub fn release_text(name: &str) -> PyResult<String> {
     }
 }
 
-/// Names of the built-in releases.
-#[pyfunction]
-pub fn release_names() -> Vec<&'static str> {
-    release::BUILT_IN.iter().map(|(name, _)| *name).collect()
-}
-
 /// Sets parameters, coefficients and initial states of a release by name.
 fn set(release: &mut Release, model: &Checked, values: Vec<(String, f64)>) -> PyResult<()> {
     let vocabulary = Vocabulary::of(model);

@@ -41,7 +41,7 @@ mod _hyzer {
     #[pymodule_export]
     use crate::fit::{Fit, fit};
     #[pymodule_export]
-    use crate::flight::{Flight, fly, release_names, release_text};
+    use crate::flight::{Flight, fly, release_text};
     #[pymodule_export]
     use crate::made::{import_takes, synthesize, table_text};
     #[pymodule_export]
