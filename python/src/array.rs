@@ -1,19 +1,34 @@
 //! Arrays from Python: checked, and copied where they are not contiguous.
 
-use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
 use crate::errors::input;
 
-/// One vector or several, one per row.
-pub struct Rows {
+/// Contiguous numbers of an array: its own, or a copy.
+pub struct Numbers<'py>(PyReadonlyArrayDyn<'py, f64>);
+
+impl Numbers<'_> {
     /// The numbers, row by row.
-    pub values: Vec<f64>,
+    pub fn values(&self) -> &[f64] {
+        // Contiguous and aligned, as `numbers` checked.
+        self.0.as_slice().unwrap_or_default()
+    }
+}
+
+/// One vector or several, one per row.
+pub struct Rows<'py> {
+    numbers: Numbers<'py>,
     /// Number of rows; `None` for one vector, an array of one dimension.
     pub rows: Option<usize>,
 }
 
-impl Rows {
+impl Rows<'_> {
+    /// The numbers, row by row.
+    pub fn values(&self) -> &[f64] {
+        self.numbers.values()
+    }
+
     /// Shape of a result that has `tail` numbers for each row.
     pub fn shape(&self, tail: &[usize]) -> Vec<usize> {
         self.rows.into_iter().chain(tail.iter().copied()).collect()
@@ -21,13 +36,14 @@ impl Rows {
 }
 
 /// The numbers of an array and its shape. `what` names the array in messages.
-pub fn numbers(array: &Bound<'_, PyAny>, what: &str) -> PyResult<(Vec<f64>, Vec<usize>)> {
+pub fn numbers<'py>(array: &Bound<'py, PyAny>, what: &str) -> PyResult<(Numbers<'py>, Vec<usize>)> {
     if let Ok(array) = array.cast::<PyArrayDyn<f64>>()
         && array.is_c_contiguous()
         && let Ok(array) = array.try_readonly()
-        && let Ok(values) = array.as_slice()
+        && array.as_slice().is_ok()
     {
-        return Ok((values.to_vec(), array.shape().to_vec()));
+        let shape = array.shape().to_vec();
+        return Ok((Numbers(array), shape));
     }
     let numpy = array.py().import("numpy")?;
     let found = numpy
@@ -44,13 +60,13 @@ pub fn numbers(array: &Bound<'_, PyAny>, what: &str) -> PyResult<(Vec<f64>, Vec<
     let found = numpy.call_method1("require", (found, "float64", ["C", "A"]))?;
     let found = found.cast_into::<PyArrayDyn<f64>>().map_err(PyErr::from)?;
     let found = found.readonly();
-    let values = found.as_slice().map_err(|error| input(error.to_string()))?;
-    Ok((values.to_vec(), shape))
+    found.as_slice().map_err(|error| input(error.to_string()))?;
+    Ok((Numbers(found), shape))
 }
 
 /// A vector with a number for each of `names`, or several as the rows of an array; all numbers are finite.
-pub fn rows(array: &Bound<'_, PyAny>, what: &str, names: &[String]) -> PyResult<Rows> {
-    let (values, shape) = numbers(array, what)?;
+pub fn rows<'py>(array: &Bound<'py, PyAny>, what: &str, names: &[String]) -> PyResult<Rows<'py>> {
+    let (numbers, shape) = numbers(array, what)?;
     let n = names.len();
     let rows = match shape[..] {
         [len] if len == n => None,
@@ -63,8 +79,8 @@ pub fn rows(array: &Bound<'_, PyAny>, what: &str, names: &[String]) -> PyResult<
             )));
         }
     };
-    finite(&values, what, |index| names[index % n].clone(), n)?;
-    Ok(Rows { values, rows })
+    finite(numbers.values(), what, |index| names[index % n].clone(), n)?;
+    Ok(Rows { numbers, rows })
 }
 
 /// One vector of `n` numbers, all finite; `name` names each.
@@ -81,15 +97,15 @@ pub fn vector(
             "{what} has the shape {found}, expected ({n},)"
         )));
     }
-    finite(&values, what, name, n)?;
-    Ok(values)
+    finite(values.values(), what, name, n)?;
+    Ok(values.values().to_vec())
 }
 
 /// Points, (3,) or (k, 3), all finite.
 pub fn points(array: &Bound<'_, PyAny>, what: &str) -> PyResult<(Vec<[f64; 3]>, bool)> {
     let names = ["x", "y", "z"].map(str::to_owned);
     let found = rows(array, what, &names)?;
-    let points = found.values.chunks_exact(3).map(|c| [c[0], c[1], c[2]]);
+    let points = found.values().chunks_exact(3).map(|c| [c[0], c[1], c[2]]);
     Ok((points.collect(), found.rows.is_some()))
 }
 
@@ -114,14 +130,21 @@ pub fn times(t: &Bound<'_, PyAny>, rows: Option<usize>) -> PyResult<Vec<f64>> {
             "t has the shape {found}, expected {expected}"
         )));
     }
-    finite(&values, "t", |_| "s".into(), values.len())?;
-    Ok(values)
+    let values = values.values();
+    finite(values, "t", |_| "s".into(), values.len())?;
+    Ok(values.to_vec())
 }
 
 fn finite(values: &[f64], what: &str, name: impl Fn(usize) -> String, n: usize) -> PyResult<()> {
-    let Some(at) = values.iter().position(|value| !value.is_finite()) else {
+    // Without an early end, so that several are compared at once.
+    let all = values
+        .iter()
+        .fold(true, |all, value| all & value.is_finite());
+    if all {
         return Ok(());
-    };
+    }
+    let at = values.iter().position(|value| !value.is_finite());
+    let at = at.unwrap_or_default();
     let place = match values.len() > n {
         true => format!("[{}, {}]", at / n, at % n),
         false => format!("[{at}]"),

@@ -15,24 +15,24 @@ thread_local! {
 }
 
 /// Checked arguments of the functions of a model.
-pub struct Evaluation<'m> {
+pub struct Evaluation<'m, 'py> {
     model: &'m Model,
     functions: &'m dyn ModelFunctions,
     /// One time, or one for each row.
     t: Vec<f64>,
-    x: Rows,
+    x: Rows<'py>,
     /// Parameters and their invariants; `None` for the defaults.
     own: Option<(Vec<f64>, Vec<f64>)>,
 }
 
-impl<'m> Evaluation<'m> {
+impl<'m, 'py> Evaluation<'m, 'py> {
     /// Checks time, states and parameters.
     pub fn new(
         model: &'m Model,
         t: &Bound<'_, PyAny>,
-        x: &Bound<'_, PyAny>,
+        x: &Bound<'py, PyAny>,
         p: Option<&Bound<'_, PyAny>>,
-    ) -> PyResult<Evaluation<'m>> {
+    ) -> PyResult<Evaluation<'m, 'py>> {
         let x = rows(x, "x", &model.layout.states)?;
         let functions = model.functions();
         let own = p.map(|p| model.vector_of(p)).transpose()?.map(|p| {
@@ -61,7 +61,7 @@ impl<'m> Evaluation<'m> {
             } else {
                 self.t[row]
             },
-            x: &self.x.values[row * n..][..n],
+            x: &self.x.values()[row * n..][..n],
             p,
             prepared,
         }
@@ -89,7 +89,7 @@ impl<'m> Evaluation<'m> {
     }
 
     /// f.
-    pub fn rhs<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+    pub fn rhs(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let n = self.model.layout.states.len();
         let [dx] = self.each([n], |at, workspace, [dx]| {
             self.functions.f(at, workspace, dx);
@@ -98,7 +98,7 @@ impl<'m> Evaluation<'m> {
     }
 
     /// J and Jp.
-    pub fn jac<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
+    pub fn jac(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
         let layout = &self.model.layout;
         let (n, width) = (layout.states.len(), layout.parameters.len());
         let patterns = self.functions.patterns();
@@ -116,7 +116,7 @@ impl<'m> Evaluation<'m> {
     }
 
     /// Positions of markers.
-    pub fn observe<'py>(&self, marker: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    pub fn observe(&self, marker: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         if self.model.layout.marker.is_empty() {
             let name = &self.model.checked.name;
             return Err(input(format!(
@@ -140,7 +140,7 @@ impl<'m> Evaluation<'m> {
     }
 
     /// Auxiliary variables by name.
-    pub fn quantities<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+    pub fn quantities(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let names = &self.model.layout.quantities;
         let width = names.len();
         let [q] = self.each([width], |at, workspace, [q]| {

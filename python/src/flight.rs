@@ -231,8 +231,8 @@ impl Flight {
 
     fn at<'py>(&self, t: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         let (times, mut shape) = numbers(t, "t")?;
-        let mut values = Vec::with_capacity(times.len() * self.trajectory.states());
-        for t in times {
+        let mut values = Vec::with_capacity(times.values().len() * self.trajectory.states());
+        for &t in times.values() {
             let state = self.trajectory.sample(t).ok_or_else(|| {
                 let (start, end) = (self.trajectory.start, self.trajectory.end);
                 input(format!(

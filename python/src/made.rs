@@ -143,7 +143,7 @@ pub fn table_text(columns: Vec<(String, Vec<String>, Bound<'_, PyAny>)>) -> PyRe
     for row in 0..rows.unwrap_or(0) {
         let cells = parts
             .iter()
-            .flat_map(|(values, width)| &values[row * width..][..*width]);
+            .flat_map(|(values, width)| &values.values()[row * width..][..*width]);
         let cells = cells.map(|value| {
             if value.is_nan() {
                 String::new()
