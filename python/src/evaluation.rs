@@ -7,8 +7,12 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::array::{Rows, array, points, rows, times};
+use crate::batch::Batch;
 use crate::errors::input;
 use crate::model::Model;
+
+/// Least number of states for which SIMD lanes are faster.
+const MIN_BATCH: usize = 16;
 
 thread_local! {
     static WORKSPACE: RefCell<Workspace> = RefCell::default();
@@ -91,10 +95,34 @@ impl<'m, 'py> Evaluation<'m, 'py> {
     /// f.
     pub fn rhs(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let n = self.model.layout.states.len();
+        if self.x.rows.is_some_and(|rows| rows >= MIN_BATCH) {
+            let dx = self.batch();
+            return array(py, dx, &self.x.shape(&[n]));
+        }
         let [dx] = self.each([n], |at, workspace, [dx]| {
             self.functions.f(at, workspace, dx);
         });
         array(py, dx, &self.x.shape(&[n]))
+    }
+
+    /// f of many states.
+    fn batch(&self) -> Vec<f64> {
+        let (tape, x) = (self.model.tape(), self.x.values());
+        let mut dx = vec![0.0; x.len()];
+        let p = match &self.own {
+            Some((p, _)) => p,
+            None => &self.model.layout.defaults,
+        };
+        Batch {
+            tape: &tape.f.tape,
+            t: &self.t,
+            x,
+            p,
+            prepared: &tape.prepare(p),
+            dx: &mut dx,
+        }
+        .run();
+        dx
     }
 
     /// J and Jp.

@@ -2,6 +2,7 @@
 
 mod analyses;
 mod array;
+mod batch;
 mod checks;
 mod dataset;
 mod diagnosis;

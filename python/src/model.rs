@@ -2,6 +2,8 @@
 
 use std::sync::{Arc, OnceLock};
 
+use codegen::compile::compile;
+use codegen::tape_model::TapeModel;
 use flight::{CompiledModel, ModelFunctions};
 use model_spec::ModelTree;
 use model_spec::compose::ValueError;
@@ -27,6 +29,7 @@ pub struct Model {
     /// Whether effects or values were added to what `source` names.
     pub is_changed: bool,
     compiled: OnceLock<Compiled>,
+    tape: OnceLock<TapeModel>,
 }
 
 /// A compiled model with the invariants of its default parameters.
@@ -76,6 +79,7 @@ impl Model {
             source,
             is_changed: false,
             compiled: OnceLock::new(),
+            tape: OnceLock::new(),
         })
     }
 
@@ -99,6 +103,12 @@ impl Model {
     /// The compiled model.
     pub fn compiled_model(&self) -> Arc<CompiledModel> {
         Arc::clone(&self.compiled().model)
+    }
+
+    /// The model as a tape, for SIMD lanes. It has all derivatives, so that it hoists what the functions hoist.
+    pub fn tape(&self) -> &TapeModel {
+        self.tape
+            .get_or_init(|| TapeModel::new(&compile(&self.checked)))
     }
 
     /// The functions of the model.

@@ -33,6 +33,10 @@ def test_a_batch_has_the_bits_of_single_states(model: hyzer.Model) -> None:
     assert np.array_equal(model.rhs(t, batch, p), [model.rhs(*at, p) for at in zip(t, batch)])
     for whole, single in zip(model.jac(0, batch), zip(*[model.jac(0, x) for x in batch])):
         assert np.array_equal(whole, single)
+    for m in (1, 15, 16, 17, 40):
+        assert np.array_equal(
+            model.rhs(t[:m], batch[:m]), [model.rhs(*a) for a in zip(t, batch)][:m]
+        )
     markers = [[0.1, 0, 0], [0, 0.1, 0.02]]
     seen = model.observe(0, batch, markers)
     assert np.array_equal(seen, [model.observe(0, x, markers) for x in batch])
@@ -148,9 +152,11 @@ def test_a_check_case_that_fails_is_an_error() -> None:
 @given(EACH_STATE)
 @settings(max_examples=300, deadline=None, derandomize=True)
 def test_any_finite_state_has_derivatives(x: list[float]) -> None:
-    single = TAPE.rhs(0.0, x)
-    assert single.shape == (12,)
-    assert np.array_equal(TAPE.rhs(0.0, [x, x])[1], single, equal_nan=True)
+    for model in (DISC, TAPE):
+        single = model.rhs(0.0, x)
+        assert single.shape == (12,)
+        for m in (2, 20):
+            assert np.array_equal(model.rhs(0.0, [x] * m)[-1], single, equal_nan=True)
 
 
 @given(ANY_ARRAY, ANY_ARRAY, ANY_ARRAY)
