@@ -34,10 +34,10 @@ def seconds(call: Callable[[], object], times: int, repeats: int = 7) -> float:
 def calls(name: str, model: hyzer.Model) -> None:
     """Print the times of the functions of a model."""
     p = model.parameter_vector()
-    print(f"{name}: rhs {1e6 * seconds(lambda: model.rhs(0.0, X), 20_000):.2f} µs", end=", ")
-    print(f"with p {1e6 * seconds(lambda: model.rhs(0.0, X, p), 20_000):.2f} µs", end=", ")
-    print(f"jac {1e6 * seconds(lambda: model.jac(0.0, X), 10_000):.2f} µs", end=", ")
-    print(f"batch {1e5 * seconds(lambda: model.rhs(0.0, BATCH), 50):.1f} ns a state")
+    print(f"{name}: rhs {1e6 * seconds(lambda: model.rhs(0.0, X), 300, 60):.2f} µs", end=", ")
+    print(f"with p {1e6 * seconds(lambda: model.rhs(0.0, X, p), 300, 60):.2f} µs", end=", ")
+    print(f"jac {1e6 * seconds(lambda: model.jac(0.0, X), 300, 60):.2f} µs", end=", ")
+    print(f"batch {1e5 * seconds(lambda: model.rhs(0.0, BATCH), 1, 60):.1f} ns a state")
 
 
 def resident() -> int:
