@@ -19,6 +19,12 @@
 
 #![forbid(unsafe_code)]
 
+#[cfg(feature = "cli")]
+mod answer;
+#[cfg(feature = "cli")]
+mod cli;
+#[cfg(feature = "cli")]
+mod commands;
 mod dataset;
 mod design;
 mod diagnosis;
@@ -26,12 +32,21 @@ mod error;
 mod fit;
 mod flight;
 mod model;
+#[cfg(feature = "cli")]
+mod output;
+#[cfg(feature = "cli")]
+#[doc(hidden)]
+pub mod program;
+#[cfg(feature = "cli")]
+mod progress;
 mod stability;
 #[cfg(feature = "sweep")]
 mod sweep;
 #[cfg(feature = "verification")]
 mod verification;
 
+#[cfg(feature = "cli")]
+use answer::Answer;
 pub use error::Error;
 
 // Models and their flights.

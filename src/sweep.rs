@@ -31,6 +31,7 @@ pub fn sweep(plan: &Path, out: &Path, threads: usize) -> Result<Sweep, Error> {
         share: None,
         csv: false,
         progress: &|_| {},
+        is_cancelled: &|| false,
     };
     let summary = run(&plan, out, &options)?.unwrap_or(Value::Null);
     Ok(Sweep { summary })

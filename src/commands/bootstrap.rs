@@ -15,6 +15,9 @@ use crate::cli::{Bootstrap, FitInputs};
 use crate::progress::{self, Progress};
 use crate::{Answer, output};
 
+pub use parts::{refits, table};
+pub use summary::{json as summary_json, text};
+
 /// Minimum number of fitted flights for a bootstrap; with fewer flights, drawing with replacement gives too few
 /// different samples.
 const MIN_FLIGHTS: usize = 5;
@@ -52,12 +55,7 @@ pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
     };
     let fit = identify::fit(model, dataset, &shown);
     let fit = fit.with_context(|| inputs.failed("fit"))?;
-    let fitted = flights(&fit);
-    if fitted < MIN_FLIGHTS {
-        bail!(
-            "found {fitted} fitted flights, expected at least {MIN_FLIGHTS}: fewer have too few different draws"
-        );
-    }
+    enough(&fit)?;
     bar.start("refits", (parts.end - parts.start) * parts::LEN);
     let work = parts::Work {
         fit: &fit,
@@ -79,12 +77,26 @@ pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
         return Ok(Answer::Yes);
     }
     folder.write(&folder.file("refits.csv"), &parts::table(&fit, &refits))?;
-    let mut summary = summary::json(&fit, &refits, options);
+    let mut summary = summary::json(&fit, &refits, options.seed);
     folder.write_summary(&mut summary)?;
     folder.discard_parts();
     output::print(summary::text(&summary))?;
     eprintln!("refits.csv and summary.json are in {out}");
     Ok(answer(&summary))
+}
+
+/// Refuses a fit to too few flights.
+///
+/// # Errors
+/// With fewer fitted flights than [`MIN_FLIGHTS`].
+pub fn enough(fit: &Fit) -> anyhow::Result<()> {
+    let fitted = flights(fit);
+    if fitted < MIN_FLIGHTS {
+        bail!(
+            "found {fitted} fitted flights, expected at least {MIN_FLIGHTS}: fewer have too few different draws"
+        );
+    }
+    Ok(())
 }
 
 /// Whether the fit that was refitted is reliable, by the summary of the bootstrap. If it is not, prints the reasons.

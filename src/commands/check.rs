@@ -21,14 +21,9 @@ pub fn run(options: &Check) -> anyhow::Result<Answer> {
         let loaded = inspect(name, &super::names(&options.with))?;
         match loaded.model {
             Some(model) if loaded.diagnostics.is_empty() => {
-                output::print(summary(&model))?;
-                let (report, passes) = cases(&model);
+                let (report, passes) = report(&model);
                 output::print(report)?;
-                let fault = inertia_fault(&model);
-                if let Some(fault) = &fault {
-                    output::print(format!("  FAIL  {fault}\n"))?;
-                }
-                if !passes || fault.is_some() {
+                if !passes {
                     answer = Answer::No;
                 }
             }
@@ -46,6 +41,17 @@ pub fn run(options: &Check) -> anyhow::Result<Answer> {
         }
     }
     Ok(answer)
+}
+
+/// What a checked model declares and the results of its check cases, and whether all of them pass.
+pub fn report(model: &Model) -> (String, bool) {
+    let (cases, passes) = cases(model);
+    let fault = inertia_fault(model);
+    let mut text = summary(model) + &cases;
+    if let Some(fault) = &fault {
+        let _ = writeln!(text, "  FAIL  {fault}");
+    }
+    (text, passes && fault.is_none())
 }
 
 /// What is wrong with the products of inertia of the model's body at the default values; `None` if nothing is.

@@ -1,19 +1,19 @@
 //! Implementations of the commands, one module each.
 
-mod bootstrap;
-mod check;
-mod design;
-mod diagnose;
+pub mod bootstrap;
+pub mod check;
+pub mod design;
+pub mod diagnose;
 mod diff;
 mod effects;
 mod explain;
 mod export;
-mod fit;
+pub mod fit;
 mod generate;
-mod import;
-mod simulate;
-mod stability;
-mod sweep;
+pub mod import;
+pub mod simulate;
+pub mod stability;
+pub mod sweep;
 mod synthesize;
 mod verify;
 mod wind;

@@ -26,6 +26,8 @@ use super::number;
 use crate::cli::Simulate;
 use crate::{Answer, output};
 
+pub use flown::json as summary_json;
+
 /// Runs `hyzer simulate`: simulates the flight from the launch conditions (release), prints a summary, and writes the
 /// result files if an output folder is given. Returns `Answer::No` only if all throws of a launch monitor's file are
 /// requested and one of them could not be simulated.
@@ -66,15 +68,22 @@ pub fn run(options: &Simulate) -> anyhow::Result<Answer> {
     let flown = FlownThrow::of(&model, &body, &release, &flight);
     if let Some(out) = &out {
         check_rows(options, flight.end)?;
-        let mut files = results(&model, &body, &release, &flight, options);
+        let title = match options.release.as_deref() {
+            Some(name) => format!("{} · {name}", model.name),
+            None => release.model.clone(),
+        };
+        let simulated = Simulated {
+            title: &title,
+            model: &model,
+            body: &body,
+            release: &release,
+            flight: &flight,
+        };
         let what = match &flown {
-            Some(flown) => {
-                files.push(summary_file("summary.json", flown, &model));
-                "trajectory.csv, summary.json, flight.svg and flight.html"
-            }
+            Some(_) => "trajectory.csv, summary.json, flight.svg and flight.html",
             None => "trajectory.csv, flight.svg and flight.html",
         };
-        out.write(files, what)?;
+        out.write(files(&simulated, flown.as_ref(), options.rate), what)?;
     }
     let mut text = summary(&model, &body, &flight);
     text.extend(flown.iter().map(flown::table));
@@ -299,14 +308,30 @@ fn summary(model: &Model, body: &CompiledModel, flight: &Trajectory) -> String {
     text
 }
 
-/// Result files of the simulation of one flight: the trajectory, the figure and the three-dimensional view.
-fn results(
-    model: &Model,
-    body: &CompiledModel,
-    release: &Release,
-    flight: &Trajectory,
-    options: &Simulate,
-) -> Vec<ResultFile> {
+/// A simulated flight, with all that its result files show.
+pub struct Simulated<'a> {
+    /// Title of figure and page.
+    pub title: &'a str,
+    /// The model.
+    pub model: &'a Model,
+    /// The compiled model.
+    pub body: &'a CompiledModel,
+    /// Initial conditions.
+    pub release: &'a Release,
+    /// States over time.
+    pub flight: &'a Trajectory,
+}
+
+/// Result files of the simulation of one flight: the trajectory at `rate` rows per second, the figure, the
+/// three-dimensional view and, of a body that can be thrown, the summary.
+pub fn files(simulated: &Simulated<'_>, flown: Option<&FlownThrow>, rate: f64) -> Vec<ResultFile> {
+    let Simulated {
+        title,
+        model,
+        body,
+        release,
+        flight,
+    } = simulated;
     let names: Vec<&str> = model
         .states
         .iter()
@@ -316,22 +341,16 @@ fn results(
         name: &state.name,
         unit: &state.unit_text,
     });
-    let title = match options.release.as_deref() {
-        Some(name) => format!("{} · {name}", model.name),
-        None => release.model.clone(),
-    };
     let labels: Vec<StateLabel<'_>> = labels.collect();
     let mut files = vec![
-        ResultFile::new(
-            "trajectory.csv",
-            trajectory_csv(flight, &names, options.rate),
-        ),
-        ResultFile::new("flight.svg", picture(&title, flight, &labels)),
+        ResultFile::new("trajectory.csv", trajectory_csv(flight, &names, rate)),
+        ResultFile::new("flight.svg", picture(title, flight, &labels)),
     ];
-    let view = View::of_trajectory(&title, model, body, release, flight);
+    let view = View::of_trajectory(title, model, body, release, flight);
     files.extend(
-        view.html(&title)
+        view.html(title)
             .map(|html| ResultFile::new("flight.html", html)),
     );
+    files.extend(flown.map(|flown| summary_file("summary.json", flown, model)));
     files
 }

@@ -1,12 +1,14 @@
 //! Command `hyzer stability`: computes the modes of the linearised motion at release, along the flight and in steady
 //! flight, stability criteria, and maps over speed and spin.
 
-use analysis::stability::{Body, along, at, map, modes, trim};
+use analysis::stability::{Body, StabilityError, along, at, map, modes, trim};
 use anyhow::bail;
 use flight::files::ResultFile;
+use flight::release::Release;
 use flight::simulate;
 use flight::throw::Throw;
-use ode::IntegrationOptions;
+use model_spec::model::Model;
+use ode::{IntegrationError, IntegrationOptions};
 use report::Figure;
 use report::stability::{self, Found};
 
@@ -54,19 +56,38 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
     }
     let body = Body::new(model)?;
     throws::apply(&options.throw, throw, &body.model, &mut release)?;
-    let bound = body.with_parameters(body.compiled.release_parameters(&release));
+    let (found, missing) = found(&body, &release, options.times as usize)?;
+    if let Some(error) = missing {
+        eprintln!("no modes along the flight: {error}");
+    }
+    output::print(if options.json {
+        json(&body.model, &found)
+    } else {
+        stability::text(&body.model.name, &found)
+    })?;
+    if let Some(out) = &out {
+        let what = "stability.json, report.html, modes.csv and map.csv";
+        out.write(files(&body.model, &found), what)?;
+    }
+    Ok(Answer::Yes)
+}
+
+/// Modes and criteria of a body at a release, at so many `times` along its flight and in steady flight; also the reason
+/// why there are none along the flight.
+///
+/// # Errors
+/// If the motion cannot be linearised.
+pub fn found(
+    body: &Body,
+    release: &Release,
+    times: usize,
+) -> Result<(Found, Option<IntegrationError>), StabilityError> {
+    let bound = body.with_parameters(body.compiled.release_parameters(release));
     let first = at(&bound, 0.0, &release.state())?;
-    let flown = simulate(
-        &body.compiled,
-        &release,
-        &IntegrationOptions::with_tolerance(1e-9),
-    );
-    let flight = match flown {
-        Ok(flight) => along(&bound, &flight, options.times as usize)?,
-        Err(error) => {
-            eprintln!("no modes along the flight: {error}");
-            Vec::new()
-        }
+    let settings = IntegrationOptions::with_tolerance(1e-9);
+    let (flight, missing) = match simulate(&body.compiled, release, &settings) {
+        Ok(flight) => (along(&bound, &flight, times)?, None),
+        Err(error) => (Vec::new(), Some(error)),
     };
     let spin = first.throw.rotation_rate();
     let spins: Vec<f64> = (0..=SPINS.0)
@@ -81,23 +102,23 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
         release: first,
         flight,
     };
-    let json = format!("{:#}\n", stability::json(&body.model.name, &found));
-    output::print(if options.json {
-        json.clone()
-    } else {
-        stability::text(&body.model.name, &found)
-    })?;
-    if let Some(out) = &out {
-        let (page, figures) = stability::page(&body.model.name, &found);
-        let mut files = vec![
-            ResultFile::new("stability.json", json),
-            ResultFile::new("report.html", page.html()),
-            ResultFile::new("modes.csv", stability::csv(&found.flight)),
-            ResultFile::new("map.csv", stability::csv(&found.map)),
-        ];
-        files.extend(figures.into_iter().flat_map(Figure::files));
-        let what = "stability.json, report.html, modes.csv and map.csv";
-        out.write(files, what)?;
-    }
-    Ok(Answer::Yes)
+    Ok((found, missing))
+}
+
+/// The modes and criteria as JSON, for the file `stability.json`.
+pub fn json(model: &Model, found: &Found) -> String {
+    format!("{:#}\n", stability::json(&model.name, found))
+}
+
+/// Result files of `hyzer stability`.
+pub fn files(model: &Model, found: &Found) -> Vec<ResultFile> {
+    let (page, figures) = stability::page(&model.name, found);
+    let mut files = vec![
+        ResultFile::new("stability.json", json(model, found)),
+        ResultFile::new("report.html", page.html()),
+        ResultFile::new("modes.csv", stability::csv(&found.flight)),
+        ResultFile::new("map.csv", stability::csv(&found.map)),
+    ];
+    files.extend(figures.into_iter().flat_map(Figure::files));
+    files
 }

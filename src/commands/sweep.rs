@@ -13,8 +13,11 @@ use crate::cli::Sweep;
 use crate::progress::{self, Progress};
 use crate::{Answer, output};
 
-/// Name and TOML text of the built-in sweep plan.
-const BUILT_IN: (&str, &str) = ("backhands", include_str!("sweep/backhands.toml"));
+/// TOML text of the built-in sweep plan.
+pub const EXAMPLE: &str = include_str!("sweep/backhands.toml");
+
+/// Name of the built-in sweep plan, and its text.
+const BUILT_IN: (&str, &str) = ("backhands", EXAMPLE);
 
 /// Runs `hyzer sweep`: simulates the flights of the sweep plan and prints the summary. If only a share of the flights
 /// is simulated, prints instead where its results are and how to join them with those of the other shares. Always
@@ -50,6 +53,7 @@ pub fn run(options: &Sweep) -> anyhow::Result<Answer> {
         share,
         csv: options.csv,
         progress: &|flights| bar.advance(flights),
+        is_cancelled: &|| false,
     };
     let summary = fly(&plan, out, &settings).context("--out")?;
     drop(bar);

@@ -33,6 +33,7 @@ fn swept(folder: &Path, text: &str, names: &[&str]) -> Vec<Vec<f64>> {
         share: None,
         csv: true,
         progress: &|_| {},
+        is_cancelled: &|| false,
     };
     let out = folder.join("out");
     let _ = std::fs::remove_dir_all(&out);

@@ -1,10 +1,34 @@
 //! Checks of a dataset that was built in memory.
 
-use std::path::Path;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
 
 use super::write::read_back;
-use super::{Dataset, manifest_text, table_text};
+use super::{Dataset, assemble, manifest, manifest_text, table, table_text, upright};
 use crate::input_error::InputError;
+
+/// Reads and checks a dataset from texts in memory, as [`load`](fn@super::load) does from files: the text of
+/// `dataset.toml`, and the texts of the tables by the names of their files.
+///
+/// # Errors
+/// [`InputError`] for the first fault, with its place in the texts.
+pub fn from_texts(
+    manifest: &str,
+    tables: &BTreeMap<String, String>,
+) -> Result<Dataset, InputError> {
+    let manifest = manifest::parse(Path::new("dataset.toml"), manifest)?;
+    let recording = manifest.recording;
+    let threads = flight::parallel::threads();
+    assemble(manifest, threads, |_, entry, markers, sensors| {
+        let path = PathBuf::from(&entry.file);
+        let names: Vec<&str> = markers.iter().map(|marker| marker.name.as_str()).collect();
+        let text = tables
+            .get(&entry.file)
+            .ok_or_else(|| InputError::of_file(&path, "no such table", "the text of a table"))?;
+        table::parse(&path, text, (&names, sensors), &recording)
+            .map(|table| (path, upright::upright(&recording, table, sensors)))
+    })
+}
 
 impl Dataset {
     /// Checks this dataset in the same way as a dataset read from files: names must be valid, units plausible, times

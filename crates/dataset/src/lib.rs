@@ -34,6 +34,7 @@ use std::path::Path;
 
 pub use body_template::BodyTemplate;
 use flight::parallel;
+pub use in_memory::from_texts;
 pub use input_error::InputError;
 pub use recording::ANGULAR_RATES;
 pub use sensor::{Reading, Sensor, SensorKind, attitude, points_on_body, points_seen, spin_axis};

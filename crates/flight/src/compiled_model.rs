@@ -181,6 +181,11 @@ impl CompiledModel {
         }
     }
 
+    /// The functions of the model, to evaluate them without binding the model to parameters.
+    pub fn functions(&self) -> &dyn ModelFunctions {
+        &*self.functions
+    }
+
     /// Whether the functions of the model are generated Rust code rather than a tape.
     pub fn is_generated(&self) -> bool {
         self.is_generated

@@ -13,7 +13,7 @@ pub(super) const LEN: u64 = 16;
 
 /// One refit: its number and the estimates of the parameters that all flights
 /// share, SI; the estimates are `None` if the refit did not converge.
-pub(super) type Refit = (u64, Option<Vec<f64>>);
+pub type Refit = (u64, Option<Vec<f64>>);
 
 /// Number of parts of a bootstrap, of [`LEN`] refits each (the last may have fewer), into which `refits` refits are
 /// divided.
@@ -45,32 +45,41 @@ impl Work<'_> {
             progress(len as u64);
             return Ok(refits);
         }
-        // One thread per refit: refits in parallel are faster than the flights of one refit in parallel.
-        let alone = FitOptions {
-            threads: Some(1),
-            ..*self.options
-        };
-        let threads = self
-            .options
-            .threads
-            .unwrap_or_else(flight::parallel::threads);
-        let done = flight::parallel::each_on(threads, len, |i| {
-            let number = numbers.start + i as u64;
-            let estimates = self.fit.bootstrap(self.seed, number, &alone)?;
-            progress(1);
-            Ok((
-                number,
-                estimates.map(|estimates| estimates.iter().copied().collect()),
-            ))
-        });
-        let refits: Vec<Refit> = done.into_iter().collect::<Result<_, FitError>>()?;
+        let refits = refits(self.fit, self.seed, numbers, self.options, progress)?;
         self.folder.write(&path, &table(self.fit, &refits))?;
         Ok(refits)
     }
 }
 
+/// Refits with the given numbers. `progress` is called with the number of refits finished since its last call.
+///
+/// # Errors
+/// If a refit fails for another reason than that it does not converge.
+pub fn refits(
+    fit: &Fit,
+    seed: u64,
+    numbers: std::ops::Range<u64>,
+    options: &FitOptions<'_>,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<Vec<Refit>, FitError> {
+    // One thread per refit: refits in parallel are faster than the flights of one refit in parallel.
+    let alone = FitOptions {
+        threads: Some(1),
+        ..*options
+    };
+    let len = (numbers.end - numbers.start) as usize;
+    let done = flight::parallel::each_on(options.threads(), len, |i| {
+        let number = numbers.start + i as u64;
+        let estimates = fit.bootstrap(seed, number, &alone)?;
+        progress(1);
+        let estimates = estimates.map(|estimates| estimates.iter().copied().collect());
+        Ok((number, estimates))
+    });
+    done.into_iter().collect()
+}
+
 /// CSV table of refits of a bootstrap: number, whether it converged, and the estimates, SI, with all digits.
-pub(super) fn table(fit: &Fit, refits: &[Refit]) -> String {
+pub fn table(fit: &Fit, refits: &[Refit]) -> String {
     let mut table = CsvTable::of(refits)
         .column("refit", |(number, _)| number.to_string())
         .column("converged", |(_, estimates)| estimates.is_some());

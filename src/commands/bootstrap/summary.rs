@@ -6,11 +6,10 @@ use report::Table;
 use serde_json::{Map, Value, json};
 
 use super::parts::Refit;
-use crate::cli::Bootstrap;
 
 /// Contents of the `summary.json` of a bootstrap: standard errors, 95 % percentile intervals and correlations of the
 /// estimates; SI.
-pub(super) fn json(fit: &Fit, refits: &[Refit], options: &Bootstrap) -> Value {
+pub fn json(fit: &Fit, refits: &[Refit], seed: u64) -> Value {
     let converged = refits.iter().filter_map(|refit| refit.1.as_deref());
     let converged: Vec<&[f64]> = converged.collect();
     let globals = fit.problem().globals.iter();
@@ -46,7 +45,7 @@ pub(super) fn json(fit: &Fit, refits: &[Refit], options: &Bootstrap) -> Value {
         "model": fit.report.model,
         "refits": refits.len(),
         "converged": converged.len(),
-        "seed": options.seed,
+        "seed": seed,
         "flights": super::flights(fit),
         "reliable": fit.report.reliable,
         "cautions": fit.report.cautions,
@@ -98,7 +97,7 @@ fn correlation(refits: &[&[f64]], columns: &[Estimates], i: usize, j: usize) -> 
 }
 
 /// The summary of a bootstrap (its `summary.json`) as text for the terminal.
-pub(super) fn text(summary: &Value) -> String {
+pub fn text(summary: &Value) -> String {
     let number = |column: &Value, key: &str| column[key].as_f64().unwrap_or(f64::NAN);
     let digits = |column: &Value| Digits::of(number(column, "value"), number(column, "std_error"));
     let one = |column: &Value, key: &str| digits(column).one(number(column, key));

@@ -1,21 +1,21 @@
 //! Command `hyzer design`: searches for a throw that serves a purpose; writes its release and a report.
 
 mod errors;
+mod made;
 
 use analysis::design::{
-    Aims, Bounds, Goal, SampleOptions, Scattered, SearchOptions, ThrownBody, design, spread,
+    Bounds, Goal, SampleOptions, Scattered, SearchOptions, ThrownBody, design, spread,
 };
 use anyhow::{Context, bail};
-use flight::files::ResultFile;
 use flight::release::Release;
 use nalgebra::Vector3;
-use report::Figure;
-use report::viewer::View;
 
 use super::simulate::{apply_all, throws};
 use super::vector;
 use crate::cli::Design as Options;
 use crate::{Answer, output};
+
+pub use made::{Designed, aims};
 
 /// Runs `hyzer design`: searches for the throw that serves a goal best, prints it, and writes the result files if an
 /// output folder is given. Returns `Answer::No` if this throw violates a constraint of the goal, such as hitting the
@@ -65,52 +65,26 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
             eprintln!("--fit: the model has no {}; left out", unknown.join(", "));
         }
     }
-    let (ground, air) = match found.goal.target() {
-        Some(target) if target.z == 0.0 => (Some(target), None),
-        other => (None, other),
-    };
-    let aims = Aims {
-        landing: ground.unwrap_or(found.landing).xy(),
-        circle: bounds.circle,
-        target: air,
-        obstacle: bounds.obstacle,
-    };
+    let aims = aims(&found, &bounds);
     let samples = SampleOptions {
         count: options.samples as usize,
         seed: options.seed,
         threads,
     };
     let spread = spread(&flights, &found.throw, &aims, &scattered, &samples)?;
-    output::print(report::design::text(&found, &bounds, &spread))?;
+    let made = Designed {
+        model: &options.model,
+        release: &release,
+        found,
+        bounds,
+        spread,
+    };
+    output::print(made.text())?;
     if let Some(out) = &out {
-        let settings = ode::IntegrationOptions::with_tolerance(1e-9);
-        let path = flights.fly(&found.throw, None, &settings)?;
-        let title = format!("{} · {}", body.model.name, goal.name());
-        let (page, figures) = report::design::page(&title, &found, &bounds, &spread, &path);
-        let mut files = vec![
-            ResultFile::new("release.toml", found.release_toml(&options.model, &release)),
-            ResultFile::new(
-                "design.json",
-                format!("{:#}\n", found.json(&body.model.name, Some(&spread))),
-            ),
-            ResultFile::new("report.html", page.html()),
-        ];
-        files.extend(figures.into_iter().flat_map(Figure::files));
-        let view = View::of_trajectory(
-            &title,
-            &body.model,
-            &body.compiled,
-            &release,
-            &path.trajectory,
-        );
-        files.extend(
-            view.html(&title)
-                .map(|html| ResultFile::new("flight.html", html)),
-        );
         let what = "release.toml, design.json, report.html and flight.html";
-        out.write(files, what)?;
+        out.write(made.files(&flights)?, what)?;
     }
-    Ok(if found.feasible {
+    Ok(if made.found.feasible {
         Answer::Yes
     } else {
         Answer::No

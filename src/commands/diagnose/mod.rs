@@ -6,6 +6,7 @@ use codegen::generate::generate_with;
 use dataset::Dataset;
 use flight::files::ResultFile;
 use identify::FitOptions;
+use model_spec::model::Model;
 use report::Figure;
 use report::diagnosis::{DiagnosisPage, Fits, tables};
 use report::viewer::View;
@@ -45,24 +46,17 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     asked
         .validate(model)
         .map_err(|error| anyhow::anyhow!("--without: {error}"))?;
-    let found = diagnose_with(model, dataset, &asked, |extension| {
-        verified(&extension.text(&note(&extension.effects, name)))
-    });
+    let found = diagnosis(model, dataset, &asked);
     drop(progress);
-    let (mut found, verified) = found.with_context(|| inputs.failed("diagnose"))?;
-    found.set_verified(verified.transpose()?);
-    let has_extension = found.after.is_some();
-    if has_extension && inputs.out.is_some() {
-        found.report.extended_model = Some(EXTENDED.to_owned());
-    }
+    let mut found = found.with_context(|| inputs.failed("diagnose"))?;
     if let Some(out) = &inputs.out {
-        let extended = if has_extension {
+        let extended = if found.after.is_some() {
             "the extended model, "
         } else {
             ""
         };
         let what = format!("report.html, report.json, {extended}figures and tables");
-        out.write(results(dataset, name, &found)?, &what)?;
+        out.write(files(&mut found, dataset)?, &what)?;
     }
     output::print(report::diagnosis::text(&found.report))?;
     if found.report.reliable {
@@ -71,6 +65,22 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     let cautions = found.report.cautions.join("; ");
     eprintln!("do not rely on this diagnosis: {cautions}");
     Ok(Answer::No)
+}
+
+/// Diagnoses a model, and verifies its extension.
+///
+/// # Errors
+/// Those of [`diagnose_with`], or if the extended model is faulty.
+pub fn diagnosis(
+    model: &Model,
+    dataset: &Dataset,
+    options: &DiagnosisOptions<'_>,
+) -> anyhow::Result<Diagnosis> {
+    let (mut found, verified) = diagnose_with(model, dataset, options, |extension| {
+        verified(&extension.text(&note(&extension.effects, options.dataset)))
+    })?;
+    found.set_verified(verified.transpose()?);
+    Ok(found)
 }
 
 /// Sentence appended to the documentation of the model that a diagnosis extended: the added effects and the dataset.
@@ -108,8 +118,17 @@ fn verified(text: &str) -> anyhow::Result<Verified> {
     })
 }
 
-/// Result files of `hyzer diagnose`, which are written to the folder `--out`.
-fn results(dataset: &Dataset, name: &str, found: &Diagnosis) -> anyhow::Result<Vec<ResultFile>> {
+/// Result files of `hyzer diagnose`, which are written to the folder `--out`. The report then names the file of the
+/// extended model.
+///
+/// # Errors
+/// If the report has no form in JSON, or the estimates cannot be written into the text of the extended model.
+pub fn files(found: &mut Diagnosis, dataset: &Dataset) -> anyhow::Result<Vec<ResultFile>> {
+    if found.after.is_some() {
+        found.report.extended_model = Some(EXTENDED.to_owned());
+    }
+    let found = &*found;
+    let name = &found.report.dataset;
     let json = serde_json::to_string_pretty(&found.report)?;
     let mut files = vec![
         ResultFile::new("report.json", json + "\n"),

@@ -46,23 +46,11 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     let mut fitted = fitted.with_context(|| inputs.failed("fit"))?;
     fitted.report.dataset.clone_from(name);
     let fitted = fitted.with_lack_of_fit(threads)?;
-    let page = FitPage {
-        report: &fitted.report,
-        fit: Some(&fitted),
-        evidence: &[],
-        model,
-        dataset: name,
-    };
     if let Some(out) = &inputs.out {
-        let evidence = evidence(&fitted, &drawn(&fitted));
-        let page = FitPage {
-            evidence: &evidence,
-            ..page
-        };
         let what = format!("report.html, report.json, {FITTED}, figures and tables");
-        out.write(results(&page, dataset, &fitted)?, &what)?;
+        out.write(files(&fitted, model, dataset)?, &what)?;
     }
-    output::print(report::fit::text(&page))?;
+    output::print(text(&fitted, model))?;
     if fitted.report.reliable {
         return Ok(Answer::Yes);
     }
@@ -155,15 +143,38 @@ pub(super) fn evidence(fitted: &identify::Fit, flights: &[usize]) -> Vec<FlightE
         .collect()
 }
 
+/// Summary of a fit for the terminal.
+pub fn text(fitted: &identify::Fit, model: &Model) -> String {
+    report::fit::text(&page(fitted, model, &[]))
+}
+
+fn page<'a>(
+    fitted: &'a identify::Fit,
+    model: &'a Model,
+    evidence: &'a [FlightEvidence],
+) -> FitPage<'a> {
+    FitPage {
+        report: &fitted.report,
+        fit: Some(fitted),
+        evidence,
+        model,
+        dataset: &fitted.report.dataset,
+    }
+}
+
 /// Result files of `hyzer fit`, which are written to the folder `--out`.
-fn results(
-    page: &FitPage<'_>,
-    dataset: &Dataset,
+///
+/// # Errors
+/// If the report has no form in JSON, or the estimates cannot be written into the text of the model.
+pub fn files(
     fitted: &identify::Fit,
+    model: &Model,
+    dataset: &Dataset,
 ) -> anyhow::Result<Vec<ResultFile>> {
-    let (model, name) = (page.model, page.dataset);
+    let name = &fitted.report.dataset;
     let json = serde_json::to_string_pretty(&fitted.report)?;
-    let (html, figures) = report::fit::html_and_figures(page);
+    let evidence = evidence(fitted, &drawn(fitted));
+    let (html, figures) = report::fit::html_and_figures(&page(fitted, model, &evidence));
     let note = format!("Default values fitted to {name} by `hyzer fit`.");
     let fitted_model = fitted.fitted_text(&ModelTree::of(model), dataset, &note)?;
     let mut files = vec![
@@ -187,7 +198,11 @@ fn results(
 
 /// Path or name of the model: `asked`, the value of the option `--model`, or else the model specified in the dataset,
 /// where a path is relative to the dataset's folder.
-fn model_of(asked: Option<&String>, folder: &Path, dataset: &Dataset) -> anyhow::Result<String> {
+pub fn model_of(
+    asked: Option<&String>,
+    folder: &Path,
+    dataset: &Dataset,
+) -> anyhow::Result<String> {
     if let Some(model) = asked {
         return Ok(model.clone());
     }

@@ -40,6 +40,41 @@ struct Found {
 /// the choices made, such as units and axes. Always returns `Answer::Yes`; an error if no throw is found.
 pub fn run(options: &Import) -> anyhow::Result<Answer> {
     output::new_folder(&options.out)?;
+    let made = imported(options)?;
+    let (dataset, decisions) = (&made.dataset, &made.decisions);
+    let beside: Vec<(&str, String)> = made
+        .beside
+        .iter()
+        .map(|(name, text)| (name.as_str(), text.clone()))
+        .collect();
+    progress::writing(|| write_commented(&options.out, dataset, &beside, &made.comments))
+        .with_context(|| format!("--out {}", options.out.display()))?;
+    let count = dataset.flights.len();
+    output::print(format!(
+        "{decisions}{}: {count} flights of {}\n",
+        options.out.display(),
+        dataset.model
+    ))?;
+    Ok(Answer::Yes)
+}
+
+/// An imported dataset with the other files of its folder.
+pub struct Imported {
+    /// The free flights.
+    pub dataset: Dataset,
+    /// Names and texts of the files beside those of the dataset.
+    pub beside: Vec<(String, String)>,
+    /// Comment on the position of each marker; empty if the positions were given.
+    pub comments: Vec<String>,
+    /// Text of the choices made in the import.
+    pub decisions: String,
+}
+
+/// Reads recordings and cuts them to the free flights.
+///
+/// # Errors
+/// If an option or a recording is faulty, or no throw is found.
+pub fn imported(options: &Import) -> anyhow::Result<Imported> {
     let mut labels = labels(&options.label)?;
     let reading = reading(options)?;
     let mut decisions = String::new();
@@ -125,19 +160,12 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
         takes,
     });
     other_files.push((PAGE.to_owned(), page));
-    let other_files: Vec<(&str, String)> = other_files
-        .iter()
-        .map(|(name, text)| (name.as_str(), text.clone()))
-        .collect();
-    progress::writing(|| write_commented(&options.out, &dataset, &other_files, &comments))
-        .with_context(|| format!("--out {}", options.out.display()))?;
-    let count = dataset.flights.len();
-    output::print(format!(
-        "{decisions}{}: {count} flights of {}\n",
-        options.out.display(),
-        dataset.model
-    ))?;
-    Ok(Answer::Yes)
+    Ok(Imported {
+        dataset,
+        beside: other_files,
+        comments,
+        decisions,
+    })
 }
 
 /// Whether each recording has one tracked body and no single points.

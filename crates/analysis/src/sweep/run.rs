@@ -33,6 +33,8 @@ pub struct SweepOptions<'a> {
     pub csv: bool,
     /// Called after each completed part, with the number of flights in the part.
     pub progress: &'a (dyn Fn(u64) + Sync),
+    /// Whether to stop; asked before each part. The parts computed until then are kept.
+    pub is_cancelled: &'a (dyn Fn() -> bool + Sync),
 }
 
 /// Maximum number of parts, per thread, that are computed while an earlier part is not yet merged into the summary; it
@@ -44,7 +46,7 @@ const FLIGHTS: &str = "flights.parquet";
 
 /// Simulates the flights of a plan and writes `flights.parquet` and `summary.json` to the folder `out`, which is new,
 /// empty or holds earlier parts of the same plan. Returns the contents of `summary.json`; `None` if `options.share`
-/// restricts the computation to a share of the parts.
+/// restricts the computation to a share of the parts, or if the caller cancelled it.
 ///
 /// # Errors
 /// [`SweepError`] if the plan needs a state that the model does not have, or a file cannot be read or written. A flight
@@ -107,18 +109,21 @@ pub fn run(
         has_spin: ThrownModel::new(&plan.model).is_ok_and(|thrown| thrown.has_attitude()),
     };
     let end = u8::from(!until_ground);
-    let work = |part: u64| -> Result<Summary, SweepError> {
+    let work = |part: u64| -> Result<Option<Summary>, SweepError> {
         let path = folder.part(part, "parquet");
         let len = (plan.flights - part * plan.part_len()).min(plan.part_len());
         // A part that cannot be read is computed again.
         if let Ok(rows) = table::read(&path, plan.axes.len())
             && rows.status.len() as u64 == len
         {
-            return Ok(Summary::of(&rows, end));
+            return Ok(Some(Summary::of(&rows, end)));
+        }
+        if (options.is_cancelled)() {
+            return Ok(None);
         }
         let rows = flier.fly(part);
         table::write(&path, &rows).map_err(|source| SweepError::Table { path, source })?;
-        Ok(Summary::of(&rows, end))
+        Ok(Some(Summary::of(&rows, end)))
     };
     let summary = in_order(parts, options, plan, &work)?;
     let (None, Some(summary)) = (options.share, summary) else {
@@ -152,12 +157,12 @@ fn finish(
 }
 
 /// Calls `work` for each part with its number, on several threads, and merges the summaries in the order of the parts.
-/// `None` if `parts` is empty; the first error that arrives stops all threads.
+/// `None` if `parts` is empty; the first error or `None` of `work` that arrives stops all threads.
 fn in_order(
     parts: std::ops::Range<u64>,
     options: &SweepOptions<'_>,
     plan: &Plan,
-    work: &(dyn Fn(u64) -> Result<Summary, SweepError> + Sync),
+    work: &(dyn Fn(u64) -> Result<Option<Summary>, SweepError> + Sync),
 ) -> Result<Option<Summary>, SweepError> {
     let threads = options.threads.max(1);
     let next = AtomicU64::new(parts.start);
@@ -196,14 +201,14 @@ fn in_order(
         let mut first = parts.start;
         for (part, summary) in receiver {
             match summary {
-                Ok(summary) => waiting.insert(part, summary),
-                Err(error) => {
+                Ok(Some(summary)) => waiting.insert(part, summary),
+                stopped => {
                     // Stored under the lock, so that no thread starts to wait between the store and the notification.
                     let lock = merged.0.lock().unwrap_or_else(PoisonError::into_inner);
                     is_stopped.store(true, Ordering::Relaxed);
                     drop(lock);
                     merged.1.notify_all();
-                    return Err(error);
+                    return stopped;
                 }
             };
             let len = plan.part_len();

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Builds the wheel by the profile of the tests, installs it into an environment of its own, and checks it there.
+# With --all also the functions for other libraries, against the tape: ten minutes more.
+# CARGO_TARGET_DIR is taken from the caller, so that what `cargo test --workspace` built is used again.
+set -euo pipefail
+cd "$(dirname "$0")"
+root=$(cd .. && pwd)
+target=${CARGO_TARGET_DIR:-$root/target}
+mkdir -p "$target"
+target=$(cd "$target" && pwd)
+export CARGO_TARGET_DIR=$target
+venv=$target/python-ci
+
+echo "== environment"
+"${PYTHON:-python3}" -m venv "$venv"
+"$venv/bin/pip" install --quiet --disable-pip-version-check --requirement requirements-dev.txt
+export PATH=$venv/bin:$PATH VIRTUAL_ENV=$venv
+
+echo "== wheel"
+cargo fmt --check
+rm -rf "$target/python-wheels"
+maturin build --quiet --locked --profile dev --out "$target/python-wheels"
+pip install --quiet --disable-pip-version-check --force-reinstall --no-deps "$target"/python-wheels/*.whl
+
+echo "== ruff, mypy, pyright, stubs"
+ruff check .
+ruff format --check .
+mypy
+pyright --pythonpath "$venv/bin/python"
+stubtest hyzer._hyzer
+
+echo "== tests"
+# From the root, where `hyzer` is the installed package and the examples are.
+cd "$root"
+pytest --quiet -c python/pyproject.toml --rootdir python --import-mode importlib python/tests --ignore python/tests/ir --pyargs hyzer
+if [ "${1:-}" = --all ]; then
+    pytest --quiet -c /dev/null --rootdir python/tests/ir python/tests/ir
+fi

@@ -1,0 +1,7 @@
+"""`python -m hyzer` is the program `hyzer`."""
+
+import sys
+
+from hyzer._program import main
+
+sys.exit(main())

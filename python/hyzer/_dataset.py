@@ -1,0 +1,282 @@
+"""Datasets: measured flights of one body."""
+
+from __future__ import annotations
+
+import io
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from hyzer import _hyzer
+from hyzer._extras import extra
+from hyzer._tables import csv, manifest, named, table
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+    import pandas as pd
+
+
+class Dataset:
+    """Measured flights of one body, with its markers and sensors.
+
+    Made by `read`, `from_pandas`, `from_arrays`, `import_takes`, or `hyzer.synthesize`; all of them
+    check what they are given as files are checked.
+
+    Attributes
+    ----------
+    model : str
+        Name or path of the model.
+    name : str
+        Name in reports: that of the folder.
+    files : tuple of str
+        Names of the flights.
+    markers : dict of str to list of float
+        Positions of the markers in the body frame, m.
+    parameters : dict of str to float
+        Known constants that replace the model's defaults, SI.
+
+    Examples
+    --------
+    >>> import hyzer
+    >>> data = hyzer.Dataset.read("examples/disc")
+    >>> data.model, len(data)
+    ('disc', 8)
+    """
+
+    def __init__(self, native: _hyzer.Dataset) -> None:
+        self._native = native
+        self.model = native.model
+        self.name = native.name
+        self.files = native.files
+        self.markers = native.markers
+        self.parameters = native.parameters
+
+    @classmethod
+    def read(cls, folder: str | os.PathLike[str], *, threads: int | None = None) -> Dataset:
+        """Read a folder with `dataset.toml` and a table or C3D file per flight.
+
+        Raises
+        ------
+        InputError
+            For the first fault of the files, with its place.
+
+        Examples
+        --------
+        >>> import hyzer
+        >>> hyzer.Dataset.read("nowhere")
+        Traceback (most recent call last):
+        hyzer._errors.InputError: nowhere: found no such folder, expected a dataset: a folder with
+        ...
+        """
+        return cls(_hyzer.Dataset.load(folder, threads))
+
+    @classmethod
+    def from_pandas(
+        cls,
+        flights: Sequence[pd.DataFrame] | Mapping[str, pd.DataFrame],
+        *,
+        markers: Mapping[str, Iterable[float] | str] | None = None,
+        sensors: Mapping[str, Mapping[str, Any]] | None = None,
+        model: str = "disc",
+        parameters: Mapping[str, float] | None = None,
+        sigma: float | None = None,
+        held_out: Iterable[str | int] = (),
+        known: Mapping[str | int, Mapping[str, Any]] | None = None,
+        recording: Mapping[str, Any] | None = None,
+        name: str = "",
+    ) -> Dataset:
+        """Make a dataset of DataFrames, one per flight.
+
+        Parameters
+        ----------
+        flights : sequence or mapping of DataFrame
+            Tables with a column or index `t`, s, and columns `NAME_x`, `NAME_y`, `NAME_z`, m, for
+            each marker (z up); columns of other sensors as in a table of a dataset. A missing value
+            is NaN. A sequence is named `flight01.csv`, `flight02.csv`, …
+        markers : mapping of str to sequence of 3 floats
+            Positions of the markers in the body frame, m, or "unknown" where it is to be estimated.
+        sensors : mapping of str to mapping
+            Other sensors by name: `kind` (`pose`, `gyroscope`, `accelerometer`, `speed`),
+            `position` in the body frame, m, and optionally `sigma`, `sigma_angle`.
+        model : str
+            Model by name or path.
+        parameters : mapping of str to float
+            Known constants of the body and its environment, SI.
+        sigma : float, optional
+            Standard deviation of a measured coordinate, m; estimated by default.
+        held_out : iterable of str or int
+            Flights that a fit does not use, by name or number from 0.
+        known : mapping
+            Values known for single flights, by name or number: `{0: {"wind": [1.0, 0.0, 0.0]}}`.
+        recording : mapping
+            Units and axes of the tables: `length`, `time`, `up`, `left_handed`.
+        name : str
+            Name of the dataset in reports.
+
+        Raises
+        ------
+        InputError
+            With the flight, line and column of the first fault, as if the tables were files.
+
+        Examples
+        --------
+        >>> import hyzer
+        >>> frames = hyzer.Dataset.read("examples/ball").to_pandas()
+        >>> data = hyzer.Dataset.from_pandas(frames, markers={"centre": (0, 0, 0)}, model="ball")
+        >>> data.files[:2]
+        ('flight01.csv', 'flight02.csv')
+        """
+        tables = named(flights)
+        texts = {file: csv(frame) for file, frame in tables.items()}
+        about = manifest(
+            list(texts), model, markers, sensors, parameters, sigma, held_out, known, recording
+        )
+        return cls(_hyzer.Dataset(about, texts, name))
+
+    @classmethod
+    def from_arrays(
+        cls,
+        flights: Sequence[Mapping[str, npt.ArrayLike]] | Mapping[str, Mapping[str, npt.ArrayLike]],
+        *,
+        markers: Mapping[str, Iterable[float] | str] | None = None,
+        sensors: Mapping[str, Mapping[str, Any]] | None = None,
+        **options: Any,
+    ) -> Dataset:
+        """Make a dataset of arrays, one mapping per flight.
+
+        Parameters
+        ----------
+        flights : sequence or mapping of mappings
+            Arrays by name: `t`, shape (m,), s; each marker, shape (m, 3), m; each other sensor,
+            with a column for each of its components: 7 for a pose (x, y, z, qw, qx, qy, qz), 1 for
+            a speed, else 3. NaN is a missing value.
+        markers, sensors, **options
+            As in `from_pandas`.
+
+        Examples
+        --------
+        >>> import hyzer, numpy as np
+        >>> t = np.linspace(0, 0.5, 61)
+        >>> seen = {"t": t, "m1": np.stack([12 * t, 0 * t, 1.5 - 4.9 * t**2], axis=1)}
+        >>> data = hyzer.Dataset.from_arrays([seen], markers={"m1": (0, 0, 0)}, model="ball")
+        >>> len(data)
+        1
+        """
+        about = {
+            key: options.pop(key, None)
+            for key in ("parameters", "sigma", "held_out", "known", "recording")
+        }
+        model, name = options.pop("model", "disc"), options.pop("name", "")
+        if options:
+            raise TypeError(f"from_arrays() has no argument {', '.join(options)}")
+        kinds = dict.fromkeys(markers or {}, "marker")
+        kinds |= {sensor: str(about.get("kind")) for sensor, about in (sensors or {}).items()}
+        texts = {file: table(file, flight, kinds) for file, flight in named(flights).items()}
+        text = manifest(list(texts), model, markers, sensors, **about)
+        return cls(_hyzer.Dataset(text, texts, name))
+
+    @classmethod
+    def import_takes(
+        cls,
+        takes: Iterable[str | os.PathLike[str]],
+        *,
+        model: str | os.PathLike[str] | None = None,
+        markers: str | os.PathLike[str] | None = None,
+        format: str | None = None,  # noqa: A002  As the option of the program.
+        length: str | None = None,
+        time: str | None = None,
+        rate: float | None = None,
+        up: str | None = None,
+        left_handed: bool = False,
+        labels: Mapping[str, str] | None = None,
+        centre_height: float | None = None,
+    ) -> Dataset:
+        """Import recordings of a laboratory, cut to the free flights, as `hyzer import` does.
+
+        Parameters
+        ----------
+        takes : iterable of path
+            Recordings: C3D, Vicon, Qualisys, OptiTrack, DLTdv8, poses or CSV.
+        model : str or path, optional
+            Model; by default that of the template.
+        markers : path, optional
+            Template: a TOML file with `[[markers]]`, such as a `dataset.toml`. Without it the
+            positions are estimated from the throws.
+        format, length, time, rate, up, left_handed
+            What the files do not state: the format, the unit of length (`m`, `cm`, `mm`, `in`,
+            `ft`) and time (`s`, `ms`), frames per second, the axis that points up (`+z`),
+            left-handed axes.
+        labels : mapping of str to str
+            Names of markers by their labels in the files.
+        centre_height : float, optional
+            Height of the mass centre above the mean of the markers, m.
+
+        Returns
+        -------
+        Dataset
+            Its `decisions` tell what was decided; `save` writes the folder of the program.
+
+        Examples
+        --------
+        >>> import hyzer
+        >>> data = hyzer.Dataset.import_takes(
+        ...     ["examples/disc/flight01.csv"],
+        ...     length="m", time="s", up="+z", markers="examples/disc/dataset.toml",
+        ... )
+        >>> "flight01.csv" in data.decisions
+        True
+        """
+        options = {
+            "format": format,
+            "length": length,
+            "time": time,
+            "rate": rate,
+            "up": up,
+            "markers": markers,
+            "model": model,
+            "centre-height": centre_height,
+        }
+        arguments = [f"--{key}={value}" for key, value in options.items() if value is not None]
+        arguments += ["--left-handed"] if left_handed else []
+        arguments += [f"--label={label}={name}" for label, name in (labels or {}).items()]
+        # After `--` no file can be an option.
+        files = [os.fspath(take) for take in takes]
+        return cls(_hyzer.import_takes([*arguments, "--", *files]))
+
+    @property
+    def decisions(self) -> str:
+        """What was decided when takes were imported."""
+        return self._native.decisions
+
+    def to_pandas(self) -> dict[str, pd.DataFrame]:
+        """Return the tables of the flights as DataFrames, by the names of the flights."""
+        pandas = extra("pandas")
+        _, tables = self._native.texts()
+        return {file: pandas.read_csv(io.StringIO(text)) for file, text in tables}
+
+    def save(self, folder: str | os.PathLike[str]) -> None:
+        """Write the dataset as a folder, which is new or empty, whole or not at all.
+
+        Raises
+        ------
+        FolderError
+            If the folder cannot be written or holds something else.
+        """
+        self._native.save_files(folder)
+
+    @property
+    def native(self) -> _hyzer.Dataset:
+        """The compiled object."""
+        return self._native
+
+    def __len__(self) -> int:
+        return len(self.files)
+
+    def __repr__(self) -> str:
+        name = f"{self.name!r}, " if self.name else ""
+        return f"<Dataset {name}{len(self)} flights of {self.model}>"
+
+
+def dataset_of(data: str | os.PathLike[str] | Dataset) -> _hyzer.Dataset:
+    """Return a dataset given by its folder or as an object."""
+    return (data if isinstance(data, Dataset) else Dataset.read(data)).native

@@ -1,0 +1,214 @@
+"""Simulated flights."""
+
+from __future__ import annotations
+
+import json
+import os
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, cast
+
+from hyzer._extras import extra
+from hyzer._records import Record
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+    import pandas as pd
+    import xarray as xr
+
+    from hyzer import _hyzer
+
+
+class Flight:
+    """A simulated flight.
+
+    Attributes
+    ----------
+    t : ndarray, shape (m,)
+        Times of the samples since the release, s; the last is the end of the flight.
+    states : ndarray, shape (m, n)
+        States at these times, SI, in the order of `names`.
+    names, units : tuple of str
+        Names of the states, and their units.
+    duration : float
+        Duration, s.
+    ended_by : str
+        The event that ended the flight: `ground` or `time`.
+    events : list of (str, float)
+        Names and times of the events, s.
+
+    Examples
+    --------
+    >>> import hyzer
+    >>> flight = hyzer.Model("disc").fly("backhand")
+    >>> flight.ended_by, flight.landing.shape
+    ('ground', (3,))
+    >>> float(flight["z"].max()) > 1.0
+    True
+    """
+
+    def __init__(self, native: _hyzer.Flight) -> None:
+        self._native = native
+        self.names = tuple(native.names)
+        self.units = tuple(native.units)
+        self.duration = native.duration
+        self.ended_by = native.ended_by
+        self.events = native.events
+
+    @cached_property
+    def t(self) -> npt.NDArray[np.float64]:
+        """Times of the samples since the release, s."""
+        return self._native.time_array()
+
+    @cached_property
+    def states(self) -> npt.NDArray[np.float64]:
+        """States at the times `t`, shape (m, n), SI."""
+        return self._native.state_array()
+
+    @cached_property
+    def summary(self) -> Record | None:
+        """Range, apex, landing and the throws at release and end: `summary.json` of the program.
+
+        `None` for a model that has no body.
+        """
+        text = self._native.summary_json()
+        return None if text is None else Record(json.loads(text))
+
+    @property
+    def landing(self) -> npt.NDArray[np.float64]:
+        """Position of the mass centre at the end of the flight, shape (3,), m."""
+        if self.summary is None:
+            raise AttributeError("the model has no body, whose landing could be found")
+        return extra("numpy").array(self.summary["landing_m"])  # type: ignore[no-any-return]
+
+    def __getitem__(self, name: str) -> npt.NDArray[np.float64]:
+        """Return the values of a state by name, shape (m,)."""
+        try:
+            return self.states[:, self.names.index(name)]
+        except ValueError:
+            expected = ", ".join(self.names)
+            raise KeyError(f"found {name!r}, expected one of {expected}") from None
+
+    def at(self, t: npt.ArrayLike) -> npt.NDArray[np.float64]:
+        """Return the states at given times.
+
+        Parameters
+        ----------
+        t : float or array_like
+            Times since the release, s, within the flight.
+
+        Returns
+        -------
+        ndarray
+            Of the shape of `t` with one more axis, for the states.
+
+        Examples
+        --------
+        >>> import hyzer
+        >>> hyzer.Model("disc").fly("backhand").at([0.0, 0.25]).shape
+        (2, 12)
+        """
+        return self._native.at(t)
+
+    def markers(self, marker: npt.ArrayLike) -> npt.NDArray[np.float64]:
+        """Return the positions of markers at the times `t`.
+
+        Parameters
+        ----------
+        marker : array_like, shape (3,) or (k, 3)
+            Positions of the markers in the body frame, m.
+
+        Returns
+        -------
+        ndarray, shape (m, 3) or (m, k, 3)
+            Positions in the inertial frame, m.
+        """
+        return self._native.markers(marker)
+
+    def to_pandas(self) -> pd.DataFrame:
+        """Return the states as a DataFrame: a column for each state, the time as its index."""
+        pandas = extra("pandas")
+        index = pandas.Index(self.t, name="t")
+        return cast("pd.DataFrame", pandas.DataFrame(self.states, index=index, columns=self.names))
+
+    def to_xarray(self) -> xr.Dataset:
+        """Return the states as an xarray Dataset over `t`, with units as attributes."""
+        states = self.states
+        variables = {
+            name: ("t", states[:, k], {"units": self.units[k]}) for k, name in enumerate(self.names)
+        }
+        coordinates = {"t": ("t", self.t, {"units": "s"})}
+        return cast("xr.Dataset", extra("xarray").Dataset(variables, coordinates))
+
+    def plot(self, axes: Any = None) -> Any:
+        """Draw the path from the side and from above, with equal scales.
+
+        Parameters
+        ----------
+        axes : pair of matplotlib axes, optional
+            Where to draw; by default a new figure.
+
+        Returns
+        -------
+        pair of matplotlib axes
+        """
+        if axes is None:
+            pyplot = extra("matplotlib.pyplot")
+            _, axes = pyplot.subplots(2, 1, sharex=True, layout="constrained")
+        side, above = axes
+        for axis, name in ((side, "z"), (above, "y")):
+            axis.plot(self["x"], self[name])
+            axis.set_ylabel(f"{name}, m")
+            axis.set_aspect("equal", adjustable="datalim")
+        side.set_title(self._native.title)
+        above.set_xlabel("x, m")
+        return axes
+
+    def view(self, height: int = 480) -> Any:
+        """Show the flight in three dimensions, in a notebook: the page `flight.html`.
+
+        Parameters
+        ----------
+        height : int
+            Height of the frame, pixels.
+
+        Returns
+        -------
+        View
+            Displayed by notebooks; `str()` is the HTML of the page.
+        """
+        page = self._native.view_html()
+        if page is None:
+            raise ValueError("the model has no body, which could be shown")
+        return View(page, height)
+
+    def save(self, folder: str | os.PathLike[str]) -> None:
+        """Write the folder that `hyzer simulate --out` writes: table, figure, view, summary.
+
+        Raises
+        ------
+        FolderError
+            If the folder cannot be written, or holds files that are not results of hyzer.
+        """
+        self._native.save_files(folder)
+
+    def __repr__(self) -> str:
+        return f"<Flight {self._native.title}: {self.duration:.2f} s, ended by {self.ended_by}>"
+
+
+class View:
+    """A page that a notebook shows in a frame."""
+
+    def __init__(self, page: str, height: int) -> None:
+        self._page = page
+        self._height = height
+
+    def __str__(self) -> str:
+        return self._page
+
+    def _repr_html_(self) -> str:
+        import html
+
+        page = html.escape(self._page, quote=True)
+        style = f"width:100%;height:{self._height}px;border:0"
+        return f'<iframe srcdoc="{page}" style="{style}" title="flight"></iframe>'

@@ -1,0 +1,152 @@
+"""Releases: how flights begin."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping
+from typing import Any, cast
+
+from hyzer import _hyzer, _toml
+
+
+class Release:
+    """How a flight begins: by a throw, or by the initial value of every state.
+
+    Parameters
+    ----------
+    initial : mapping of str to float, optional
+        Initial value of every state by name, SI. Without it the release is a throw.
+    speed : float
+        Speed of the mass centre over the ground, m/s.
+    heading : float
+        Direction of the velocity over the ground, from +x to the left, deg.
+    launch : float
+        Angle of the velocity above the horizontal, deg.
+    nose : float
+        Angle of attack, positive nose-up, deg.
+    hyzer : float
+        Tilt about the velocity, positive when the left edge is the lower one, seen from behind,
+        deg.
+    spin : float
+        Spin, positive clockwise seen from above, rpm.
+    height : float
+        Height of the mass centre at release, m; 1 by default.
+    wobble : float
+        Angle between the body's axis and its angular momentum, deg.
+    wind : sequence of 3 floats or mapping, optional
+        Constant velocity of the air in the inertial frame, m/s, or the keys of `[wind]` in a
+        release file: profiles over height, gusts.
+    until : {"ground"} or float
+        Where the flight ends: on the ground, or after so many seconds.
+    parameters, coefficients : mapping of str to float, optional
+        Values that replace the model's defaults, SI.
+
+    Notes
+    -----
+    A release is checked when it is flown, with the messages of release files: they name the file
+    `release`.
+
+    Examples
+    --------
+    >>> import hyzer
+    >>> throw = hyzer.Release(speed=20, launch=8, nose=2, hyzer=10, spin=700, height=1.5)
+    >>> flight = hyzer.Model("disc").fly(throw)
+    >>> hyzer.Model("ball").fly(throw)
+    Traceback (most recent call last):
+    hyzer._errors.InputError: release:...: found nose, but the model ball is a point mass...
+    """
+
+    def __init__(
+        self,
+        initial: Mapping[str, float] | None = None,
+        *,
+        speed: float | None = None,
+        heading: float | None = None,
+        launch: float | None = None,
+        nose: float | None = None,
+        hyzer: float | None = None,
+        spin: float | None = None,
+        height: float | None = None,
+        wobble: float | None = None,
+        wind: Iterable[float] | Mapping[str, Any] | None = None,
+        until: str | float = "ground",
+        parameters: Mapping[str, float] | None = None,
+        coefficients: Mapping[str, float] | None = None,
+    ) -> None:
+        stated = {
+            "speed": speed,
+            "heading": heading,
+            "launch": launch,
+            "nose": nose,
+            "hyzer": hyzer,
+            "spin": spin,
+            "height": height,
+            "wobble": wobble,
+        }
+        self.name = "release"
+        self._throw = {name: value for name, value in stated.items() if value is not None}
+        self._initial = initial
+        self._until = until
+        blown: Mapping[str, Any] = {"constant": wind} if wind is not None else {}
+        if isinstance(wind, Mapping):
+            blown = cast("Mapping[str, Any]", wind)
+        self._tables: dict[str, Mapping[str, Any]] = {
+            "parameters": parameters or {},
+            "coefficients": coefficients or {},
+            "wind": blown,
+        }
+        self._text: str | None = None
+
+    @classmethod
+    def read(cls, name: str | os.PathLike[str]) -> Release:
+        """Read a release file, or a built-in release by name.
+
+        Examples
+        --------
+        >>> import hyzer
+        >>> hyzer.Release.read("backhand")
+        Release('backhand')
+        """
+        named = os.fspath(name)
+        return cls.parse(named, _hyzer.release_text(named))
+
+    @classmethod
+    def parse(cls, name: str, text: str) -> Release:
+        """Make a release of the text of a release file; `name` names it in messages."""
+        release = cls()
+        release.name, release._text = name, text
+        return release
+
+    @classmethod
+    def of(cls, release: str | os.PathLike[str] | Release | Mapping[str, float]) -> Release:
+        """Return a release given by name, path, states or as an object."""
+        if isinstance(release, Release):
+            return release
+        if isinstance(release, Mapping):
+            return cls(release)
+        return cls.read(release)
+
+    def to_toml(self, model: str) -> str:
+        """Return the text of a release file for a model, which `hyzer simulate --release` flies."""
+        if self._text is not None:
+            return self._text
+        until: dict[str, Any] = {"until": self._until}
+        if not isinstance(self._until, str):
+            until = {"duration": self._until}
+        lines = [
+            f"{name} = {_toml.text(value)}\n" for name, value in {"model": model, **until}.items()
+        ]
+        of_motion = "[throw]" if self._initial is None else "[initial]"
+        motion = self._throw if self._initial is None else {**self._initial, **self._throw}
+        tables = [_toml.table(f"[{name}]", values) for name, values in self._tables.items()]
+        return "".join([*lines, *tables, _toml.table(of_motion, motion)])
+
+    def texts(self, model: str) -> tuple[str, str]:
+        """Return the name of the release in messages, and its text."""
+        return self.name, self.to_toml(model)
+
+    def __repr__(self) -> str:
+        if self._text is not None:
+            return f"Release({self.name!r})"
+        values = self._throw if self._initial is None else self._initial
+        return f"Release({', '.join(f'{name}={value:g}' for name, value in values.items())})"

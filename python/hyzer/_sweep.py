@@ -1,0 +1,116 @@
+"""Many flights by a plan."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import tempfile
+from collections.abc import Mapping
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, cast
+
+from hyzer import _hyzer, _toml
+from hyzer._extras import extra
+from hyzer._progress import Progress, Watching
+from hyzer._records import Record
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+
+class Sweep(Record):
+    """Many flights: the keys of `summary.json`, and a row for each flight.
+
+    Attributes
+    ----------
+    flights : int
+        Number of flights.
+    columns : Table
+        Mean, standard deviation and quantiles of each column.
+    statuses : Record
+        Numbers of flights by how they ended.
+    """
+
+    def __init__(self, summary: str, table: str | None, folder: Path | None) -> None:
+        super().__init__(json.loads(summary))
+        self._table = table
+        self.folder = folder
+
+    @cached_property
+    def frame(self) -> pd.DataFrame:
+        """The flights as a DataFrame, a row for each."""
+        pandas = extra("pandas")
+        if self._table is not None:
+            return cast("pd.DataFrame", pandas.read_csv(io.StringIO(self._table)))
+        # Where the sweep was written to a folder, its table is there.
+        return cast(
+            "pd.DataFrame", pandas.read_parquet(cast(Path, self.folder) / "flights.parquet")
+        )
+
+    def to_pandas(self) -> pd.DataFrame:
+        """Return the flights as a DataFrame, a row for each."""
+        return self.frame
+
+    def __repr__(self) -> str:
+        return f"<Sweep of {self['flights']} flights>"
+
+
+def sweep(
+    plan: str | os.PathLike[str] | Mapping[str, Any],
+    *,
+    out: str | os.PathLike[str] | None = None,
+    threads: int | None = None,
+    progress: Progress | bool | None = None,
+) -> Sweep:
+    """Simulate many flights: releases, coefficients and wind from grids or distributions.
+
+    Parameters
+    ----------
+    plan : str, path or mapping
+        `backhands`, the built-in plan; a plan file; the text of one, which has more than one line;
+        or its keys and tables as a mapping: `docs/reference/sweep.md`.
+    out : path, optional
+        Folder for `flights.parquet` and `summary.json`; a sweep that was ended goes on there.
+        Without it the flights are kept in memory.
+    threads : int, optional
+        Number of threads; the result does not depend on it.
+    progress : callable, bool or None
+        As in `fit`.
+
+    Returns
+    -------
+    Sweep
+        Its `to_pandas()` has a row for each flight.
+
+    Examples
+    --------
+    >>> import hyzer
+    >>> launches = {"launch": {"values": [20.0, 30.0, 40.0]}}
+    >>> plan = {"model": "ball", "until": "ground", "throw": {"speed": 30}, "vary": launches}
+    >>> hyzer.sweep(plan).to_pandas().shape[0]
+    3
+    """
+    name, text, folder = _plan(plan)
+    with Watching(progress) as watch:
+        if out is not None:
+            summary = _hyzer.sweep(name, text, folder, out, False, threads, watch)
+            return Sweep(summary, None, Path(out))
+        with tempfile.TemporaryDirectory() as made:
+            inside = Path(made) / "swept"
+            summary = _hyzer.sweep(name, text, folder, inside, True, threads, watch)
+            table = (inside / "flights.csv").read_text(encoding="utf-8")
+            return Sweep(summary, table, None)
+
+
+def _plan(plan: str | os.PathLike[str] | Mapping[str, Any]) -> tuple[str, str, str]:
+    """Return name, text and folder of a plan."""
+    if isinstance(plan, Mapping):
+        return "plan", _toml.document(plan), "."
+    named = os.fspath(plan)
+    if "\n" in named:
+        return "plan", named, "."
+    if named == "backhands" and not Path(named).is_file():
+        return named, _hyzer.sweep_plan(), "."
+    return named, Path(named).read_text(encoding="utf-8"), str(Path(named).parent)

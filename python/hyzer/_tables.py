@@ -1,0 +1,86 @@
+"""Texts of the files of a dataset, from DataFrames and arrays."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, cast
+
+from hyzer import _hyzer, _toml
+from hyzer._errors import InputError
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+    import pandas as pd
+
+_ENDINGS = {
+    "marker": ("_x", "_y", "_z"),
+    "pose": ("_x", "_y", "_z", "_qw", "_qx", "_qy", "_qz"),
+    "gyroscope": ("_x", "_y", "_z"),
+    "accelerometer": ("_x", "_y", "_z"),
+    "speed": ("",),
+}
+
+
+def named(flights: Sequence[Any] | Mapping[str, Any]) -> dict[str, Any]:
+    """Return flights by the names of their files."""
+    if isinstance(flights, Mapping):
+        return dict(flights)
+    return {f"flight{k:02}.csv": flight for k, flight in enumerate(flights, start=1)}
+
+
+def csv(frame: pd.DataFrame) -> str:
+    """Return the text of the table of a flight."""
+    is_indexed = "t" not in frame.columns and frame.index.name == "t"
+    return cast("Any", frame).to_csv(index=is_indexed)  # type: ignore[no-any-return]
+
+
+def table(file: str, flight: Mapping[str, npt.ArrayLike], kinds: Mapping[str, str]) -> str:
+    """Return the text of the table of a flight from its arrays."""
+    columns: list[tuple[str, list[str], npt.ArrayLike]] = []
+    for name, values in flight.items():
+        endings = ("",) if name == "t" else _ENDINGS.get(kinds.get(name, ""))
+        if endings is None:
+            known = ", ".join(["t", *kinds])
+            raise InputError(f"{file}: found the array {name!r}, expected one of {known}")
+        columns.append((f"{file}: {name}", [name + ending for ending in endings], values))
+    return _hyzer.table_text(columns)
+
+
+def manifest(
+    files: Sequence[str],
+    model: str,
+    markers: Mapping[str, Any] | None = None,
+    sensors: Mapping[str, Any] | None = None,
+    parameters: Mapping[str, float] | None = None,
+    sigma: float | None = None,
+    held_out: Iterable[str | int] | None = None,
+    known: Mapping[str | int, Mapping[str, Any]] | None = None,
+    recording: Mapping[str, Any] | None = None,
+) -> str:
+    """Return the text of dataset.toml."""
+    parts = [f"model = {_toml.text(os.fspath(model))}\n"]
+    parts.append(_toml.table("[parameters]", parameters or {}))
+    parts.append(_toml.table("[recording]", recording or {}))
+    for marker, position in (markers or {}).items():
+        parts.append(_toml.table("[[markers]]", {"name": marker, "position": position}))
+    for sensor, about in (sensors or {}).items():
+        parts.append(_toml.table("[[sensors]]", {"name": sensor, **about}))
+    parts.append(_toml.table("[noise]", {} if sigma is None else {"sigma": sigma}))
+    apart = {_file(flight, files) for flight in held_out or ()}
+    stated = {_file(flight, files): values for flight, values in (known or {}).items()}
+    for file in files:
+        about = {"file": file, "role": "held-out" if file in apart else "fit"}
+        values = {"known": stated[file]} if file in stated else {}
+        parts.append(_toml.table("[[flights]]", {**about, **values}))
+    return "".join(parts)
+
+
+def _file(flight: str | int, files: Sequence[str]) -> str:
+    """Return the name of a flight given by name or number."""
+    if isinstance(flight, str) and flight in files:
+        return flight
+    if isinstance(flight, int) and 0 <= flight < len(files):
+        return files[flight]
+    expected = f"one of {', '.join(files)} or its number from 0"
+    raise InputError(f"found the flight {flight!r}, expected {expected}")

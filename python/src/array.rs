@@ -1,0 +1,180 @@
+//! Arrays from Python: checked, and copied where they are not contiguous.
+
+use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+
+use crate::errors::input;
+
+/// Contiguous numbers of an array: its own, or a copy.
+pub struct Numbers<'py>(PyReadonlyArrayDyn<'py, f64>);
+
+impl Numbers<'_> {
+    /// The numbers, row by row.
+    pub fn values(&self) -> &[f64] {
+        // Contiguous and aligned, as `numbers` checked.
+        self.0.as_slice().unwrap_or_default()
+    }
+}
+
+/// One vector or several, one per row.
+pub struct Rows<'py> {
+    numbers: Numbers<'py>,
+    /// Number of rows; `None` for one vector, an array of one dimension.
+    pub rows: Option<usize>,
+}
+
+impl Rows<'_> {
+    /// The numbers, row by row.
+    pub fn values(&self) -> &[f64] {
+        self.numbers.values()
+    }
+
+    /// Shape of a result that has `tail` numbers for each row.
+    pub fn shape(&self, tail: &[usize]) -> Vec<usize> {
+        self.rows.into_iter().chain(tail.iter().copied()).collect()
+    }
+}
+
+/// The numbers of an array and its shape. `what` names the array in messages.
+pub fn numbers<'py>(array: &Bound<'py, PyAny>, what: &str) -> PyResult<(Numbers<'py>, Vec<usize>)> {
+    if let Ok(array) = array.cast::<PyArrayDyn<f64>>()
+        && array.is_c_contiguous()
+        && let Ok(array) = array.try_readonly()
+        && array.as_slice().is_ok()
+    {
+        let shape = array.shape().to_vec();
+        return Ok((Numbers(array), shape));
+    }
+    let numpy = array.py().import("numpy")?;
+    let found = numpy
+        .call_method1("asarray", (array,))
+        .map_err(|error| input(format!("{what}: {error}, expected an array of float64")))?;
+    let dtype = found.getattr("dtype")?;
+    let kind: String = dtype.getattr("kind")?.extract()?;
+    if !matches!(kind.as_str(), "f" | "i" | "u") {
+        return Err(input(format!(
+            "{what} has the dtype {dtype}, expected float64"
+        )));
+    }
+    let shape: Vec<usize> = found.getattr("shape")?.extract()?;
+    let found = numpy.call_method1("require", (found, "float64", ["C", "A"]))?;
+    let found = found.cast_into::<PyArrayDyn<f64>>().map_err(PyErr::from)?;
+    let found = found.readonly();
+    found.as_slice().map_err(|error| input(error.to_string()))?;
+    Ok((Numbers(found), shape))
+}
+
+/// A vector with a number for each of `names`, or several as the rows of an array; all numbers are finite.
+pub fn rows<'py>(array: &Bound<'py, PyAny>, what: &str, names: &[String]) -> PyResult<Rows<'py>> {
+    let (numbers, shape) = numbers(array, what)?;
+    let n = names.len();
+    let rows = match shape[..] {
+        [len] if len == n => None,
+        [rows, len] if len == n => Some(rows),
+        _ => {
+            let found = shape_text(&shape);
+            return Err(input(format!(
+                "{what} has the shape {found}, expected ({n},) or (m, {n}): {}",
+                names.join(", ")
+            )));
+        }
+    };
+    finite(numbers.values(), what, |index| names[index % n].clone(), n)?;
+    Ok(Rows { numbers, rows })
+}
+
+/// One vector of `n` numbers, all finite; `name` names each.
+pub fn vector(
+    array: &Bound<'_, PyAny>,
+    what: &str,
+    n: usize,
+    name: impl Fn(usize) -> String,
+) -> PyResult<Vec<f64>> {
+    let (values, shape) = numbers(array, what)?;
+    if shape[..] != [n] {
+        let found = shape_text(&shape);
+        return Err(input(format!(
+            "{what} has the shape {found}, expected ({n},)"
+        )));
+    }
+    finite(values.values(), what, name, n)?;
+    Ok(values.values().to_vec())
+}
+
+/// Points, (3,) or (k, 3), all finite.
+pub fn points(array: &Bound<'_, PyAny>, what: &str) -> PyResult<(Vec<[f64; 3]>, bool)> {
+    let names = ["x", "y", "z"].map(str::to_owned);
+    let found = rows(array, what, &names)?;
+    let points = found.values().chunks_exact(3).map(|c| [c[0], c[1], c[2]]);
+    Ok((points.collect(), found.rows.is_some()))
+}
+
+/// Times of `rows` rows: a number for all of them, or one for each.
+pub fn times(t: &Bound<'_, PyAny>, rows: Option<usize>) -> PyResult<Vec<f64>> {
+    if let Ok(t) = t.extract::<f64>() {
+        finite(&[t], "t", |_| "s".into(), 1)?;
+        return Ok(vec![t]);
+    }
+    let (values, shape) = numbers(t, "t")?;
+    let fits = match rows {
+        Some(rows) => shape[..] == [rows],
+        None => false,
+    };
+    if !fits {
+        let found = shape_text(&shape);
+        let expected = match rows {
+            Some(rows) => format!("a number or ({rows},), one for each state"),
+            None => "a number".to_owned(),
+        };
+        return Err(input(format!(
+            "t has the shape {found}, expected {expected}"
+        )));
+    }
+    let values = values.values();
+    finite(values, "t", |_| "s".into(), values.len())?;
+    Ok(values.to_vec())
+}
+
+fn finite(values: &[f64], what: &str, name: impl Fn(usize) -> String, n: usize) -> PyResult<()> {
+    // Without an early end, so that several are compared at once.
+    let all = values
+        .iter()
+        .fold(true, |all, value| all & value.is_finite());
+    if all {
+        return Ok(());
+    }
+    let at = values.iter().position(|value| !value.is_finite());
+    let at = at.unwrap_or_default();
+    let place = match values.len() > n {
+        true => format!("[{}, {}]", at / n, at % n),
+        false => format!("[{at}]"),
+    };
+    let (value, name) = (values[at], name(at));
+    Err(input(format!(
+        "{what}{place} ({name}) is {value}, expected a finite number"
+    )))
+}
+
+/// A shape as Python shows it.
+pub fn shape_text(shape: &[usize]) -> String {
+    match shape {
+        [one] => format!("({one},)"),
+        _ => {
+            let each: Vec<String> = shape.iter().map(usize::to_string).collect();
+            format!("({})", each.join(", "))
+        }
+    }
+}
+
+/// The numbers as an array of the given shape.
+pub fn array<'py>(
+    py: Python<'py>,
+    values: Vec<f64>,
+    shape: &[usize],
+) -> PyResult<Bound<'py, PyAny>> {
+    let flat = PyArray1::from_vec(py, values);
+    match shape.len() {
+        1 => Ok(flat.into_any()),
+        _ => Ok(flat.reshape(shape.to_vec())?.into_any()),
+    }
+}

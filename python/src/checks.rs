@@ -1,0 +1,116 @@
+//! Verification of a model, and what a change of a model changes.
+
+use std::sync::Arc;
+
+use ::verify::difference::{compare, landing, operations};
+use flight::files::ResultFile;
+use model_spec::LoadError;
+use model_spec::load::{inspect, inspect_text};
+use model_spec::model::Model as Checked;
+use pyo3::prelude::*;
+
+use crate::errors::{input, raise};
+use crate::model::Model;
+use crate::report::Report;
+use crate::work;
+
+/// Runs every independent check of a model.
+#[pyfunction]
+#[pyo3(signature = (model, cases, seed, mutants))]
+pub fn verify(
+    py: Python<'_>,
+    model: &Bound<'_, Model>,
+    cases: usize,
+    seed: u64,
+    mutants: bool,
+) -> PyResult<Report> {
+    if !(1..=100_000).contains(&cases) {
+        return Err(input(format!("cases is {cases}, expected 1 to 100000")));
+    }
+    let model = model.get();
+    let (name, text) = (model.checked.name.clone(), model.tree.to_text(""));
+    let found = work::run(py, None, move |_| -> anyhow::Result<Report> {
+        let loaded = inspect_text(&format!("{name}.hyz"), &text, &[])?;
+        let options = ::verify::Options {
+            cases,
+            seed,
+            mutants,
+            ..::verify::Options::default()
+        };
+        let report = ::verify::run(&loaded, &options);
+        let mut value = serde_json::to_value(&report)?;
+        value["outcome"] = serde_json::to_value(report.outcome())?;
+        let json = format!("{value:#}\n");
+        let files = vec![ResultFile::new("verification.json", json.clone())];
+        Ok(Report {
+            json,
+            text: report.table(),
+            files,
+        })
+    })?;
+    found.map_err(raise)
+}
+
+/// A model to compare: an object, or a name, path or text of one whose units may disagree.
+#[derive(FromPyObject)]
+pub enum Compared<'py> {
+    /// A checked model.
+    Model(Bound<'py, Model>),
+    /// The name, path or text of a model.
+    Source(String),
+}
+
+impl Compared<'_> {
+    /// The model, and the messages on units that disagree.
+    fn load(&self) -> PyResult<(Arc<Checked>, Vec<String>)> {
+        let source = match self {
+            Compared::Model(model) => return Ok((Arc::clone(&model.get().checked), Vec::new())),
+            Compared::Source(source) => source,
+        };
+        let loaded = match source.contains('\n') {
+            true => inspect_text("<text>", source, &[]),
+            false => inspect(source, &[]),
+        };
+        let loaded = loaded.map_err(raise)?;
+        let faults = loaded.diagnostics.iter().map(|fault| fault.message.clone());
+        let faults = faults.collect();
+        match loaded.model {
+            Some(model) => Ok((Arc::new(model), faults)),
+            None => {
+                let (diagnostics, sources) = (loaded.diagnostics, loaded.sources);
+                Err(raise(LoadError::Faults {
+                    diagnostics,
+                    sources,
+                }))
+            }
+        }
+    }
+}
+
+/// Compares two models: statements, derivatives, operation counts, landings.
+#[pyfunction]
+#[pyo3(signature = (old, new, releases))]
+pub fn diff(
+    py: Python<'_>,
+    old: Compared<'_>,
+    new: Compared<'_>,
+    releases: Vec<String>,
+) -> PyResult<Report> {
+    let ((old, old_faults), (new, new_faults)) = (old.load()?, new.load()?);
+    let found = work::run(py, None, move |_| -> anyhow::Result<Report> {
+        let landings = releases.iter().map(|release| landing(release, &old, &new));
+        let landings = landings.collect::<Result<Vec<_>, _>>()?;
+        let mut difference = compare(&old, &new);
+        difference.set_unit_faults(&old_faults, &new_faults);
+        difference.operations = operations(&old, &new);
+        difference.landings = landings;
+        let json = serde_json::to_string_pretty(&difference)? + "\n";
+        let files = vec![ResultFile::new("difference.json", json.clone())];
+        Ok(Report {
+            json,
+            text: difference.text(),
+            files,
+        })
+    })?;
+    found.map_err(raise)
+}

@@ -1,0 +1,145 @@
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import hyzer
+
+DISC = hyzer.Dataset.read(Path(__file__).parents[2] / "examples/disc")
+
+
+def made(**options: object) -> hyzer.Dataset:
+    about = {"markers": DISC.markers, "parameters": DISC.parameters, **options}
+    return hyzer.Dataset.from_pandas(DISC.to_pandas(), **about)
+
+
+def test_a_dataset_in_memory_is_fitted_as_its_files() -> None:
+    fit = hyzer.fit(made(held_out=["flight07.csv", 7]))
+    same = hyzer.fit(DISC)
+    assert fit.coefficients.to_dict() == same.coefficients.to_dict()
+    assert fit.to_dict()["flights"] == same.to_dict()["flights"]
+
+
+def test_arrays_are_tables() -> None:
+    flights = {}
+    for name, frame in DISC.to_pandas().items():
+        columns = {m: frame[[f"{m}_{axis}" for axis in "xyz"]].to_numpy() for m in DISC.markers}
+        flights[name] = {"t": frame["t"].to_numpy(), **columns}
+    about = {"markers": DISC.markers, "parameters": DISC.parameters}
+    data = hyzer.Dataset.from_arrays(flights, held_out=[6, 7], **about)
+    assert hyzer.fit(data).coefficients.to_dict() == hyzer.fit(DISC).coefficients.to_dict()
+
+
+def test_units_and_axes_of_a_recording() -> None:
+    frames = {name: frame.set_index("t") * 1000 for name, frame in DISC.to_pandas().items()}
+    options = {"markers": DISC.markers, "parameters": DISC.parameters, "held_out": [6, 7]}
+    data = hyzer.Dataset.from_pandas(frames, recording={"length": "mm"}, **options)
+    value = hyzer.fit(data).coefficients.C_D0.value
+    assert np.isclose(value, hyzer.fit(DISC).coefficients.C_D0.value, rtol=1e-6)
+
+
+def test_sensors_are_measured() -> None:
+    t = np.arange(61) / 120
+    flight = hyzer.Model("disc").fly("backhand", until=0.5)
+    seen = {"t": t, "m1": flight.markers([0.1, 0, 0])}
+    rates = np.zeros((61, 3))
+    options = {"sensors": {"gyro": {"kind": "gyroscope", "position": [0, 0, 0], "sigma": 0.1}}}
+    data = hyzer.Dataset.from_arrays(
+        [{**seen, "gyro": rates}], markers={"m1": (0.1, 0, 0)}, **options
+    )
+    assert "gyro_x" in data.to_pandas()["flight01.csv"]
+
+
+def test_a_dataset_is_written_and_read_back(tmp_path: Path) -> None:
+    made().save(tmp_path / "made")
+    again = hyzer.Dataset.read(tmp_path / "made")
+    assert again.files == DISC.files
+    for name, frame in again.to_pandas().items():
+        pd.testing.assert_frame_equal(frame, DISC.to_pandas()[name])
+    made().save(tmp_path / "made")
+    with pytest.raises(hyzer.FolderError, match="something else"):
+        made(sigma=0.001).save(tmp_path / "made")
+
+
+def test_simulated_flights_are_fitted(tmp_path: Path) -> None:
+    odd = hyzer.Model("disc", effects=["zero-lift-drag-angle"], parameters={"alpha_0": -0.07})
+    data = hyzer.synthesize(odd, "backhand", flights=4, duration=0.6, seed=3)
+    assert hyzer.fit(data, "disc").coefficients.C_D0.value > 0
+    data.save(tmp_path / "made")
+    assert (tmp_path / "made" / "truth.toml").is_file()
+    assert hyzer.fit(tmp_path / "made").model == "disc"
+    with pytest.raises(hyzer.Error, match="rate"):
+        hyzer.synthesize("disc", "backhand", rate=-1)
+
+
+def test_takes_are_imported_as_by_the_program(tmp_path: Path) -> None:
+    takes = ["examples/disc/flight01.csv", "examples/disc/flight02.csv"]
+    options = {"length": "m", "time": "s", "up": "+z", "markers": "examples/disc/dataset.toml"}
+    data = hyzer.Dataset.import_takes(takes, **options)
+    assert len(data) == 2
+    data.save(tmp_path / "imported")
+    assert (tmp_path / "imported" / "import.html").is_file()
+    with pytest.raises(hyzer.InputError, match="--up: found"):
+        hyzer.Dataset.import_takes(takes, **{**options, "up": "sky"})
+    with pytest.raises(hyzer.InputError, match="nothing.c3d"):
+        hyzer.Dataset.import_takes(["nothing.c3d"], **options)
+
+
+def test_faults_have_a_place() -> None:
+    frames = DISC.to_pandas()
+    frames["flight02.csv"].loc[4, "t"] = 0.0
+    with pytest.raises(hyzer.InputError, match=r"flight02.csv:6:1: found .*, expected") as raised:
+        hyzer.Dataset.from_pandas(frames, markers=DISC.markers)
+    assert (raised.value.file, raised.value.line) == ("flight02.csv", 6)
+    assert raised.value.hint is not None
+    assert isinstance(raised.value, ValueError)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"markers": {}}, "marker"),
+        ({"markers": {"m9": (0, 0, 0)}}, "m9"),
+        ({"parameters": {"m": -1.0}}, "dataset.toml:.*m"),
+        ({"markers": {"m1": (100.0, 0, 0)}}, "dataset.toml:"),
+        ({"held_out": ["nothing.csv"]}, "found the flight 'nothing.csv'"),
+        ({"held_out": [99]}, "found the flight 99"),
+        ({"recording": {"length": "furlong"}}, "furlong"),
+        ({"sigma": -1.0}, "dataset.toml:"),
+        ({"sensors": {"s": {"kind": "frob"}}}, "frob"),
+    ],
+)
+def test_wrong_datasets_are_refused(options: dict[str, object], message: str) -> None:
+    with pytest.raises(hyzer.InputError, match=message):
+        made(**options)
+
+
+def test_wrong_arrays_are_refused() -> None:
+    seen = {"t": np.arange(5) / 10, "m1": np.zeros((4, 3))}
+    with pytest.raises(hyzer.InputError, match="m1 has the shape .4, 3., expected 5 rows of 3"):
+        hyzer.Dataset.from_arrays([seen], markers={"m1": (0, 0, 0)})
+    with pytest.raises(hyzer.InputError, match="found the array 'm2', expected one of t, m1"):
+        hyzer.Dataset.from_arrays([{**seen, "m2": seen["m1"]}], markers={"m1": (0, 0, 0)})
+    with pytest.raises(TypeError, match="frob"):
+        hyzer.Dataset.from_arrays([seen], markers={"m1": (0, 0, 0)}, frob=1)
+
+
+CELL = st.floats() | st.integers() | st.text(max_size=5) | st.none()
+
+
+@given(
+    st.lists(st.fixed_dictionaries({"t": CELL, "m1_x": CELL, "m1_y": CELL, "m1_z": CELL})),
+    st.dictionaries(st.text(max_size=5), st.lists(st.floats(), max_size=4)),
+)
+@settings(max_examples=200, deadline=None, derandomize=True)
+def test_no_table_ends_the_interpreter(
+    rows: list[dict[str, object]], markers: dict[str, list[float]]
+) -> None:
+    frame = pd.DataFrame(rows)
+    try:
+        hyzer.Dataset.from_pandas([frame], markers={"m1": (0, 0, 0), **markers}, model="ball")
+    except (hyzer.Error, UnicodeEncodeError):
+        pass
