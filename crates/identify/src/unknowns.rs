@@ -3,6 +3,7 @@
 
 use std::borrow::Cow;
 
+use model_spec::LoadError;
 use model_spec::compose::{Instrument, ModelTree};
 use model_spec::model::Model;
 
@@ -60,10 +61,8 @@ impl Resolved<'_> {
         (effect, coefficients): &(&str, [&str; N]),
         errors: [f64; N],
     ) -> Result<(), FitError> {
-        if self.model.effects.iter().all(|own| own.name != *effect) {
-            let extended = ModelTree::of(&self.model).with_named([*effect]);
-            let extended = extended.and_then(|tree| tree.check());
-            self.model = extended.map_err(|error| FitError::Sensor {
+        if !self.has(effect) {
+            self.model = self.extended(effect).map_err(|error| FitError::Sensor {
                 model: self.model.name.clone(),
                 reason: format!("{effect}, for a position on the body that is not known: {error}"),
             })?;
@@ -79,6 +78,16 @@ impl Resolved<'_> {
             }
         }
         Ok(())
+    }
+
+    fn has(&self, effect: &str) -> bool {
+        self.model.effects.iter().any(|own| own.name == effect)
+    }
+
+    /// The model with an effect more.
+    fn extended(&self, effect: &str) -> Result<Model, LoadError> {
+        let extended = ModelTree::of(&self.model).with_named([effect]);
+        extended.and_then(|tree| tree.check())
     }
 
     /// Copy of the fit options `options` in which the priors and fixed coefficients are replaced by those of `self`.
@@ -113,7 +122,10 @@ pub fn resolve<'d>(
         resolved.dataset.to_mut().origin_error = None;
     }
     if let Some(error) = dataset.axis_error {
-        resolved.free(&TILT, [error; 2])?;
+        // A model whose markers have no place on the body by name takes the template as it is.
+        if resolved.has(TILT.0) || resolved.extended(TILT.0).is_ok() {
+            resolved.free(&TILT, [error; 2])?;
+        }
         resolved.dataset.to_mut().axis_error = None;
     }
     place_sensors(&mut resolved)?;
