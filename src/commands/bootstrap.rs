@@ -88,7 +88,7 @@ pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
 /// Refuses a fit to too few flights.
 ///
 /// # Errors
-/// With fewer fitted flights than [`MIN_FLIGHTS`].
+/// With fewer than five fitted flights.
 pub fn enough(fit: &Fit) -> anyhow::Result<()> {
     let fitted = flights(fit);
     if fitted < MIN_FLIGHTS {

@@ -107,6 +107,9 @@ fn deviating_runs(
     Some(Runs { first, last })
 }
 
+/// Time, residual and its derivatives at the last value of a channel.
+type Previous = (f64, [f64; 3], [DVector<f64>; 3]);
+
 /// Normal equations of the initial state for each sample of a flight, with whitened residuals.
 fn by_sample(
     problem: &FitProblem,
@@ -120,8 +123,7 @@ fn by_sample(
     let mut motion = conditions.differentiable_rhs();
     let zero = NormalBlock::zero(observations.manifold.dimension(), 0);
     let mut blocks = vec![zero; observations.times.len()];
-    let mut previous: Vec<Option<(f64, [f64; 3], [DVector<f64>; 3])>> =
-        vec![None; problem.channels.len()];
+    let mut previous: Vec<Option<Previous>> = vec![None; problem.channels.len()];
     let none = DVector::zeros(0);
     let done = each_residual(
         problem,
