@@ -10,8 +10,8 @@ from typing import Any
 import jax
 import numpy as np
 import pytest
-from conftest import document, points
 
+from conftest import document, points
 from hyzer.ir import IrError, read, to_casadi, to_jax, to_numpy, to_sympy
 
 BALL = ("ball",)

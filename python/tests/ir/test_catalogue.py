@@ -6,8 +6,8 @@ import subprocess
 
 import numpy as np
 import pytest
-from conftest import ROOT, document, error, points, program
 
+from conftest import ROOT, document, error, points, program
 from hyzer.ir import to_numpy
 
 FOLDERS = ("effects", "general_effects")

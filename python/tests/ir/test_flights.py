@@ -13,9 +13,9 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
-from conftest import document, hyzer, program
 from scipy.integrate import solve_ivp
 
+from conftest import document, hyzer, program
 from hyzer.ir import to_casadi, to_jax, to_numpy
 
 DISC = [-0.903, 0.633, 0.913, 13.1, 0.41, -2.78, -0.07, -0.2, 0.0, -14.9, 1.48, -54.3]

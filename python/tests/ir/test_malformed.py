@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from conftest import ROOT, document
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from conftest import ROOT, document
 from hyzer.ir import IrError, read, to_numpy
 
 ZOO = (str(ROOT / "codegen/tests/integration/zoo/zoo.hyz"),)

@@ -13,8 +13,8 @@ from typing import Any
 import jsonschema
 import numpy as np
 import pytest
-from conftest import CASES, ROOT, document, hyzer, name_of, program
 
+from conftest import CASES, ROOT, document, hyzer, name_of, program
 from hyzer.ir import SCHEMA
 from hyzer.ir._document import ARITY
 

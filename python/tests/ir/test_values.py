@@ -9,8 +9,8 @@ import jax
 import numpy as np
 import pytest
 import sympy
-from conftest import CASES, Points, document, entries, error, name_of, points
 
+from conftest import CASES, Points, document, entries, error, name_of, points
 from hyzer.ir import to_casadi, to_jax, to_numpy, to_sympy
 
 every_case = pytest.mark.parametrize("case", CASES, ids=name_of)
