@@ -202,6 +202,7 @@ pub(super) fn mass_centre_off(recording: &mut Recording, random: &mut ChaCha12Rn
 }
 
 pub(super) fn template_tilted(recording: &mut Recording, random: &mut ChaCha12Rng) {
+    recording.cause = Some("template_tilt".to_owned());
     let tilt = uniform(random, 0.01, 0.06);
     let turn = Rotation3::from_scaled_axis(in_plane(random, tilt));
     recording.note(format!("by {:.1} degrees", tilt.to_degrees()));
