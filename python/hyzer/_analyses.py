@@ -1,4 +1,4 @@
-"""Analyses of models: designed throws, stability, sweeps, refits, verification, differences."""
+"""Analyses of models: designed throws, stability, refits."""
 
 from __future__ import annotations
 

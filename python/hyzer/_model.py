@@ -96,7 +96,7 @@ class Model(_hyzer.Model):
             A built-in release by name (`backhand`, `discus`, `serve`, `fssh3`, `bffl8`), a release
             file, a `Release`, or the initial value of every state by name.
         until : {"ground"} or float, optional
-            Where the flight ends: on the ground, or after so many seconds. By default that of the
+            Where the flight ends: on the ground, or after a number of seconds. By default that of the
             release.
         rate : float
             Samples per second of `Flight.t` and `Flight.states`.

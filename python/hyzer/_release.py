@@ -37,7 +37,7 @@ class Release:
         Constant velocity of the air in the inertial frame, m/s, or the keys of `[wind]` in a
         release file: profiles over height, gusts.
     until : {"ground"} or float
-        Where the flight ends: on the ground, or after so many seconds.
+        Where the flight ends: on the ground, or after a number of seconds.
     parameters, coefficients : mapping of str to float, optional
         Values that replace the model's defaults, SI.
 

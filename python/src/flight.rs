@@ -12,7 +12,7 @@ use ode::{IntegrationOptions, Trajectory};
 use pyo3::prelude::*;
 
 use crate::array::{array, numbers, points};
-use crate::errors::{input, of_class, raise};
+use crate::errors::{input, raise};
 use crate::fit::write;
 use crate::model::Model;
 use crate::work;
@@ -148,13 +148,10 @@ pub fn fly(
     let (body, release, trajectory) = flown.map_err(raise)?;
     let seconds = trajectory.end - trajectory.start;
     if seconds * rate > MAX_ROWS {
-        return Err(of_class(
-            "InputError",
-            &format!(
-                "rate is {rate}: {seconds} s are {:.0} samples, expected at most 1e6",
-                seconds * rate
-            ),
-        ));
+        return Err(input(format!(
+            "rate is {rate}: {seconds} s are {:.0} samples, expected at most 1e6",
+            seconds * rate
+        )));
     }
     let title = format!("{} · {name}", checked.name);
     Ok(Flight {

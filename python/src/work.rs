@@ -16,7 +16,7 @@ use crate::errors::of_class;
 /// Time between two looks for signals.
 const PAUSE: Duration = Duration::from_millis(20);
 
-/// What work tells and is told while it runs.
+/// Progress of running work, and its cancellation.
 #[derive(Clone, Debug, Default)]
 pub struct Watch {
     /// Cancels the work.

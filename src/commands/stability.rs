@@ -72,7 +72,7 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
     Ok(Answer::Yes)
 }
 
-/// Modes and criteria of a body at a release, at so many `times` along its flight and in steady flight; also the reason
+/// Modes and criteria of a body at a release, at a number `times` of instants along its flight and in steady flight; also the reason
 /// why there are none along the flight.
 ///
 /// # Errors

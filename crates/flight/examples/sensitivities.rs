@@ -1,6 +1,6 @@
 //! Flies a model with its sensitivities: `cargo run -p hyzer-flight --example sensitivities -- disc 3 < point`.
 //!
-//! Standard input has the initial states and the parameters, standard output a row for each state after so many seconds:
+//! Standard input has the initial states and the parameters, standard output a row for each state after these seconds:
 //! its value, then its derivatives with respect to the initial states and to the parameters.
 
 use flight::CompiledModel;

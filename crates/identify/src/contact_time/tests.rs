@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use super::{Onset, contact_time};
 use crate::fit::FixedGlobal;
-use crate::fit::contact_refinement::tests::pushed;
+use crate::fit::tests::pushed;
 use crate::noise::{AxesNoise, NoiseModel};
 use crate::observations::Observations;
 use crate::options::FitOptions;

@@ -207,28 +207,23 @@ fn normal_score(mean_square: f64, count: usize) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use ::flight::release::{Vocabulary, built_in, read};
-
-    use crate::fit::contact_refinement::tests::pushed;
     use crate::fit::fit;
+    use crate::fit::tests::{pushed, simulated};
     use crate::options::FitOptions;
     use dataset::Flight;
-    use dataset::synthesize::{Plan, flights};
+    use dataset::synthesize::Plan;
     use nalgebra::Vector3;
 
     /// Numbers of samples left out at the beginning and the end of each of six flights of a disc, after `change` of the
     /// first of them.
     fn left_out(change: impl Fn(&mut Flight)) -> Vec<[usize; 2]> {
         let model = model_spec::load::load("disc", &[]).unwrap();
-        let release = read("backhand", built_in("backhand").unwrap(), |_| {
-            Ok(Vocabulary::of(&model))
-        });
         let plan = Plan {
             flights: 6,
             duration: Some(0.5),
             ..Plan::default()
         };
-        let mut dataset = flights(&model, &[release.unwrap()], &plan).unwrap().dataset;
+        let mut dataset = simulated(&model, "backhand", &plan);
         change(&mut dataset.flights[0]);
         let fitted = fit(&model, &dataset, &FitOptions::default()).unwrap();
         let flights = fitted.flights.iter().flatten();

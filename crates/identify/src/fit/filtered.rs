@@ -6,7 +6,7 @@ use std::iter::zip;
 
 use nalgebra::Vector3;
 
-use super::rigidity::markers;
+use super::rigidity::{apart, markers};
 use super::state::State;
 use crate::observations::Observations;
 use dataset::statistics::{median, robust_sigma};
@@ -56,12 +56,10 @@ pub fn filtered(state: &State<'_>) -> Option<String> {
 /// Deviation of the distance of two markers from its median in each sample, m, and the direction from one to the other;
 /// `None` where one of them is not seen, or the deviation is an outlier.
 fn deviations(flight: &Observations, one: usize, other: usize) -> Vec<Option<(f64, Vector3<f64>)>> {
-    let apart = (0..flight.times.len()).map(|sample| {
-        let one = Vector3::from(flight.inlier(sample, one)?);
-        let apart = Vector3::from(flight.inlier(sample, other)?) - one;
-        Some((apart.norm(), apart.normalize()))
-    });
-    let apart: Vec<_> = apart.collect();
+    let apart = apart(flight, one, other);
+    let apart: Vec<_> = apart
+        .map(|apart| apart.map(|apart| (apart.norm(), apart.normalize())))
+        .collect();
     let mut lengths: Vec<f64> = apart.iter().flatten().map(|(length, _)| *length).collect();
     let middle = median(&mut lengths);
     let mut sizes: Vec<f64> = lengths
@@ -153,20 +151,16 @@ impl Sums {
 
 #[cfg(test)]
 mod tests {
-    use ::flight::release::{Vocabulary, built_in, read};
-
     use crate::fit::fit;
+    use crate::fit::tests::simulated;
     use crate::options::FitOptions;
     use dataset::Flight;
-    use dataset::synthesize::{Corruption, Plan, flights};
+    use dataset::synthesize::{Corruption, Plan};
 
     /// Whether the fit of six flights of a disc says that their tracks were filtered. The noise has the autocorrelation
     /// `ar1`, and `change` is made to each flight.
     fn is_filtered(ar1: f64, change: impl Fn(&mut Flight)) -> bool {
         let model = model_spec::load::load("disc", &[]).unwrap();
-        let release = read("backhand", built_in("backhand").unwrap(), |_| {
-            Ok(Vocabulary::of(&model))
-        });
         let noise = Corruption {
             ar1,
             dropouts: 0.02,
@@ -178,7 +172,7 @@ mod tests {
             noise,
             ..Plan::default()
         };
-        let mut dataset = flights(&model, &[release.unwrap()], &plan).unwrap().dataset;
+        let mut dataset = simulated(&model, "backhand", &plan);
         dataset.flights.iter_mut().for_each(change);
         let fitted = fit(&model, &dataset, &FitOptions::default()).unwrap();
         let contradicted = &fitted.report.contradicted;

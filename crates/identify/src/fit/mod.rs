@@ -8,7 +8,7 @@
 
 mod bootstrap;
 mod channel_scales;
-pub(crate) mod contact_refinement;
+mod contact_refinement;
 mod continued;
 mod ends;
 mod exclusion;
@@ -33,6 +33,8 @@ mod several_starts;
 mod spin_aliases;
 mod state;
 mod taking_back;
+#[cfg(test)]
+pub(crate) mod tests;
 mod trial;
 mod undistorted;
 mod unlike_flights;

@@ -218,24 +218,21 @@ fn join<'a>(state: &State<'a>, arcs: &mut State<'a>) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use flight::release::{Vocabulary, built_in, read};
 
     use super::*;
+    use crate::fit::tests::simulated;
     use crate::options::FitOptions;
-    use dataset::synthesize::{Plan, flights};
+    use dataset::synthesize::Plan;
 
     #[test]
     fn an_angle_of_a_coefficient_that_vanishes_is_hidden() {
         let model = model_spec::load::load("disc", &["zero_lift_drag_angle"]).unwrap();
-        let release = read("backhand", built_in("backhand").unwrap(), |_| {
-            Ok(Vocabulary::of(&model))
-        });
         let plan = Plan {
             flights: 2,
             duration: Some(0.3),
             ..Plan::default()
         };
-        let dataset = flights(&model, &[release.unwrap()], &plan).unwrap().dataset;
+        let dataset = simulated(&model, "backhand", &plan);
         let options = FitOptions::default();
         let problem = FitProblem::new(&model, &dataset, &options).unwrap();
         let place = |name: &str| {

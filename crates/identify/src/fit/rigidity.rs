@@ -3,6 +3,7 @@
 
 use super::state::State;
 use crate::noise::NoiseModel;
+use crate::observations::Observations;
 use crate::problem::FitProblem;
 use dataset::statistics::median;
 use nalgebra::Vector3;
@@ -29,6 +30,18 @@ pub fn markers(problem: &FitProblem) -> Vec<usize> {
     markers.map(|(index, _)| index).take(MAX_MARKERS).collect()
 }
 
+/// Vector from one marker to another in each sample, m; `None` where one of them is not seen.
+pub fn apart(
+    flight: &Observations,
+    one: usize,
+    other: usize,
+) -> impl Iterator<Item = Option<Vector3<f64>>> {
+    (0..flight.times.len()).map(move |sample| {
+        let one = Vector3::from(flight.inlier(sample, one)?);
+        Some(Vector3::from(flight.inlier(sample, other)?) - one)
+    })
+}
+
 /// Sentence that the residuals exceed the noise by rigidity; `None` if they do not, or the flights do not tell.
 pub fn excess(state: &State<'_>, noise: &NoiseModel) -> Option<String> {
     let markers = markers(state.problem);
@@ -37,11 +50,7 @@ pub fn excess(state: &State<'_>, noise: &NoiseModel) -> Option<String> {
     for flight in &state.flights {
         for (place, &one) in markers.iter().enumerate() {
             for &other in &markers[place + 1..] {
-                let apart = (0..flight.times.len()).filter_map(|sample| {
-                    let one = Vector3::from(flight.inlier(sample, one)?);
-                    Some(Vector3::from(flight.inlier(sample, other)?) - one)
-                });
-                let apart: Vec<Vector3<f64>> = apart.collect();
+                let apart: Vec<Vector3<f64>> = apart(flight, one, other).flatten().collect();
                 if apart.len() < MIN_DISTANCES {
                     continue;
                 }

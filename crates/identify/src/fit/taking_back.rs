@@ -114,29 +114,25 @@ fn like_the_others(
 
 #[cfg(test)]
 mod tests {
-    use ::flight::release::{Vocabulary, built_in, read};
-
     use super::*;
+    use crate::fit::tests::simulated;
     use crate::fit::{flights_of, spin_aliases};
     use crate::options::FitOptions;
     use crate::problem::FitProblem;
     use crate::tolerance;
     use dataset::Role;
-    use dataset::synthesize::{Plan, flights};
+    use dataset::synthesize::Plan;
 
     /// Number of flights that remain excluded after the fit tried to include excluded flights again, if one of four
     /// similar simulated flights was excluded for the given reason.
     fn excluded_after(reason: FlightError) -> usize {
         let model = model_spec::load::load("ball", &[]).unwrap();
-        let release = read("serve", built_in("serve").unwrap(), |_| {
-            Ok(Vocabulary::of(&model))
-        });
         let plan = Plan {
             flights: 4,
             duration: Some(0.4),
             ..Plan::default()
         };
-        let dataset = flights(&model, &[release.unwrap()], &plan).unwrap().dataset;
+        let dataset = simulated(&model, "serve", &plan);
         let options = FitOptions::default();
         let mut problem = FitProblem::new(&model, &dataset, &options).unwrap();
         let fitted = flights_of(&dataset, Role::Fit);

@@ -198,42 +198,24 @@ fn is_accurate(problem: &FitProblem, residuals: &ResidualCache) -> bool {
 }
 
 #[cfg(test)]
-pub(crate) mod tests {
-    use ::flight::release::{Vocabulary, built_in, read};
+mod tests {
     use nalgebra::Vector3;
 
     use crate::fit::fit;
+    use crate::fit::tests::{pushed, simulated};
     use crate::options::FitOptions;
-    use dataset::Flight;
-    use dataset::synthesize::{Plan, flights};
-
-    /// Copy of a flight in which the velocity of the body jumps by `push`, m/s, at the sample with the index `sample`.
-    /// The index may be fractional.
-    pub fn pushed(flight: &Flight, sample: f64, push: Vector3<f64>) -> Flight {
-        let interval = flight.times[1] - flight.times[0];
-        let mut flight = flight.clone();
-        for (sample_of, row) in flight.positions.iter_mut().enumerate() {
-            let since = (sample_of as f64 - sample).max(0.0) * interval;
-            for point in row.iter_mut().flatten() {
-                *point = (Vector3::from(*point) + push * since).into();
-            }
-        }
-        flight
-    }
+    use dataset::synthesize::Plan;
 
     /// Number of samples that a fit to six flights of a disc uses of each flight, if the velocity of the first flight
     /// jumps by `push`, m/s.
     fn used(push: Vector3<f64>) -> Vec<usize> {
         let model = model_spec::load::load("disc", &[]).unwrap();
-        let release = read("backhand", built_in("backhand").unwrap(), |_| {
-            Ok(Vocabulary::of(&model))
-        });
         let plan = Plan {
             flights: 6,
             duration: Some(0.5),
             ..Plan::default()
         };
-        let mut dataset = flights(&model, &[release.unwrap()], &plan).unwrap().dataset;
+        let mut dataset = simulated(&model, "backhand", &plan);
         dataset.flights[0] = pushed(&dataset.flights[0], 40.5, push);
         let fitted = fit(&model, &dataset, &FitOptions::default()).unwrap();
         let flights = fitted.report.flights.iter();
