@@ -96,8 +96,8 @@ class Model(_hyzer.Model):
             A built-in release by name (`backhand`, `discus`, `serve`, `fssh3`, `bffl8`), a release
             file, a `Release`, or the initial value of every state by name.
         until : {"ground"} or float, optional
-            Where the flight ends: on the ground, or after a number of seconds. By default that of the
-            release.
+            Where the flight ends: on the ground, or after a number of seconds. By default that
+            of the release.
         rate : float
             Samples per second of `Flight.t` and `Flight.states`.
         tolerance : float
