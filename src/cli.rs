@@ -117,6 +117,32 @@ pub enum Command {
         after_help = "Examples:\n  hyzer effects ball\n  hyzer effects --out docs/reference/effects.md     # all of them"
     )]
     Effects(Effects),
+    /// List the built-in models
+    #[command(after_help = "Example:\n  hyzer models")]
+    Models,
+    /// Print the completion script of a shell
+    #[command(
+        after_help = "Examples:\n  hyzer completions bash > ~/.local/share/bash-completion/completions/hyzer\n  hyzer completions zsh > ~/.zfunc/_hyzer        # a folder of fpath\n  hyzer completions fish > ~/.config/fish/completions/hyzer.fish\n  hyzer completions powershell >> $PROFILE"
+    )]
+    Completions(Completions),
+    /// Write the manual pages, one for the program and one for each command
+    #[command(after_help = "Example:\n  hyzer man --out ~/.local/share/man/man1; man hyzer-fit")]
+    Man(Man),
+}
+
+/// Arguments of `hyzer completions`.
+#[derive(Args)]
+pub struct Completions {
+    /// Shell that reads the script
+    pub shell: clap_complete::Shell,
+}
+
+/// Arguments of `hyzer man`.
+#[derive(Args)]
+pub struct Man {
+    /// Folder to write the pages to, created if missing; other files in it stay
+    #[arg(long)]
+    pub out: PathBuf,
 }
 
 /// Arguments of `hyzer check`.

@@ -2,6 +2,7 @@
 
 pub mod bootstrap;
 pub mod check;
+mod completions;
 pub mod design;
 pub mod diagnose;
 mod diff;
@@ -11,6 +12,8 @@ mod export;
 pub mod fit;
 mod generate;
 pub mod import;
+mod man;
+mod models;
 pub mod simulate;
 pub mod stability;
 pub mod sweep;
@@ -40,6 +43,9 @@ pub fn run(command: Command) -> anyhow::Result<Answer> {
         Command::Bootstrap(options) => bootstrap::run(&options),
         Command::Diagnose(options) => diagnose::run(&options),
         Command::Effects(options) => effects::run(&options),
+        Command::Models => models::run(),
+        Command::Completions(options) => completions::run(&options),
+        Command::Man(options) => man::run(&options),
     }
 }
 

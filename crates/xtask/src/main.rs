@@ -7,6 +7,7 @@ mod dependencies;
 mod docs;
 mod glossary;
 mod packages;
+mod release;
 mod source;
 mod test_files;
 mod untested;
@@ -46,6 +47,16 @@ enum Task {
     Dependencies,
     /// Build every publishable package from its own archive, as a registry would receive it
     Package,
+    /// Make a release in one folder and try each part of it in a clean environment: program, packages, Python wheel and
+    /// source archive, bill of materials, checksums
+    Release {
+        /// New folder for the parts
+        #[arg(long, default_value = "target/release-parts")]
+        out: PathBuf,
+        /// Leave out the builds of packages and of the Python source archive from their own files
+        #[arg(long)]
+        quick: bool,
+    },
     /// Find names in docs/reference/glossary.md that occur in no source file
     Glossary,
     /// Find files longer than 500 lines, and print the line count of each crate without its tests
@@ -73,16 +84,17 @@ fn main() -> ExitCode {
 
 fn run(task: &Task) -> Result<()> {
     let root = root()?;
-    match *task {
+    match task {
         Task::Check => check(&root),
         Task::Lint => lint(&root),
         Task::Circles => circles::check(&root),
-        Task::Api { check } => api::run(&root, check),
+        Task::Api { check } => api::run(&root, *check),
         Task::Dependencies => dependencies::check(&root),
         Task::Package => packages::check(&root, true),
+        Task::Release { out, quick } => release::run(&root, out, *quick),
         Task::Glossary => glossary::check(&root),
         Task::Lines => source::print_lines(&root),
-        Task::DocSample { seed, count } => docs::print_sample(&root, seed, count),
+        Task::DocSample { seed, count } => docs::print_sample(&root, *seed, *count),
     }
 }
 
