@@ -1,7 +1,12 @@
 //! Many states at once, one per SIMD lane, with the bits of single states.
 
+use std::thread;
+
 use codegen::tape::{Inputs, Tape};
 use lanes::{Kernel, LaneKernel, Lanes, dispatch};
+
+/// Least number of states that are worth a thread of their own: it starts in the time of some hundred states.
+const MIN_SHARE: usize = 2048;
 
 /// States whose derivatives are computed.
 pub struct Batch<'a> {
@@ -20,9 +25,28 @@ pub struct Batch<'a> {
 }
 
 impl Batch<'_> {
-    /// Computes all derivatives.
+    /// Computes all derivatives, on all processors where there are many states. The threads end with the call: a process
+    /// that is forked later has none of them.
     pub fn run(self) {
-        dispatch(self);
+        let n = self.tape.outputs();
+        let rows = self.dx.len() / n;
+        let shares = flight::parallel::threads().min(rows / MIN_SHARE).max(1);
+        let share = rows.div_ceil(shares);
+        if shares == 1 {
+            return dispatch(self);
+        }
+        thread::scope(|scope| {
+            for (index, dx) in self.dx.chunks_mut(share * n).enumerate() {
+                let rows = index * share..index * share + dx.len() / n;
+                let part = Batch {
+                    t: self.t.get(rows.clone()).unwrap_or(self.t),
+                    x: &self.x[rows.start * n..rows.end * n],
+                    dx,
+                    ..self
+                };
+                scope.spawn(|| dispatch(part));
+            }
+        });
     }
 }
 

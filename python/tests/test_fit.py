@@ -1,4 +1,5 @@
 import json
+import multiprocessing
 import os
 import signal
 import threading
@@ -185,6 +186,19 @@ def test_threads_that_fit_at_once_get_the_same_bits() -> None:
         thread.join()
     assert len(results) == 4
     assert all(result == results[0] for result in results)
+
+
+def estimate(folder: str) -> float:
+    return hyzer.fit(folder, threads=2).coefficients.C_D.value
+
+
+@pytest.mark.skipif("fork" not in multiprocessing.get_all_start_methods(), reason="no fork")
+@pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
+def test_a_forked_process_can_fit() -> None:
+    folder = str(Path(__file__).parents[2] / "examples/ball")
+    here = estimate(folder)
+    with multiprocessing.get_context("fork").Pool(2) as pool:
+        assert pool.map_async(estimate, [folder] * 3).get(timeout=60) == [here] * 3
 
 
 def test_folders_that_cannot_be_written(fit: hyzer.Fit, tmp_path: Path) -> None:

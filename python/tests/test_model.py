@@ -43,6 +43,16 @@ def test_a_batch_has_the_bits_of_single_states(model: hyzer.Model) -> None:
     assert np.array_equal(seen[:, 1], model.observe(0, batch, markers[1]))
 
 
+def test_a_batch_on_several_threads_has_the_bits_of_its_parts() -> None:
+    batch, times = states(10_001), np.linspace(0, 1, 10_001)
+    for t in (0.5, times):
+        parts = [
+            DISC.rhs(t if t is not times else t[k : k + 50], batch[k : k + 50])
+            for k in range(0, 10_001, 50)
+        ]
+        assert np.array_equal(DISC.rhs(t, batch), np.concatenate(parts))
+
+
 def test_jacobians_are_the_derivatives() -> None:
     j, jp = DISC.jac(0.0, X)
     p = DISC.parameter_vector()

@@ -39,7 +39,7 @@ pub fn each_on<R: Send>(threads: usize, count: usize, task: impl Fn(usize) -> R 
         let tasks = (0..count).into_par_iter().with_max_len(1);
         tasks.map(&task).collect()
     };
-    if threads == rayon::current_num_threads() {
+    if is_in_pool(threads) {
         return parallel();
     }
     match shared_pool(threads) {
@@ -60,9 +60,6 @@ pub fn within<R: Send>(threads: usize, task: impl FnOnce() -> R + Send) -> R {
     if threads <= 1 || rayon::current_thread_index().is_some() {
         return task();
     }
-    if threads == rayon::current_num_threads() {
-        return rayon::scope(|_| task());
-    }
     match shared_pool(threads) {
         Ok(pool) => pool.install(task),
         // The operating system refuses further threads.
@@ -79,23 +76,34 @@ pub fn join<A: Send, B: Send>(
     if threads <= 1 {
         (first(), second())
     } else {
-        rayon::join(first, second)
+        within(threads, || rayon::join(first, second))
     }
+}
+
+/// Whether the calling thread belongs to a pool of `threads` threads.
+fn is_in_pool(threads: usize) -> bool {
+    rayon::current_thread_index().is_some() && rayon::current_num_threads() == threads
 }
 
 /// Returns a pool of `threads` threads: the pool of the last call if it has this number of threads, otherwise a new
 /// one, which replaces it. A fit calls this thousands of times with the same number of threads and thus starts its
-/// threads only once.
+/// threads only once. A process that was forked gets a pool of its own: the threads of its parent are not in it. For the same
+/// reason nothing uses rayon's global pool, which cannot be replaced.
 fn shared_pool(threads: usize) -> Result<Arc<ThreadPool>, ThreadPoolBuildError> {
-    static LAST: Mutex<Option<Arc<ThreadPool>>> = Mutex::new(None);
+    static LAST: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
+    let process = std::process::id();
     let mut last = LAST.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(pool) = last.as_ref()
-        && pool.current_num_threads() == threads
-    {
-        return Ok(Arc::clone(pool));
+    match last.take() {
+        Some((owner, pool)) if owner == process && pool.current_num_threads() == threads => {
+            *last = Some((owner, Arc::clone(&pool)));
+            return Ok(pool);
+        }
+        // Dropped, it would wait for its threads.
+        Some((owner, pool)) if owner != process => std::mem::forget(pool),
+        _ => {}
     }
     let pool = Arc::new(ThreadPoolBuilder::new().num_threads(threads).build()?);
-    *last = Some(Arc::clone(&pool));
+    *last = Some((process, Arc::clone(&pool)));
     Ok(pool)
 }
 
