@@ -36,6 +36,8 @@ class Release:
     wind : sequence of 3 floats or mapping, optional
         Constant velocity of the air in the inertial frame, m/s, or the keys of `[wind]` in a
         release file: profiles over height, gusts.
+    known : mapping of str to sequence of 3 floats, optional
+        Other inputs of the model, such as the spin of a ball, `omega`, in rad/s.
     until : {"ground"} or float
         Where the flight ends: on the ground, or after a number of seconds.
     parameters, coefficients : mapping of str to float, optional
@@ -54,6 +56,14 @@ class Release:
     >>> hyzer.Model("ball").fly(throw)
     Traceback (most recent call last):
     hyzer._errors.InputError: release:...: found nose, but the model ball is a point mass...
+
+    The spin of a ball is an input of its model, here a backspin of 50 revolutions per second.
+
+    >>> ball = hyzer.Model("table_tennis_ball")
+    >>> plain = hyzer.Release(speed=9, launch=20)
+    >>> sliced = hyzer.Release(speed=9, launch=20, known={"omega": (0, -314, 0)})
+    >>> float(ball.fly(sliced).t[-1]) > float(ball.fly(plain).t[-1])
+    True
     """
 
     def __init__(
@@ -69,6 +79,7 @@ class Release:
         height: float | None = None,
         wobble: float | None = None,
         wind: Iterable[float] | Mapping[str, Any] | None = None,
+        known: Mapping[str, Iterable[float]] | None = None,
         until: str | float = "ground",
         parameters: Mapping[str, float] | None = None,
         coefficients: Mapping[str, float] | None = None,
@@ -94,6 +105,7 @@ class Release:
             "parameters": parameters or {},
             "coefficients": coefficients or {},
             "wind": blown,
+            "known": known or {},
         }
         self._text: str | None = None
 
