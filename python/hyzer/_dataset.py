@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from hyzer import _hyzer
 from hyzer._extras import extra
-from hyzer._tables import csv, manifest, named, table
+from hyzer._tables import manifest, named, table, text_of
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -127,7 +127,7 @@ class Dataset:
         ('flight01.csv', 'flight02.csv')
         """
         tables = named(flights)
-        texts = {file: csv(frame) for file, frame in tables.items()}
+        texts = {file: text_of(file, frame) for file, frame in tables.items()}
         about = manifest(
             list(texts), model, markers, sensors, parameters, sigma, held_out, known, recording
         )

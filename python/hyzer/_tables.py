@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, cast
@@ -29,10 +30,15 @@ def named(flights: Sequence[Any] | Mapping[str, Any]) -> dict[str, Any]:
     return {f"flight{k:02}.csv": flight for k, flight in enumerate(flights, start=1)}
 
 
-def csv(frame: pd.DataFrame) -> str:
-    """Return the text of the table of a flight."""
+def text_of(file: str, frame: pd.DataFrame) -> str:
+    """Return the text of the table of a flight; `file` names it in messages."""
     is_indexed = "t" not in frame.columns and frame.index.name == "t"
-    return cast("Any", frame).to_csv(index=is_indexed)  # type: ignore[no-any-return]
+    try:
+        text: str = cast("Any", frame).to_csv(index=is_indexed)
+        text.encode()
+    except (csv.Error, UnicodeEncodeError) as error:
+        raise InputError(f"{file}: found a cell that is no text of a table: {error}") from error
+    return text
 
 
 def table(file: str, flight: Mapping[str, npt.ArrayLike], kinds: Mapping[str, str]) -> str:

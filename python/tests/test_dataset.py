@@ -127,6 +127,12 @@ def test_wrong_arrays_are_refused() -> None:
         hyzer.Dataset.from_arrays([seen], markers={"m1": (0, 0, 0)}, frob=1)
 
 
+def test_a_cell_that_no_table_can_hold_is_refused() -> None:
+    frame = pd.DataFrame({"t": [0.0], "m1_x": [0.0], "m1_y": [0.0], "m1_z": ["\0"]})
+    with pytest.raises(hyzer.InputError, match="flight01.csv.*found"):
+        hyzer.Dataset.from_pandas([frame], markers={"m1": (0, 0, 0)}, model="ball")
+
+
 CELL = st.floats() | st.integers() | st.text(max_size=5) | st.none()
 
 
