@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 /// Rust constants that this build script writes, each a table of the built-in files of one folder. The fields are the
 /// name of the constant, its doc comment, the name of the folder, and the extension of the files.
-const TABLES: [(&str, &str, &str, &str); 7] = [
+const TABLES: [(&str, &str, &str, &str); 6] = [
     (
         "MODELS",
         "Built-in models that `hyzer verify` checks by default, as pairs of name and text.",
@@ -24,12 +24,6 @@ const TABLES: [(&str, &str, &str, &str); 7] = [
         "EFFECTS",
         "Built-in effects (optional model extensions), as pairs of name and text.",
         "effects",
-        "hyz",
-    ),
-    (
-        "GENERAL_EFFECTS",
-        "Built-in effects for models of any kind, tested where no effect of `EFFECTS` has the same meaning: name and text.",
-        "general_effects",
         "hyz",
     ),
     (

@@ -55,7 +55,7 @@ pub fn measure(root: &Path, landing: &Value) -> Result<Vec<Timed>, String> {
             p: &p,
             prepared: &k,
         };
-        tape.f(at, &mut scratch, dx);
+        tape.f.eval(at, &[], &mut scratch, &mut [dx]);
     };
     let mut timed = vec![fly_frispy(
         ("tape", Method::Tsit5),

@@ -27,13 +27,14 @@ fn evaluated(tape: &TapeModel, point: &[f64]) -> Vec<f64> {
     let at = At { t, x, p, prepared };
     let scratch = &mut Scratch::default();
     let [mut dx, mut j, mut jp] = arrays(&tape.f_jac_par);
-    tape.f_jac_par(at, scratch, &mut dx, &mut j, &mut jp);
+    tape.f_jac_par
+        .eval(at, &[], scratch, &mut [&mut dx, &mut j, &mut jp]);
     let mut observed: [Vec<f64>; 4] = arrays(&tape.observe_jac);
-    let slices = observed.each_mut().map(Vec::as_mut_slice);
-    tape.observe_jac(at, marker, scratch, slices);
+    let mut slices = observed.each_mut().map(Vec::as_mut_slice);
+    tape.observe_jac.eval(at, marker, scratch, &mut slices);
     let ([mut q], [mut l]) = (arrays(&tape.quantities), arrays(&tape.limits));
-    tape.quantities(at, scratch, &mut q);
-    tape.limits(at, scratch, &mut l);
+    tape.quantities.eval(at, &[], scratch, &mut [&mut q]);
+    tape.limits.eval(at, &[], scratch, &mut [&mut l]);
     [dx, j, jp, observed.concat(), q, l].concat()
 }
 

@@ -1,9 +1,6 @@
 //! Compilation of a model: lowering, optimisation, differentiation, specialization, optimisation, scheduling.
 
-mod every_value;
 mod jacobians;
-
-pub use every_value::{EveryValue, compile_every_value};
 
 use crate::count;
 use crate::graph::{ExprGraph, NodeId, Symbol};
@@ -35,14 +32,14 @@ pub enum Effort {
 }
 
 /// Compiled model: its functions, their order of arguments, and source locations.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Compiled {
     /// Name of the model.
     pub name: String,
     /// Names and order of the states, parameters and auxiliary variables.
     pub layout: Layout,
     /// Model lowered to scalar expressions, with names and source locations of its auxiliary variables.
-    pub lowered: Lowered,
+    pub(crate) lowered: Lowered,
     /// Parameter of each column of `jp` and `dy_dp`.
     pub columns: Vec<usize>,
     /// Computes the invariants once per flight, for all other functions.
@@ -170,8 +167,9 @@ pub(crate) fn scheduled_values(
     schedule(&ssa, graph, &mut namer, None, &[])
 }
 
-struct Compiler {
-    lowered: Lowered,
+#[derive(Clone)]
+pub(crate) struct Compiler {
+    pub(crate) lowered: Lowered,
     /// Values of the parameters that are replaced by constants, with the parameters' symbols as keys.
     fixed: Values,
     effort: Effort,
@@ -181,7 +179,7 @@ struct Compiler {
 }
 
 impl Compiler {
-    fn new(model: &Model, selection: &Selection) -> Compiler {
+    pub(crate) fn new(model: &Model, selection: &Selection) -> Compiler {
         let lowered = lower(model);
         let all = lowered.layout.parameters.len();
         let columns = match selection {
@@ -211,20 +209,7 @@ impl Compiler {
         let quantities = self.values("quantities", "q", &named);
         let limits = self.lowered.limits.clone();
         let limits = self.values("limits", "l", &limits);
-        let prepared = self.hoisted.names().to_vec();
-        let prepare = Function {
-            name: "prepare",
-            program: self.hoisted.program(&mut self.lowered.graph),
-            sections: vec![dense("prepared", prepared.len())],
-            results: prepared.clone(),
-        };
         Compiled {
-            name: name.to_string(),
-            layout: self.lowered.layout.clone(),
-            lowered: self.lowered,
-            columns: self.columns,
-            prepare,
-            prepared,
             f,
             f_jac,
             f_jac_par,
@@ -232,6 +217,26 @@ impl Compiler {
             observe_jac,
             quantities,
             limits,
+            ..self.prepared(name)
+        }
+    }
+
+    /// Compiled model with `prepare` alone, for the functions that have been compiled.
+    pub(crate) fn prepared(mut self, name: &str) -> Compiled {
+        let prepared = self.hoisted.names().to_vec();
+        Compiled {
+            name: name.to_string(),
+            layout: self.lowered.layout.clone(),
+            prepare: Function {
+                name: "prepare",
+                program: self.hoisted.program(&mut self.lowered.graph),
+                sections: vec![dense("prepared", prepared.len())],
+                results: prepared.clone(),
+            },
+            lowered: self.lowered,
+            columns: self.columns,
+            prepared,
+            ..Compiled::default()
         }
     }
 
@@ -248,20 +253,25 @@ impl Compiler {
         self.scheduled(name, &ssa, vec![dense(section, values.len())])
     }
 
-    fn optimised(&self, roots: &[NodeId]) -> Ssa {
+    pub(crate) fn optimised(&self, roots: &[NodeId]) -> Ssa {
         let mut ssa = build(&self.lowered.graph, roots);
         ssa.optimise();
         ssa
     }
 
-    fn namer(&self) -> Namer {
+    pub(crate) fn namer(&self) -> Namer {
         let layout = &self.lowered.layout;
         let mut namer = Namer::new(&layout.states, &layout.parameters, &self.quantity_names);
         namer.reserve(&layout.marker);
         namer
     }
 
-    fn scheduled(&mut self, name: &'static str, ssa: &Ssa, sections: Vec<Section>) -> Function {
+    pub(crate) fn scheduled(
+        &mut self,
+        name: &'static str,
+        ssa: &Ssa,
+        sections: Vec<Section>,
+    ) -> Function {
         let mut namer = self.namer();
         let results = self.results(&sections);
         let hoisted = Some(&mut self.hoisted);
@@ -323,11 +333,50 @@ impl Compiler {
     }
 }
 
-/// Returns the description of an output vector with the name `name` and `len` elements, all of which are stored.
 pub(crate) fn dense(name: &'static str, len: usize) -> Section {
     Section {
         name,
         len,
         pattern: None,
+    }
+}
+
+/// Program of all values of a model: state derivatives, observation, limits, auxiliary variables.
+#[derive(Clone, Debug)]
+pub struct EveryValue {
+    /// Names and order of the states and parameters.
+    pub layout: Layout,
+    /// Program that computes all outputs, without `prepare`.
+    pub program: Program,
+    /// Number of components of the observation: 3, or 0 without one.
+    pub observed: usize,
+    /// Number of outputs that are left-hand sides `EXPR` of limits of validity (statements `limit EXPR > bound`).
+    pub limits: usize,
+    /// Number of components of each auxiliary variable, 1 or 3, in order.
+    pub lets: Vec<usize>,
+}
+
+/// Compiles the values of a model, without Jacobians.
+pub fn compile_every_value(model: &Model) -> EveryValue {
+    let Lowered {
+        mut graph,
+        layout,
+        dx,
+        observation,
+        limits,
+        lets,
+        ..
+    } = lower(model);
+    let observation: Vec<_> = observation.into_iter().flatten().collect();
+    let mut wanted = dx;
+    wanted.extend(&observation);
+    wanted.extend(&limits);
+    wanted.extend(lets.iter().flatten());
+    EveryValue {
+        program: scheduled_values(&mut graph, &layout, &wanted),
+        layout,
+        observed: observation.len(),
+        limits: limits.len(),
+        lets: lets.iter().map(Vec::len).collect(),
     }
 }

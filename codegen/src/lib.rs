@@ -1,9 +1,9 @@
 //! Compiler of flight models: from a checked model to scalar expressions, exact Jacobians, and programs for several
 //! backends.
 //!
-//! Pipeline: [`lower`](mod@lower) turns the model's vector equations into scalar nodes of one expression [`graph`];
-//! `differentiate` adds partial derivatives and `specialize` substitutes constants; [`ssa`] eliminates common
-//! subexpressions and lists the definitions; [`schedule`] orders the definitions as the statements of a [`program`].
+//! Pipeline: `lower` turns the model's vector equations into scalar nodes of one expression [`graph`];
+//! `differentiate` adds partial derivatives and `specialize` substitutes constants; `ssa` eliminates common
+//! subexpressions and lists the definitions; `schedule` orders the definitions as the statements of a [`program`].
 
 pub mod backend;
 pub mod build;
@@ -17,16 +17,16 @@ pub mod generate;
 pub mod graph;
 pub mod ir;
 pub mod latex;
-pub mod lower;
+mod lower;
 pub mod number;
 pub mod program;
 #[cfg(test)]
 mod random_expressions_tests;
 mod registry;
 pub mod rust;
-pub mod schedule;
+mod schedule;
 mod specialize;
-pub mod ssa;
+mod ssa;
 pub mod table;
 pub mod tape;
 pub mod tape_model;

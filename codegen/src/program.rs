@@ -117,17 +117,9 @@ pub struct Statement {
     pub op: Op,
     /// Variable name; `None` if backends may print the operation as a subexpression of the statement that uses it.
     pub name: Option<String>,
-    /// Auxiliary variable that the statement computes, for comments.
-    pub about: Option<About>,
-}
-
-/// Auxiliary variable of the model to which a statement of a program contributes.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct About {
-    /// Index of the auxiliary variable in `Lowered::provenance`, the list of named values with their source locations.
-    pub origin: usize,
-    /// Whether the statement computes the auxiliary variable itself; false for a subexpression of its definition.
-    pub exact: bool,
+    /// Auxiliary variable that the statement computes, for comments: its index in `Lowered::provenance`, the list of
+    /// named values with their source locations.
+    pub about: Option<usize>,
 }
 
 /// Straight-line program: statements without branches or loops, and outputs.

@@ -9,10 +9,8 @@ use crate::number::Number;
 /// Constant values of symbols such as parameters, which specialization substitutes for the symbols.
 pub type Values = FastMap<Symbol, Number>;
 
-/// Expression graph with some symbols replaced by constants and the results simplified.
 #[derive(Debug)]
 pub struct Specialized {
-    /// Graph in which the symbols are replaced by constants.
     pub graph: ExprGraph,
     images: Vec<Option<NodeId>>,
 }

@@ -53,30 +53,31 @@ impl TableFunction {
 /// Table of a model as a piecewise cubic, with its derivatives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CubicTable {
-    /// Name of the table in the model; empty for a table that was read from generated code.
+    /// Name of the table in the model.
     pub name: String,
-    /// Doc comment (`///` lines) of the table in the model; empty for a table that was read from generated code.
+    /// Doc comment (`///` lines) of the table in the model.
     pub doc: String,
     /// Name of the table's argument.
     pub argument: String,
     /// Units of the argument and of the value, as text in SI units.
     pub unit_texts: [String; 2],
-    /// [`model::Table::fingerprint`]; 0 for a table from generated code.
+    /// [`model::Table::fingerprint`].
     pub fingerprint: u64,
     derivatives: [PiecewiseCubic; TableFunction::LAST as usize + 1],
 }
 
 impl CubicTable {
-    fn new(value: PiecewiseCubic) -> CubicTable {
+    fn of(table: &model::Table) -> CubicTable {
+        let value = PiecewiseCubic::of(table);
         let first = value.derivative();
         let second = first.derivative();
         let third = second.derivative();
         CubicTable {
-            name: String::new(),
-            doc: String::new(),
-            argument: String::new(),
-            unit_texts: Default::default(),
-            fingerprint: 0,
+            name: table.name.clone(),
+            doc: table.doc.clone(),
+            argument: table.argument.clone(),
+            unit_texts: table.unit_texts.clone(),
+            fingerprint: table.fingerprint(),
             derivatives: [value, first, second, third],
         }
     }
@@ -90,19 +91,6 @@ impl CubicTable {
     }
 }
 
-impl From<&model::Table> for CubicTable {
-    fn from(table: &model::Table) -> CubicTable {
-        CubicTable {
-            name: table.name.clone(),
-            doc: table.doc.clone(),
-            argument: table.argument.clone(),
-            unit_texts: table.unit_texts.clone(),
-            fingerprint: table.fingerprint(),
-            ..CubicTable::new(PiecewiseCubic::of(table))
-        }
-    }
-}
-
 /// The tables of a model, shared by its expressions and programs.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tables(Arc<[CubicTable]>);
@@ -110,12 +98,7 @@ pub struct Tables(Arc<[CubicTable]>);
 impl Tables {
     /// Tables of a model, in their order in the model.
     pub fn of_model(model: &model::Model) -> Tables {
-        Tables(model.tables.iter().map(CubicTable::from).collect())
-    }
-
-    /// Unnamed tables whose values are the given piecewise cubic functions, in the same order.
-    pub fn of_cubics(cubics: Vec<PiecewiseCubic>) -> Tables {
-        Tables(cubics.into_iter().map(CubicTable::new).collect())
+        Tables(model.tables.iter().map(CubicTable::of).collect())
     }
 
     /// Returns the table with the index `id`.

@@ -27,11 +27,46 @@ impl TapeFunction {
         self.sections.iter().map(|section| section.len).collect()
     }
 
-    fn pattern(&self, name: &str) -> &[(u32, u32)] {
+    /// (row, column) of each entry of the Jacobian `name`, such as `jp`; empty without such a section.
+    pub fn pattern(&self, name: &str) -> &[(u32, u32)] {
         let section = self.sections.iter().find(|section| section.name == name);
         section
             .and_then(|section| section.pattern.as_deref())
             .unwrap_or(&[])
+    }
+
+    /// Evaluates the function and writes each of the [`sections`](Self::sections) to its array, Jacobians by their
+    /// entries. Only `observe` and `observe_jac` read `marker`.
+    ///
+    /// # Panics
+    /// If an argument or array is shorter than the function needs.
+    pub fn eval(
+        &self,
+        at: At<'_>,
+        marker: &[f64],
+        scratch: &mut Scratch,
+        results: &mut [&mut [f64]],
+    ) {
+        let Scratch { registers, out } = scratch;
+        let wanted = self.tape.outputs();
+        if out.len() < wanted {
+            out.resize(wanted, 0.0);
+        }
+        if registers.len() < self.tape.registers() {
+            registers.resize(self.tape.registers(), 0.0);
+        }
+        dispatch_scalar(Run {
+            tape: &self.tape,
+            at,
+            marker,
+            registers,
+            out,
+        });
+        let mut start = 0;
+        for (section, result) in self.sections.iter().zip(results) {
+            result[..section.len].copy_from_slice(&out[start..start + section.len]);
+            start += section.len;
+        }
     }
 }
 
@@ -103,31 +138,6 @@ impl TapeModel {
         }
     }
 
-    /// Sparsity pattern: (row, column) of each entry of `j` = ∂dx/∂state.
-    pub fn j_pattern(&self) -> &[(u32, u32)] {
-        self.f_jac_par.pattern("j")
-    }
-
-    /// Sparsity pattern of `jp` = ∂dx/∂parameters, by column of [`Compiled::columns`].
-    pub fn jp_pattern(&self) -> &[(u32, u32)] {
-        self.f_jac_par.pattern("jp")
-    }
-
-    /// Sparsity pattern: (row, column) of each entry of `dy_dx` = ∂y/∂state, where `y` is the observed marker position.
-    pub fn dy_dx_pattern(&self) -> &[(u32, u32)] {
-        self.observe_jac.pattern("dy_dx")
-    }
-
-    /// Sparsity pattern of `dy_dp` = ∂y/∂parameters, by column of [`Compiled::columns`].
-    pub fn dy_dp_pattern(&self) -> &[(u32, u32)] {
-        self.observe_jac.pattern("dy_dp")
-    }
-
-    /// Sparsity pattern of `dy_dmarker` = ∂y/∂marker.
-    pub fn dy_dmarker_pattern(&self) -> &[(u32, u32)] {
-        self.observe_jac.pattern("dy_dmarker")
-    }
-
     /// Computes the invariants of a flight: all subexpressions that depend only on the parameters `p`.
     pub fn prepare(&self, p: &[f64]) -> Vec<f64> {
         let mut prepared = vec![0.0; self.prepared];
@@ -139,86 +149,8 @@ impl TapeModel {
             prepared: none,
         };
         let scratch = &mut Scratch::default();
-        run(&self.prepare, at, &[], scratch, &mut [&mut prepared]);
+        self.prepare.eval(at, &[], scratch, &mut [&mut prepared]);
         prepared
-    }
-
-    /// Writes the time derivatives of the states to `dx`.
-    pub fn f(&self, at: At<'_>, scratch: &mut Scratch, dx: &mut [f64]) {
-        run(&self.f, at, &[], scratch, &mut [dx]);
-    }
-
-    /// Computes `dx` and the entries of `j` in [`j_pattern`](Self::j_pattern).
-    pub fn f_jac(&self, at: At<'_>, scratch: &mut Scratch, dx: &mut [f64], j: &mut [f64]) {
-        run(&self.f_jac, at, &[], scratch, &mut [dx, j]);
-    }
-
-    /// Computes `dx` and the entries of `j` and `jp`.
-    pub fn f_jac_par(
-        &self,
-        at: At<'_>,
-        scratch: &mut Scratch,
-        dx: &mut [f64],
-        j: &mut [f64],
-        jp: &mut [f64],
-    ) {
-        run(&self.f_jac_par, at, &[], scratch, &mut [dx, j, jp]);
-    }
-
-    /// Computes the position `y`, m, of a marker in the inertial frame.
-    pub fn observe(&self, at: At<'_>, marker: &[f64], scratch: &mut Scratch, y: &mut [f64]) {
-        run(&self.observe, at, marker, scratch, &mut [y]);
-    }
-
-    /// Computes `[y, dy_dx, dy_dp, dy_dmarker]`, the Jacobians by their entries.
-    pub fn observe_jac(
-        &self,
-        at: At<'_>,
-        marker: &[f64],
-        scratch: &mut Scratch,
-        results: [&mut [f64]; 4],
-    ) {
-        let mut results = results;
-        run(&self.observe_jac, at, marker, scratch, &mut results);
-    }
-
-    /// Writes the auxiliary variables to `q`, in the order of [`Layout::quantities`](crate::Layout::quantities).
-    pub fn quantities(&self, at: At<'_>, scratch: &mut Scratch, q: &mut [f64]) {
-        run(&self.quantities, at, &[], scratch, &mut [q]);
-    }
-
-    /// Writes the left-hand sides of the limits of validity to `l`; the model is valid where each exceeds its bound.
-    pub fn limits(&self, at: At<'_>, scratch: &mut Scratch, l: &mut [f64]) {
-        run(&self.limits, at, &[], scratch, &mut [l]);
-    }
-}
-
-fn run(
-    function: &TapeFunction,
-    at: At<'_>,
-    marker: &[f64],
-    scratch: &mut Scratch,
-    results: &mut [&mut [f64]],
-) {
-    let Scratch { registers, out } = scratch;
-    let wanted = function.tape.outputs();
-    if out.len() < wanted {
-        out.resize(wanted, 0.0);
-    }
-    if registers.len() < function.tape.registers() {
-        registers.resize(function.tape.registers(), 0.0);
-    }
-    dispatch_scalar(Run {
-        tape: &function.tape,
-        at,
-        marker,
-        registers,
-        out,
-    });
-    let mut start = 0;
-    for (section, result) in function.sections.iter().zip(results) {
-        result[..section.len].copy_from_slice(&out[start..start + section.len]);
-        start += section.len;
     }
 }
 

@@ -1,6 +1,6 @@
 //! Diagnostics: errors of a model file, each with a source span and one message.
 
-pub use crate::source::{Source, Span};
+pub use crate::location::{Source, Span};
 use crate::suggest;
 
 /// Maximum number of errors shown, and for which suggestions are searched.
@@ -70,7 +70,6 @@ pub struct Diagnostic {
     pub help: Option<String>,
 }
 
-/// Sorts diagnostics by their source spans.
 pub(crate) fn sort(diagnostics: &mut [Diagnostic]) {
     diagnostics.sort_by_key(|diagnostic| diagnostic.span);
 }

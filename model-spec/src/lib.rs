@@ -26,18 +26,15 @@ mod check;
 pub mod compose;
 pub mod diagnostic;
 mod effect;
-mod error;
 mod fingerprint;
 pub mod index;
 pub mod layout;
-mod library;
 pub mod load;
 pub mod location;
 pub mod model;
 mod order;
 mod read;
 mod render;
-mod source;
 mod suggest;
 mod summary;
 pub mod syntax;
@@ -46,7 +43,7 @@ pub mod unit;
 
 // Loading and composition of models.
 pub use compose::{EffectTree, ModelTree};
-pub use error::LoadError;
+pub use read::LoadError;
 // Checks of a syntax tree or of a model.
 pub use check::{Checked, SingularPoint, check, singular_points};
 pub use effect::{SITES, VARIABLES};

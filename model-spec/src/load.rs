@@ -5,9 +5,9 @@ use crate::diagnostic::{Diagnostic, Source};
 use crate::model::Model;
 use crate::syntax::ast::File;
 
-pub use crate::error::LoadError;
-pub use crate::library::{BODIES, EFFECTS, GENERAL_EFFECTS, MODELS, REFUTED, WINDS};
+pub use crate::read::LoadError;
 pub use crate::read::decode;
+pub use crate::read::{BODIES, EFFECTS, MODELS, REFUTED, WINDS};
 
 /// Result of loading a model that may have errors.
 #[derive(Clone, Debug)]
@@ -71,14 +71,7 @@ pub fn inspect_text(name: &str, text: &str, with: &[&str]) -> Result<Loaded, Loa
             Err(error) if !diagnostics.is_empty() => return Err(after(tree, diagnostics, error)),
             found => found?,
         };
-        match tree.with_instruments(&effect.instruments()) {
-            Ok(with) => tree = with,
-            Err(LoadError::Faults {
-                diagnostics: faults,
-                ..
-            }) => diagnostics.extend(faults),
-            Err(error) => return Err(error),
-        }
+        tree = tree.with_instruments(&effect.instruments());
         if let Err(faults) = tree.apply(&effect) {
             diagnostics.extend(faults);
         }

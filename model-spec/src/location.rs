@@ -1,4 +1,6 @@
-//! Lines and columns of a text, both counted from 1; lines end with LF, columns count characters.
+//! Source texts, spans in them, and lines and columns, both counted from 1; lines end with LF, columns count characters.
+
+use std::ops::Range;
 
 /// Line and column of a byte offset, counted from 1 and in characters; an offset past the end is the end.
 pub fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
@@ -27,6 +29,42 @@ pub fn trimmed_line(text: &str, byte: usize) -> (usize, &str) {
 /// Offset of the first byte of the line that contains `byte`, which is at a character boundary of `text`.
 fn line_start(text: &str, byte: usize) -> usize {
     text[..byte].rfind('\n').map_or(0, |newline| newline + 1)
+}
+
+/// A source text of a model: the text of the model file, or of an effect that is applied.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Source {
+    /// File name, or name of a built-in model or effect, for messages.
+    pub name: String,
+    /// Full content of the source text.
+    pub text: String,
+}
+
+/// A byte range of a source text: from `start` up to, not including, `end`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Span {
+    /// Byte offset of the start of the range.
+    pub start: u32,
+    /// Byte offset of the end of the range, exclusive.
+    pub end: u32,
+    /// Index of the source text: 0 is the model file; applied effects follow.
+    pub source: u16,
+}
+
+impl Span {
+    /// The span as a range of byte offsets in its source text.
+    pub fn range(self) -> Range<usize> {
+        self.start as usize..self.end as usize
+    }
+
+    /// Span from the start of `self` to the end of `end`; both must lie in the same source text.
+    #[must_use]
+    pub fn to(self, end: Span) -> Span {
+        Span {
+            end: end.end.max(self.start),
+            ..self
+        }
+    }
 }
 
 #[cfg(test)]

@@ -2,23 +2,20 @@
 //!
 //! The compiler and the tree oracle read this representation. All indices refer to the vectors of [`Model`].
 
-mod claim;
-mod effect;
-mod function;
-mod table;
+mod parts;
 mod walk;
 
 use std::sync::Arc;
 
-use crate::source::Span;
+use crate::location::Span;
 use crate::syntax::ast;
 use crate::unit::Unit;
 
-pub use crate::source::Source;
-pub use claim::{Claim, ClaimedAttitude, ClaimedRotation};
-pub use effect::{AppliedEffect, EffectUnknown, OfferedEffect};
-pub use function::Function;
-pub use table::{Continuation, Interpolation, Table};
+pub use crate::location::Source;
+pub use parts::{
+    AppliedEffect, Claim, ClaimedAttitude, ClaimedRotation, Continuation, EffectUnknown, Function,
+    Interpolation, OfferedEffect, Table,
+};
 
 /// A checked model of a flying body: its states, parameters, frames, forces, moments and equations.
 #[derive(Clone, Debug, Default)]

@@ -3,10 +3,9 @@
 use ariadne::{CharSet, Color, Config, IndexType, Label, Report, ReportKind};
 
 use crate::diagnostic::{self, Diagnostic, MAX_SHOWN};
+use crate::location::{Source, Span};
 use crate::location::{line_and_column, line_of};
-use crate::source::{Source, Span};
 
-/// Maximum length, bytes, of a line that is shown as an excerpt.
 const MAX_LINE_BYTES: usize = 300;
 
 /// Formats diagnostics in the order of their spans, in ANSI colours if `color`; counts those beyond 50.
@@ -144,7 +143,6 @@ fn within(inner: Span, outer: Span) -> bool {
     inner.source == outer.source && inner.start >= outer.start && inner.end <= outer.end
 }
 
-/// Source texts with their names, indexed by [`Span::source`], for `ariadne`.
 struct Texts<'a>(&'a [(String, ariadne::Source<&'a str>)]);
 
 impl<'a> ariadne::Cache<u16> for Texts<'a> {

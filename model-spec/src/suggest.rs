@@ -24,7 +24,8 @@ pub fn nearest<'a>(wrong: &str, names: impl Iterator<Item = &'a str>) -> Option<
         } else if shorter >= 4 && (name.starts_with(wrong) || wrong.starts_with(name)) {
             1
         } else {
-            distance(wrong, name)
+            // Insertions, deletions, substitutions and adjacent transpositions, whatever the case.
+            strsim::osa_distance(&wrong.to_lowercase(), &name.to_lowercase())
         };
         // At least half of a short name must match, or `a` would be suggested for `b`.
         let most = allowed.min(name.chars().count().max(wrong.chars().count()).div_ceil(2));
@@ -38,32 +39,6 @@ pub fn nearest<'a>(wrong: &str, names: impl Iterator<Item = &'a str>) -> Option<
         }
     }
     best.map(|(_, name)| name)
-}
-
-/// Case-insensitive Damerau–Levenshtein distance: insertions, deletions, substitutions, adjacent transpositions.
-fn distance(a: &str, b: &str) -> usize {
-    let a: Vec<char> = a.chars().flat_map(char::to_lowercase).collect();
-    let b: Vec<char> = b.chars().flat_map(char::to_lowercase).collect();
-    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
-    for (i, row) in rows.iter_mut().enumerate() {
-        row[0] = i;
-    }
-    for (j, cell) in rows[0].iter_mut().enumerate() {
-        *cell = j;
-    }
-    for i in 1..=a.len() {
-        for j in 1..=b.len() {
-            let change = usize::from(a[i - 1] != b[j - 1]);
-            let mut best = (rows[i - 1][j - 1] + change)
-                .min(rows[i - 1][j] + 1)
-                .min(rows[i][j - 1] + 1);
-            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                best = best.min(rows[i - 2][j - 2] + 1);
-            }
-            rows[i][j] = best;
-        }
-    }
-    rows[a.len()][b.len()]
 }
 
 #[cfg(test)]

@@ -1,13 +1,12 @@
 //! Summary of a model as text.
 
-use std::fmt::Write;
-
 use crate::check::singular_points;
+use crate::location::line_of;
 use crate::model::{
-    Continuation, EffectUnknown, ExprKind, Function, Interpolation, Load, Model, Parameter,
+    Continuation, EffectUnknown, ExprKind, Function, Interpolation, Load, Model, Parameter, Table,
     ValidityLimit,
 };
-use crate::source::LineStarts;
+use std::fmt::Write;
 
 /// Summary of a model as text: states, parameters with units, forces, validity limits, singular points, effects.
 pub fn summary(model: &Model) -> String {
@@ -24,47 +23,85 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
     if let Some(reference) = &model.reference {
         writeln!(out, "  verified against {reference}")?;
     }
-    states(out, model)?;
-    frames(out, model)?;
+    let width = model.states.iter().map(|s| s.name.len()).max().unwrap_or(0);
+    let states = model.states.iter();
+    let states = states.map(|s| format!("{:width$}  {}", s.name, s.unit_text));
+    section(out, "states", states)?;
+    section(
+        out,
+        "frames",
+        model.tree.frames().map(|frame| {
+            let kind = frame.kind.to_string();
+            let kind = kind.strip_prefix(" = ").unwrap_or("inertial, axis 3 up");
+            format!("{}: {kind}", frame.name.text)
+        }),
+    )?;
     constants(out, "parameters", &model.params)?;
     constants(out, "coefficients", &model.coefficients)?;
-    inputs(out, model)?;
-    tables(out, model)?;
+    section(
+        out,
+        "inputs",
+        model.inputs.iter().map(|input| {
+            let ([x, y, z], unit) = (input.value, &input.unit_text);
+            let frame = &model.frames[input.frame].name;
+            let doc = first(&input.doc);
+            format!("{} = ({x}, {y}, {z}) {unit} in {frame}   {doc}", input.name)
+        }),
+    )?;
+    section(out, "tables", model.tables.iter().map(table))?;
     equations(out, model)?;
     observation(out, model)?;
-    limits(out, model)?;
-    singularities(out, model)?;
+    section(
+        out,
+        "limits",
+        model.limits.iter().map(|limit| {
+            let text = if model.is_automatic(limit) {
+                automatic(model, limit)
+            } else {
+                model.text(limit.value.span)
+            };
+            let bound = with_unit(limit.bound, &limit.value.unit.tidy().to_string());
+            format!("{text} > {bound}   {}", limit.reason)
+        }),
+    )?;
+    // The points are in the order of their spans, so that each text is read once.
+    let mut read = vec![(0, 1); model.sources.len()];
+    let points = singular_points(model);
+    let points = points.iter().map(|point| {
+        let (text, what) = (&point.text, &point.what);
+        let index = usize::from(point.span.source);
+        let Some(source) = model.sources.get(index) else {
+            return format!("line 1: {text} is {what}");
+        };
+        let (from, line) = &mut read[index];
+        let start = point.span.range().start.max(*from);
+        *line += line_of(&source.text[*from..], start - *from) - 1;
+        *from = start;
+        let file = match index {
+            0 => String::new(),
+            _ => format!("{}, ", source.name),
+        };
+        format!("{file}line {line}: {text} is {what}")
+    });
+    section(out, "singular points", points)?;
     if !model.checks.is_empty() {
         writeln!(out, "\nchecks in the file: {}", model.checks.len())?;
     }
-    if !model.offers.is_empty() {
-        writeln!(out, "\neffects that can be switched on")?;
-        for offer in &model.offers {
-            writeln!(out, "  {}   {}", offer.name, first(&offer.doc))?;
-        }
-    }
+    let offers = model.offers.iter();
+    let offers = offers.map(|offer| format!("{}   {}", offer.name, first(&offer.doc)));
+    section(out, "effects that can be switched on", offers)?;
     effects(out, model)
 }
 
-fn inputs(out: &mut String, model: &Model) -> std::fmt::Result {
-    if !model.inputs.is_empty() {
-        writeln!(out, "\ninputs")?;
-        for input in &model.inputs {
-            let [x, y, z] = input.value;
-            let frame = &model.frames[input.frame].name;
-            writeln!(
-                out,
-                "  {} = ({x}, {y}, {z}) {} in {frame}   {}",
-                input.name,
-                input.unit_text,
-                first(&input.doc)
-            )?;
-        }
+/// Writes a title and indented lines; nothing if there are no lines.
+fn section(out: &mut String, title: &str, lines: impl Iterator<Item = String>) -> std::fmt::Result {
+    let mut lines = lines.peekable();
+    if lines.peek().is_some() {
+        writeln!(out, "\n{title}")?;
     }
-    Ok(())
+    lines.try_for_each(|line| writeln!(out, "  {line}"))
 }
 
-/// Writes the loads of the body, or what is claimed of equations that are stated outright.
 fn equations(out: &mut String, model: &Model) -> std::fmt::Result {
     let kind = |is_rigid: bool| if is_rigid { "rigid body" } else { "point" };
     if let Some(body) = &model.body {
@@ -102,7 +139,6 @@ fn equations(out: &mut String, model: &Model) -> std::fmt::Result {
     Ok(())
 }
 
-/// Writes what is observed, and the rate of its clock.
 fn observation(out: &mut String, model: &Model) -> std::fmt::Result {
     if let (Some(observation), Some(marker)) = (&model.observation, &model.marker) {
         let frame = &model.frames[marker.frame].name;
@@ -114,41 +150,6 @@ fn observation(out: &mut String, model: &Model) -> std::fmt::Result {
     if let Some(clock) = &model.clock {
         let text = model.text(clock.value.span);
         writeln!(out, "\nseconds of flight per second of the clock: {text}")?;
-    }
-    Ok(())
-}
-
-fn limits(out: &mut String, model: &Model) -> std::fmt::Result {
-    if !model.limits.is_empty() {
-        writeln!(out, "\nlimits")?;
-        for limit in &model.limits {
-            let text = if model.is_automatic(limit) {
-                automatic(model, limit)
-            } else {
-                model.text(limit.value.span)
-            };
-            let bound = with_unit(limit.bound, &limit.value.unit.tidy().to_string());
-            writeln!(out, "  {text} > {bound}   {}", limit.reason)?;
-        }
-    }
-    Ok(())
-}
-
-fn singularities(out: &mut String, model: &Model) -> std::fmt::Result {
-    let points = singular_points(model);
-    if !points.is_empty() {
-        writeln!(out, "\nsingular points")?;
-        let sources = model.sources.iter();
-        let lines: Vec<LineStarts> = sources.map(|s| LineStarts::new(&s.text)).collect();
-        for point in points {
-            let source = lines.get(usize::from(point.span.source));
-            let line = source.map_or(1, |lines| lines.line(point.span.start));
-            let file = match model.sources.get(usize::from(point.span.source)) {
-                Some(source) if point.span.source > 0 => format!("{}, ", source.name),
-                _ => String::new(),
-            };
-            writeln!(out, "  {file}line {line}: {} is {}", point.text, point.what)?;
-        }
     }
     Ok(())
 }
@@ -173,7 +174,6 @@ fn effects(out: &mut String, model: &Model) -> std::fmt::Result {
     Ok(())
 }
 
-/// Writes a line about a coefficient or state of an effect.
 fn unknown(out: &mut String, what: &str, unknown: &EffectUnknown, unit: &str) -> std::fmt::Result {
     let value = |value: f64| with_unit(value, unit);
     write!(out, "  {what} vanishes at {}", value(unknown.null_value))?;
@@ -183,37 +183,26 @@ fn unknown(out: &mut String, what: &str, unknown: &EffectUnknown, unit: &str) ->
     writeln!(out)
 }
 
-fn tables(out: &mut String, model: &Model) -> std::fmt::Result {
-    if model.tables.is_empty() {
-        return Ok(());
-    }
-    writeln!(out, "\ntables")?;
-    for table in &model.tables {
-        let [of_argument, of_value] = &table.unit_texts;
-        let argument = |knot: Option<&(f64, f64)>| knot.map_or(0.0, |knot| knot.0);
-        let (first_knot, last_knot) = (table.knots.first(), table.knots.last());
-        let way = match table.interpolation {
-            Interpolation::Spline => "spline",
-            Interpolation::Monotone => "monotone",
-        };
-        let beyond = match table.continuation {
-            Continuation::Linear => "linear",
-            Continuation::Constant => "constant",
-        };
-        write!(out, "  {}({})", table.name, table.argument)?;
-        if of_value != "1" {
-            write!(out, " in {of_value}")?;
-        }
-        writeln!(
-            out,
-            ", {} knots from {} to {}, {way}, {beyond} beyond   {}",
-            table.knots.len(),
-            with_unit(argument(first_knot), of_argument),
-            with_unit(argument(last_knot), of_argument),
-            first(&table.doc)
-        )?;
-    }
-    Ok(())
+fn table(table: &Table) -> String {
+    let [of_argument, of_value] = &table.unit_texts;
+    let argument =
+        |knot: Option<&(f64, f64)>| with_unit(knot.map_or(0.0, |knot| knot.0), of_argument);
+    let (from, to) = (argument(table.knots.first()), argument(table.knots.last()));
+    let way = match table.interpolation {
+        Interpolation::Spline => "spline",
+        Interpolation::Monotone => "monotone",
+    };
+    let beyond = match table.continuation {
+        Continuation::Linear => "linear",
+        Continuation::Constant => "constant",
+    };
+    let unit = match of_value.as_str() {
+        "1" => String::new(),
+        unit => format!(" in {unit}"),
+    };
+    let (name, x, count) = (&table.name, &table.argument, table.knots.len());
+    let doc = first(&table.doc);
+    format!("{name}({x}){unit}, {count} knots from {from} to {to}, {way}, {beyond} beyond   {doc}")
 }
 
 /// Text of a limit that avoids gimbal lock, such as `cos(theta)`.
@@ -249,44 +238,24 @@ pub fn with_unit(value: f64, unit: &str) -> String {
     }
 }
 
-fn states(out: &mut String, model: &Model) -> std::fmt::Result {
-    writeln!(out, "\nstates")?;
-    let width = model.states.iter().map(|s| s.name.len()).max().unwrap_or(0);
-    for state in &model.states {
-        writeln!(out, "  {:width$}  {}", state.name, state.unit_text)?;
-    }
-    Ok(())
-}
-
-fn frames(out: &mut String, model: &Model) -> std::fmt::Result {
-    writeln!(out, "\nframes")?;
-    for frame in model.tree.frames() {
-        let (name, kind) = (&frame.name.text, frame.kind.to_string());
-        let kind = kind.strip_prefix(" = ").unwrap_or("inertial, axis 3 up");
-        writeln!(out, "  {name}: {kind}")?;
-    }
-    Ok(())
-}
-
 fn constants(out: &mut String, title: &str, constants: &[Parameter]) -> std::fmt::Result {
-    if constants.is_empty() {
-        return Ok(());
-    }
-    writeln!(out, "\n{title}")?;
     let width = constants.iter().map(|c| c.name.len()).max().unwrap_or(0);
-    for c in constants {
-        let mut value = with_unit(c.value, &c.unit_text);
-        if c.inferred {
-            value += if c.unit_text == "1" {
-                " (inferred: pure number)"
-            } else {
-                " (unit inferred)"
-            };
-        }
-        if let Some((least, greatest)) = c.bounds {
-            value += &format!(" in {least} .. {greatest}");
-        }
-        writeln!(out, "  {:width$} = {value:36} {}", c.name, first(&c.doc))?;
-    }
-    Ok(())
+    section(
+        out,
+        title,
+        constants.iter().map(|c| {
+            let mut value = with_unit(c.value, &c.unit_text);
+            if c.inferred {
+                value += if c.unit_text == "1" {
+                    " (inferred: pure number)"
+                } else {
+                    " (unit inferred)"
+                };
+            }
+            if let Some((least, greatest)) = c.bounds {
+                value += &format!(" in {least} .. {greatest}");
+            }
+            format!("{:width$} = {value:36} {}", c.name, first(&c.doc))
+        }),
+    )
 }

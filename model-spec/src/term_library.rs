@@ -34,13 +34,13 @@ use std::sync::{Arc, LazyLock};
 use serde::Deserialize;
 use thiserror::Error;
 
-use crate::compose::{Binding, EffectTree, ModelTree};
-use crate::error::LoadError;
+use crate::compose::{EffectTree, ModelTree};
 use crate::index::IndexVec;
 use crate::index_type;
-use crate::library::TERM_LIBRARIES;
+use crate::location::Span;
 use crate::model::Model;
-use crate::source::Span;
+use crate::read::LoadError;
+use crate::read::TERM_LIBRARIES;
 use crate::syntax::ast::{
     BinaryOp, Effect, EffectPart, Expr, ExprKind, Item, ItemKind, Name, Parameter, ParameterClass,
     Quantity, UnitExpr,
@@ -188,19 +188,15 @@ impl TermLibrary {
     /// Returns the first library that fits a model, or one generated for it, and the model with its
     /// [`TermLibrary::loads`]. `None` if no equation can take a term.
     pub fn for_model(model: &Model) -> Option<(Arc<TermLibrary>, ModelTree)> {
-        let (tree, binding) = (ModelTree::of(model), Binding::new(model));
+        let tree = ModelTree::of(model);
         let with_loads = |library: &TermLibrary| {
             let with_loads = tree.with(&library.loads).ok()?;
             with_loads.check().ok()?;
             Some(with_loads)
         };
         let mut built_in = TermLibrary::built_in().iter();
-        let fitting = built_in.find_map(|library| {
-            if binding.unmet(&library.loads).is_some() {
-                return None;
-            }
-            Some((Arc::clone(library), with_loads(library)?))
-        });
+        let fitting =
+            built_in.find_map(|library| Some((Arc::clone(library), with_loads(library)?)));
         fitting.or_else(|| {
             let file = generated::library(model)?;
             let library = TermLibrary::new("generated terms", file).ok()?;
@@ -399,7 +395,6 @@ fn powers(variables: &[VariableId]) -> Vec<Factor> {
     .collect()
 }
 
-/// Copy of a statement of [`Channel::template`] with its placeholders filled.
 fn filled(part: &EffectPart, name: &str, term: &Expr) -> EffectPart {
     let mut part = part.clone();
     if let EffectPart::Replace(item) | EffectPart::Add(item) = &mut part {
@@ -453,7 +448,6 @@ fn name_of(text: &str) -> Name {
     Name::new(text, Span::default())
 }
 
-/// Creates the statement `coefficient NAME = 0 [1];`, which declares a dimensionless coefficient.
 fn declaration(name: &str) -> Item {
     let span = Span::default();
     let one = UnitExpr {

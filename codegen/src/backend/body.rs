@@ -1,7 +1,6 @@
 //! Language-independent function bodies: variables, loads, statements, stores and comments in order.
 
 mod variables;
-mod width;
 
 use crate::compile::Compiled;
 use crate::program::{Function, Op, Operand};
@@ -9,31 +8,21 @@ use crate::schedule::pairs::sin_cos_pairs;
 use std::collections::{HashMap, HashSet};
 pub(crate) use variables::Variables;
 
-/// One line of the body of a generated function.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Step {
     /// Comment that quotes a source line of the model, by index into `Lowered::provenance`.
     Source(usize),
-    /// Loads an element of an input array into its local variable; the operand identifies the array and the element.
     Load(Operand),
-    /// Assigns the result of the program statement with this index to its local variable.
     Let(usize),
-    /// Assigns sine and cosine of one angle to their local variables.
     SinCos {
-        /// Index of the program statement that computes the sine.
         sin: usize,
-        /// Index of the program statement that computes the cosine.
         cos: usize,
         /// Operand whose value is the angle, rad.
         angle: Operand,
     },
-    /// Stores an output of the program to an output array element.
     Store {
-        /// Index of the output among all outputs of the function.
         output: usize,
-        /// Index of the output section, and of its array.
         section: usize,
-        /// Index of the element within the output array.
         element: usize,
     },
     /// Blank line between the computed statements and the stores of outputs that are constants or inputs.
@@ -68,7 +57,6 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// Returns the operation of the program statement with the index `statement`.
     pub fn op(&self, statement: usize) -> &'a Op {
         &self.function.program.statements[statement].op
     }
@@ -89,7 +77,6 @@ impl<'a> Body<'a> {
         line
     }
 
-    /// Whether the function reads the input argument `input`.
     pub fn reads(&self, input: Input) -> bool {
         self.function
             .program
@@ -98,7 +85,6 @@ impl<'a> Body<'a> {
     }
 }
 
-/// Input argument of a generated function: the time, or one of the input arrays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Input {
     Time,
@@ -121,7 +107,6 @@ impl Input {
         }
     }
 
-    /// Name of the argument in generated code of any language.
     pub fn name(self) -> &'static str {
         match self {
             Input::Time => "time",
@@ -206,8 +191,8 @@ impl<'a> Planner<'a> {
             }
         } else if !computed[k] {
             self.load_operands(k);
-            if let Some(about) = &statement.about {
-                self.quote(about.origin);
+            if let Some(about) = statement.about {
+                self.quote(about);
             }
             match (self.pairs.get(&k).copied(), statement.op) {
                 (Some((sin, cos)), Op::Unary(_, angle))

@@ -236,7 +236,8 @@ for (int i = 0; i < {total}; i++) printf(\"%.17g\\n\", y[i]); return 0; }}\n",
     let [dx, j, jp] = expected.as_mut_slice() else {
         panic!("three sections")
     };
-    tape.f_jac_par(at, &mut Scratch::default(), dx, j, jp);
+    tape.f_jac_par
+        .eval(at, &[], &mut Scratch::default(), &mut [dx, j, jp]);
     let expected = expected.concat();
     assert_eq!(expected.len(), found.len());
     for (a, b) in expected.iter().zip(&found) {

@@ -12,11 +12,9 @@ use std::ops::Range;
 pub(super) struct Differentiable {
     roots: Vec<NodeId>,
     edges: LinearizedGraph,
-    /// Indices of the local symbols that represent shared subexpressions.
     locals: Range<usize>,
 }
 
-/// SSA definitions of model outputs and of their Jacobians, ready to be scheduled as the statements of a function.
 struct Jacobians {
     ssa: Ssa,
     sections: Vec<Section>,
@@ -44,7 +42,6 @@ impl Compiler {
         (Some(motion), Some(observed))
     }
 
-    /// Replaces the fixed parameters by their values in the lowered model and in the linearized graphs `all`.
     fn specialize(&mut self, all: &mut [&mut Differentiable]) {
         let mut wanted = self.lowered.nodes();
         for one in all.iter() {
@@ -211,7 +208,6 @@ impl Differentiable {
 }
 
 impl Jacobians {
-    /// Returns a copy that contains only the first `sections` output vectors and matrices.
     fn first_sections(&self, sections: usize) -> Jacobians {
         let sections = self.sections[..sections].to_vec();
         let mut ssa = self.ssa.clone();

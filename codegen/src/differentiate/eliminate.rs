@@ -7,7 +7,6 @@
 use super::linearized::{LinearizedGraph, Vertex, add_edge};
 use crate::graph::{ExprGraph, Node, NodeId};
 
-/// Greedy rule that selects the next vertex of the linearized computational graph to eliminate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum EliminationOrder {
     /// The vertex with the fewest added products less removed edges (variant of the Markowitz rule).
@@ -21,15 +20,12 @@ pub(crate) enum EliminationOrder {
 pub(crate) struct Jacobian {
     /// (row, column) of each entry, ordered by row.
     pub pattern: Vec<(u32, u32)>,
-    /// Expression of each entry, in the order of the pattern.
     pub entries: Vec<NodeId>,
 }
 
-/// Maximum total length, in characters, of the two names in the name of a derivative.
 const MAX_NAMES_LEN: usize = 30;
 
 impl LinearizedGraph {
-    /// Jacobian of the results with respect to the symbols, by eliminating inner vertices.
     pub fn eliminate_vertices(self, graph: &mut ExprGraph, order: EliminationOrder) -> Jacobian {
         let LinearizedGraph {
             mut vertices,

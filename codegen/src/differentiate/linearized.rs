@@ -1,7 +1,10 @@
 //! Linearized computational graph: vertices are values other than sums and products.
 
 use super::partials;
-use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol};
+use crate::functions::BinaryFunction;
+use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol, ValueFacts};
+use crate::schedule::Namer;
+use crate::ssa::{Ssa, SsaDef};
 
 /// Vertex of the linearized computational graph: a result, an independent symbol, or an intermediate value.
 #[derive(Clone, Debug)]
@@ -15,7 +18,6 @@ pub(super) struct Vertex {
     pub up: Vec<usize>,
 }
 
-/// Linearized computational graph, with the partial derivatives on its edges.
 #[derive(Clone, Debug)]
 pub(crate) struct LinearizedGraph {
     /// All vertices of the graph; the vertices of the results come first, in row order.
@@ -67,13 +69,11 @@ impl LinearizedGraph {
         linearized
     }
 
-    /// Returns the partial derivatives on all edges, vertex by vertex.
     pub fn partials(&self) -> Vec<NodeId> {
         let edges = self.vertices.iter().flat_map(|vertex| &vertex.down);
         edges.map(|&(_, partial)| partial).collect()
     }
 
-    /// Replaces all partial derivatives, vertex by vertex, and removes the edges with 0.
     pub fn set_partials(&mut self, graph: &ExprGraph, partials: &[NodeId]) {
         let mut next = partials.iter().copied();
         self.retain_edges(|_, partial| {
@@ -82,7 +82,6 @@ impl LinearizedGraph {
         });
     }
 
-    /// Restricts the graph to the first `columns` symbols.
     pub fn towards_first(mut self, columns: usize) -> LinearizedGraph {
         let beyond: Vec<bool> = self
             .vertices
@@ -181,7 +180,6 @@ fn attach(
     }
 }
 
-/// Returns the operand vertices of a vertex, each with the partial derivative with respect to that operand.
 fn partials_of_vertex(graph: &mut ExprGraph, node: NodeId) -> Vec<(NodeId, NodeId)> {
     if let Node::Symbol(Symbol::Local(k)) = graph.node(node) {
         let definition = graph.definition(*k);
@@ -216,5 +214,61 @@ pub(super) fn add_edge(
             vertices[from].down.push((to, partial));
             vertices[to].up.push(from);
         }
+    }
+}
+
+/// Graph nodes of the roots of `ssa`, whose sums and shared products become named local symbols.
+pub(crate) fn share_values(ssa: &Ssa, graph: &mut ExprGraph, namer: &mut Namer) -> Vec<NodeId> {
+    let uses = ssa.uses();
+    let order = ssa.order();
+    let mut rooted = ssa.side_table(false);
+    for &id in &order {
+        if let SsaDef::Root(x) = ssa.defs[id] {
+            rooted[x] = true;
+        }
+    }
+    // Operands precede their users, so these placeholder zeros are never read.
+    let zero = graph.whole(0);
+    let mut nodes = ssa.side_table(zero);
+    for id in order {
+        let value = ssa.expression(id, graph, &|operand| nodes[operand]);
+        let facts = ssa.facts[id];
+        let node = match &ssa.defs[id] {
+            SsaDef::Sum(_) => share_sum(graph, value, facts, rooted[id]),
+            SsaDef::Product(_) if uses[id] > 1 => graph.local(facts, value),
+            _ => value,
+        };
+        // The names of derivatives are formed from these vertex names.
+        let vertex = match graph.node(node) {
+            Node::Symbol(Symbol::Local(_))
+            | Node::Call(..)
+            | Node::Call2(BinaryFunction::Atan2, ..) => true,
+            Node::Product(_) => rooted[id],
+            _ => false,
+        };
+        if vertex || namer.has_own_name(ssa, graph, id) {
+            let name = namer.name(ssa, graph, id);
+            graph.name(node, name);
+        }
+        nodes[id] = node;
+    }
+    let roots = ssa.roots.iter();
+    let roots = roots.map(|&(minus, id)| {
+        if minus {
+            graph.neg(nodes[id])
+        } else {
+            nodes[id]
+        }
+    });
+    roots.collect()
+}
+
+/// Local symbol of a sum, or the square of that of its square root if `rooted`.
+fn share_sum(graph: &mut ExprGraph, sum: NodeId, facts: ValueFacts, rooted: bool) -> NodeId {
+    if rooted && matches!(graph.node(sum), Node::Sum(..)) {
+        let root = graph.local_root(facts, sum);
+        graph.power(root, 4)
+    } else {
+        graph.local(facts, sum)
     }
 }

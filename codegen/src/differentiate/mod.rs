@@ -3,8 +3,6 @@
 mod eliminate;
 mod linearized;
 pub(crate) mod partials;
-mod vertices;
 
 pub(crate) use eliminate::{EliminationOrder, Jacobian};
-pub(crate) use linearized::LinearizedGraph;
-pub(crate) use vertices::share_values;
+pub(crate) use linearized::{LinearizedGraph, share_values};

@@ -4,7 +4,6 @@ use crate::functions::{BinaryFunction, Derivative, MathFunction};
 use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol};
 use crate::number::Number;
 
-/// Derivative of an elementary function at the argument `x`; `value` is the node of `function(x)`.
 fn of_call(graph: &mut ExprGraph, function: MathFunction, x: NodeId, value: NodeId) -> NodeId {
     match function.derivative() {
         Derivative::Zero => graph.whole(0),
@@ -31,7 +30,6 @@ fn of_call(graph: &mut ExprGraph, function: MathFunction, x: NodeId, value: Node
     }
 }
 
-/// Node of `1 - x²`.
 fn one_minus_square(graph: &mut ExprGraph, x: NodeId) -> NodeId {
     let square = graph.power(x, 4);
     graph.sum(vec![(Number::MINUS_ONE, square)], Number::ONE)
@@ -127,7 +125,6 @@ fn collect(
     }
 }
 
-/// Total derivative of an expression with respect to one symbol.
 pub(crate) fn total(graph: &mut ExprGraph, id: NodeId, by: Symbol) -> NodeId {
     let mut known = FastMap::default();
     total_of(graph, id, by, &mut known)

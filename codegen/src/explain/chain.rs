@@ -9,7 +9,6 @@ use crate::layout::Layout;
 use crate::number::Number;
 use model_spec::model::Model;
 
-/// LaTeX formulas `left = right` of a quantity and of its derivative.
 pub(super) struct Formulas {
     pub values: Vec<String>,
     pub derivatives: Vec<String>,
@@ -21,7 +20,7 @@ pub(super) fn formulas(
     found: &FoundQuantity,
     by: Option<(Symbol, &str)>,
 ) -> Formulas {
-    let mut cut = Cut::new(model, &found.compiled.lowered.graph, &found.nodes);
+    let mut cut = Cut::new(model, &found.compiler.lowered.graph, &found.nodes);
     let mut roots = cut.roots.clone();
     for root in &mut roots {
         *root = cut.inside(*root);
@@ -69,7 +68,6 @@ fn fraction(above: &str, below: &str) -> String {
     format!(r"\frac{{\partial {above}}}{{\partial {below}}}")
 }
 
-/// Maximum size, in nodes, of a formula that repeats subexpressions.
 const MAX_FORMULA: u64 = 2_000;
 
 /// Minimum size, in nodes, of a repeated subexpression with a name of its own.
@@ -178,7 +176,6 @@ impl Cut {
         roots.iter().map(|root| images[root]).collect()
     }
 
-    /// Names the repeated subexpressions of a formula beyond [`MAX_FORMULA`] nodes.
     pub fn share_repeated(&mut self, root: NodeId) -> NodeId {
         let order = self.graph.reachable(&[root]);
         let mut uses: FastMap<NodeId, u32> = FastMap::default();
@@ -216,7 +213,6 @@ impl Cut {
         images[&root]
     }
 
-    /// Number of nodes of an expression tree, from those of its operands.
     fn tree_size(&self, id: NodeId, sizes: &FastMap<NodeId, u64>) -> u64 {
         let mut size = 1_u64;
         self.graph

@@ -1,16 +1,14 @@
 //! Generated code of a single quantity or derivative, by the compiler stages that also compile whole models.
 
 use super::find::FoundQuantity;
-use crate::compile::{Compiled, dense};
+use crate::compile::{Compiled, Compiler, dense};
 use crate::count::{Count, count};
 use crate::differentiate::{EliminationOrder, LinearizedGraph, share_values};
-use crate::graph::{ExprGraph, Symbol};
+use crate::graph::Symbol;
 use crate::program::Function;
 use crate::rust;
-use crate::schedule::{Hoisted, Namer, schedule};
-use crate::ssa::{Ssa, build};
+use crate::ssa::Ssa;
 
-/// Generated code of a quantity or derivative, with operation counts.
 pub(super) struct GeneratedCode {
     pub once: String,
     pub code: String,
@@ -24,54 +22,22 @@ pub(super) struct GeneratedCode {
     pub rows: Vec<u32>,
 }
 
-/// Generates the code of a quantity, or of its derivative with respect to `by`.
 pub(super) fn generate(found: &FoundQuantity, by: Option<(Symbol, &str)>) -> GeneratedCode {
-    let mut compiled = found.compiled.clone();
-    let quantities = compiled.lowered.provenance.iter();
-    let quantities: Vec<String> = quantities.map(|p| p.name.clone()).collect();
-    let graph = &mut compiled.lowered.graph;
-    let layout = &mut compiled.layout;
-    let mut namer = Namer::new(&layout.states, &layout.parameters, &quantities);
-    namer.reserve(&layout.marker);
-    let mut ssa = build(graph, &found.nodes);
-    ssa.optimise();
-    let (ssa, names, rows) = match by {
-        None => {
-            let rows = (0..found.nodes.len() as u32).collect();
-            (ssa, found.names.clone(), rows)
-        }
-        Some(by) => derivative(&ssa, graph, namer.clone(), &found.names, by),
-    };
-    let mut hoisted = Hoisted::new(&layout.parameters);
-    let program = schedule(&ssa, graph, &mut namer, Some(&mut hoisted), &names);
-    compiled.prepared = hoisted.names().to_vec();
-    compiled.prepare = Function {
-        name: "prepare",
-        program: hoisted.program(graph),
-        sections: vec![dense("prepared", compiled.prepared.len())],
-        results: compiled.prepared.clone(),
-    };
-    layout.quantities = names.clone();
-    compiled.quantities = Function {
-        name: "quantities",
-        program,
-        sections: vec![dense("q", rows.len())],
-        results: names,
-    };
-    // The programs of the other functions refer to invariants that this `prepare` does not compute.
-    for other in [
-        &mut compiled.f,
-        &mut compiled.f_jac,
-        &mut compiled.f_jac_par,
-        &mut compiled.observe,
-        &mut compiled.observe_jac,
-        &mut compiled.limits,
-    ] {
-        *other = Function {
-            name: other.name,
-            ..Function::default()
-        };
+    let mut compiler = found.compiler.clone();
+    let mut ssa = compiler.optimised(&found.nodes);
+    let mut names = found.names.clone();
+    let mut rows: Vec<u32> = (0..found.nodes.len() as u32).collect();
+    if let Some((symbol, wrt)) = by {
+        (ssa, rows) = derivative(&mut compiler, &ssa, &names, symbol, wrt);
+        let name = |&row: &u32| format!("d_{}_d_{wrt}", names[row as usize]);
+        names = rows.iter().map(name).collect();
     }
+    compiler.lowered.layout.quantities = names;
+    let quantities = compiler.scheduled("quantities", &ssa, vec![dense("q", rows.len())]);
+    let compiled = Compiled {
+        quantities,
+        ..compiler.prepared(&found.label)
+    };
     let body = |function: &Function, array: &str, outputs: &[String]| {
         statements(&rust::function_file(&compiled, function), array, outputs)
     };
@@ -85,26 +51,24 @@ pub(super) fn generate(found: &FoundQuantity, by: Option<(Symbol, &str)>) -> Gen
     }
 }
 
-/// Derivatives of a quantity's components that are not 0, with names and components.
+/// Derivatives of the roots of `ssa`, named `names`, that are not 0, and the components to which they belong.
 fn derivative(
+    compiler: &mut Compiler,
     ssa: &Ssa,
-    graph: &mut ExprGraph,
-    mut namer: Namer,
-    rows: &[String],
-    (symbol, wrt): (Symbol, &str),
-) -> (Ssa, Vec<String>, Vec<u32>) {
+    names: &[String],
+    symbol: Symbol,
+    wrt: &str,
+) -> (Ssa, Vec<u32>) {
+    let mut namer = compiler.namer();
+    let graph = &mut compiler.lowered.graph;
     let first = graph.local_count();
     let jacobian = graph.scope(first..first, |graph| {
         let roots = share_values(ssa, graph, &mut namer);
-        let linearized = LinearizedGraph::new(graph, &roots, rows, &[symbol], &[wrt.to_string()]);
+        let linearized = LinearizedGraph::new(graph, &roots, names, &[symbol], &[wrt.to_string()]);
         linearized.eliminate_vertices(graph, EliminationOrder::FewestEdges)
     });
-    let mut ssa = build(graph, &jacobian.entries);
-    ssa.optimise();
-    let of: Vec<u32> = jacobian.pattern.iter().map(|&(row, _)| row).collect();
-    let name = |&row: &u32| format!("d_{}_d_{wrt}", rows[row as usize]);
-    let names = of.iter().map(name).collect();
-    (ssa, names, of)
+    let rows = jacobian.pattern.iter().map(|&(row, _)| row).collect();
+    (compiler.optimised(&jacobian.entries), rows)
 }
 
 /// Statements of a generated function, without loads, with assignments for stores to `array`.
@@ -134,7 +98,6 @@ fn statements(text: &str, array: &str, outputs: &[String]) -> String {
     body.join("\n").trim_matches('\n').to_string()
 }
 
-/// Whether a line loads an input element: `let u = state[3];`.
 fn is_load(line: &str) -> bool {
     ["state[", "parameters[", "prepared[", "marker["]
         .iter()

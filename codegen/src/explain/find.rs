@@ -1,14 +1,13 @@
 //! Resolution of quantity names to expression graph nodes and source locations.
 
-use super::error::{ExplainError, nearest};
-use crate::compile::{Compiled, Selection, compile_for};
+use crate::compile::{Compiler, Selection};
 use crate::graph::{NodeId, Symbol};
 use crate::latex;
 use crate::layout::{Layout, is_of_observation};
-use crate::lower::lower;
 use model_spec::diagnostic::Span;
 use model_spec::location::line_of;
 use model_spec::model::{AuxVariable, Load, Model};
+use model_spec::nearest_name;
 
 /// Quantity found by name: label, source location, formula, and the names and graph nodes of its components.
 pub(super) struct FoundQuantity {
@@ -18,15 +17,12 @@ pub(super) struct FoundQuantity {
     pub doc: String,
     /// LaTeX formula of the definition; `None` if the model does not define the quantity by one expression.
     pub latex: Option<String>,
-    /// Name of each component of the quantity in generated code.
     pub names: Vec<String>,
-    /// LaTeX name of each component of the quantity.
     pub symbols: Vec<String>,
     pub nodes: Vec<NodeId>,
-    pub compiled: Compiled,
+    pub compiler: Compiler,
 }
 
-/// Kind of quantity to which a requested name refers.
 enum Meaning<'a> {
     Let(&'a AuxVariable),
     Component(&'a AuxVariable, String),
@@ -53,10 +49,8 @@ pub(super) fn quantity(model: &Model, wanted: &str) -> Result<FoundQuantity, Exp
             ..AuxVariable::new(prefix.clone(), load.value.clone())
         });
     }
-    let mut compiled = compile_for(&changed, &Selection::Only(Vec::new()));
-    // Formulas use the model's expressions only, not nodes added by differentiation.
-    compiled.lowered = lower(&changed);
-    let lowered = &compiled.lowered;
+    let compiler = Compiler::new(&changed, &Selection::Only(Vec::new()));
+    let lowered = &compiler.lowered;
     let of_let = |name: &str| {
         let mut start = 0;
         let of_marker = is_of_observation(&changed);
@@ -110,7 +104,7 @@ pub(super) fn quantity(model: &Model, wanted: &str) -> Result<FoundQuantity, Exp
         names,
         symbols,
         nodes,
-        compiled,
+        compiler,
     })
 }
 
@@ -186,7 +180,6 @@ pub(super) fn symbol(model: &Model, wanted: &str) -> Result<Symbol, ExplainError
     })
 }
 
-/// LaTeX name of a quantity; components of loads are written F and M.
 pub(super) fn symbol_of(model: &Model, name: &str) -> String {
     for (loads, kind, letter) in [
         (&model.forces, "force_", "F"),
@@ -221,7 +214,6 @@ fn rate_place(model: &Model, state: usize) -> (Span, Span, String) {
     (span, end, String::new())
 }
 
-/// Location `file:line` of the span `from`, and the source lines from the start of `from` to the end of `to`.
 fn source(model: &Model, from: Span, to: Span) -> (String, String) {
     let Some(source) = model.sources.get(usize::from(from.source)) else {
         return (model.name.clone(), String::new());
@@ -237,4 +229,61 @@ fn source(model: &Model, from: Span, to: Span) -> (String, String) {
     let lines: Vec<&str> = lines.collect();
     let file = source.name.rsplit('/').next().unwrap_or(&source.name);
     (format!("{file}:{first}"), lines.join("\n"))
+}
+
+/// Reason why a quantity or derivative cannot be explained.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ExplainError {
+    /// No quantity has the requested name.
+    #[error(
+        "there is no quantity `{wanted}`{}\nthere are: {}",
+        suggestion(nearest.as_ref()), known.join(", ")
+    )]
+    Quantity {
+        /// Name that the caller requested.
+        wanted: String,
+        /// Name of the quantity whose name is most similar to `wanted`; `None` if no quantity has a similar name.
+        nearest: Option<String>,
+        /// Names of all quantities of the model for which formulas and generated code can be shown.
+        known: Vec<String>,
+    },
+    /// No symbol of this name, with respect to which to differentiate.
+    #[error(
+        "there is no state, parameter, coefficient or component of an input `{wanted}`{}\nthere are: {}",
+        suggestion(nearest.as_ref()), known.join(", ")
+    )]
+    Wrt {
+        /// Name that the caller requested.
+        wanted: String,
+        /// Name of the symbol whose name is most similar to `wanted`; `None` if no symbol has a similar name.
+        nearest: Option<String>,
+        /// Names of all symbols of the model with respect to which a quantity can be differentiated.
+        known: Vec<String>,
+    },
+    /// Both a force and a moment have the requested name.
+    #[error(
+        "a force and a moment are called `{wanted}`: write `force {wanted}` or `moment {wanted}`"
+    )]
+    Ambiguous {
+        /// Name that the caller requested.
+        wanted: String,
+    },
+}
+
+fn suggestion(nearest: Option<&String>) -> String {
+    nearest.map_or_else(String::new, |name| format!("; did you mean `{name}`?"))
+}
+
+/// Name most similar to `wanted`: one that contains it as a load, derivative or beginning, else the nearest by edits.
+fn nearest(wanted: &str, known: &[String]) -> Option<String> {
+    let part = |name: &&String| {
+        let starts = wanted.len() >= 3 && name.starts_with(wanted);
+        starts || name.ends_with(&format!(" {wanted}")) || **name == format!("der({wanted})")
+    };
+    let near = || nearest_name(wanted, known.iter().map(String::as_str));
+    known
+        .iter()
+        .find(part)
+        .cloned()
+        .or_else(|| near().map(str::to_owned))
 }

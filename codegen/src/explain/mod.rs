@@ -5,12 +5,11 @@
 
 mod chain;
 mod code;
-mod error;
 mod find;
 #[cfg(test)]
 mod tests;
 
-pub use error::ExplainError;
+pub use find::ExplainError;
 
 use crate::count::Count;
 use model_spec::model::Model;

@@ -34,7 +34,8 @@ fn values(tape: &TapeModel, count: usize, x: &[f64], p: &[f64]) -> Vec<f64> {
         prepared: &prepared,
     };
     let mut q = vec![0.0; count];
-    tape.quantities(at, &mut Scratch::default(), &mut q);
+    tape.quantities
+        .eval(at, &[], &mut Scratch::default(), &mut [&mut q]);
     q
 }
 
@@ -125,7 +126,7 @@ fn written(
     x: &[f64],
     p: &[f64],
 ) -> Vec<f64> {
-    let mut cut = chain::Cut::new(model, &found.compiled.lowered.graph, &found.nodes);
+    let mut cut = chain::Cut::new(model, &found.compiler.lowered.graph, &found.nodes);
     cut.by = symbol;
     let roots = cut.roots.clone();
     let nodes: Vec<_> = roots
@@ -135,13 +136,13 @@ fn written(
             cut.derivative(inside)
         })
         .collect();
-    let mut compiled = found.compiled.clone();
-    compiled.lowered.graph = cut.graph;
+    let mut compiler = found.compiler.clone();
+    compiler.lowered.graph = cut.graph;
     let names = found.names.clone();
     let found = find::FoundQuantity {
         nodes,
         names,
-        compiled,
+        compiler,
         label: String::new(),
         place: String::new(),
         line: String::new(),

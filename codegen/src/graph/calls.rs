@@ -83,7 +83,6 @@ impl ExprGraph {
         self.intern(Node::Call(function, if scaled { rest } else { x }))
     }
 
-    /// Node of `a² + b²`.
     fn squares(&mut self, a: NodeId, b: NodeId) -> NodeId {
         let (a, b) = (self.power(a, 4), self.power(b, 4));
         self.add(a, b)

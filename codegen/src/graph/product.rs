@@ -260,7 +260,6 @@ impl ExprGraph {
         false
     }
 
-    /// Returns the factorization of a sum into coefficient, common factors and remaining sum; results are cached.
     pub(super) fn content(&mut self, id: NodeId) -> Content {
         if let Some(known) = self.contents.get(&id) {
             return known.clone();

@@ -6,7 +6,6 @@
 use super::{ExprGraph, Node, NodeId};
 use crate::number::Number;
 
-/// Maximum number of terms of an expanded sum.
 const MAX_TERMS: usize = 48;
 
 impl ExprGraph {

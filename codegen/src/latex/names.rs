@@ -2,7 +2,6 @@
 
 use super::piece::braces;
 
-/// Names of Greek letters in the model language.
 const GREEK: [&str; 25] = [
     "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa",
     "lambda", "mu", "nu", "xi", "rho", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega",
@@ -16,7 +15,6 @@ pub(crate) enum Style {
     Vector,
 }
 
-/// LaTeX of a variable of the model, from its name in the model text.
 pub(crate) fn name(name: &str, style: Style) -> String {
     if let Some(state) = name.strip_prefix("der(").and_then(|n| n.strip_suffix(')')) {
         return rate(state);
@@ -43,7 +41,6 @@ pub(crate) fn name(name: &str, style: Style) -> String {
     }
 }
 
-/// LaTeX of a state derivative: a dot, or two above the angle of a rate such as `thetadot`.
 pub(crate) fn rate(state: &str) -> String {
     match state.strip_suffix("dot") {
         Some(angle) if is_letter(angle) => dotted(r"\ddot", angle),
@@ -52,7 +49,6 @@ pub(crate) fn rate(state: &str) -> String {
     }
 }
 
-/// LaTeX of a name in upright type, with underscores as spaces.
 pub(crate) fn words(name: &str) -> String {
     format!(r"\mathrm{{{}}}", name.replace('_', r"\ "))
 }

@@ -7,7 +7,6 @@ use crate::functions::MathFunction;
 use crate::graph::{ExprGraph, Node, NodeId, Symbol};
 use crate::number::Number;
 
-/// LaTeX of a node of an expression graph; `leaf` returns the LaTeX of a symbol.
 pub(crate) fn piece(
     graph: &ExprGraph,
     id: NodeId,

@@ -15,7 +15,6 @@ pub(crate) enum Bind {
     Atom,
 }
 
-/// LaTeX fragment with the precedence of its outermost operator.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Piece {
     pub text: String,
@@ -37,7 +36,6 @@ impl Piece {
         Piece::new(text, Bind::Atom)
     }
 
-    /// LaTeX of a numeric constant.
     pub fn number(value: f64) -> Piece {
         let magnitude = value.abs();
         if magnitude == 0.0 {
@@ -162,7 +160,6 @@ impl Piece {
         Piece::new(format!("{base}^{exponent}"), Bind::Product)
     }
 
-    /// LaTeX of the scalar or vector product of `self` and `other`; `sign` is the LaTeX operator between them.
     pub fn dotted(self, sign: &str, other: Piece) -> Piece {
         let (a, b) = (self.at_least(Bind::Product), other.at_least(Bind::Product));
         Piece::new(format!(r"{} {sign} {}", a.text, b.text), Bind::Dotted)
@@ -197,7 +194,6 @@ impl Piece {
     }
 }
 
-/// Whether the LaTeX text `text` ends in a word in upright type (`\mathrm`).
 fn ends_upright(text: &str) -> bool {
     text.rfind(r"\mathrm{").is_some_and(|at| {
         let word = text[at..].replace(r"\ ", "");
@@ -205,7 +201,6 @@ fn ends_upright(text: &str) -> bool {
     })
 }
 
-/// Text in parentheses, which adapt to tall elements.
 pub(crate) fn parentheses(text: &str) -> String {
     let tall = [r"\frac", r"\begin", r"\sqrt", r"\left"];
     if tall.iter().any(|part| text.contains(part)) {

@@ -93,13 +93,11 @@ pub(super) fn style(expr: &Expr) -> Style {
     }
 }
 
-/// LaTeX of the unit vector along axis `k` of a frame: its name in lower case.
 fn axis(model: &Model, frame: usize, k: u8) -> Piece {
     let frame = model.frames[frame].name.to_lowercase();
     Piece::atom(format!("{}_{k}", name(&frame, Style::Vector)))
 }
 
-/// Function of two arguments.
 pub(super) fn call2(function: BinaryFunction, a: Piece, b: Piece) -> Piece {
     let command = match function {
         BinaryFunction::Atan2 => return Piece::operator("atan2", &[a, b]),
@@ -117,7 +115,6 @@ pub(super) fn table(name: String, x: Piece) -> Piece {
     Piece::atom(format!(r"{name}\left({}\right)", x.text))
 }
 
-/// LaTeX of the call of an elementary function with one argument.
 pub(super) fn call(notation: Notation, x: Piece) -> Piece {
     match notation {
         Notation::Command(command, _) => Piece::function(command, x),

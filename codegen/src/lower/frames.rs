@@ -8,12 +8,10 @@ use model_spec::model::{FrameKind, Model};
 /// Graph nodes of the three components of a vector in one coordinate frame.
 pub type Vector = [NodeId; 3];
 
-/// Vector sum `a + b`, by component.
 pub fn add(graph: &mut ExprGraph, a: Vector, b: Vector) -> Vector {
     [0, 1, 2].map(|k| graph.add(a[k], b[k]))
 }
 
-/// Vector difference `a - b`, by component.
 pub fn sub(graph: &mut ExprGraph, a: Vector, b: Vector) -> Vector {
     [0, 1, 2].map(|k| graph.sub(a[k], b[k]))
 }
@@ -27,13 +25,11 @@ pub fn scale(graph: &mut ExprGraph, s: NodeId, a: Vector) -> Vector {
     }
 }
 
-/// Scalar product `a · b`.
 pub fn dot(graph: &mut ExprGraph, a: Vector, b: Vector) -> NodeId {
     let terms = [0, 1, 2].map(|k| (Number::ONE, graph.mul(a[k], b[k])));
     graph.sum(terms.to_vec(), Number::ZERO)
 }
 
-/// Vector product `a × b`.
 pub fn cross(graph: &mut ExprGraph, a: Vector, b: Vector) -> Vector {
     [(1, 2), (2, 0), (0, 1)].map(|(i, j)| {
         let (first, second) = (graph.mul(a[i], b[j]), graph.mul(a[j], b[i]));
@@ -47,7 +43,6 @@ pub fn zero(graph: &mut ExprGraph) -> Vector {
     [zero; 3]
 }
 
-/// Unit vector along coordinate axis `axis` (1, 2 or 3).
 pub fn axis(graph: &mut ExprGraph, axis: u8) -> Vector {
     [1, 2, 3].map(|k| graph.whole(i64::from(k == axis)))
 }

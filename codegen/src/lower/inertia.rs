@@ -7,7 +7,6 @@ use super::Lowering;
 use super::frames::{self, Vector};
 use model_spec::model::{FrameKind, Model, Rotation};
 
-/// Symmetric 3×3 matrix of nodes, by row.
 type Matrix = [Vector; 3];
 
 /// Inertia tensor in the frame of the angular velocity.

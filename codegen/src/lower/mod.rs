@@ -18,20 +18,16 @@ use std::collections::HashSet;
 /// Provenance of a named node: name and source location in the model text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Provenance {
-    /// Name of the node in generated code.
     pub name: String,
-    /// Source span of the declaration in the model text.
     pub span: Span,
-    /// Name of the source text: the model file or an applied effect.
     pub source: String,
-    /// Line number in the source, from 1.
     pub line: usize,
     /// Text of the source line, without surrounding whitespace.
     pub text: String,
 }
 
 /// Lowered model: equations of motion and all outputs as nodes of one graph of scalar expressions.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Lowered {
     /// Expression graph that contains all nodes of the model.
     pub graph: ExprGraph,
@@ -80,7 +76,6 @@ pub(crate) struct Lowering<'a> {
     pub(crate) recorded: HashSet<String>,
 }
 
-/// Lowers a model to scalar nodes.
 pub fn lower(model: &Model) -> Lowered {
     let layout = Layout::new(model);
     let mut lowering = Lowering {

@@ -8,7 +8,6 @@ use crate::number::Number;
 use model_spec::model::{Body, FrameKind, Load, Rotation, Shape};
 
 impl Lowering<'_> {
-    /// Derivatives of all states with respect to recorded time.
     pub(crate) fn motion(&mut self) -> Vec<NodeId> {
         let model = self.model;
         let zero = self.graph.whole(0);
@@ -110,7 +109,6 @@ impl Lowering<'_> {
         total.map(|component| self.graph.project(component))
     }
 
-    /// Lowers the attitude kinematics: writes the time derivatives of rotation angles and quaternions to `dx`.
     fn angles(&mut self, dx: &mut [NodeId]) {
         let model = self.model;
         for (k, frame) in model.frames.iter().enumerate() {

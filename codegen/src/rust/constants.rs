@@ -1,13 +1,12 @@
 //! Generated constants of a model: names, default values, sparsity patterns.
 
-use super::ident::ident;
+use super::names::ident;
 use super::{print, source_hash};
 use crate::compile::Compiled;
 use model_spec::model::Model;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// Names of the constants that are generated for each model.
 pub(super) const NAMES: [&str; 16] = [
     "STATES",
     "INITIAL",
@@ -27,7 +26,6 @@ pub(super) const NAMES: [&str; 16] = [
     "SOURCE_HASH",
 ];
 
-/// Tokens of the constants that describe a model, with documentation.
 pub(super) fn items(model: &Model, compiled: &Compiled, attributes: &TokenStream) -> TokenStream {
     let layout = &compiled.layout;
     let bounds: Vec<f64> = model.limits.iter().map(|limit| limit.bound).collect();

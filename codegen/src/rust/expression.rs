@@ -1,8 +1,8 @@
 //! Writing of the operations of a function body as Rust expressions.
 
-use super::expr::{Binding, Expr};
-use super::ident::ident;
+use super::names::ident;
 use super::scalar::Scalar;
+use super::scalar::{Binding, Expr};
 use crate::backend::body::{Body, Input};
 use crate::program::{Binary, Op, Operand, Unary};
 use proc_macro2::TokenStream;

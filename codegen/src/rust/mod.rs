@@ -4,13 +4,10 @@
 //! writes the same module generic over [`lanes::Real`]. [`emit`] and [`library`] write the crate `generated` of this
 //! repository, whose models can also be selected at run time.
 
-mod body;
 mod constants;
-mod expr;
 mod expression;
 mod function;
 mod helpers;
-mod ident;
 mod library;
 mod module;
 mod names;

@@ -10,7 +10,6 @@ use crate::compile::Compiled;
 use model_spec::model::Model;
 use quote::quote;
 
-/// Source file `NAME.rs` of a model, for the number type `scalar`.
 pub(super) fn file(model: &Model, compiled: &Compiled, scalar: Scalar) -> SourceFile {
     let inline = match scalar {
         Scalar::F64 => quote!(),

@@ -1,8 +1,7 @@
 //! Conversion of names of models and variables to valid Rust identifiers.
 
-use super::ident::{ident, parsed};
 use super::{constants, helpers, signature, table_names};
-use proc_macro2::Ident;
+use proc_macro2::{Ident, Span};
 
 /// Whether a name cannot be a local variable: no identifier, or that of an argument or item, which a `let` would match
 /// or shadow.
@@ -39,7 +38,6 @@ pub(super) fn file_stem(model: &str) -> String {
     stem
 }
 
-/// Type name of a model in camel case: `disc_quaternion` becomes `DiscQuaternion`.
 pub(super) fn type_ident(model: &str) -> Ident {
     let words = model.split(|c: char| !c.is_alphanumeric());
     let camel: String = words
@@ -50,6 +48,19 @@ pub(super) fn type_ident(model: &str) -> Ident {
         })
         .collect();
     ident(&file_stem(&camel))
+}
+
+pub(super) fn ident(name: &str) -> Ident {
+    parsed(name).unwrap_or_else(|| Ident::new(&format!("{name}_"), Span::call_site()))
+}
+
+/// A name as a Rust identifier; `None` if it is a keyword of any edition, or has no form of an identifier.
+pub(super) fn parsed(name: &str) -> Option<Ident> {
+    // The parser knows the keywords up to edition 2021.
+    if name == "gen" {
+        return None;
+    }
+    syn::parse_str(name).ok()
 }
 
 #[cfg(test)]

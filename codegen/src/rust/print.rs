@@ -17,13 +17,11 @@ const TRAILING: &str = "@trailing ";
 /// Comment before an array whose lines [`finish`] fills.
 const FILL: &str = "@fill";
 
-/// Tokens of a comment line before an item or a statement.
 pub(super) fn comment(text: &str) -> TokenStream {
     let text = format!(" {text}");
     quote!(#[comment = #text])
 }
 
-/// Tokens of a blank line before an item or a statement.
 pub(super) fn blank_line() -> TokenStream {
     quote!(#[comment = #BLANK])
 }
@@ -60,9 +58,6 @@ fn doc_line(line: &str) -> String {
 }
 
 /// Text of a source file: the header lines as comments, then the tokens.
-///
-/// # Panics
-/// If the tokens are not a Rust file, which is a defect of the backend.
 pub(super) fn file(header: &[impl AsRef<str>], tokens: TokenStream) -> String {
     let file: syn::File = syn::parse2(tokens).expect("the backend emits the tokens of a Rust file");
     let mut text = String::new();

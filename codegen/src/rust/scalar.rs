@@ -1,9 +1,7 @@
 //! Number types of generated code, and the Rust expression of each operation.
 
-use super::expr::{Binding, Expr};
-use super::helpers;
-use super::ident::ident;
-use super::table_names;
+use super::names::ident;
+use super::{helpers, table_names};
 use crate::functions::MathFunction;
 use crate::program::{Binary, Fused, Unary};
 use crate::table::Tables;
@@ -16,7 +14,6 @@ use std::f64::consts::{FRAC_PI_2, PI};
 pub(super) enum Scalar {
     /// `f64`, with functions of the standard library and helpers for guarded functions.
     F64,
-    /// Type parameter `T: Real` of the crate `lanes`.
     Lanes,
 }
 
@@ -29,7 +26,6 @@ impl Scalar {
         }
     }
 
-    /// Generic parameters of a generated function; empty for `f64`.
     pub fn generics(self) -> TokenStream {
         match self {
             Scalar::F64 => TokenStream::new(),
@@ -84,7 +80,6 @@ impl Scalar {
         }
     }
 
-    /// Expression of an operation with one operand.
     pub fn unary(self, unary: Unary, a: Expr, tables: &Tables) -> Expr {
         let name = match unary {
             Unary::Call(MathFunction::Table(function)) => {
@@ -151,5 +146,73 @@ fn literal(value: f64, suffix: &str) -> TokenStream {
         quote!(-#literal)
     } else {
         quote!(#literal)
+    }
+}
+
+/// Precedence of an expression's outermost operator, weakest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Binding {
+    Sum,
+    Product,
+    Negation,
+    Atom,
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct Expr {
+    pub tokens: TokenStream,
+    pub binding: Binding,
+}
+
+impl Expr {
+    pub fn atom(tokens: TokenStream) -> Expr {
+        Expr {
+            tokens,
+            binding: Binding::Atom,
+        }
+    }
+
+    pub fn negated(self) -> Expr {
+        let operand = self.bound(Binding::Atom);
+        Expr {
+            tokens: quote!(-#operand),
+            binding: Binding::Negation,
+        }
+    }
+
+    pub fn method(self, name: &str, arguments: &[Expr]) -> Expr {
+        let method = ident(name);
+        let receiver = self.bound(Binding::Atom);
+        let arguments = arguments.iter().map(|e| &e.tokens);
+        Expr::atom(quote!(#receiver.#method(#(#arguments),*)))
+    }
+
+    /// Expression with a binary operator: `self + other`, `self - other`, …
+    pub fn infix(self, binary: Binary, other: Expr) -> Expr {
+        // Operators associate to the left: the right operand must bind more strongly.
+        let (operator, binding, right) = match binary {
+            Binary::Add => (quote!(+), Binding::Sum, Binding::Product),
+            Binary::Sub => (quote!(-), Binding::Sum, Binding::Product),
+            Binary::Mul => (quote!(*), Binding::Product, Binding::Negation),
+            Binary::Div => (quote!(/), Binding::Product, Binding::Negation),
+            Binary::Atan2 | Binary::Min | Binary::Max => {
+                unreachable!("a function, not an operator")
+            }
+        };
+        let (a, b) = (self.bound(binding), other.bound(right));
+        Expr {
+            tokens: quote!(#a #operator #b),
+            binding,
+        }
+    }
+
+    /// Tokens of the expression, in parentheses if its precedence is below the minimum `least`.
+    pub fn bound(self, least: Binding) -> TokenStream {
+        let tokens = self.tokens;
+        if self.binding < least {
+            quote!((#tokens))
+        } else {
+            tokens
+        }
     }
 }

@@ -4,12 +4,9 @@ use crate::backend::body::Input;
 use crate::compile::Compiled;
 use crate::program::Function;
 
-/// Name, arguments and documentation of a generated function.
 pub(super) struct Signature {
     pub name: &'static str,
-    /// Short description of the function, for the header comment of its generated file.
     pub title: &'static str,
-    /// First line of the doc comment of the generated function.
     pub summary: &'static str,
     pub inputs: &'static [Input],
     /// Output arrays of the function: (name of the vector or matrix in the compiled model, name of the Rust argument).
@@ -31,7 +28,6 @@ const OBSERVATION: &[Input] = &[
     Input::Marker,
 ];
 
-/// Signatures of all generated functions of a model, `prepare` first.
 pub(super) const FUNCTIONS: [Signature; 8] = [
     Signature {
         name: "prepare",
@@ -96,14 +92,12 @@ pub(super) const FUNCTIONS: [Signature; 8] = [
     },
 ];
 
-/// Signature of the generated Rust function for a function of a compiled model.
 pub(super) fn of(function: &Function) -> &'static Signature {
     let found = FUNCTIONS.iter().find(|known| known.name == function.name);
     found.expect("every function of a compiled model has a signature")
 }
 
 impl Signature {
-    /// Name of the Rust argument to which the output vector or matrix `section`, such as `dx`, is written.
     pub fn argument(&self, section: &str) -> &'static str {
         let found = self.outputs.iter().find(|(known, _)| *known == section);
         found.map_or("output", |(_, argument)| argument)
@@ -122,7 +116,6 @@ pub(super) fn input_len(compiled: &Compiled, input: Input) -> Option<usize> {
     }
 }
 
-/// Whether a name is an argument of any generated function.
 pub(super) fn is_argument(name: &str) -> bool {
     FUNCTIONS.iter().any(|function| {
         let inputs = function.inputs.iter().map(|input| input.name());

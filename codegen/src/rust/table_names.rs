@@ -18,7 +18,6 @@ pub(super) fn is_constant(name: &str) -> bool {
     ENDS.iter().any(|end| name.contains(end))
 }
 
-/// Names of the constants of a table or its derivative: knots and cubics.
 pub(super) fn names(tables: &Tables, function: TableFunction) -> [Ident; 2] {
     let table = &tables.table(function.table()).name;
     let [knots, cubics] = ENDS;
@@ -32,7 +31,6 @@ pub(super) fn names(tables: &Tables, function: TableFunction) -> [Ident; 2] {
     ]
 }
 
-/// Tables and derivatives of tables that a function looks up, in order of index.
 pub(super) fn used_by(function: &Function) -> BTreeSet<TableFunction> {
     let statements = function.program.statements.iter();
     let used = statements.filter_map(|statement| match statement.op {
@@ -42,7 +40,6 @@ pub(super) fn used_by(function: &Function) -> BTreeSet<TableFunction> {
     used.collect()
 }
 
-/// Import of the constants of the tables that a function looks up.
 pub(super) fn import(function: &Function) -> TokenStream {
     let tables = &function.program.tables;
     let used = used_by(function).into_iter();
@@ -53,7 +50,6 @@ pub(super) fn import(function: &Function) -> TokenStream {
     quote!(use super::tables::{#(#names),*};)
 }
 
-/// Tokens of the `f64` function that looks up a table.
 pub(super) fn helper() -> TokenStream {
     quote! {
         /// Piecewise cubic: `cubics[0]` below the first knot, `cubics[i]` from `knots[i - 1]` on; each by the coefficients of

@@ -17,7 +17,6 @@ pub(super) fn file(compiled: &Compiled) -> Option<String> {
     (!items.is_empty()).then(|| print::file(&[HEADER], quote!(#title #items)))
 }
 
-/// Tokens of the constants of all tables that a model looks up, with the given visibility.
 pub(super) fn items(compiled: &Compiled, visibility: &TokenStream) -> TokenStream {
     let mut items = TokenStream::new();
     let functions = compiled.functions();

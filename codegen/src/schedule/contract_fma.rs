@@ -75,7 +75,6 @@ fn when(ready: &[u32], operand: Operand) -> u32 {
     }
 }
 
-/// Approximate latency of an operation on a current x86-64 processor, clock cycles.
 pub(super) fn latency(op: &Op) -> u32 {
     use crate::program::Unary;
     match op {

@@ -74,7 +74,6 @@ impl Hoisted {
         unique
     }
 
-    /// Returns the program of `prepare`, which computes all hoisted expressions from the parameters.
     pub fn program(&self, graph: &mut ExprGraph) -> Program {
         let mut ssa = build(graph, &self.slots);
         // `prepare` itself hoists nothing.

@@ -12,7 +12,6 @@ const WIDTH: u32 = 2;
 /// From this many live values, statements that free registers are issued first.
 const LIVE_VALUES_LIMIT: usize = 20;
 
-/// List scheduling: issues the ready statement with the longest latency path to a result.
 pub(super) fn list_schedule(program: Program) -> Program {
     let sequence = Order::new(&program).sequence();
     permuted(program, &sequence)

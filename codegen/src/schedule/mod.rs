@@ -11,7 +11,7 @@ pub use names::Namer;
 
 use crate::functions::{BinaryFunction, MathFunction};
 use crate::graph::{ExprGraph, FastMap, Symbol};
-use crate::program::{About, Binary, Op, Operand, Program, Statement, Unary};
+use crate::program::{Binary, Op, Operand, Program, Statement, Unary};
 use crate::ssa::{DefId, Signed, Ssa, SsaDef};
 use hoist::HoistedNodes;
 use model_spec::index::IndexVec;
@@ -70,7 +70,6 @@ fn takes_long(def: &SsaDef) -> bool {
     )
 }
 
-/// How often, and in which role, the definitions of an SSA program are used.
 struct Uses {
     /// Number of uses of each definition, as operand or root.
     count: IndexVec<DefId, u32>,
@@ -226,7 +225,7 @@ impl Schedule<'_> {
         self.push_named(op, None, None)
     }
 
-    fn push_named(&mut self, op: Op, name: Option<String>, about: Option<About>) -> Operand {
+    fn push_named(&mut self, op: Op, name: Option<String>, about: Option<usize>) -> Operand {
         self.program.statements.push(Statement { op, name, about });
         Operand::Temp(self.program.statements.len() as u32 - 1)
     }

@@ -2,11 +2,9 @@
 
 use crate::functions::BinaryFunction;
 use crate::graph::{ExprGraph, FastMap, Symbol, opposite_name};
-use crate::program::About;
 use crate::ssa::{DefId, Ssa, SsaDef};
 use std::collections::BTreeSet;
 
-/// Names of arguments and of other items in scope of generated functions, which no variable may have.
 const ARGUMENTS: [&str; 16] = [
     "time",
     "state",
@@ -26,10 +24,8 @@ const ARGUMENTS: [&str; 16] = [
     "PI",
 ];
 
-/// Maximum length of a name derived from an expression, in characters; longer names are shortened.
 const MAX_NAME_LENGTH: usize = 28;
 
-/// Allocator of unique names for the variables that hold the results of the statements of one function.
 #[derive(Clone, Debug)]
 pub struct Namer {
     taken: BTreeSet<String>,
@@ -41,7 +37,6 @@ pub struct Namer {
 }
 
 impl Namer {
-    /// Namer of one function; `origins` are the names in `Lowered::provenance`.
     pub fn new(states: &[String], parameters: &[String], origins: &[String]) -> Namer {
         let taken = ARGUMENTS.iter().map(|&name| name.to_string());
         let taken = taken
@@ -76,22 +71,16 @@ impl Namer {
         })
     }
 
-    /// Whether a definition has a name in the graph.
     pub fn has_own_name(&self, ssa: &Ssa, graph: &ExprGraph, id: DefId) -> bool {
         self.own(ssa, graph, id).is_some()
     }
 
-    /// Auxiliary variable of the model that a definition computes; `None` if it computes none.
-    pub fn about(&self, ssa: &Ssa, graph: &ExprGraph, id: DefId) -> Option<About> {
+    /// Index in `Lowered::provenance` of the auxiliary variable that a definition computes.
+    pub fn about(&self, ssa: &Ssa, graph: &ExprGraph, id: DefId) -> Option<usize> {
         let own = self.own(ssa, graph, id)?;
-        let origin = *self.origins.get(own.trim_start_matches("minus_"))?;
-        Some(About {
-            origin,
-            exact: true,
-        })
+        self.origins.get(own.trim_start_matches("minus_")).copied()
     }
 
-    /// Unique name of the variable that holds a definition; further calls for the same definition return the same name.
     pub fn name(&mut self, ssa: &Ssa, graph: &ExprGraph, id: DefId) -> String {
         if let Some(known) = self.given.get(&id) {
             return known.clone();
@@ -128,7 +117,6 @@ impl Namer {
         self.unique(name)
     }
 
-    /// Unique name of the variable that holds the negative of a definition.
     pub fn negated(&mut self, ssa: &Ssa, graph: &ExprGraph, id: DefId) -> String {
         let wanted = opposite_name(&self.describe(ssa, graph, id, 3));
         self.unique(&wanted)

@@ -7,7 +7,6 @@ use crate::functions::MathFunction;
 use crate::program::{Op, Operand, Program, Unary};
 use std::collections::HashMap;
 
-/// Hashable key of an operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct OperandKey(u8, u64);
 
@@ -25,7 +24,6 @@ impl From<Operand> for OperandKey {
     }
 }
 
-/// For each statement of such a pair, the sine and cosine of one angle.
 pub(crate) fn sin_cos_pairs(program: &Program) -> HashMap<usize, (usize, usize)> {
     #[derive(Default)]
     struct SineAndCosine {

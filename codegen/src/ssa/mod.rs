@@ -90,7 +90,6 @@ pub struct Ssa {
 }
 
 impl Ssa {
-    /// Index of a definition; `facts` and `origin` are those of a new one.
     pub fn define(
         &mut self,
         def: SsaDef,
@@ -119,7 +118,6 @@ impl Ssa {
         (self.defs[id] == *def).then_some(id)
     }
 
-    /// Known properties of the value of a product ([`ValueFacts`]), derived from its factors.
     fn product_facts(&self, factors: &[DefId]) -> ValueFacts {
         let of = |id: &DefId| self.facts[*id];
         let square = factors.len() == 2 && factors[0] == factors[1];
@@ -130,7 +128,6 @@ impl Ssa {
         }
     }
 
-    /// Known properties of the value of a sum ([`ValueFacts`]), derived from its signed terms.
     fn sum_facts(&self, terms: &[Signed]) -> ValueFacts {
         let of = |id: DefId| self.facts[id];
         let nonneg = terms.iter().all(|&(minus, t)| !minus && of(t).nonneg);
@@ -153,7 +150,6 @@ impl Ssa {
         }
     }
 
-    /// Builds the graph node of a definition; `of` maps each operand to its node.
     pub fn expression(
         &self,
         id: DefId,

@@ -6,7 +6,6 @@
 use super::{DefId, Ssa, SsaDef};
 use model_spec::index::IndexVec;
 
-/// Negates sums and the signs of their users while the number of negations decreases.
 pub fn settle(ssa: &mut Ssa) {
     absorb_fixed(ssa);
     let mut users = users(ssa);

@@ -8,9 +8,6 @@ use crate::program::{Operand, Program};
 const END: usize = usize::MAX;
 
 /// Compiles a program to a tape.
-///
-/// # Panics
-/// If an operand refers to a statement that does not precede its use.
 pub(super) fn tape(program: &Program) -> Tape {
     let steps = Steps::new(program);
     let mut allocator = Allocator {
@@ -87,7 +84,6 @@ impl Allocator {
             .unwrap_or_else(|| panic!("value {value} is read outside its live range"))
     }
 
-    /// Compiles the step with index `k`, and frees the registers of the values that no later step reads.
     fn instruction(&mut self, step: &Step, k: usize) -> Instruction {
         let [a, b, c] = step.operands.map(|operand| self.register(operand));
         for operand in step.operands {

@@ -37,9 +37,6 @@ pub(super) struct Steps {
 impl Steps {
     /// Translates the statements of a program to steps and reorders the steps, so that many consecutive ones have the
     /// same operation code.
-    ///
-    /// # Panics
-    /// If an operand refers to a statement that does not precede its use.
     pub(super) fn new(program: &Program) -> Steps {
         let mut values = Values::new(program.statements.len());
         let steps = in_program_order(program, &mut values);

@@ -104,19 +104,25 @@ fn by_tape(tape: &TapeModel, x: &[f64], p: &[f64]) -> Vec<Vec<f64>> {
     let [dx, j, jp] = jac.as_mut_slice() else {
         panic!("three sections")
     };
-    tape.f_jac_par(at, &mut scratch, dx, j, jp);
+    tape.f_jac_par.eval(at, &[], &mut scratch, &mut [dx, j, jp]);
     all.push(jac.concat());
     let mut observed = buffers(tape.observe_jac.lens());
     let [y, dy_dx, dy_dp, dy_dmarker] = observed.as_mut_slice() else {
         panic!("four sections")
     };
-    tape.observe_jac(at, &MARKER, &mut scratch, [y, dy_dx, dy_dp, dy_dmarker]);
+    tape.observe_jac.eval(
+        at,
+        &MARKER,
+        &mut scratch,
+        &mut [y, dy_dx, dy_dp, dy_dmarker],
+    );
     all.push(observed.concat());
     let mut values = buffers(tape.quantities.lens()).concat();
-    tape.quantities(at, &mut scratch, &mut values);
+    tape.quantities
+        .eval(at, &[], &mut scratch, &mut [&mut values]);
     all.push(values);
     let mut margins = buffers(tape.limits.lens()).concat();
-    tape.limits(at, &mut scratch, &mut margins);
+    tape.limits.eval(at, &[], &mut scratch, &mut [&mut margins]);
     all.push(margins);
     all
 }

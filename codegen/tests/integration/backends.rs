@@ -33,7 +33,12 @@ fn committed_code_agrees_with_the_tape() {
     for table in generated::MODELS {
         let compiled = compile(&model(table.name));
         let tape = TapeModel::new(&compiled);
-        assert_eq!(table.j_pattern, tape.j_pattern(), "{} is stale", table.name);
+        assert_eq!(
+            table.j_pattern,
+            tape.f_jac.pattern("j"),
+            "{} is stale",
+            table.name
+        );
         let mut scratch = Scratch::default();
         for _ in 0..30 {
             let (x, p) = point(&compiled, &mut random);
@@ -53,10 +58,11 @@ fn committed_code_agrees_with_the_tape() {
             let mut jp = vec![0.0; table.jp_pattern.len()];
             let (mut dx2, mut j2, mut jp2) = (dx.clone(), j.clone(), jp.clone());
             (table.f)(0.2, &x, &p, &k, &mut dx);
-            tape.f(at, &mut scratch, &mut dx2);
+            tape.f.eval(at, &[], &mut scratch, &mut [&mut dx2]);
             assert_eq!(bits(&dx), bits(&dx2), "{} f", table.name);
             (table.f_jac)(0.2, &x, &p, &k, &mut dx, &mut j);
-            tape.f_jac(at, &mut scratch, &mut dx2, &mut j2);
+            tape.f_jac
+                .eval(at, &[], &mut scratch, &mut [&mut dx2, &mut j2]);
             assert_eq!(
                 (bits(&dx), bits(&j)),
                 (bits(&dx2), bits(&j2)),
@@ -64,17 +70,18 @@ fn committed_code_agrees_with_the_tape() {
                 table.name
             );
             (table.f_jac_par)(0.2, &x, &p, &k, &mut dx, &mut j, &mut jp);
-            tape.f_jac_par(at, &mut scratch, &mut dx2, &mut j2, &mut jp2);
+            tape.f_jac_par
+                .eval(at, &[], &mut scratch, &mut [&mut dx2, &mut j2, &mut jp2]);
             assert_eq!(bits(&jp), bits(&jp2), "{} f_jac_par", table.name);
 
             let (mut y, mut y2) = ([0.0; 3], [0.0; 3]);
             (table.observe)(0.2, &x, &p, &k, &MARK, &mut y);
-            tape.observe(at, &MARK, &mut scratch, &mut y2);
+            tape.observe.eval(at, &MARK, &mut scratch, &mut [&mut y2]);
             assert_eq!(bits(&y), bits(&y2), "{} observe", table.name);
             let mut q = vec![0.0; table.quantity_names.len()];
             let mut q2 = q.clone();
             (table.quantities)(0.2, &x, &p, &k, &mut q);
-            tape.quantities(at, &mut scratch, &mut q2);
+            tape.quantities.eval(at, &[], &mut scratch, &mut [&mut q2]);
             assert_eq!(bits(&q), bits(&q2), "{} quantities", table.name);
         }
     }
@@ -118,7 +125,8 @@ fn every_function_agrees_as_rust_and_on_the_tape() {
             p: &p,
             prepared: &prepared,
         };
-        tape.f_jac_par(at, &mut scratch, &mut dx2, &mut j2, &mut jp2);
+        tape.f_jac_par
+            .eval(at, &[], &mut scratch, &mut [&mut dx2, &mut j2, &mut jp2]);
         assert_eq!(
             (bits(&dx), bits(&j), bits(&jp)),
             (bits(&dx2), bits(&j2), bits(&jp2))
@@ -206,7 +214,7 @@ impl Kernel for EveryLane<'_> {
             let [dx, j, jp] = parts.as_mut_slice() else {
                 panic!("three sections")
             };
-            single.f_jac_par(at, &mut one, dx, j, jp);
+            single.f_jac_par.eval(at, &[], &mut one, &mut [dx, j, jp]);
             let wide: Vec<f64> = out.iter().map(|value| value.lane(lane)).collect();
             assert_eq!(
                 bits(&parts.concat()),

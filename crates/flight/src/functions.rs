@@ -144,11 +144,11 @@ impl ModelFunctions for TapeModel {
 
     fn patterns(&self) -> SparsityPatterns<'_> {
         SparsityPatterns {
-            jacobian: self.j_pattern(),
-            parameter_jacobian: self.jp_pattern(),
-            observation_by_state: self.dy_dx_pattern(),
-            observation_by_parameter: self.dy_dp_pattern(),
-            observation_by_marker: self.dy_dmarker_pattern(),
+            jacobian: self.f_jac_par.pattern("j"),
+            parameter_jacobian: self.f_jac_par.pattern("jp"),
+            observation_by_state: self.observe_jac.pattern("dy_dx"),
+            observation_by_parameter: self.observe_jac.pattern("dy_dp"),
+            observation_by_marker: self.observe_jac.pattern("dy_dmarker"),
         }
     }
 
@@ -157,7 +157,7 @@ impl ModelFunctions for TapeModel {
     }
 
     fn f(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, dx: &mut [f64]) {
-        TapeModel::f(self, at, workspace, dx);
+        self.f.eval(at, &[], workspace, &mut [dx]);
     }
 
     fn f_jac_par(
@@ -168,7 +168,7 @@ impl ModelFunctions for TapeModel {
         j: &mut [f64],
         jp: &mut [f64],
     ) {
-        TapeModel::f_jac_par(self, at, workspace, dx, j, jp);
+        self.f_jac_par.eval(at, &[], workspace, &mut [dx, j, jp]);
     }
 
     fn observe(
@@ -178,7 +178,7 @@ impl ModelFunctions for TapeModel {
         workspace: &mut Workspace,
         y: &mut [f64; 3],
     ) {
-        TapeModel::observe(self, at, marker, workspace, y);
+        self.observe.eval(at, marker, workspace, &mut [y]);
     }
 
     fn observe_jac(
@@ -189,15 +189,15 @@ impl ModelFunctions for TapeModel {
         y: &mut [f64; 3],
         [dy_dx, dy_dp, dy_dmarker]: [&mut [f64]; 3],
     ) {
-        let results = [y, dy_dx, dy_dp, dy_dmarker];
-        TapeModel::observe_jac(self, at, marker, workspace, results);
+        let mut results = [&mut y[..], dy_dx, dy_dp, dy_dmarker];
+        self.observe_jac.eval(at, marker, workspace, &mut results);
     }
 
     fn quantities(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, q: &mut [f64]) {
-        TapeModel::quantities(self, at, workspace, q);
+        self.quantities.eval(at, &[], workspace, &mut [q]);
     }
 
     fn limits(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, l: &mut [f64]) {
-        TapeModel::limits(self, at, workspace, l);
+        self.limits.eval(at, &[], workspace, &mut [l]);
     }
 }

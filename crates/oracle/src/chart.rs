@@ -2,8 +2,8 @@
 //! matrices in the vector tree.
 
 use crate::attitude::{Quaternion, unit};
+use crate::physical::solve;
 use crate::physical::{Motion, Physical};
-use crate::rigid::solve;
 use crate::scalar::{Dual, Real};
 use model_spec::model::{FrameKind, Model};
 use nalgebra::{Matrix3, Vector3};
@@ -299,7 +299,6 @@ fn angles(m: &Matrix3<f64>, axes: [u8; 3]) -> Option<[f64; 3]> {
     })
 }
 
-/// Default value of every state of a model.
 pub(crate) fn defaults(model: &Model) -> Vec<f64> {
     model.states.iter().map(|s| s.value).collect()
 }

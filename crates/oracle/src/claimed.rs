@@ -4,8 +4,8 @@
 
 use crate::attitude::{Quaternion, unit};
 use crate::physical::Physical;
+use crate::physical::inertia_in_n;
 use crate::point::Point;
-use crate::rigid::inertia_in_n;
 use crate::scalar::{Dual, Real};
 use crate::tree::Tree;
 use model_spec::model::{ClaimedAttitude, ClaimedRotation};

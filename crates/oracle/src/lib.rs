@@ -28,7 +28,6 @@ mod frames;
 mod physical;
 mod point;
 mod reference;
-mod rigid;
 pub mod scalar;
 mod tree;
 
@@ -39,9 +38,8 @@ pub use claimed_rates::{ClaimedRates, claimed_rates};
 pub use dynamics::{derivatives, derivatives_of, mass_properties};
 pub use error::{BindError, Unsupported};
 pub use frames::PlacedFrame;
-pub use physical::{Load, MassProperties, Motion, Physical};
+pub use physical::{Load, MassProperties, Motion, Physical, inertia_in_n, solve};
 pub use point::Point;
 pub use reference::{Law, Reference, Stream};
-pub use rigid::{inertia_in_n, solve};
 pub use scalar::Interpolant;
 pub use tree::{Tree, Value};

@@ -4,8 +4,8 @@
 //! no effect, and a component is a scalar product with an axis.
 
 use crate::frames::{PlacedFrame, place_frames};
+use crate::physical::{angular_acceleration, inertia_in_n};
 use crate::point::Point;
-use crate::rigid::{angular_acceleration, inertia_in_n};
 use crate::scalar::{Interpolant, Real, call};
 use model_spec::layout::depends_on_accelerations;
 use model_spec::model::{Body, Expr, ExprKind, Function, Load, Model, Rotation, Shape};

@@ -231,13 +231,7 @@ const HEAD: &str = "\
 
 fn row(page: &mut String, effect: &Listed, linked: bool) {
     let name = match linked {
-        true => {
-            let folder = match effect.origin {
-                Origin::General => "general_effects",
-                _ => "effects",
-            };
-            format!("[`{0}`](../../model-spec/{folder}/{0}.hyz)", effect.name)
-        }
+        true => format!("[`{0}`](../../model-spec/effects/{0}.hyz)", effect.name),
         false => format!("`{}`", effect.name),
     };
     let part = |part: &Part| {
@@ -298,7 +292,7 @@ fn cell(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use model_spec::load::{EFFECTS, GENERAL_EFFECTS};
+    use model_spec::load::EFFECTS;
 
     use super::*;
 
@@ -307,8 +301,7 @@ mod tests {
         let all = listed(None).unwrap();
         let mut names: Vec<&str> = all.iter().map(|effect| effect.name.as_str()).collect();
         names.sort_unstable();
-        let wanted = EFFECTS.iter().chain(GENERAL_EFFECTS);
-        let mut wanted: Vec<&str> = wanted.map(|(name, _)| *name).collect();
+        let mut wanted: Vec<&str> = EFFECTS.iter().map(|(name, _)| *name).collect();
         wanted.sort_unstable();
         assert_eq!(names, wanted);
         for effect in &all {

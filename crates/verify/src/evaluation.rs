@@ -53,7 +53,6 @@ pub trait Arithmetic: Real {
         if self.re() == 0.0 { then } else { otherwise }
     }
 
-    /// Value of a function; `tables` are those of the program.
     fn call(self, function: MathFunction, tables: &Tables) -> Self {
         let number = |yes: bool| Self::lit(if yes { 1.0 } else { 0.0 });
         match function {
@@ -74,12 +73,10 @@ pub trait Arithmetic: Real {
         }
     }
 
-    /// Minimum of two scalars.
     fn least(self, other: Self) -> Self {
         if other.re() < self.re() { other } else { self }
     }
 
-    /// Maximum of two scalars.
     fn greatest(self, other: Self) -> Self {
         if other.re() > self.re() { other } else { self }
     }
@@ -111,7 +108,6 @@ pub fn results<'a, T: Arithmetic>(
         .collect()
 }
 
-/// Evaluates a compiled program and returns the result of every statement of the program.
 fn evaluated<T: Arithmetic>(program: &Program, inputs: &Inputs<T>) -> Vec<T> {
     let mut temps = Vec::with_capacity(program.statements.len());
     for statement in &program.statements {

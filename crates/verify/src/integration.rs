@@ -7,9 +7,6 @@ use oracle::Point;
 pub type RightHandSide<'a> = dyn FnMut(f64, &[f64], &mut [f64]) + 'a;
 
 /// Final state of dx/dt = `rhs` from the state `start` at time 0, after `seconds`.
-///
-/// # Errors
-/// [`IntegrationError`] if the integration fails.
 pub fn integrate(
     rhs: &mut RightHandSide<'_>,
     start: &[f64],
@@ -22,9 +19,6 @@ pub fn integrate(
 }
 
 /// Final point of a flight; `rates` evaluates the derivatives of the states.
-///
-/// # Errors
-/// [`IntegrationError`] if the integration fails.
 pub fn fly(
     rates: &dyn Fn(&Point<f64>) -> Vec<f64>,
     from: &Point<f64>,

@@ -11,8 +11,6 @@
 //! [`oracle::scalar::ErrorBound`]), so cancellation neither hides a fault nor looks like one.
 
 pub mod checks;
-mod claim;
-mod comparison;
 pub mod difference;
 pub mod engine;
 mod evaluation;
@@ -34,11 +32,9 @@ pub mod same_motion;
 pub mod sample;
 pub mod subject;
 mod symbolic;
-mod table;
-pub mod values;
 
 use codegen::Compiled;
-use engine::Engine;
+use engine::{Engine, Values};
 use model_spec::load::Loaded;
 use model_spec::model::Model;
 use mutants::equivalence::Original;
@@ -49,7 +45,6 @@ use report::Row;
 use rounding::{Effort, Rounding};
 use same_motion::SameMotion;
 use subject::Subject;
-use values::Values;
 
 /// Number of points at which backends are compared; not a multiple of any number of lanes.
 const BACKEND_POINTS: usize = 37;
@@ -118,7 +113,6 @@ pub fn rows_of_code(model: &Model, compiled: &Compiled, options: &Options) -> Ve
 /// One or several checks.
 type Check<'a> = Box<dyn Fn() -> Vec<Row> + Sync + 'a>;
 
-/// Runs checks on all processors; the results are in the order of `checks`.
 fn rows_of(checks: &[Check<'_>]) -> Vec<Row> {
     flight::parallel::each(checks.len(), |index| checks[index]())
         .into_iter()
@@ -126,7 +120,6 @@ fn rows_of(checks: &[Check<'_>]) -> Vec<Row> {
         .collect()
 }
 
-/// The numerical checks of a model, in the order of the report.
 fn numerical<'a>(
     subject: &'a Subject<'a>,
     compiled: &'a Compiled,

@@ -1,13 +1,12 @@
 //! Physical meaning of the states of a model, given by a chart or by the claimed body.
 
-use crate::claim::Bounded;
+use crate::subject::Bounded;
 use crate::subject::Subject;
 use model_spec::model::{ClaimedAttitude, FrameKind, Model};
 use nalgebra::{DMatrix, DVector, Vector3};
 use oracle::scalar::{ErrorBound, Real};
 use oracle::{Chart, ClaimedBody, Physical, PhysicalRate, Point, Tree, moving};
 
-/// Maximum number of Gauss-Newton steps to the states of a given physical state.
 const STEPS: usize = 60;
 /// Maximum number of halvings of a Gauss-Newton step.
 const HALVINGS: usize = 30;

@@ -113,7 +113,6 @@ impl Record {
         out
     }
 
-    /// Verdict of each comparison of two models that describe the same motion, by its name.
     fn pairs(&self) -> BTreeMap<String, Verdict> {
         let pairs = self.same_motion.iter().flat_map(|same| &same.pairs);
         let checks = pairs.flat_map(|pair| {

@@ -1,8 +1,8 @@
 //! Report of a verification, as a table and as JSON.
 
 use crate::refute::Refutation;
+use crate::row::plain_table;
 pub use crate::row::{Measure, Row, Verdict, Worst};
-use crate::table::plain_table;
 use comfy_table::Cell;
 use serde::{Deserialize, Serialize};
 

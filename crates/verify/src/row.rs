@@ -1,5 +1,8 @@
 //! Rows of a report: the result of each check.
 
+use comfy_table::{ContentArrangement, Table};
+use nalgebra::Vector3;
+use oracle::PhysicalRate;
 use serde::{Deserialize, Serialize};
 
 /// Verdict of a check.
@@ -151,4 +154,32 @@ impl Worst {
             };
         }
     }
+}
+
+/// Creates a text table with the given header, without colours; long cells are wrapped.
+pub(crate) fn plain_table(header: &[&str]) -> Table {
+    let mut table = Table::new();
+    table.load_style(comfy_table::presets::ASCII_MARKDOWN);
+    table
+        .set_content_arrangement(ContentArrangement::Dynamic)
+        .set_width(150);
+    table.set_header(header.to_vec());
+    table
+}
+
+/// Relative differences of the rates of two bodies, by name of the quantity.
+pub fn rate_differences(a: &PhysicalRate, b: &PhysicalRate) -> [(&'static str, f64); 4] {
+    let turning = (a.angular_acceleration, b.angular_acceleration);
+    [
+        ("velocity", (a.velocity, b.velocity)),
+        ("acceleration", (a.acceleration, b.acceleration)),
+        ("angular velocity", (a.angular_velocity, b.angular_velocity)),
+        ("angular acceleration", turning),
+    ]
+    .map(|(what, (a, b))| (what, relative_difference(a, b)))
+}
+
+/// Norm of the difference of two vectors, relative to the sum of their norms and 1, SI: far below a typical fault.
+pub fn relative_difference(a: Vector3<f64>, b: Vector3<f64>) -> f64 {
+    (a - b).norm() / (a.norm() + b.norm() + 1.0)
 }

@@ -1,12 +1,12 @@
 //! Compares several models of the same body: accelerations at equal physical states, and flights from equal releases.
 
-use crate::comparison::rate_differences;
 use crate::options::{Options, TOLERANCE};
 use crate::random::Random;
+use crate::row::plain_table;
+use crate::row::rate_differences;
 use crate::row::{Row, Verdict, Worst};
 use crate::sample;
 use crate::subject::Subject;
-use crate::table::plain_table;
 use serde::Serialize;
 
 /// Comparison of the motions of two models that should describe the same motion.

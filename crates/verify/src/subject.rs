@@ -1,14 +1,15 @@
 //! Subject of a verification: a model, and its equations of motion as functions that can be evaluated.
 
+use crate::options::TOLERANCE;
 use crate::pairing::Pairing;
 use crate::row::Row;
 use model_spec::Layout;
 use model_spec::model::{Body, Model};
 use nalgebra::Vector3;
-use oracle::scalar::Real;
+use oracle::scalar::{Dual, ErrorBound, Field, Real};
 use oracle::{
-    BindError, Chart, MassProperties, Point, Reference, Tree, Unsupported, derivatives,
-    inertia_in_n, mass_properties,
+    Balance, BindError, Chart, ClaimedBody, MassProperties, Point, Reference, Tree, Unsupported,
+    derivatives, derivatives_of, inertia_in_n, mass_properties, moving,
 };
 
 /// Equations of motion that can be evaluated at a point, independent of the backend.
@@ -178,10 +179,7 @@ pub(crate) fn body_properties<T: Real>(tree: &Tree<'_, T>, body: &Body) -> MassP
 pub struct Interpreted<'a>(&'a Model);
 
 impl<'a> Interpreted<'a> {
-    /// [`Unsupported`] if the oracle cannot derive the equations.
-    ///
-    /// # Errors
-    /// [`Unsupported`] if the reference simulator cannot derive the model's equations of motion.
+    /// The equations of a model; [`Unsupported`] if the oracle cannot derive them.
     pub fn new(model: &'a Model) -> Result<Self, Unsupported> {
         derivatives(model, &Point::defaults(model)).map(|_| Self(model))
     }
@@ -196,4 +194,42 @@ impl Equations for Interpreted<'_> {
         let seen = self.0.observation.as_ref()?;
         Some(Tree::new(self.0, point).vector(&seen.value))
     }
+}
+
+/// A value and its derivative with respect to true time, with bounds of the rounding error.
+pub type Bounded = Dual<ErrorBound>;
+
+/// The claimed body moving as the equations under test state; bounds of the derivatives are those of the vector tree.
+/// `None` without a claim or equations.
+pub fn along(subject: &Subject<'_>, point: &Point<f64>) -> Option<ClaimedBody<Bounded>> {
+    subject.model.claim.as_ref()?;
+    let lifted = point.lift::<ErrorBound>();
+    let tree = Tree::new(subject.model, &lifted);
+    let pace = tree.clock();
+    let bounds = derivatives_of(&tree).ok()?;
+    let rates = subject.equations.rates(point);
+    if rates.len() != bounds.len() {
+        return None;
+    }
+    let rates: Vec<ErrorBound> = rates
+        .into_iter()
+        .zip(bounds)
+        .map(|(value, bound)| {
+            let magnitude = bound.magnitude.max(value.abs());
+            ErrorBound { value, magnitude } / pace
+        })
+        .collect();
+    let point = moving(&lifted, &rates, ErrorBound::integer(1) / pace);
+    ClaimedBody::of(&Tree::new(subject.model, &point))
+}
+
+/// Difference between both sides of a law, by component, relative to the magnitudes of the terms.
+pub fn errors(balance: &Balance<ErrorBound>) -> [f64; 3] {
+    let difference = balance.change - balance.cause;
+    difference.map(|d| d.relative_error(0.0)).into()
+}
+
+/// Whether a relative error is too large to be due to rounding, or NaN.
+pub fn is_fault(error: f64) -> bool {
+    error.is_nan() || error > TOLERANCE
 }

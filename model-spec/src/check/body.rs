@@ -20,7 +20,6 @@ pub(super) struct Parts<'a> {
 }
 
 impl<'a> Checker<'a> {
-    /// Declares the states of a body; [`Checker::body`] resolves mass and inertia.
     pub fn body_states(&mut self, body: &'a ast::Body) {
         let parts = self.parts(body);
         self.missing_parts(body, &parts);

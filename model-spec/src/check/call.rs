@@ -23,7 +23,6 @@ const ALIASES: [(&str, &str); 12] = [
     ("sgn", "sign"),
 ];
 
-/// A call in an expression.
 #[derive(Clone, Copy)]
 struct Call<'e> {
     name: &'e ast::Name,
@@ -142,7 +141,6 @@ impl Checker<'_> {
         Some(Typed::scalar(kind, call.span, unit))
     }
 
-    /// Elaborates `unit(v)`, or `unit(v, otherwise)` with the value at the zero vector.
     fn direction(&mut self, call: Call<'_>) -> Option<Typed> {
         let what = "an argument of `unit`";
         let (v, otherwise) = match call.arguments {
@@ -217,7 +215,6 @@ impl Checker<'_> {
         Some(Typed::scalar(kind, call.span, unit))
     }
 
-    /// Elaborates `in_F(v)`: the vector `v` with its components transformed to the frame F.
     fn reexpress(&mut self, frame: &str, call: Call<'_>) -> Option<Typed> {
         let frame = self.frame_named(frame, call.name.span);
         let [v] = self.arguments(call, "one vector")?;
@@ -260,7 +257,6 @@ impl Checker<'_> {
     }
 }
 
-/// Transforms the components of the vector `v` from the frame `from` to the frame `frame`.
 fn reexpressed(v: Typed, from: usize, frame: usize, span: Span) -> Typed {
     if frame == from {
         return v;

@@ -12,7 +12,6 @@ use crate::syntax::ast::{self, CheckPart, ItemKind, Name, Number, UnitExpr};
 use crate::unit::Unit;
 
 impl Checker<'_> {
-    /// Checks every `check` block and adds it to the model's check cases.
     pub fn cases(&mut self) {
         let file = self.file;
         let mut titles: HashMap<&str, Span> = HashMap::new();
@@ -89,7 +88,6 @@ impl Checker<'_> {
         Some(targets.into_iter().zip(values).collect())
     }
 
-    /// Scalars that the name in `set NAME` refers to, and their unit; reports a name that cannot be set.
     fn targets(&mut self, name: &Name) -> Option<(Vec<Target>, Term)> {
         let Some(symbol) = self.scope.find(&name.text) else {
             self.nothing_named(name, "parameter, coefficient, input, state or marker");
@@ -118,7 +116,6 @@ impl Checker<'_> {
         }
     }
 
-    /// Resolves the state derivative in `expect der(NAME) = …`.
     fn expected_derivative(&mut self, name: &Name) -> Option<Expected> {
         let Some(Symbol::State(i)) = self.scope.find(&name.text) else {
             self.no_state(name);
@@ -131,7 +128,6 @@ impl Checker<'_> {
         })
     }
 
-    /// Resolves the scalar auxiliary variable in `expect NAME = …`.
     fn expected_quantity(&mut self, name: &Name) -> Option<Expected> {
         let (message, help) = match self.scope.find(&name.text) {
             Some(Symbol::Let(i)) => match self.definitions.get(i)?.clone() {
@@ -168,7 +164,6 @@ impl Checker<'_> {
         self.refuse(Diagnostic::new(Kind::Name, name.span, message).help(help))
     }
 
-    /// Checks `expect … = value within tolerance;`; the tolerance may omit the unit of the value.
     fn expectation(
         &mut self,
         expected: Expected,
@@ -255,11 +250,9 @@ impl Checker<'_> {
     }
 }
 
-/// A result that a check case compares with an expected value.
 struct Expected {
     observable: Observable,
     unit: Term,
-    /// Text of the result as written, such as `der(u)` or `alpha`, for messages.
     text: String,
 }
 

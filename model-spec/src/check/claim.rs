@@ -12,7 +12,6 @@ use crate::syntax::of_kind;
 use crate::unit::Unit;
 
 impl<'a> Checker<'a> {
-    /// Checks the `claim` block and adds it to the model.
     pub fn claim(&mut self) {
         let file = self.file;
         let mut claims = of_kind!(file.items.iter(), ItemKind::Claim);
@@ -74,7 +73,6 @@ impl<'a> Checker<'a> {
         self.diagnostics.len() == before
     }
 
-    /// Reports `der(…)` in a claim, which would then hold for any equations.
     fn without_derivatives(&mut self, part: &'a ClaimPart) {
         let mut found: Option<(&str, Span)> = None;
         for e in part.expressions() {

@@ -64,7 +64,6 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// First name of a statement that may occur only once; reports the others.
     fn first_of(
         &mut self,
         word: &str,
@@ -77,7 +76,6 @@ impl<'a> Checker<'a> {
         Some(first)
     }
 
-    /// Reports that the statement `what` occurs a second time.
     pub fn second(&mut self, what: &str, first: Span, again: Span) {
         self.report(
             Diagnostic::new(Kind::Duplicate, again, format!("`{what}` is stated twice"))
@@ -228,7 +226,6 @@ impl<'a> Checker<'a> {
         index
     }
 
-    /// Declares all states: states of the body first, then `state` statements in order.
     fn declare_states(&mut self) {
         let file = self.file;
         let bodies: Vec<&ast::Body> = of_kind!(file.items.iter(), ItemKind::Body).collect();

@@ -1,22 +1,21 @@
 //! Semantic checks of applied effects.
 
+use super::Checker;
 use super::quantity::Measure;
 use super::scope::Symbol;
-use super::{Checker, Definition};
 use crate::diagnostic::{Diagnostic, Kind};
 use crate::model::{AppliedEffect, EffectUnknown, Shape};
-use crate::syntax::ast::{Applied, Name, Need};
+use crate::syntax::ast::{Effect, EffectPart, Name, Need};
 use crate::unit::Unit;
 
 impl Checker<'_> {
-    /// Adds the applied effects, with their coefficients and states, to the checked model.
     pub fn applied(&mut self) {
         let file = self.file;
-        for (i, applied) in file.applied.iter().enumerate() {
-            for need in &applied.needs {
-                self.needed(&applied.name, need);
+        for (i, effect) in file.applied.iter().enumerate() {
+            for need in effect.needs() {
+                self.needed(&effect.name, need);
             }
-            let (mut coefficients, mut states) = (Vec::new(), Vec::new());
+            let mut applied = described(effect);
             for item in file.items.iter().filter(|item| item.effect == Some(i)) {
                 let Some(name) = item.kind.declared() else {
                     continue;
@@ -24,11 +23,11 @@ impl Checker<'_> {
                 let (unknowns, index, null_value, unit) = match self.scope.find(&name.text) {
                     Some(Symbol::Coefficient(i)) => {
                         let own = &self.model.coefficients[i];
-                        (&mut coefficients, i, own.value, own.unit)
+                        (&mut applied.coefficients, i, own.value, own.unit)
                     }
                     Some(Symbol::State(i)) => {
                         let own = &self.model.states[i];
-                        (&mut states, i, own.value, own.unit)
+                        (&mut applied.states, i, own.value, own.unit)
                     }
                     _ => continue,
                 };
@@ -36,45 +35,27 @@ impl Checker<'_> {
                     index,
                     null_value,
                     smallest_effect_of_interest: self
-                        .smallest_effect_of_interest(applied, name, unit),
+                        .smallest_effect_of_interest(effect, name, unit),
                 });
             }
-            self.model.effects.push(AppliedEffect {
-                name: applied.name.text.clone(),
-                doc: applied.doc.clone(),
-                site: applied.site.clone(),
-                variables: applied.variables.clone(),
-                citation: applied.citation.clone(),
-                increases: applied.increases.clone(),
-                decreases: applied.decreases.clone(),
-                coefficients,
-                states,
-            });
+            self.model.effects.push(applied);
         }
     }
 
     /// Reports a needed quantity whose kind or unit in the model is another.
     fn needed(&mut self, effect: &Name, need: &Need) {
-        let (is_vector, unit) = match self.scope.find(&need.name.text) {
-            Some(Symbol::Param(i)) => (false, self.model.params[i].unit),
-            Some(Symbol::Coefficient(i)) => (false, self.model.coefficients[i].unit),
-            Some(Symbol::Input(i)) => (true, self.model.inputs[i].unit),
-            Some(Symbol::InputPart(i, _)) => (false, self.model.inputs[i].unit),
-            Some(Symbol::State(i)) => (false, self.model.states[i].unit),
-            Some(Symbol::Marker) => (true, Unit::METRE),
-            Some(Symbol::Let(i)) => match self.definitions.get(i) {
-                Some(Definition::Done(aux, shape, _)) => {
-                    let unit = self.model.aux_variables[*aux].value.unit;
-                    (*shape != Shape::Scalar, unit)
-                }
-                // The error of the definition has already been reported.
-                _ => return,
-            },
-            None => return,
-        };
+        let symbol = self.scope.find(&need.name.text);
+        let own = symbol.and_then(|symbol| {
+            let term = self.unit_of_symbol(symbol)?.factor()?;
+            Some((self.shape_of_symbol(symbol)?, self.units.resolve(&term)))
+        });
+        // The error of a definition has already been reported.
+        let Some((shape, term)) = own else { return };
         let Some(Measure { unit: wanted, .. }) = self.measure_or_one(need.unit.as_ref()) else {
             return;
         };
+        let unit = term.unit().unwrap_or_default();
+        let is_vector = shape != Shape::Scalar;
         let kind = |is_vector| if is_vector { "a vector" } else { "a number" };
         if is_vector == need.is_vector && unit.agrees(wanted) {
             return;
@@ -93,15 +74,17 @@ impl Checker<'_> {
         self.report(fault);
     }
 
-    /// Smallest effect size of interest, SI, as stated by `negligible NAME …;`.
+    /// SI value in the statement `negligible NAME …;` of an effect.
     fn smallest_effect_of_interest(
         &mut self,
-        applied: &Applied,
+        effect: &Effect,
         name: &Name,
         unit: Unit,
     ) -> Option<f64> {
-        let mut stated = applied.negligible.iter();
-        let (_, quantity) = stated.find(|(own, _)| own.text == name.text)?;
+        let quantity = effect.parts.iter().find_map(|part| match part {
+            EffectPart::Negligible(own, quantity) if own.text == name.text => Some(quantity),
+            _ => None,
+        })?;
         let measure = self.measure_or_one(quantity.unit.as_ref())?;
         if !measure.unit.agrees(unit) {
             let message = format!(
@@ -115,4 +98,26 @@ impl Checker<'_> {
         }
         Some(measure.of(&quantity.number).0)
     }
+}
+
+/// What an effect states about itself, without its coefficients and states.
+fn described(effect: &Effect) -> AppliedEffect {
+    let mut applied = AppliedEffect {
+        name: effect.name.text.clone(),
+        doc: effect.doc.clone(),
+        ..AppliedEffect::default()
+    };
+    for part in &effect.parts {
+        match part {
+            EffectPart::Citation(text, _) => applied.citation.clone_from(text),
+            EffectPart::Increases(text, _) => applied.increases.clone_from(text),
+            EffectPart::Decreases(text, _) => applied.decreases.clone_from(text),
+            EffectPart::Site(name) => applied.site.clone_from(&name.text),
+            EffectPart::Variables(names, _) => {
+                applied.variables = names.iter().map(|n| n.text.clone()).collect();
+            }
+            _ => {}
+        }
+    }
+    applied
 }

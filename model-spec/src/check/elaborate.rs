@@ -7,7 +7,6 @@ use crate::model::{Expr, ExprKind, Shape};
 use crate::syntax::ast::{self, BinaryOp};
 use crate::unit::{Unit, symbol};
 
-/// Maximum magnitude of twice the exponent of a power: `x^64` is the largest.
 const MAX_DOUBLED_EXPONENT: f64 = 128.0;
 
 /// Creates an expression node with the provisional unit 1; [`Checker::finish`] assigns the final unit.
@@ -101,7 +100,6 @@ impl Checker<'_> {
         Some(Typed { expr, unit })
     }
 
-    /// Elaborates `(a, b, c) in F`: a vector with three components of equal unit in the frame F.
     fn components(
         &mut self,
         parts: &[ast::Expr; 3],
@@ -214,7 +212,6 @@ impl Checker<'_> {
         Some(Typed::scalar(kind, span, unit))
     }
 
-    /// Elaborates the power of a dimensionless base with an exponent that is no whole or half number.
     fn real_power(&mut self, base: Typed, exponent: &ast::Expr, span: Span) -> Option<Typed> {
         let exponent = self.scalar(exponent, "an exponent")?;
         let power = self.text(span);

@@ -137,7 +137,6 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Checks loads, equations, clock and measurement equation, and adds them to the model.
     pub fn equations(&mut self) {
         let file = self.file;
         let mut loads: HashMap<(bool, &str), Span> = HashMap::new();

@@ -6,13 +6,10 @@ use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{Expr, ExprKind, Shape};
 use crate::unit::Unit;
 
-/// Maximum number of declarations that the message of one unit error shows with an annotation.
 const MAX_LABELS: usize = 8;
 
-/// Maximum number of operands that the message of a unit error considers.
 const MAX_LEAVES: usize = 64;
 
-/// An operand of an expression: a name or a literal with a unit.
 struct Leaf {
     name: String,
     term: Term,
@@ -118,7 +115,6 @@ impl Checker<'_> {
         false
     }
 
-    /// Adds to a unit error the units and declarations of the operands of each side.
     fn origins(&mut self, mut fault: Diagnostic, sides: &[&Typed]) -> Diagnostic {
         self.suspect_unitless(fault.span, sides);
         let mut shown: Vec<Span> = Vec::new();
@@ -227,7 +223,6 @@ impl Checker<'_> {
         }
     }
 
-    /// Suggests a factor that makes two groups of expressions agree in unit.
     fn advice(&self, terms: &[Typed], groups: &[Vec<usize>]) -> Option<String> {
         let [a, b] = groups else { return None };
         // The unit of the group with more terms is assumed to be the expected one.
@@ -236,7 +231,6 @@ impl Checker<'_> {
         self.missing_factor(&terms[odd[0]], unit(odd[0])?, unit(even[0])?)
     }
 
-    /// Suggests a declared quantity that converts the unit `found` of an expression to `expected`.
     fn missing_factor(&self, typed: &Typed, found: Unit, expected: Unit) -> Option<String> {
         let text = self.text(typed.expr.span);
         let excess = found.checked_div(expected)?;

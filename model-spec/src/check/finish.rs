@@ -64,7 +64,6 @@ impl Checker<'_> {
         }
     }
 
-    /// Stores the unit of every expression, computed from its operands.
     fn assign(&mut self) {
         let model = &mut self.model;
         let mut tables = Tables {
@@ -95,7 +94,6 @@ fn bare_zero(e: &Expr) -> bool {
     matches!(e.kind, ExprKind::Number { value: 0.0, .. }) && e.unit == Unit::ONE
 }
 
-/// Units of what a model declares, indexed as its vectors.
 struct Tables {
     params: Vec<Unit>,
     coefficients: Vec<Unit>,

@@ -7,7 +7,6 @@ use crate::model::{self, FrameKind};
 use crate::suggest;
 use crate::syntax::ast::{self, Name};
 
-/// Maximum number of frames in a model; a further frame is reported as an error.
 const MAX_FRAMES: usize = 100;
 
 impl<'a> Checker<'a> {
@@ -88,7 +87,6 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Sets the orientation of each frame, once the states are declared.
     pub fn frame_kinds(&mut self) {
         for frame in self.declared_frames() {
             let Some(index) = self.scope.frame(&frame.name.text) else {
@@ -134,7 +132,6 @@ impl<'a> Checker<'a> {
         })
     }
 
-    /// Index of the state `name`, an angle or quaternion component; reports a wrong unit.
     fn frame_state(&mut self, name: &Name) -> Option<usize> {
         let Some(Symbol::State(index)) = self.scope.find(&name.text) else {
             // If there is a body, the errors of its statements have already been reported.
@@ -158,7 +155,6 @@ impl<'a> Checker<'a> {
         Some(index)
     }
 
-    /// Reports that `name` is not the name of a state.
     pub fn no_state(&mut self, name: &Name) {
         // Errors that are not shown need no suggestions.
         let is_shown = self.diagnostics.len() < MAX_SHOWN;

@@ -8,7 +8,6 @@ use crate::model::{self, Expr, ExprKind, FrameKind, Function, Shape};
 use crate::syntax::ast::ItemKind;
 use crate::unit::Unit;
 
-/// Lower bound of the cosine or sine of the second attitude angle, which is 0 at gimbal lock.
 const GIMBAL_LIMIT: f64 = 0.01;
 
 /// Maximum number of validity limits, which bounds the run time: every divisor is compared with each.

@@ -3,7 +3,6 @@
 //! The checks analyse the vector expressions as written, before any simplification. A statement with an error is
 //! reported once and omitted; statements that refer to it cause no further reports.
 
-mod accelerations;
 mod attitude;
 mod body;
 mod call;
@@ -95,7 +94,6 @@ pub fn check(file: &ast::File, sources: &[Source]) -> Checked {
     }
 }
 
-/// Unit of an expression during unit inference.
 #[derive(Clone, Debug)]
 enum UnitOf {
     /// A product of powers of base units and of unknown units.
@@ -106,7 +104,6 @@ enum UnitOf {
     Faulty,
 }
 
-/// Expression with resolved names, shape and frame, and its unit.
 #[derive(Clone, Debug)]
 struct Typed {
     expr: model::Expr,
@@ -124,7 +121,6 @@ impl Typed {
     }
 }
 
-/// Result of checking a definition: a `let`, or the right-hand side of an equation referenced as `der(STATE)`.
 #[derive(Clone, Debug)]
 enum Definition {
     /// The definition is not yet checked, or has an error.
@@ -190,7 +186,6 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Runs all passes of the analysis; afterwards [`Checker::model`] and [`Checker::diagnostics`] are complete.
     fn run(&mut self) {
         self.declare();
         self.definitions();
@@ -217,12 +212,10 @@ impl<'a> Checker<'a> {
         None
     }
 
-    /// Whether no error other than unit errors has been found so far.
     fn sound(&self) -> bool {
         self.diagnostics.iter().all(|d| d.kind == Kind::Unit)
     }
 
-    /// Source text of a span, with each run of whitespace replaced by one space, truncated for messages.
     fn text(&self, span: Span) -> String {
         let raw = self
             .sources
@@ -234,7 +227,6 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// Removes one pair of parentheses that encloses the whole text; other texts are returned unchanged.
 fn unwrapped(text: &str) -> &str {
     let Some(inner) = text.strip_prefix('(').and_then(|t| t.strip_suffix(')')) else {
         return text;

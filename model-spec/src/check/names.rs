@@ -15,25 +15,23 @@ impl Checker<'_> {
     pub fn name(&mut self, name: &str, span: Span) -> Option<Typed> {
         let scalar = |kind, term| Typed::scalar(kind, span, UnitOf::Term(term));
         if let Some(symbol) = self.scope.find(name) {
-            let input_shape = |i: usize| Shape::Vector(self.model.inputs[i].frame);
-            let (kind, shape) = match symbol {
-                Symbol::Param(i) => (ExprKind::Param(i), Shape::Scalar),
-                Symbol::Coefficient(i) => (ExprKind::Coefficient(i), Shape::Scalar),
-                Symbol::State(i) => (ExprKind::State(i), Shape::Scalar),
-                Symbol::Input(i) => (ExprKind::Input(i), input_shape(i)),
+            let kind = match symbol {
+                Symbol::Param(i) => ExprKind::Param(i),
+                Symbol::Coefficient(i) => ExprKind::Coefficient(i),
+                Symbol::State(i) => ExprKind::State(i),
+                Symbol::Input(i) => ExprKind::Input(i),
                 Symbol::InputPart(i, part) => {
-                    let input = node(ExprKind::Input(i), input_shape(i), span);
-                    (ExprKind::Component(Box::new(input), part), Shape::Scalar)
+                    let shape = self.shape_of_symbol(Symbol::Input(i))?;
+                    let input = node(ExprKind::Input(i), shape, span);
+                    ExprKind::Component(Box::new(input), part)
                 }
                 Symbol::Let(i) => match self.definitions.get(i)? {
                     Definition::Missing => return None,
-                    Definition::Done(index, shape, _) => (ExprKind::AuxVariable(*index), *shape),
+                    Definition::Done(index, ..) => ExprKind::AuxVariable(*index),
                 },
-                Symbol::Marker => {
-                    let frame = self.model.marker.as_ref()?.frame;
-                    (ExprKind::Marker, Shape::Vector(frame))
-                }
+                Symbol::Marker => ExprKind::Marker,
             };
+            let shape = self.shape_of_symbol(symbol)?;
             let unit = match self.unit_of_symbol(symbol)? {
                 UnitOf::Term(term) if !matches!(symbol, Symbol::Let(_)) => {
                     UnitOf::Term(self.used(term, span))
@@ -64,6 +62,19 @@ impl Checker<'_> {
             },
         };
         Some(UnitOf::Term(term.clone()))
+    }
+
+    /// Shape of the declared quantity `symbol`; `None` for an auxiliary variable whose definition has an error.
+    pub fn shape_of_symbol(&self, symbol: Symbol) -> Option<Shape> {
+        Some(match symbol {
+            Symbol::Input(i) => Shape::Vector(self.model.inputs[i].frame),
+            Symbol::Marker => Shape::Vector(self.model.marker.as_ref()?.frame),
+            Symbol::Let(i) => match self.definitions.get(i)? {
+                Definition::Missing => return None,
+                Definition::Done(_, shape, _) => *shape,
+            },
+            _ => Shape::Scalar,
+        })
     }
 
     /// Resolves a predefined vector of the body, such as `velocity`.
@@ -150,7 +161,6 @@ impl Checker<'_> {
         term
     }
 
-    /// Resolves an axis `F.k` of a frame, or a component `v.k` of a vector.
     pub fn part(&mut self, of: &ast::Expr, part: u8, span: Span) -> Option<Typed> {
         if let ast::ExprKind::Name(name) = &of.kind
             && let Some(frame) = self.scope.frame(name)
@@ -179,7 +189,6 @@ impl Checker<'_> {
         Some(Typed::scalar(kind, span, of_typed.unit))
     }
 
-    /// Resolves `der(STATE)` in an expression to the right-hand side of its equation.
     pub fn derivative(&mut self, state: &ast::Name, span: Span) -> Option<Typed> {
         let found = self.scope.find(&state.text);
         let derived = match found {

@@ -1,19 +1,18 @@
-//! Topological order of the definitions of auxiliary variables, by the names that they use.
-
-use std::collections::HashMap;
+//! Topological order of the definitions of auxiliary variables, by the names that they use, and what must precede the
+//! motion.
 
 use super::Checker;
 use super::scope::Symbol;
 use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::layout::{depends, depends_on_accelerations, is_acceleration};
 use crate::syntax::ast::{self, Expr, ExprKind};
+use std::collections::HashMap;
 
 /// Maximum number of dependency cycles that are reported, since each report traverses the definitions of a cycle.
 const MAX_CYCLES: usize = 50;
 
-/// Maximum number of definitions of a dependency cycle that an error message lists.
 const MAX_LISTED: usize = 8;
 
-/// A definition: a `let`, or the right-hand side of an equation referenced as `der(STATE)`.
 #[derive(Clone, Copy)]
 pub(super) struct Defining<'a> {
     pub name: &'a ast::Name,
@@ -23,7 +22,6 @@ pub(super) struct Defining<'a> {
     pub effect: Option<usize>,
     /// For an equation `der(STATE) = …`, index of `STATE` into `Model::states`; `None` for a `let`.
     pub state: Option<usize>,
-    /// Source span of the defined name.
     pub span: Span,
 }
 
@@ -37,7 +35,6 @@ pub(super) fn uses<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e str, bool, Span)) 
 }
 
 impl Checker<'_> {
-    /// For each definition, the definitions that it uses, with the span of each use.
     fn dependencies(&self, definitions: &[Defining<'_>]) -> Vec<Vec<(usize, Span)>> {
         let derivatives = definitions.iter().enumerate();
         let of_state: HashMap<usize, usize> = derivatives
@@ -58,7 +55,6 @@ impl Checker<'_> {
         definitions.iter().map(used_by).collect()
     }
 
-    /// Topological order of the definitions; omits and reports up to [`MAX_CYCLES`] cycles.
     pub fn ordered(&mut self, definitions: &[Defining<'_>]) -> Vec<usize> {
         let edges = self.dependencies(definitions);
         let mut cycles = 0;
@@ -148,15 +144,31 @@ impl Checker<'_> {
     }
 }
 
-/// Progress mark of a definition in the depth-first search over the dependencies between definitions.
 #[derive(Clone, Copy, PartialEq)]
 enum Mark {
-    /// The definition is not yet visited.
     New,
-    /// Visit begun but not finished: the definition is on the stack of the depth-first search.
     Open,
-    /// Finished: already in the topological order.
     Done,
-    /// On a dependency cycle that has been reported.
     Cyclic,
+}
+
+impl Checker<'_> {
+    /// Reports expressions that depend on the specific force or the angular acceleration, but precede the motion.
+    pub fn after_motion(&mut self) {
+        let model = &self.model;
+        let known = depends_on_accelerations(model);
+        let statements = model.statements().into_iter();
+        let before = statements.filter(|own| own.0 != "an observation");
+        let found: Vec<(Span, &str)> = before
+            .filter(|(_, _, value, _)| depends(value, &known, is_acceleration))
+            .map(|(what, _, value, _)| (value.span, what))
+            .collect();
+        for (span, what) in found {
+            let message = format!(
+                "{what} cannot depend on `specific_force` or `angular_acceleration`, which follow from the forces and moments"
+            );
+            let fault = Diagnostic::new(Kind::Cycle, span, message);
+            self.report(fault.help("use them in a `let` for a sensor, or in `observe`"));
+        }
+    }
 }

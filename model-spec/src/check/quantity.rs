@@ -17,7 +17,6 @@ pub(super) struct Measure {
 }
 
 impl Measure {
-    /// The unit 1 of dimensionless values, with conversion factor 1.
     pub fn one() -> Measure {
         Measure {
             unit: Unit::ONE,

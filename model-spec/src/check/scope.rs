@@ -21,7 +21,6 @@ pub(super) enum Symbol {
     Marker,
 }
 
-/// Symbol table: names of values, frames and tables, with the spans of their declarations.
 #[derive(Default)]
 pub(super) struct Scope {
     values: HashMap<String, (Symbol, Span)>,
@@ -31,7 +30,6 @@ pub(super) struct Scope {
     order: Vec<String>,
 }
 
-/// Reserved names, which no declaration can use.
 pub(super) const FIXED: [&str; 3] = ["pi", "time", "previous"];
 
 /// Name that stands for the replaced definition in a `replace` statement of an effect.
@@ -46,7 +44,6 @@ pub(crate) const OF_BODY: [&str; 5] = [
     "angular_acceleration",
 ];
 
-/// Built-in functions other than those of one scalar.
 const OTHER_FUNCTIONS: [&str; 11] = [
     "atan2",
     "min",
@@ -61,7 +58,6 @@ const OTHER_FUNCTIONS: [&str; 11] = [
     "in_frame_of",
 ];
 
-/// Names of the built-in functions of the model language.
 pub(super) fn function_names() -> impl Iterator<Item = &'static str> {
     let names = Function::NAMES.into_iter().map(|(name, _)| name);
     names.chain(OTHER_FUNCTIONS)
@@ -174,7 +170,6 @@ impl Checker<'_> {
     }
 }
 
-/// Creates the error for a second declaration of `what`, with the source spans of both declarations.
 fn declared_twice(what: &str, first: Span, again: Span) -> Diagnostic {
     Diagnostic::new(Kind::Duplicate, again, format!("{what} is declared twice"))
         .label(first, "first declared here")
@@ -182,10 +177,8 @@ fn declared_twice(what: &str, first: Span, again: Span) -> Diagnostic {
         .help("rename one of them, or remove it")
 }
 
-/// Maximum number of names that a message lists; further names are only counted.
 const MAX_LISTED: usize = 8;
 
-/// Quoted list of names for a sentence: "`a`, `b` and `c`", or "… and 3 more".
 pub(super) fn listed(names: &[impl AsRef<str>]) -> String {
     let quoted: Vec<String> = names
         .iter()

@@ -15,7 +15,6 @@ pub struct SingularPoint {
     pub what: String,
 }
 
-/// Known facts about the sign of an expression's value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Sign {
     Unknown,
@@ -51,7 +50,6 @@ impl Sign {
     }
 }
 
-/// Signs and value ranges of the auxiliary variables, by index into [`Model::aux_variables`].
 struct Signs<'m> {
     model: &'m Model,
     lets: Vec<Sign>,

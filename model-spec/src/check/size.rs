@@ -5,13 +5,10 @@ use super::Checker;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{Expr, ExprKind, Function, Shape};
 
-/// Maximum number of factors of a product, powers counted as repeated factors.
 pub(crate) const MAX_FACTORS: u64 = 1_000;
 
-/// Maximum number of scalar operations of a model, before differentiation.
 pub(crate) const MAX_OPERATIONS: u64 = 10_000;
 
-/// Estimated size of an expression in the compiled model.
 #[derive(Clone, Copy)]
 struct Size {
     /// Number of terms in each component after nested sums are merged; 1 for an expression that is not a sum.
@@ -34,7 +31,6 @@ struct Sizes {
 }
 
 impl Checker<'_> {
-    /// Reports the first definition or statement with which the model becomes too large to be compiled.
     pub fn size(&mut self) {
         let model = &self.model;
         let mut sizes = Sizes {
@@ -50,23 +46,8 @@ impl Checker<'_> {
                 return;
             }
         }
-        let loads = model.forces.iter().chain(&model.moments);
-        let loads = loads.map(|load| (&load.value, load.name.as_str(), load.span));
-        let rates = model.equations.iter().map(|equation| {
-            let state = &model.states[equation.state].name;
-            (&equation.value, state.as_str(), equation.span)
-        });
-        let seen = model.observation.iter();
-        let seen = seen.map(|o| (&o.value, o.name.as_str(), o.span));
-        let clock = model.clock.iter().map(|c| (&c.value, "clock", c.span));
-        let limits = model.limits.iter().map(|l| (&l.value, "limit", l.span));
-        let claimed = model.claim.iter().flat_map(|claim| {
-            let expressions = claim.expressions().into_iter();
-            expressions.map(|e| (e, claim.name.as_str(), e.span))
-        });
-        let statements = loads.chain(rates).chain(seen).chain(clock).chain(limits);
-        let statements = statements.chain(claimed);
-        let fault = { statements }.find_map(|(value, name, span)| {
+        let mut statements = model.statements().into_iter();
+        let fault = statements.find_map(|(_, name, value, span)| {
             let size = sizes.of(value);
             sizes.fault(size, name, span)
         });
@@ -98,7 +79,6 @@ impl Sizes {
         })
     }
 
-    /// Estimates the size of an expression, and adds its operations to the total of the model.
     fn of(&mut self, e: &Expr) -> Size {
         use ExprKind as K;
         let each = match e.shape {
@@ -172,7 +152,6 @@ fn product(a: Size, b: Size) -> Size {
     }
 }
 
-/// Formats a count for messages; a count above a billion becomes `over a billion`.
 fn shown(count: u64) -> String {
     const MANY: u64 = 1_000_000_000;
     if count > MANY {

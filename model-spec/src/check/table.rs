@@ -9,9 +9,7 @@ use crate::syntax::ast::{self, Item, Quantity};
 
 /// Minimum number of knots of a table; two knots would define only a straight line.
 const MIN_KNOTS: usize = 3;
-/// Maximum number of knots of a table; a table with more knots is reported as an error.
 const MAX_KNOTS: usize = 500;
-/// Maximum number of tables of a model; a further table is reported as an error.
 const MAX_TABLES: usize = 100;
 /// Minimum width between adjacent knots, as a fraction of the whole range.
 const MIN_WIDTH: f64 = 1e-9;
@@ -19,7 +17,6 @@ const MIN_WIDTH: f64 = 1e-9;
 const MAX_EXPONENT: f64 = 60.0;
 
 impl Checker<'_> {
-    /// Checks the declaration of a table, adds the table to the model, and declares its name as that of a function.
     pub fn table(&mut self, table: &ast::Table, item: &Item) {
         let units = [&table.argument_unit, &table.unit];
         let units = units.map(|unit| self.measure_or_one(unit.as_ref()));

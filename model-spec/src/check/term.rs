@@ -8,7 +8,6 @@ use std::cell::RefCell;
 use crate::diagnostic::Span;
 use crate::unit::Unit;
 
-/// Maximum number of different unknown units in one [`Term`]; a unit with more unknowns is an error.
 const MAX_UNKNOWNS: usize = 32;
 
 /// Maximum numerator and denominator of a unit exponent, so that sums stay within `i64`.

@@ -10,7 +10,6 @@ use crate::model::{Expr, ExprKind};
 use crate::syntax::ast::{Item, ItemKind, Name, UnitExpr, UnitFactor};
 use crate::unit::Unit;
 
-/// Maximum number of declarations for which the message of one unit error proposes a unit.
 const MAX_SUGGESTED: usize = 3;
 
 /// Declarations without a unit, each identified by the source span of the declared name.
@@ -25,7 +24,6 @@ pub(super) struct Unitless {
 }
 
 impl Unitless {
-    /// Record for a checker that infers missing units.
     pub fn inferred() -> Unitless {
         Unitless {
             infers: true,
@@ -84,7 +82,6 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Records the declaration of `name` as a possible cause of a unit error.
     pub fn suspect_declaration(&mut self, fault: Span, name: Span) {
         if !self.unitless.terms.contains_key(&name) {
             return;
@@ -166,7 +163,6 @@ impl<'a> Checker<'a> {
         { declared }.find(|d| d.name.span == name)
     }
 
-    /// Sentence that proposes units for up to [`MAX_SUGGESTED`] declarations.
     fn suggestion(&self, needed: &[(Declared<'_>, Unit)]) -> Option<String> {
         let listed = |texts: Vec<String>| texts.join(" and ");
         let shown = &needed[..needed.len().min(MAX_SUGGESTED)];
@@ -188,7 +184,6 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// A declaration of a parameter, state or input, which may state a unit.
 struct Declared<'a> {
     item: &'a ItemKind,
     name: &'a Name,

@@ -1,17 +1,15 @@
 //! An effect as a syntax tree, which is parsed from text or built from parts.
 
+use crate::diagnostic::{Diagnostic, Kind, Source};
+use crate::location::Span;
+use crate::read::EFFECTS;
+use crate::read::LoadError;
+use crate::read::read;
+use crate::syntax::ast::{Effect, EffectPart, Item, ItemKind, Need};
+use crate::syntax::{self, Parsed};
 use std::fmt;
 use std::path::Path;
 use std::sync::LazyLock;
-
-use super::instrument::Instrument;
-use crate::diagnostic::{Diagnostic, Kind, Source};
-use crate::error::LoadError;
-use crate::library::{EFFECTS, GENERAL_EFFECTS};
-use crate::read::read;
-use crate::source::Span;
-use crate::syntax::ast::{Effect, EffectPart, Item, ItemKind, Need};
-use crate::syntax::{self, Parsed};
 
 /// An effect as a syntax tree with its source text, ready to be applied to a [`ModelTree`](super::ModelTree).
 #[derive(Clone, Debug)]
@@ -40,17 +38,10 @@ impl EffectTree {
     /// assert_eq!(model.effects[0].name, "other_lift");
     /// # Ok::<(), model_spec::LoadError>(())
     /// ```
-    pub fn new(mut tree: Effect) -> EffectTree {
-        let text = tree.to_string();
-        let whole = Span {
-            start: 0,
-            end: u32::try_from(text.len()).unwrap_or(u32::MAX),
-            source: 0,
-        };
-        tree.change_spans(&mut |span| *span = whole);
+    pub fn new(tree: Effect) -> EffectTree {
         let source = Source {
             name: format!("{}.hyz", tree.name.text),
-            text,
+            text: tree.to_string(),
         };
         EffectTree {
             tree,
@@ -68,23 +59,33 @@ impl EffectTree {
         EffectTree::parse(path, &read(path)?)
     }
 
-    /// Built-in effect of the given name, specific or general.
-    pub(super) fn built_in(name: &str) -> Option<&'static EffectTree> {
+    /// Built-in effects: those for certain kinds of models, then those for any, each by name.
+    pub fn built_in() -> &'static [EffectTree] {
         static BUILT_IN: LazyLock<Vec<EffectTree>> = LazyLock::new(|| {
-            let all = EFFECTS.iter().chain(GENERAL_EFFECTS);
             let parse =
                 |(name, text): &(&str, &str)| EffectTree::parse(&format!("{name}.hyz"), text).ok();
-            all.filter_map(parse).collect()
+            let mut all: Vec<EffectTree> = EFFECTS.iter().filter_map(parse).collect();
+            all.sort_by_key(EffectTree::is_general);
+            all
         });
-        BUILT_IN.iter().find(|effect| effect.name() == name)
+        &BUILT_IN
+    }
+
+    /// Whether the effect is written for models of any kind: it states which effects it `generalises`, if only `none`.
+    pub fn is_general(&self) -> bool {
+        let states = |part: &EffectPart| matches!(part, EffectPart::Generalises(_));
+        self.tree.parts.iter().any(states)
     }
 
     /// More specific effects, of which this one is the general form.
     pub fn generalises(&self) -> impl Iterator<Item = &str> {
-        self.tree.parts.iter().flat_map(|part| match part {
-            EffectPart::Generalises(names) => names.iter().map(|name| name.text.as_str()).collect(),
-            _ => Vec::new(),
-        })
+        let names = self.tree.parts.iter().flat_map(|part| match part {
+            EffectPart::Generalises(names) => names.as_slice(),
+            _ => &[],
+        });
+        names
+            .map(|name| name.text.as_str())
+            .filter(|name| *name != "none")
     }
 
     /// Parses an effect from text; messages refer to the text as `name`. The text must declare exactly one effect, or
@@ -131,11 +132,7 @@ impl EffectTree {
 
     /// Quantities that a model must have: those needed without a fallback.
     pub fn needs(&self) -> impl Iterator<Item = &Need> {
-        let all = self.tree.parts.iter().flat_map(|part| match part {
-            EffectPart::Needs(needs) => needs.as_slice(),
-            _ => &[],
-        });
-        all.filter(|need| need.otherwise.is_none())
+        self.tree.needs().filter(|need| need.otherwise.is_none())
     }
 
     /// Instruments whose measured quantities the effect needs.
@@ -165,24 +162,78 @@ impl EffectTree {
             .unwrap_or_default()
     }
 
-    /// Copy of the tree with spans that refer to `sources`, to which its text is added.
+    /// The tree with spans that refer to `sources`, to which its text is added.
     pub(super) fn in_sources(&self, sources: &mut Vec<Source>) -> Effect {
-        let mut tree = self.tree.clone();
-        if let Some(own) = &self.source {
-            let place = sources.iter().position(|source| source == own);
-            let place = place.unwrap_or_else(|| {
-                sources.push(own.clone());
-                sources.len() - 1
-            });
-            let place = u16::try_from(place).unwrap_or(u16::MAX);
-            tree.change_spans(&mut |span| span.source = place);
+        let Some(own) = &self.source else {
+            return self.tree.clone();
+        };
+        let place = sources.iter().position(|source| source == own);
+        let place = place.unwrap_or_else(|| {
+            sources.push(own.clone());
+            sources.len() - 1
+        });
+        let place = u16::try_from(place).unwrap_or(u16::MAX);
+        let file = syntax::parse_as(&own.name, &own.text, place).file;
+        let effect = file
+            .effects()
+            .find(|own| own.name.text == self.name())
+            .cloned();
+        Effect {
+            doc: self.tree.doc.clone(),
+            ..effect.unwrap_or_else(|| self.tree.clone())
         }
-        tree
     }
 }
 
 impl fmt::Display for EffectTree {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.tree.fmt(f)
+    }
+}
+
+/// An instrument mounted on the body. The value that it measures is predicted by an auxiliary variable of the model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Instrument {
+    /// Measures the angular velocity of the body, rad/s, with components in the frame of the model's marker.
+    Gyroscope,
+    /// Measures the specific force at the position of the model's marker, m/s², with components in the frame of the
+    /// marker.
+    Accelerometer,
+    /// Measures a speed, m/s: the value of the auxiliary variable `speed` if the model declares one, otherwise the
+    /// speed of the centre of mass relative to the ground.
+    Speed,
+}
+
+impl Instrument {
+    /// All instruments.
+    pub const ALL: [Self; 3] = [Self::Gyroscope, Self::Accelerometer, Self::Speed];
+
+    /// Name of the predicting variable in models, and of the measurement in datasets.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Gyroscope => "gyroscope",
+            Self::Accelerometer => "accelerometer",
+            Self::Speed => "speed",
+        }
+    }
+
+    /// Number of scalar components of the measured quantity: 3 for a vector, 1 for a speed.
+    pub fn components(self) -> usize {
+        match self {
+            Self::Gyroscope | Self::Accelerometer => 3,
+            Self::Speed => 1,
+        }
+    }
+
+    /// Default `let` of the measured quantity, in `frame`, at the vector `marker` from the centre of mass.
+    pub(super) fn definition(self, frame: &str, marker: &str) -> String {
+        match self {
+            Self::Gyroscope => format!("let gyroscope = in_{frame}(angular_velocity);"),
+            Self::Accelerometer => format!(
+                "let accelerometer = in_{frame}(specific_force) + cross(in_{frame}(angular_acceleration), {marker}) \
+                 + cross(in_{frame}(angular_velocity), cross(in_{frame}(angular_velocity), {marker}));"
+            ),
+            Self::Speed => "let speed = norm(velocity);".to_owned(),
+        }
     }
 }

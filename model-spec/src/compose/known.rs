@@ -2,9 +2,9 @@
 
 use thiserror::Error;
 
-use super::binding::{Binding, Unmet};
 use super::{EffectTree, ModelTree, rates};
-use crate::library::{EFFECTS, GENERAL_EFFECTS};
+use crate::check::check;
+use crate::effect;
 use crate::model::Model;
 
 /// Where an effect is defined.
@@ -23,9 +23,9 @@ pub enum Origin {
 /// Reason why a diagnosis does not consider an effect, that is, a named change to the model.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Refused {
-    /// The model does not meet a requirement of the effect.
-    #[error(transparent)]
-    Unmet(Unmet),
+    /// The effect cannot be applied to the model, for this reason.
+    #[error("{0}")]
+    Unmet(String),
     /// The effect is already applied to the model.
     #[error("it is switched on")]
     Applied,
@@ -52,11 +52,9 @@ pub struct KnownEffect {
 /// built-in effects, and effects created from the equations `der(STATE) = …` of the model. If several effects have the
 /// same name, only the first is returned.
 ///
-/// [`KnownEffect::refused`] is `None` for an effect that a diagnosis considers as possibly missing from the model. This
-/// is determined from names and units, without applying the effect.
+/// [`KnownEffect::refused`] is `None` for an effect that a diagnosis considers as possibly missing from the model.
 pub fn known_effects(model: &Model) -> Vec<KnownEffect> {
     let tree = ModelTree::of(model);
-    let binding = Binding::new(model);
     let mut known: Vec<KnownEffect> = Vec::new();
     let mut add = |effect: EffectTree, origin: Origin| {
         if known.iter().any(|k| k.effect.name() == effect.name()) {
@@ -66,7 +64,7 @@ pub fn known_effects(model: &Model) -> Vec<KnownEffect> {
         let refused = if is_applied {
             Some(Refused::Applied)
         } else {
-            binding.unmet(&effect).map(Refused::Unmet)
+            unmet(&tree, &effect).map(Refused::Unmet)
         };
         known.push(KnownEffect {
             effect,
@@ -77,16 +75,13 @@ pub fn known_effects(model: &Model) -> Vec<KnownEffect> {
     for own in tree.file().effects() {
         add(EffectTree::of_model(own.clone()), Origin::Own);
     }
-    for (table, origin) in [
-        (EFFECTS, Origin::Specific),
-        (GENERAL_EFFECTS, Origin::General),
-    ] {
-        for effect in table
-            .iter()
-            .filter_map(|(name, _)| EffectTree::built_in(name))
-        {
-            add(effect.clone(), origin);
-        }
+    for effect in EffectTree::built_in() {
+        let origin = if effect.is_general() {
+            Origin::General
+        } else {
+            Origin::Specific
+        };
+        add(effect.clone(), origin);
     }
     for effect in rates::rate_effects(tree.file()) {
         add(effect, Origin::Equation);
@@ -97,10 +92,26 @@ pub fn known_effects(model: &Model) -> Vec<KnownEffect> {
         .map(|k| k.effect.name().to_owned())
         .collect();
     for own in known.iter_mut().filter(|k| k.refused.is_none()) {
-        let mut generalised = own.effect.generalises().map(str::to_owned);
-        let by = generalised.find(|name| bound.contains(name));
-        drop(generalised);
+        let is_bound = |name: &&str| bound.iter().any(|own| own == name);
+        let by = own.effect.generalises().find(is_bound).map(str::to_owned);
         own.refused = by.map(|by| Refused::Covered { by });
     }
     known
+}
+
+/// Why an effect cannot be applied: a quantity that the model lacks, else the first error of the extended model.
+fn unmet(tree: &ModelTree, effect: &EffectTree) -> Option<String> {
+    let mut lacking = effect::lacking(tree.file(), effect.tree());
+    if let Some(need) = lacking.find(|need| need.otherwise.is_none()) {
+        let kind = if need.is_vector { "vector" } else { "number" };
+        let unit = need.unit.as_ref().map(|unit| format!(" in {unit}"));
+        let (name, unit) = (&need.name.text, unit.unwrap_or_default());
+        return Some(format!("it needs a {kind} `{name}`{unit}"));
+    }
+    let mut extended = tree.clone();
+    let faults = match extended.apply(effect) {
+        Ok(()) => check(extended.file(), extended.sources()).diagnostics,
+        Err(faults) => faults,
+    };
+    Some(faults.into_iter().next()?.message)
 }

@@ -22,31 +22,24 @@
 //! # Ok::<(), model_spec::LoadError>(())
 //! ```
 
-mod binding;
 mod effect_tree;
-mod instrument;
 mod known;
-mod offers;
 mod rates;
 mod sensors;
 mod values;
 
-use std::sync::Arc;
-
 use crate::check::{self, Checked};
-use crate::diagnostic::{Diagnostic, Source};
+use crate::diagnostic::{self, Diagnostic, Kind, Source};
 use crate::effect;
-use crate::error::LoadError;
-use crate::library::{self, BODIES, EFFECTS, GENERAL_EFFECTS, MODELS, REFUTED};
 use crate::model::Model;
-use crate::read::read;
+use crate::read::LoadError;
+use crate::read::{BODIES, MODELS, REFUTED, find, read};
 use crate::syntax::ast::{File, ItemKind};
 use crate::syntax::{self, Parsed};
-
-pub use binding::{Binding, Unmet};
-pub use effect_tree::EffectTree;
-pub use instrument::Instrument;
+pub use effect_tree::{EffectTree, Instrument};
 pub use known::{KnownEffect, Origin, Refused, known_effects};
+use std::collections::HashSet;
+use std::sync::Arc;
 pub use values::ValueError;
 
 /// Syntax tree of a model to which effects can be applied, and the source texts that its spans refer to.
@@ -114,8 +107,7 @@ impl ModelTree {
     /// Names of the effects declared in the model's file, then of the built-in effects, specific and general.
     pub fn effect_names(&self) -> impl Iterator<Item = &str> {
         let own = self.file.effects().map(|effect| effect.name.text.as_str());
-        let built_in = EFFECTS.iter().chain(GENERAL_EFFECTS);
-        own.chain(built_in.map(|(name, _)| *name))
+        own.chain(EffectTree::built_in().iter().map(EffectTree::name))
     }
 
     /// Finds an effect by file path, or by name (with `_` or `-` between words). A name is searched among the effects
@@ -132,8 +124,9 @@ impl ModelTree {
         if let Some(own) = self.file.effects().find(|effect| effect.name.text == name) {
             return Ok(EffectTree::of_model(own.clone()));
         }
-        if let Some(built_in) = EffectTree::built_in(&name) {
-            return Ok(built_in.clone());
+        let mut built_in = EffectTree::built_in().iter();
+        if let Some(effect) = built_in.find(|effect| effect.name() == name) {
+            return Ok(effect.clone());
         }
         let of_equations = rates::rate_effects(&self.file).into_iter();
         let mut of_equations = of_equations.filter(|effect| effect.name() == name);
@@ -169,7 +162,7 @@ impl ModelTree {
         for name in names_or_paths {
             let effect = extended.find_effect(name.as_ref())?;
             extended = extended
-                .with_instruments(&effect.instruments())?
+                .with_instruments(&effect.instruments())
                 .with(&effect)?;
         }
         Ok(extended)
@@ -200,7 +193,7 @@ impl ModelTree {
     pub(crate) fn check_with_faults(&self) -> Checked {
         let mut checked = check::check(&self.file, &self.sources);
         if checked.diagnostics.is_empty() {
-            checked.diagnostics = offers::faults(&self.file, &self.sources);
+            checked.diagnostics = offer_faults(&self.file, &self.sources);
         }
         checked
     }
@@ -235,7 +228,7 @@ pub(crate) fn model_text(name_or_path: &str) -> Result<(String, String), LoadErr
     }
     let name = name_or_path.replace('-', "_");
     let tables = [MODELS, BODIES, REFUTED];
-    if let Some(text) = tables.iter().find_map(|table| library::find(table, &name)) {
+    if let Some(text) = tables.iter().find_map(|table| find(table, &name)) {
         return Ok((format!("{name}.hyz"), text.to_owned()));
     }
     if path.exists() {
@@ -249,4 +242,32 @@ pub(crate) fn model_text(name_or_path: &str) -> Result<(String, String), LoadErr
             .map(|(name, _)| (*name).to_owned())
             .collect(),
     })
+}
+
+const MAX_CHECKED_OFFERS: usize = 50;
+
+/// Errors of the effects of a file, each applied alone to a copy of the model.
+fn offer_faults(file: &File, sources: &[Source]) -> Vec<Diagnostic> {
+    let model = file.model().map_or("", |name| &name.text);
+    let mut diagnostics = Vec::new();
+    let mut names: HashSet<&str> = HashSet::new();
+    for offered in file.effects() {
+        let name = &offered.name;
+        if !names.insert(&name.text) {
+            let message = format!("there are two effects `{}`", name.text);
+            let fault = Diagnostic::new(Kind::Duplicate, name.span, message);
+            diagnostics.push(fault.help("rename one of them"));
+            continue;
+        }
+        let is_applied = file.applied.iter().any(|a| a.name.text == name.text);
+        if is_applied || offered.excludes(model) || names.len() > MAX_CHECKED_OFFERS {
+            continue;
+        }
+        match effect::apply(file, offered) {
+            Ok(changed) => diagnostics.extend(check::check(&changed, sources).diagnostics),
+            Err(faults) => diagnostics.extend(faults),
+        }
+    }
+    diagnostic::sort(&mut diagnostics);
+    diagnostics
 }

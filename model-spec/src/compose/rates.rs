@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::EffectTree;
-use crate::source::Span;
+use crate::location::Span;
 use crate::syntax::ast::{Equation, ExprKind, File, ItemKind, State, UnitExpr, UnitFactor};
 use crate::syntax::of_kind;
 
@@ -37,7 +37,6 @@ fn states(file: &File) -> Vec<&State> {
     of_kind!(own, ItemKind::State).collect()
 }
 
-/// All equations of a file, as replaced by applied effects.
 fn equations(file: &File) -> impl Iterator<Item = &Equation> {
     of_kind!(file.items.iter(), ItemKind::Equation)
 }

@@ -2,67 +2,57 @@
 
 use std::sync::Arc;
 
-use crate::error::LoadError;
 use crate::model::Model;
-use crate::source::Span;
+use crate::read::LoadError;
 use crate::syntax::ast::{FrameKind, ItemKind};
 use crate::syntax::{self, of_kind};
 
+use super::Instrument;
 use super::ModelTree;
-use super::instrument::Instrument;
 
 impl ModelTree {
-    /// Returns the model with an auxiliary variable for each of `instruments`, which predicts the measured value. Its
-    /// name is [`Instrument::name`]. If the model does not declare this variable, a default definition of it is added.
-    ///
-    /// # Errors
-    /// [`LoadError::Faults`] if the default definition for an instrument is invalid in the model, such as that of a
-    /// gyroscope for a point mass.
-    pub fn with_instruments(&self, instruments: &[Instrument]) -> Result<ModelTree, LoadError> {
+    /// The model with an auxiliary variable [`Instrument::name`] for each of `instruments`, which predicts the measured
+    /// value: by default, if the model does not declare it.
+    pub(crate) fn with_instruments(&self, instruments: &[Instrument]) -> ModelTree {
         let mut tree = self.clone();
         for instrument in instruments {
             if !tree.declares(instrument.name()) {
-                tree.define(*instrument)?;
+                tree.define(*instrument);
             }
         }
-        Ok(tree)
+        tree
     }
 
     fn declares(&self, name: &str) -> bool {
         of_kind!(self.file.items.iter(), ItemKind::Let).any(|own| own.name.text == name)
     }
 
-    fn define(&mut self, instrument: Instrument) -> Result<(), LoadError> {
+    fn define(&mut self, instrument: Instrument) {
         let marker = of_kind!(self.file.items.iter(), ItemKind::Marker).next();
         let marker = marker.map(|marker| (marker.frame.text.as_str(), marker.name.text.as_str()));
         let inertial = { self.file.frames() }.find(|frame| frame.kind == FrameKind::Inertial);
         let inertial = inertial.map_or("N", |frame| &frame.name.text);
         let (frame, marker) = marker.unwrap_or((inertial, "position"));
         let text = instrument.definition(frame, marker);
-        let parsed = syntax::parse(&format!("the usual {}", instrument.name()), &text);
+        let name = format!("the usual {}", instrument.name());
         let place = u16::try_from(self.sources.len()).unwrap_or(u16::MAX);
+        let parsed = syntax::parse_as(&name, &text, place);
         self.sources.push(parsed.source);
-        let file = Arc::make_mut(&mut self.file);
-        for mut item in parsed.file.items {
-            item.change_spans(&mut |span: &mut Span| span.source = place);
-            file.items.push(item);
-        }
-        Ok(())
+        Arc::make_mut(&mut self.file)
+            .items
+            .extend(parsed.file.items);
     }
 }
 
 impl Model {
     /// Returns the model with an auxiliary variable for each of `instruments`, which predicts the value that the
     /// instrument measures.
-    ///
-    /// # Errors
-    /// [`LoadError::Faults`] if the default definition of an instrument is invalid for the model.
     pub fn with_instruments(&self, instruments: &[Instrument]) -> Result<Model, LoadError> {
         let has = |name: &str| self.aux_variables.iter().any(|own| own.name == name);
         if instruments.iter().all(|own| has(own.name())) {
             return Ok(self.clone());
         }
-        ModelTree::of(self).with_instruments(instruments)?.check()
+        ModelTree::of(self).with_instruments(instruments).check()
     }
 
     /// Returns the model with a variable for each instrument whose definition is valid for it.

@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use super::ModelTree;
 use crate::check;
-use crate::error::LoadError;
+use crate::location::Span;
 use crate::model::Model;
-use crate::source::Span;
+use crate::read::LoadError;
 use crate::syntax::ast::{
     Check, CheckPart, File, Input, ItemKind, Name, Number, Parameter, Quantity, UnitExpr,
 };

@@ -4,11 +4,9 @@ mod replace;
 mod standard;
 
 use crate::diagnostic::{Diagnostic, Kind, Span};
-use crate::syntax::ast::{Applied, Effect, EffectPart, File, Input, Item, ItemKind, Name};
+use crate::syntax::ast::{Effect, EffectPart, File, Input, Item, ItemKind, Name};
 
-pub(crate) use crate::check::PREVIOUS;
-pub(crate) use replace::{description, replaces};
-pub(crate) use standard::{FRAMES, INERTIA, MASS};
+pub(crate) use standard::lacking;
 
 /// Permitted names in `site NAME;`, the statement by which an effect names the component of the model that it changes.
 pub const SITES: [&str; 15] = [
@@ -44,46 +42,31 @@ pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
     if !change.diagnostics.is_empty() {
         return Err(change.diagnostics);
     }
-    let effect = &standard::in_names_of(file, effect)?;
-    let mut applied = Applied {
-        name: effect.name.clone(),
-        doc: effect.doc.clone(),
-        ..Applied::default()
-    };
+    let effect = standard::in_names_of(file, effect)?;
     let mut site: Option<Span> = None;
     let mut variables: Option<Span> = None;
     for part in &effect.parts {
         match part {
-            EffectPart::Citation(text, _) => applied.citation.clone_from(text),
-            EffectPart::Needs(needs) => applied.needs.extend(needs.iter().cloned()),
-            EffectPart::Generalises(_) => {}
-            EffectPart::Increases(text, _) => applied.increases.clone_from(text),
-            EffectPart::Decreases(text, _) => applied.decreases.clone_from(text),
             EffectPart::Site(name) => {
                 change.known_site(name, site);
                 site = Some(name.span);
-                applied.site.clone_from(&name.text);
             }
             EffectPart::Variables(names, span) => {
                 change.known_variables(names, *span, variables);
                 variables = Some(*span);
-                applied.variables = names.iter().map(|n| n.text.clone()).collect();
             }
-            EffectPart::Negligible(name, quantity) => {
-                change.own_coefficient(effect, name);
-                applied.negligible.push((name.clone(), quantity.clone()));
-            }
+            EffectPart::Negligible(name, _) => change.own_coefficient(&effect, name),
             EffectPart::Replace(item) => change.replace(item),
             EffectPart::ReplaceInertia(inertia, span) => {
                 change.replace_inertia(inertia.clone(), *span);
             }
-            EffectPart::Add(item) if change.has_input(item) => {}
-            EffectPart::Add(item) => {
+            EffectPart::Add(item) if !change.has_input(item) => {
                 change.file.items.push(Item {
                     effect: Some(change.index),
                     ..Item::clone(item)
                 });
             }
+            _ => {}
         }
     }
     if site.is_none() {
@@ -96,14 +79,13 @@ pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
             .report(fault.help("add `site drag;`, or another of lift, side, roll, pitch, spin, …"));
     }
     if change.diagnostics.is_empty() {
-        change.file.applied.push(applied);
+        change.file.applied.push(effect);
         Ok(change.file)
     } else {
         Err(change.diagnostics)
     }
 }
 
-/// State of the application of one effect to a syntax tree, with the errors found so far.
 struct Change<'a> {
     file: File,
     index: usize,

@@ -7,21 +7,25 @@ use crate::syntax::{self, of_kind};
 
 use crate::syntax::ast::{Body, BodyPart, BodyPartKind, Expr, ExprKind, Inertia, Item, ItemKind};
 
-/// Maximum number of nodes of a definition that many effects replace in turn.
 const MAX_NODES: usize = 20_000;
 
 impl Change<'_> {
     pub(super) fn replace(&mut self, item: &Item) {
-        let key = description(&item.kind);
+        let (class, name) = item.kind.class_and_name();
+        let key = match class {
+            "the clock" | "observation" => class.to_owned(),
+            _ => format!("{class} `{}`", name.map_or("", |name| &name.text)),
+        };
         if matches!(item.kind, ItemKind::Clock(_)) {
             self.own_clock(item.span);
         }
-        let found = self
-            .file
-            .items
-            .iter()
-            .position(|old| replaces(&item.kind, &old.kind));
-        let span = name_span(&item.kind).unwrap_or(item.span);
+        // An observation without a name matches any observation.
+        let is_any = class == "observation" && name.is_some_and(|name| name.text.is_empty());
+        let found = self.file.items.iter().position(|old| {
+            let (of, own) = old.kind.class_and_name();
+            of == class && (is_any || own.map(|n| &n.text) == name.map(|n| &n.text))
+        });
+        let span = name.map_or(item.span, |name| name.span);
         let Some(at) = found else {
             let message = format!(
                 "the model has no {key} that `{}` could replace",
@@ -161,53 +165,14 @@ fn put_in(e: &mut Expr, old: &Expr, nodes: &mut usize, found: &mut bool) {
     e.children_mut(&mut |child| put_in(child, old, nodes, found));
 }
 
-/// Number of nodes of an expression tree.
 fn size(e: &Expr) -> usize {
     let mut nodes = 1;
     e.children(&mut |child| nodes += size(child));
     nodes
 }
 
-/// Height of an expression tree: number of nodes on the longest path from root to leaf.
 fn height(e: &Expr) -> u32 {
     let mut highest = 0;
     e.children(&mut |child| highest = highest.max(height(child)));
     1 + highest
-}
-
-/// Description of a replaceable statement for messages, such as "force `drag`" or "the clock".
-pub(crate) fn description(kind: &ItemKind) -> String {
-    match kind {
-        ItemKind::Let(l) => format!("quantity `{}`", l.name.text),
-        ItemKind::Load(l) => format!("{} `{}`", l.class.keyword(), l.name.text),
-        ItemKind::Clock(_) => "the clock".to_owned(),
-        ItemKind::Equation(e) => format!("equation for `{}`", e.state.text),
-        ItemKind::Observe(_) => "observation".to_owned(),
-        _ => String::new(),
-    }
-}
-
-/// Whether `new` replaces the statement `old` of the same kind and name; an observation without a name replaces any.
-pub(crate) fn replaces(new: &ItemKind, old: &ItemKind) -> bool {
-    match (new, old) {
-        (ItemKind::Let(a), ItemKind::Let(b)) => a.name.text == b.name.text,
-        (ItemKind::Load(a), ItemKind::Load(b)) => a.class == b.class && a.name.text == b.name.text,
-        // An observation without a name matches any observation.
-        (ItemKind::Observe(a), ItemKind::Observe(b)) => {
-            a.name.text.is_empty() || a.name.text == b.name.text
-        }
-        (ItemKind::Equation(a), ItemKind::Equation(b)) => a.state.text == b.state.text,
-        (ItemKind::Clock(_), ItemKind::Clock(_)) => true,
-        _ => false,
-    }
-}
-
-fn name_span(kind: &ItemKind) -> Option<Span> {
-    match kind {
-        ItemKind::Let(l) => Some(l.name.span),
-        ItemKind::Load(l) => Some(l.name.span),
-        ItemKind::Observe(o) => Some(o.name.span),
-        ItemKind::Equation(e) => Some(e.state.span),
-        _ => None,
-    }
 }

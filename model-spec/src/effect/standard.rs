@@ -9,14 +9,14 @@ use crate::syntax::ast::{
     BodyPartKind, Effect, EffectPart, Expr, ExprKind, File, FrameKind, ItemKind, Name, Need,
 };
 
-/// Standard name by which an effect can refer to the mass of any model's body.
-pub(crate) const MASS: &str = "mass";
+/// Name by which an effect refers to the mass of any model's body.
+const MASS: &str = "mass";
 
-/// Standard names of the moments of inertia about axes 1, 2 and 3 of the inertia frame.
-pub(crate) const INERTIA: [&str; 3] = ["inertia_11", "inertia_22", "inertia_33"];
+/// Names of the moments of inertia about axes 1, 2 and 3 of the inertia frame.
+const INERTIA: [&str; 3] = ["inertia_11", "inertia_22", "inertia_33"];
 
-/// Standard names by which an effect can refer to the inertial frame and to the body-fixed frame of any model.
-pub(crate) const FRAMES: [&str; 2] = ["inertial", "body"];
+/// Names of the inertial frame and of the body-fixed frame.
+const FRAMES: [&str; 2] = ["inertial", "body"];
 
 /// Replacements of the standard names: expressions and frames.
 #[derive(Default)]
@@ -28,35 +28,25 @@ struct Standard {
 /// Returns a copy of an effect that refers to the quantities of the model in `file`. The standard names ([`MASS`],
 /// [`INERTIA`], [`FRAMES`]) are replaced by expressions and frame names of the model, except names that the model or
 /// the effect declares. Needed quantities that the model lacks are replaced by their fallback expressions.
-///
-/// # Errors
-/// One diagnostic per needed quantity that the model does not declare and that has no fallback expression.
 pub(super) fn in_names_of(file: &File, effect: &Effect) -> Result<Effect, Vec<Diagnostic>> {
-    let declared = declared(file);
-    let own: HashSet<&str> = declared_by(effect).collect();
     let mut standard = Standard::of_model(file);
-    let is_taken = |name: &str| declared.contains(name) || own.contains(name);
-    standard.values.retain(|name, _| !is_taken(name));
-    let mut faults = Vec::new();
-    let mut effect = effect.clone();
-    let mut fallbacks = HashMap::new();
-    for need in effect.parts.iter().filter_map(needs).flatten() {
-        let name = need.name.text.as_str();
-        let is_of_body = file.body().is_some() && OF_BODY.contains(&name);
-        if declared.contains(name) || (is_of_body && !own.contains(name)) {
-            continue;
-        }
-        match &need.otherwise {
-            Some(otherwise) => {
-                fallbacks.insert(name.to_owned(), otherwise.clone());
-            }
-            None => faults.push(lacking(&effect.name, need)),
-        }
-    }
+    let (declared, own) = (declared(file), declared_by(effect));
+    standard
+        .values
+        .retain(|name, _| !declared.contains(name) && !own.contains(name.as_str()));
+    let (replaced, faults): (Vec<&Need>, Vec<&Need>) =
+        lacking(file, effect).partition(|need| need.otherwise.is_some());
     if !faults.is_empty() {
-        return Err(faults);
+        return Err({ faults.into_iter() }
+            .map(|need| fault(&effect.name, need))
+            .collect());
     }
+    let fallbacks: HashMap<String, Expr> = replaced
+        .into_iter()
+        .filter_map(|need| Some((need.name.text.clone(), need.otherwise.clone()?)))
+        .collect();
     let lacks = |name: &str| fallbacks.contains_key(name);
+    let mut effect = effect.clone();
     for part in &mut effect.parts {
         if let EffectPart::Needs(needs) = part {
             needs.retain(|need| !lacks(&need.name.text));
@@ -80,14 +70,18 @@ pub(super) fn in_names_of(file: &File, effect: &Effect) -> Result<Effect, Vec<Di
     Ok(effect)
 }
 
-fn needs(part: &EffectPart) -> Option<&Vec<Need>> {
-    match part {
-        EffectPart::Needs(needs) => Some(needs),
-        _ => None,
-    }
+/// Quantities that an effect needs, and neither the model in `file` nor the effect has.
+pub(crate) fn lacking<'e>(file: &File, effect: &'e Effect) -> impl Iterator<Item = &'e Need> {
+    let (declared, own) = (declared(file), declared_by(effect));
+    let has_body = file.body().is_some();
+    effect.needs().filter(move |need| {
+        let name = need.name.text.as_str();
+        let is_of_body = has_body && OF_BODY.contains(&name) && !own.contains(name);
+        !declared.contains(name) && !is_of_body
+    })
 }
 
-fn lacking(effect: &Name, need: &Need) -> Diagnostic {
+fn fault(effect: &Name, need: &Need) -> Diagnostic {
     let name = &need.name.text;
     let kind = if need.is_vector { "vector" } else { "quantity" };
     let unit = need.unit.as_ref().map(|unit| format!(" in {unit}"));
@@ -135,7 +129,6 @@ impl Standard {
         standard
     }
 
-    /// Replaces the standard names in an expression of an effect by the model's expressions and frame names.
     fn rename(&self, e: &mut Expr) {
         if let ExprKind::Name(name) = &e.kind
             && let Some(value) = self.values.get(name)
@@ -171,7 +164,6 @@ impl Standard {
     }
 }
 
-/// Replaces, in `e`, each name that is a key of `by` by the expression stored under that key.
 fn replace_names(e: &mut Expr, by: &HashMap<String, Expr>) {
     if let ExprKind::Name(name) = &e.kind
         && let Some(value) = by.get(name)
@@ -182,7 +174,6 @@ fn replace_names(e: &mut Expr, by: &HashMap<String, Expr>) {
     e.children_mut(&mut |child| replace_names(child, by));
 }
 
-/// Right-hand sides and inertia entries of an effect.
 fn expressions(effect: &mut Effect) -> impl Iterator<Item = &mut Expr> {
     effect.parts.iter_mut().flat_map(|part| match part {
         EffectPart::Replace(item) | EffectPart::Add(item) => {
@@ -196,9 +187,9 @@ fn expressions(effect: &mut Effect) -> impl Iterator<Item = &mut Expr> {
 }
 
 /// Names of the parameters, inputs, states and auxiliary variables that an effect declares.
-fn declared_by(effect: &Effect) -> impl Iterator<Item = &str> {
+fn declared_by(effect: &Effect) -> HashSet<&str> {
     let declared = effect.added().filter_map(|item| item.kind.declared());
-    declared.map(|name| name.text.as_str())
+    declared.map(|name| name.text.as_str()).collect()
 }
 
 /// Names of all quantities that a file declares, by its frames and its body too.

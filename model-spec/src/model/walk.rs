@@ -1,7 +1,7 @@
 //! Traversal of expressions, all those of a model included; queries about states and source texts of a model.
 
 use super::{Expr, ExprKind, FrameKind, Model, ValidityLimit};
-use crate::source::Span;
+use crate::location::Span;
 use crate::unit::Unit;
 
 /// Function body of [`Expr::children`] and [`Expr::children_mut`].
@@ -131,6 +131,33 @@ impl Model {
     /// Mutable [`Model::expressions`].
     pub fn expressions_mut(&mut self) -> Vec<&mut Expr> {
         collect_expressions!(self, iter_mut, expressions_mut, mut)
+    }
+
+    /// Loads, equations, observation, clock, limits and claim: what each is, its name in messages, and its expression with
+    /// the span of the statement.
+    pub(crate) fn statements(&self) -> Vec<(&'static str, &str, &Expr, Span)> {
+        let mut all = Vec::new();
+        for load in self.forces.iter().chain(&self.moments) {
+            all.push(("a force or moment", &*load.name, &load.value, load.span));
+        }
+        for own in &self.equations {
+            let state = &*self.states[own.state].name;
+            all.push(("a stated equation", state, &own.value, own.span));
+        }
+        if let Some(own) = &self.observation {
+            all.push(("an observation", &*own.name, &own.value, own.span));
+        }
+        if let Some(own) = &self.clock {
+            all.push(("the clock", "clock", &own.value, own.span));
+        }
+        for own in &self.limits {
+            all.push(("a limit", "limit", &own.value, own.span));
+        }
+        if let Some(claim) = &self.claim {
+            let expressions = claim.expressions().into_iter();
+            all.extend(expressions.map(|e| ("a claim", &*claim.name, e, e.span)));
+        }
+        all
     }
 
     /// Source text of a span, with each run of whitespace replaced by one space; empty if the span is invalid.

@@ -2,17 +2,14 @@
 //!
 //! Fields are public so that other crates can change a model and check it with [`check`](crate::check()).
 
-mod body;
-mod claim;
-mod effect;
-mod table;
+mod blocks;
 
-use crate::source::Span;
+use crate::location::Span;
 use crate::unit::Unit;
-pub use body::{Body, BodyClass, BodyPart, BodyPartKind, Inertia};
-pub use claim::{Claim, ClaimPart, ClaimPartKind};
-pub use effect::{Effect, EffectPart, Need};
-pub use table::{Continuation, Interpolation, Table};
+pub use blocks::{
+    Body, BodyClass, BodyPart, BodyPartKind, Claim, ClaimPart, ClaimPartKind, Continuation, Effect,
+    EffectPart, Inertia, Interpolation, Need, Table,
+};
 
 /// A parsed file: a model, effects, or both.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -21,33 +18,10 @@ pub struct File {
     pub doc: String,
     /// Statements in the order of the file, followed by the statements that applied effects add.
     pub items: Vec<Item>,
-    /// Applied effects, in order of application.
-    pub applied: Vec<Applied>,
+    /// Applied effects, in order of application, by the names of the model; their statements are in [`File::items`].
+    pub applied: Vec<Effect>,
     /// Empty span at the end of the text, for errors about missing statements.
     pub end: Span,
-}
-
-/// Record of an applied effect, whose statements are in [`File::items`].
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Applied {
-    /// Name of the applied effect, words separated by underscores.
-    pub name: Name,
-    /// Documentation: the `///` lines before the effect.
-    pub doc: String,
-    /// Name of the component of the model that the effect changes, such as `drag`.
-    pub site: String,
-    /// Kinds of variables on which the effect depends, from [`VARIABLES`](crate::VARIABLES).
-    pub variables: Vec<String>,
-    /// Literature reference of the effect; empty if none is stated.
-    pub citation: String,
-    /// Sentence that describes the effect if its first coefficient exceeds its null value; empty if none is stated.
-    pub increases: String,
-    /// Sentence that describes the effect if its first coefficient is below its null value; empty if none is stated.
-    pub decreases: String,
-    /// Smallest effect sizes of interest by coefficient or state, as stated by `negligible`.
-    pub negligible: Vec<(Name, Quantity)>,
-    /// Quantities of the model that the effect needs, without quantities that a fallback expression replaces.
-    pub needs: Vec<Need>,
 }
 
 /// A statement of a model file, such as a declaration, an equation or a check case.
@@ -179,7 +153,6 @@ pub struct UnitExpr {
 }
 
 impl UnitExpr {
-    /// A unit as product of powers of the base units.
     pub(crate) fn of(unit: Unit, span: Span) -> UnitExpr {
         let factors = unit.powers().map(|(symbol, doubled)| UnitFactor {
             symbol: symbol.to_owned(),
@@ -309,7 +282,6 @@ pub enum LoadClass {
 }
 
 impl LoadClass {
-    /// Keyword `force` or `moment`, with which the declaration of the load begins.
     pub(crate) fn keyword(self) -> &'static str {
         match self {
             LoadClass::Force => "force",

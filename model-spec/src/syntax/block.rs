@@ -1,13 +1,14 @@
-//! Parser for statements with a block: bodies and check cases.
+//! Parser for statements with a block, except effects.
 
 use super::ast::{
-    Body, BodyClass, BodyPart, BodyPartKind, Check, CheckPart, Expr, Inertia, ItemKind, Name,
+    Body, BodyClass, BodyPart, BodyPartKind, Check, CheckPart, Claim, ClaimPart, ClaimPartKind,
+    Continuation, Expr, Inertia, Interpolation, ItemKind, Name, Quantity, Table,
 };
 use super::parser::{Parser, Read};
 use super::token::Token;
+use std::fmt::{self, Display, Formatter, Write};
 
 impl Parser<'_> {
-    /// Parses `body NAME { … }` or `point NAME { … }`.
     pub fn body(&mut self) -> Read<ItemKind> {
         let (word, name) = self.keyword_and_name()?;
         let class = if word == "body" {
@@ -60,7 +61,6 @@ impl Parser<'_> {
         })
     }
 
-    /// Parses `in FRAME` and returns the frame's name; `after` describes the preceding text in error messages.
     pub fn in_frame(&mut self, after: &str) -> Read<Name> {
         self.need_word("in", after)?;
         self.name("the name of a frame after `in`")
@@ -80,7 +80,7 @@ impl Parser<'_> {
                 [None, Some(b), None],
                 [None, None, Some(c)],
             ]
-        } else if self.peek() == Token::Open {
+        } else if self.peek() == Token::Sign("(") {
             let rows: [[Expr; 3]; 3] = self.tuple("`(`", "row", "rows", Self::triple)?;
             rows.map(|row| row.map(Some))
         } else {
@@ -95,7 +95,6 @@ impl Parser<'_> {
         self.tuple(open, "of three", "of them", Self::expr)
     }
 
-    /// Parses `check "title" { … }`.
     pub fn check_case(&mut self) -> Read<ItemKind> {
         self.advance();
         let title = self.quoted("the title of the check")?;
@@ -107,8 +106,8 @@ impl Parser<'_> {
         let start = self.here();
         if self.eat_word("set") {
             let name = self.name("what is set")?;
-            self.need(Token::Equals, &format!("`=` after `{}`", name.text))?;
-            let value = if self.peek() == Token::Open {
+            self.need(Token::Sign("="), &format!("`=` after `{}`", name.text))?;
+            let value = if self.peek() == Token::Sign("(") {
                 self.triple_of_numbers()?.into()
             } else {
                 vec![self.number("a number")?]
@@ -126,12 +125,12 @@ impl Parser<'_> {
             return self.expected_word("`set` or `expect`", &["set", "expect"]);
         }
         let mut name = self.name("what is expected: a named quantity or `der(STATE)`")?;
-        let derivative = name.text == "der" && self.eat(Token::Open);
+        let derivative = name.text == "der" && self.eat(Token::Sign("("));
         if derivative {
             name = self.name("the name of a state")?;
-            self.need(Token::Close, "`)` after the state")?;
+            self.need(Token::Sign(")"), "`)` after the state")?;
         }
-        self.need(Token::Equals, "`=` and the expected value")?;
+        self.need(Token::Sign("="), "`=` and the expected value")?;
         let value = self.quantity("a number")?;
         if !self.eat_word("within") {
             let help = "add the greatest difference: `within 1e-9`".to_owned();
@@ -148,3 +147,138 @@ impl Parser<'_> {
         })
     }
 }
+
+impl Parser<'_> {
+    pub fn claim(&mut self) -> Read<ItemKind> {
+        self.advance();
+        let word = self.raw();
+        let class = match word {
+            "body" => BodyClass::Rigid,
+            "point" => BodyClass::Point,
+            _ => return self.expected_word("`body` or `point` after `claim`", &["body", "point"]),
+        };
+        self.advance();
+        let name = self.name(&format!("a name after `claim {word}`"))?;
+        let parts = self.braces(&format!("`claim {word} {}`", name.text), Self::claim_part)?;
+        Ok(ItemKind::Claim(Claim { class, name, parts }))
+    }
+
+    fn claim_part(&mut self) -> Read<ClaimPart> {
+        let start = self.here();
+        const FIRST: [&str; 9] = [
+            "mass", "inertia", "fixed", "axis", "position", "velocity", "angular", "force",
+            "moment",
+        ];
+        let word = self.raw();
+        let words = ClaimPart::WORDS.into_iter();
+        let Some(words) = { words }.find(|words| words.split(' ').next() == Some(word)) else {
+            let what = "`mass`, `position`, `velocity`, `force`, `inertia`, `fixed in`, `axis`, `angular velocity` or `moment`";
+            return self.expected_word(what, &FIRST);
+        };
+        self.advance();
+        if word == "angular" {
+            self.need_word("velocity", "`angular`")?;
+        }
+        let kind = match word {
+            "inertia" => ClaimPartKind::Inertia(Box::new(self.inertia()?)),
+            "fixed" => ClaimPartKind::Fixed(self.in_frame("`fixed`")?),
+            _ => ClaimPartKind::Value(self.expr()?),
+        };
+        self.semicolon("this statement")?;
+        let span = start.to(self.behind());
+        Ok(ClaimPart { words, kind, span })
+    }
+}
+
+impl Display for Claim {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        writeln!(f, "claim {} {} {{", self.class.keyword(), self.name.text)?;
+        for part in &self.parts {
+            writeln!(f, "  {part};")?;
+        }
+        f.write_char('}')
+    }
+}
+
+impl Display for ClaimPart {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "{} ", self.words)?;
+        match &self.kind {
+            ClaimPartKind::Inertia(inertia) => write!(f, "{inertia}"),
+            ClaimPartKind::Fixed(frame) => f.write_str(&frame.text),
+            ClaimPartKind::Value(e) => write!(f, "{e}"),
+        }
+    }
+}
+
+impl Parser<'_> {
+    /// Parses `table NAME(ARGUMENT: UNIT): UNIT = { argument: value, … } monotone, constant;`.
+    pub fn table(&mut self) -> Read<ItemKind> {
+        let (_, name) = self.keyword_and_name()?;
+        let open = format!("`(` and the argument of `{}`", name.text);
+        self.need(Token::Sign("("), &open)?;
+        let argument = self.name("the name of the argument")?;
+        let argument_unit = self.unit_behind_colon()?;
+        self.need(Token::Sign(")"), "`)` after the argument")?;
+        let unit = self.unit_behind_colon()?;
+        self.need(Token::Sign("="), &format!("`=` after `{}`", name.text))?;
+        self.need(
+            Token::Sign("{"),
+            "`{` and the knots, as in `{ 0: 1.2, 5: 1.4, 10: 1.3 }`",
+        )?;
+        let knots = match self.knots() {
+            Ok(knots) => knots,
+            Err(reported) => {
+                self.leave_braces();
+                return Err(reported);
+            }
+        };
+        let (mut interpolation, mut continuation) = <(Interpolation, Continuation)>::default();
+        while self.peek() == Token::Name && !self.first_on_line() {
+            match self.raw() {
+                "monotone" => interpolation = Interpolation::Monotone,
+                "constant" => continuation = Continuation::Constant,
+                _ => return self.expected_word(WAYS, &["monotone", "constant"]),
+            }
+            self.advance();
+            if self.eat(Token::Sign(",")) && self.peek() != Token::Name {
+                return self.expected_word(WAYS, &[]);
+            }
+        }
+        self.semicolon("this `table`")?;
+        Ok(ItemKind::Table(Table {
+            name,
+            argument,
+            argument_unit,
+            unit,
+            knots,
+            interpolation,
+            continuation,
+        }))
+    }
+
+    fn knots(&mut self) -> Read<Vec<(Quantity, Quantity)>> {
+        let mut knots = Vec::new();
+        while !self.eat(Token::Sign("}")) {
+            let argument = self.quantity("the argument of a knot")?;
+            self.need(Token::Sign(":"), "`:` between argument and value of a knot")?;
+            knots.push((argument, self.quantity("the value at a knot")?));
+            if self.peek() != Token::Sign("}") {
+                self.need(Token::Sign(","), "`,` or `}` after a knot")?;
+            }
+        }
+        Ok(knots)
+    }
+
+    fn leave_braces(&mut self) {
+        while !matches!(
+            self.peek(),
+            Token::Sign("}") | Token::Sign(";") | Token::End
+        ) {
+            self.advance();
+        }
+        self.eat(Token::Sign("}"));
+    }
+}
+
+const WAYS: &str = "`monotone`, `constant` or `;` after the knots";

@@ -3,10 +3,9 @@
 use super::ast::{Effect, EffectPart, Item, ItemKind, Name, Need, Observe};
 use super::parser::{Parser, Read};
 use super::token::Token;
-use crate::source::Span;
+use crate::location::Span;
 
 impl Parser<'_> {
-    /// Parses `effect NAME on MODEL, MODEL { … }`; `doc` is the documentation of the effect.
     pub fn effect(&mut self, doc: String) -> Read<ItemKind> {
         let (_, name) = self.keyword_and_name()?;
         let on = if self.eat_word("on") {
@@ -87,7 +86,6 @@ impl Parser<'_> {
         Ok(EffectPart::Add(Box::new(item)))
     }
 
-    /// Parses a statement about the effect itself, between its keyword and its `;`.
     fn stated_part(&mut self, word: &str, start: Span) -> Read<EffectPart> {
         Ok(match word {
             "source" => {
@@ -114,7 +112,7 @@ impl Parser<'_> {
             }
             _ => {
                 let name = self.name("the name of a coefficient or a state of this effect")?;
-                self.eat(Token::Equals);
+                self.eat(Token::Sign("="));
                 EffectPart::Negligible(name, self.quantity("a number")?)
             }
         })
@@ -145,7 +143,9 @@ impl Parser<'_> {
         let start = self.here();
         let equals_after_two = self.peek_at(1) == Token::Name;
         let kind = match self.raw() {
-            "inertia" if self.peek_at(1) != Token::Equals && self.peek_at(1) != Token::Colon => {
+            "inertia"
+                if self.peek_at(1) != Token::Sign("=") && self.peek_at(1) != Token::Sign(":") =>
+            {
                 self.advance();
                 let inertia = self.inertia()?;
                 self.semicolon("this `replace`")?;
@@ -154,12 +154,12 @@ impl Parser<'_> {
                     start.to(self.behind()),
                 ));
             }
-            "clock" if self.peek_at(1) == Token::Equals => {
+            "clock" if self.peek_at(1) == Token::Sign("=") => {
                 self.advance();
                 self.advance();
                 self.clock()?
             }
-            "observe" if self.peek_at(1) == Token::Equals => {
+            "observe" if self.peek_at(1) == Token::Sign("=") => {
                 let name = Name::new("", start);
                 self.advance();
                 self.advance();
@@ -167,7 +167,7 @@ impl Parser<'_> {
                 self.semicolon("this `replace`")?;
                 ItemKind::Observe(Observe { name, value })
             }
-            "der" if self.peek_at(1) == Token::Open => self.equation()?,
+            "der" if self.peek_at(1) == Token::Sign("(") => self.equation()?,
             "force" | "moment" if equals_after_two => self.load()?,
             "observe" if equals_after_two => self.observe()?,
             "let" if equals_after_two => self.binding()?,

@@ -12,7 +12,6 @@ pub(crate) const MAX_HEIGHT: u32 = 200;
 const SIGN: u8 = 25;
 const POWER: u8 = 31;
 
-/// An expression with the height of its syntax tree.
 struct Tree {
     expr: Expr,
     height: u32,
@@ -20,19 +19,18 @@ struct Tree {
 
 fn binding(token: Token) -> Option<(BinaryOp, u8, u8)> {
     Some(match token {
-        Token::Plus => (BinaryOp::Add, 10, 11),
-        Token::Minus => (BinaryOp::Sub, 10, 11),
-        Token::Star => (BinaryOp::Mul, 20, 21),
-        Token::Dot => (BinaryOp::Dot, 20, 21),
-        Token::Times => (BinaryOp::Cross, 20, 21),
-        Token::Slash => (BinaryOp::Div, 20, 21),
-        Token::Caret => (BinaryOp::Pow, POWER, POWER - 1),
+        Token::Sign("+") => (BinaryOp::Add, 10, 11),
+        Token::Sign("-") => (BinaryOp::Sub, 10, 11),
+        Token::Sign("*") => (BinaryOp::Mul, 20, 21),
+        Token::Sign("·") => (BinaryOp::Dot, 20, 21),
+        Token::Sign("×") => (BinaryOp::Cross, 20, 21),
+        Token::Sign("/") => (BinaryOp::Div, 20, 21),
+        Token::Sign("^") => (BinaryOp::Pow, POWER, POWER - 1),
         _ => return None,
     })
 }
 
 impl Parser<'_> {
-    /// Parses an expression.
     pub fn expr(&mut self) -> Read<Expr> {
         self.tree(0).map(|t| t.expr)
     }
@@ -48,7 +46,7 @@ impl Parser<'_> {
                 left = self.superscript(left)?;
                 continue;
             }
-            if self.peek() == Token::StarStar {
+            if self.peek() == Token::Sign("**") {
                 let help = "a power is written `^`";
                 return self.expected_help("an operator", Some(help.to_owned()));
             }
@@ -100,16 +98,16 @@ impl Parser<'_> {
 
     fn prefix(&mut self) -> Read<Tree> {
         let start = self.here();
-        if self.eat(Token::Minus) {
+        if self.eat(Token::Sign("-")) {
             let inner = self.tree(SIGN)?;
             let span = start.to(inner.expr.span);
             return self.grown(ExprKind::Neg(Box::new(inner.expr)), span, inner.height);
         }
-        if self.eat(Token::Plus) {
+        if self.eat(Token::Sign("+")) {
             return self.tree(SIGN);
         }
         let mut tree = self.primary()?;
-        while self.eat(Token::Point) {
+        while self.eat(Token::Sign(".")) {
             let part = self.axis("the number of an axis or component: 1, 2 or 3")?;
             let span = tree.expr.span.to(self.behind());
             tree = self.grown(ExprKind::Part(Box::new(tree.expr), part), span, tree.height)?;
@@ -117,7 +115,6 @@ impl Parser<'_> {
         Ok(tree)
     }
 
-    /// Parses the number of an axis or component, 1 to 3; messages call it `what`.
     pub fn axis(&mut self, what: &str) -> Read<u8> {
         match (self.peek(), self.raw()) {
             (Token::Number, raw @ ("1" | "2" | "3")) => {
@@ -136,8 +133,8 @@ impl Parser<'_> {
         let start = self.here();
         match self.peek() {
             Token::Number => self.literal(),
-            Token::Open => self.bracket(start),
-            Token::Name if self.peek_at(1) == Token::Open => self.call(start),
+            Token::Sign("(") => self.bracket(start),
+            Token::Name if self.peek_at(1) == Token::Sign("(") => self.call(start),
             Token::Name => {
                 let name = self.name("a name")?;
                 self.grown(ExprKind::Name(name.text), start, 0)
@@ -146,15 +143,14 @@ impl Parser<'_> {
         }
     }
 
-    /// Parses a literal with an optional unit symbol, or a unit in square brackets.
     fn literal(&mut self) -> Read<Tree> {
         let number = self.digits("a number")?;
         let unit = match self.peek() {
-            Token::OpenSquare => Some(self.square_unit()?),
+            Token::Sign("[") => Some(self.square_unit()?),
             Token::Name
                 if !self.first_on_line()
                     && !["in", "within"].contains(&self.raw())
-                    && self.peek_at(1) != Token::Open =>
+                    && self.peek_at(1) != Token::Sign("(") =>
             {
                 let factor = self.unit_power()?;
                 let span = factor.span;
@@ -163,7 +159,7 @@ impl Parser<'_> {
                     span,
                 })
             }
-            Token::Name if self.peek_at(1) == Token::Open && !self.first_on_line() => {
+            Token::Name if self.peek_at(1) == Token::Sign("(") && !self.first_on_line() => {
                 let help = format!("write `{}*{}(…)`", number.text, self.raw());
                 return self.expected_help("an operator", Some(help));
             }
@@ -176,7 +172,7 @@ impl Parser<'_> {
     fn bracket(&mut self, start: Span) -> Read<Tree> {
         self.advance();
         let first = self.tree(0)?;
-        if self.peek() != Token::Comma {
+        if self.peek() != Token::Sign(",") {
             self.closing(start)?;
             let span = start.to(self.behind());
             return Ok(Tree {
@@ -189,10 +185,10 @@ impl Parser<'_> {
         }
         self.advance();
         let second = self.tree(0)?;
-        if self.peek() == Token::Close {
+        if self.peek() == Token::Sign(")") {
             return self.expected("`,` and the third component of a vector");
         }
-        self.need(Token::Comma, "`,` between the components of a vector")?;
+        self.need(Token::Sign(","), "`,` between the components of a vector")?;
         let third = self.tree(0)?;
         self.closing(start)?;
         let triple = start.to(self.behind());
@@ -212,12 +208,12 @@ impl Parser<'_> {
     }
 
     fn closing(&mut self, open: Span) -> Read<()> {
-        if self.eat(Token::Close) {
+        if self.eat(Token::Sign(")")) {
             return Ok(());
         }
         let found = super::lexer::name_of(self.lexeme(), self.slice_all());
         let help = match self.peek() {
-            Token::Name | Token::Number | Token::Open => {
+            Token::Name | Token::Number | Token::Sign("(") => {
                 Some("a product is written with `*` or `·`".to_owned())
             }
             _ => None,
@@ -249,7 +245,7 @@ impl Parser<'_> {
             return self.grown(ExprKind::Derivative(state), start.to(self.behind()), 0);
         }
         let arguments = match self.peek() {
-            Token::Close => Vec::new(),
+            Token::Sign(")") => Vec::new(),
             _ => self.list(|parser| parser.tree(0))?,
         };
         self.closing(open)?;

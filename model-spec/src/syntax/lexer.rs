@@ -5,17 +5,14 @@ use std::ops::Range;
 use super::token::{Token, clip, first_token, leading_space};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 
-/// A token with its byte range in the source text.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lexeme {
     pub token: Token,
     pub start: u32,
     pub end: u32,
-    /// Whether the token is the first on its line.
     pub first: bool,
 }
 
-/// Result of [`lex`]: tokens, documentation lines and errors.
 pub(super) struct Lexed {
     /// Tokens without comments; the last is [`Token::End`].
     pub tokens: Vec<Lexeme>,
@@ -23,7 +20,6 @@ pub(super) struct Lexed {
     pub docs: Vec<(usize, String)>,
     /// The `//!` lines of the file without the leading `//!`, joined by newlines.
     pub file_doc: String,
-    /// Lexical errors, in the order of their source spans.
     pub diagnostics: Vec<Diagnostic>,
 }
 
@@ -75,16 +71,13 @@ pub(super) fn lex(text: &str, source: u16) -> Lexed {
     lexer.lexed
 }
 
-/// State of the lexer between tokens.
 struct Lexer<'a> {
     text: &'a str,
     source: u16,
     lexed: Lexed,
     /// Byte range of the last run of invalid characters, if it is not yet reported; otherwise `None`.
     unread: Option<Range<usize>>,
-    /// Whether the next token is the first on its line.
     is_first: bool,
-    /// Whether a lexical error has been found on the current line.
     line_has_fault: bool,
 }
 
@@ -127,7 +120,6 @@ impl Lexer<'_> {
         self.push(Token::OpenText, range);
     }
 
-    /// Processes an invalid character: extends the last run of invalid characters, or begins a new run.
     fn unread(&mut self, range: Range<usize>) {
         let last = self.lexed.tokens.last_mut();
         let end = (range.start as u32, Token::Bad);
@@ -230,11 +222,20 @@ mod tests {
     #[test]
     fn numbers_do_not_swallow_ranges_and_axes() {
         use Token::*;
-        assert_eq!(tokens("-1 .. 0"), [Minus, Number, To, Number, End]);
-        assert_eq!(tokens("0..1"), [Number, To, Number, End]);
-        assert_eq!(tokens("N.3*2"), [Name, Point, Number, Star, Number, End]);
+        assert_eq!(
+            tokens("-1 .. 0"),
+            [Sign("-"), Number, Sign(".."), Number, End]
+        );
+        assert_eq!(tokens("0..1"), [Number, Sign(".."), Number, End]);
+        assert_eq!(
+            tokens("N.3*2"),
+            [Name, Sign("."), Number, Sign("*"), Number, End]
+        );
         assert_eq!(tokens("3.4e-5 m²"), [Number, Name, Superscript, End]);
-        assert_eq!(tokens("φ̇·ρ − 2"), [Name, Dot, Name, Minus, Number, End]);
+        assert_eq!(
+            tokens("φ̇·ρ − 2"),
+            [Name, Sign("·"), Name, Sign("-"), Number, End]
+        );
     }
 
     #[test]
@@ -249,7 +250,7 @@ mod tests {
     #[test]
     fn a_sign_alone_is_no_superscript() {
         use Token::*;
-        assert_eq!(tokens("m⁻²·s"), [Name, Superscript, Dot, Name, End]);
+        assert_eq!(tokens("m⁻²·s"), [Name, Superscript, Sign("·"), Name, End]);
         assert_eq!(tokens("m⁻ 2"), [Name, Bad, Number, End]);
         assert_eq!(tokens("m⁺⁻²"), [Name, Bad, Superscript, End]);
     }

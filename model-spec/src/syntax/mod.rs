@@ -4,7 +4,6 @@
 
 pub mod ast;
 mod block;
-mod claim;
 mod effect;
 mod expr;
 mod lexer;
@@ -12,10 +11,8 @@ mod parser;
 mod print;
 mod print_file;
 mod quantity;
-mod spans;
 pub mod spelling;
 mod statement;
-mod table;
 pub(crate) mod token;
 mod walk;
 
@@ -24,7 +21,7 @@ pub(crate) use walk::of_kind;
 pub(crate) use expr::MAX_HEIGHT;
 
 use crate::diagnostic::{Diagnostic, Kind};
-use crate::source::{Source, Span};
+use crate::location::{Source, Span};
 
 /// Maximum length of the text of a model or of an effect, bytes. A longer text is reported as an error and not parsed.
 pub const MAX_SOURCE_BYTES: usize = 1_000_000;
@@ -64,7 +61,6 @@ pub fn parse_as(name: &str, text: &str, source: u16) -> Parsed {
     }
 }
 
-/// Result for a text that exceeds [`MAX_SOURCE_BYTES`].
 pub(crate) fn too_long(name: &str, length: usize, source: u16) -> Parsed {
     let span = Span {
         source,

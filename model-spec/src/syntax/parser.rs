@@ -10,7 +10,6 @@ use crate::suggest;
 /// Maximum nesting depth of an expression, which bounds the recursion of the parser.
 const MAX_DEPTH: u32 = 64;
 
-/// Keywords that begin a statement.
 pub(super) const STATEMENTS: [&str; 30] = [
     "model",
     "reference",
@@ -50,7 +49,6 @@ pub(super) struct Reported;
 /// Result of a grammar rule; an `Err` means that the error has already been reported.
 pub(super) type Read<T> = Result<T, Reported>;
 
-/// Recursive-descent parser: tokens of a text, index of the next token, and current nesting depth.
 pub(super) struct Parser<'a> {
     text: &'a str,
     source: u16,
@@ -72,11 +70,10 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Parses the whole file; statements with errors are omitted.
     pub fn file(&mut self) -> File {
         let mut items = Vec::new();
         while self.peek() != Token::End {
-            if self.peek() == Token::CloseBrace {
+            if self.peek() == Token::Sign("}") {
                 let span = self.here();
                 let fault = Diagnostic::new(Kind::Grammar, span, "this `}` closes nothing");
                 self.report(fault.help("remove it, or look for a `{` that is missing before it"));
@@ -123,18 +120,15 @@ impl<'a> Parser<'a> {
         self.lexeme().first
     }
 
-    /// Source text of the next token.
     pub fn raw(&self) -> &'a str {
         let lexeme = self.lexeme();
         &self.text[lexeme.start as usize..lexeme.end as usize]
     }
 
-    /// The whole source text.
     pub fn slice_all(&self) -> &'a str {
         self.text
     }
 
-    /// Source text of a span.
     pub fn slice(&self, span: Span) -> &'a str {
         &self.text[span.range()]
     }
@@ -177,10 +171,9 @@ impl<'a> Parser<'a> {
         found
     }
 
-    /// Parses one or more items that are separated by commas.
     pub fn list<T>(&mut self, mut item: impl FnMut(&mut Self) -> Read<T>) -> Read<Vec<T>> {
         let mut items = vec![item(self)?];
-        while self.eat(Token::Comma) {
+        while self.eat(Token::Sign(",")) {
             items.push(item(self)?);
         }
         Ok(items)
@@ -194,26 +187,25 @@ impl<'a> Parser<'a> {
         many: &str,
         mut item: impl FnMut(&mut Self) -> Read<T>,
     ) -> Read<[T; N]> {
-        self.need(Token::Open, open)?;
+        self.need(Token::Sign("("), open)?;
         let mut items = vec![item(self)?];
         for ordinal in ["second", "third", "fourth"].iter().take(N - 1) {
-            self.need(Token::Comma, &format!("`,` and the {ordinal} {one}"))?;
+            self.need(Token::Sign(","), &format!("`,` and the {ordinal} {one}"))?;
             items.push(item(self)?);
         }
         let count = if N == 3 { "three" } else { "four" };
-        self.need(Token::Close, &format!("`)` after {count} {many}"))?;
+        self.need(Token::Sign(")"), &format!("`)` after {count} {many}"))?;
         items.try_into().map_err(|_| Reported)
     }
 
     /// Parses `= EXPR;` after `name`, and reports the end of `statement`.
     pub fn definition(&mut self, name: &str, statement: &str) -> Read<Expr> {
-        self.need(Token::Equals, &format!("`=` after `{name}`"))?;
+        self.need(Token::Sign("="), &format!("`=` after `{name}`"))?;
         let value = self.expr()?;
         self.semicolon(statement)?;
         Ok(value)
     }
 
-    /// Parses the keyword of a statement and the name after it.
     pub fn keyword_and_name(&mut self) -> Read<(&'a str, Name)> {
         let word = self.raw();
         self.advance();
@@ -237,7 +229,6 @@ impl<'a> Parser<'a> {
         self.lexed.diagnostics.push(fault);
     }
 
-    /// Reports an error; returns `Err`.
     pub fn refuse<T>(&mut self, fault: Diagnostic) -> Read<T> {
         self.report(fault);
         Err(Reported)
@@ -263,7 +254,6 @@ impl<'a> Parser<'a> {
         Err(Reported)
     }
 
-    /// `words` to suggest in an error message; none for errors beyond those shown.
     pub fn suggestions<'w>(&self, words: &'w [&'w str]) -> impl Iterator<Item = &'w str> + use<'w> {
         let is_shown = self.lexed.diagnostics.len() < MAX_SHOWN;
         words.iter().copied().filter(move |_| is_shown)
@@ -294,15 +284,14 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Consumes the `;` of the statement `after`, or reports that it is missing.
     pub fn semicolon(&mut self, after: &str) -> Read<()> {
-        if self.eat(Token::Semicolon) {
+        if self.eat(Token::Sign(";")) {
             return Ok(());
         }
         if self.reported_by_lexer() {
             return Err(Reported);
         }
-        if self.first_on_line() || self.peek() == Token::CloseBrace {
+        if self.first_on_line() || self.peek() == Token::Sign("}") {
             let end = self.behind();
             let place = Span {
                 // Span of the last character of the previous token.
@@ -324,10 +313,10 @@ impl<'a> Parser<'a> {
             );
         }
         let help = match self.peek() {
-            Token::Name | Token::Number | Token::Open => {
+            Token::Name | Token::Number | Token::Sign("(") => {
                 Some("a product is written with `*` or `·`".to_owned())
             }
-            Token::StarStar => Some("a power is written `^`".to_owned()),
+            Token::Sign("**") => Some("a power is written `^`".to_owned()),
             _ => None,
         };
         self.expected_help(&format!("`;` at the end of {after}"), help)
@@ -342,7 +331,6 @@ impl<'a> Parser<'a> {
         Ok(name)
     }
 
-    /// Parses a string in quotation marks and returns its content; `what` describes the string in error messages.
     pub fn quoted(&mut self, what: &str) -> Read<String> {
         if self.peek() != Token::Text {
             return self.expected(&format!("{what} between quotation marks"));
@@ -386,17 +374,17 @@ impl<'a> Parser<'a> {
         loop {
             match self.peek() {
                 Token::End => return,
-                Token::Semicolon if open == 0 => {
+                Token::Sign(";") if open == 0 => {
                     self.advance();
                     return;
                 }
-                Token::OpenBrace => open += 1,
-                Token::CloseBrace if open == 0 => return,
-                Token::CloseBrace => {
+                Token::Sign("{") => open += 1,
+                Token::Sign("}") if open == 0 => return,
+                Token::Sign("}") => {
                     open -= 1;
                     if open == 0 {
                         self.advance();
-                        self.eat(Token::Semicolon);
+                        self.eat(Token::Sign(";"));
                         return;
                     }
                 }
@@ -421,11 +409,11 @@ impl<'a> Parser<'a> {
         mut read: impl FnMut(&mut Self) -> Read<T>,
     ) -> Read<Vec<T>> {
         let open = self.here();
-        self.need(Token::OpenBrace, &format!("`{{` after {what}"))?;
+        self.need(Token::Sign("{"), &format!("`{{` after {what}"))?;
         let mut parts = Vec::new();
         loop {
             match self.peek() {
-                Token::CloseBrace => {
+                Token::Sign("}") => {
                     self.advance();
                     return Ok(parts);
                 }

@@ -71,7 +71,6 @@ impl fmt::Display for Quantity {
     }
 }
 
-/// Formats an expression with minimal parentheses; parsing the text yields an equal tree.
 impl fmt::Display for Expr {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write_expr(f, self, 0)

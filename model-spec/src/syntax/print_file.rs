@@ -316,18 +316,12 @@ impl fmt::Display for Item {
 
 #[cfg(test)]
 mod tests {
-    use crate::load::{BODIES, EFFECTS, GENERAL_EFFECTS, MODELS, REFUTED};
+    use crate::load::{BODIES, EFFECTS, MODELS, REFUTED};
     use crate::syntax::parse;
 
     #[test]
     fn what_is_written_reads_the_same() {
-        for (name, text) in MODELS
-            .iter()
-            .chain(BODIES)
-            .chain(REFUTED)
-            .chain(EFFECTS)
-            .chain(GENERAL_EFFECTS)
-        {
+        for (name, text) in MODELS.iter().chain(BODIES).chain(REFUTED).chain(EFFECTS) {
             let once = parse(name, text).file.to_string();
             let read = parse(name, &once);
             assert!(

@@ -8,11 +8,9 @@ use crate::diagnostic::{Diagnostic, Kind, Span};
 /// Keywords that may follow a literal and must not be parsed as units.
 const FOLLOWING: [&str; 4] = ["in", "within", "about", "on"];
 
-/// Maximum magnitude of twice the exponent of a unit: `m^63` is the largest power.
 const MAX_DOUBLED_EXPONENT: i32 = 126;
 
 impl Parser<'_> {
-    /// Parses an unsigned numeric literal; `what` describes it in error messages.
     pub fn digits(&mut self, what: &str) -> Read<Number> {
         if self.peek() != Token::Number {
             return self.expected(what);
@@ -30,14 +28,13 @@ impl Parser<'_> {
         Ok(number)
     }
 
-    /// Parses a numeric literal with optional sign; `what` describes it in error messages.
     pub fn number(&mut self, what: &str) -> Read<Number> {
         let start = self.here();
-        let negative = self.eat(Token::Minus);
+        let negative = self.eat(Token::Sign("-"));
         if !negative {
-            self.eat(Token::Plus);
+            self.eat(Token::Sign("+"));
         }
-        if self.peek() == Token::Name || self.peek() == Token::Open {
+        if self.peek() == Token::Name || self.peek() == Token::Sign("(") {
             let help = "a quantity that is computed is named with `let`";
             return self.expected_help(what, Some(help.to_owned()));
         }
@@ -53,7 +50,6 @@ impl Parser<'_> {
         })
     }
 
-    /// Parses a literal with an optional unit; messages call it `what`.
     pub fn quantity(&mut self, what: &str) -> Read<Quantity> {
         let number = self.number(what)?;
         let unit = self.optional_unit()?;
@@ -63,12 +59,11 @@ impl Parser<'_> {
         Ok(Quantity { number, unit, span })
     }
 
-    /// Whether the next tokens can begin a unit.
     fn at_unit(&self) -> bool {
         match self.peek() {
             Token::Name => !FOLLOWING.contains(&self.raw()) && !self.first_on_line(),
-            Token::Slash | Token::OpenSquare => true,
-            Token::Number => self.raw() == "1" && self.peek_at(1) == Token::Slash,
+            Token::Sign("/") | Token::Sign("[") => true,
+            Token::Number => self.raw() == "1" && self.peek_at(1) == Token::Sign("/"),
             _ => false,
         }
     }
@@ -78,7 +73,7 @@ impl Parser<'_> {
         if !self.at_unit() {
             return Ok(None);
         }
-        if self.peek() == Token::OpenSquare {
+        if self.peek() == Token::Sign("[") {
             return self.square_unit().map(Some);
         }
         let unit = self.unit()?;
@@ -91,7 +86,7 @@ impl Parser<'_> {
 
     /// Parses the unit that a declaration may state after the name, as in `: m/s`; `Ok(None)` if there is no colon.
     pub fn unit_behind_colon(&mut self) -> Read<Option<UnitExpr>> {
-        if self.eat(Token::Colon) {
+        if self.eat(Token::Sign(":")) {
             self.unit().map(Some)
         } else {
             Ok(None)
@@ -101,18 +96,17 @@ impl Parser<'_> {
     /// Parses a unit in square brackets, such as `[m/s^2]`.
     pub fn square_unit(&mut self) -> Read<UnitExpr> {
         let start = self.here();
-        self.need(Token::OpenSquare, "`[`")?;
-        let mut unit = if self.peek() == Token::Question {
+        self.need(Token::Sign("["), "`[`")?;
+        let mut unit = if self.peek() == Token::Sign("?") {
             self.inferred_unit()
         } else {
             self.unit()?
         };
-        self.need(Token::CloseSquare, "`]` after the unit")?;
+        self.need(Token::Sign("]"), "`]` after the unit")?;
         unit.span = start.to(self.behind());
         Ok(unit)
     }
 
-    /// Parses the `?` of `[?]`, which requests inference of the unit.
     fn inferred_unit(&mut self) -> UnitExpr {
         let span = self.here();
         self.advance();
@@ -131,12 +125,12 @@ impl Parser<'_> {
     pub fn unit(&mut self) -> Read<UnitExpr> {
         let start = self.here();
         let mut factors = Vec::new();
-        let mut sign = if self.eat(Token::Slash) { -1 } else { 1 };
+        let mut sign = if self.eat(Token::Sign("/")) { -1 } else { 1 };
         loop {
             self.unit_factor(sign, &mut factors)?;
             sign = match self.peek() {
-                Token::Star | Token::Dot => 1,
-                Token::Slash => -1,
+                Token::Sign("*") | Token::Sign("·") => 1,
+                Token::Sign("/") => -1,
                 _ => break,
             };
             self.advance();
@@ -153,10 +147,10 @@ impl Parser<'_> {
                 self.advance();
                 Ok(())
             }
-            Token::Open => {
+            Token::Sign("(") => {
                 self.advance();
                 let inner = self.nested(Self::unit)?;
-                self.need(Token::Close, "`)` in the unit")?;
+                self.need(Token::Sign(")"), "`)` in the unit")?;
                 factors.extend(inner.factors.into_iter().map(|f| UnitFactor {
                     doubled: f.doubled * sign,
                     ..f
@@ -185,16 +179,16 @@ impl Parser<'_> {
             let n = superscript_value(self.raw());
             self.advance();
             doubled = self.unit_exponent(n.map(|n| n * 2.0), self.behind())?;
-        } else if self.eat(Token::Caret) {
+        } else if self.eat(Token::Sign("^")) {
             let at = self.here();
-            let bracket = self.eat(Token::Open);
+            let bracket = self.eat(Token::Sign("("));
             let mut n: Option<f64> = self.number("the power of a unit")?.text.parse().ok();
             if bracket {
-                if self.eat(Token::Slash) {
+                if self.eat(Token::Sign("/")) {
                     let below: Option<f64> = self.digits("a number")?.text.parse().ok();
                     n = n.zip(below).map(|(a, b)| a / b);
                 }
-                self.need(Token::Close, "`)` after the power")?;
+                self.need(Token::Sign(")"), "`)` after the power")?;
             }
             doubled = self.unit_exponent(n.map(|n| n * 2.0), at.to(self.behind()))?;
         }

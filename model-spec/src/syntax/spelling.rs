@@ -7,12 +7,10 @@ const GREEK: [&str; 25] = [
     "chi", "psi", "omega",
 ];
 
-/// Letters with a dot above that are one character.
 const DOTTED: [char; 14] = [
     'ẋ', 'ẏ', 'ż', 'ẇ', 'ṗ', 'ṙ', 'ḋ', 'ḟ', 'ġ', 'ḣ', 'ṁ', 'ṅ', 'ṡ', 'ṫ',
 ];
 
-/// The letters below the dots of [`DOTTED`].
 const UNDOTTED: [char; 14] = [
     'x', 'y', 'z', 'w', 'p', 'r', 'd', 'f', 'g', 'h', 'm', 'n', 's', 't',
 ];

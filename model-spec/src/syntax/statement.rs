@@ -9,7 +9,6 @@ use super::token::Token;
 use crate::diagnostic::{Diagnostic, Kind};
 
 impl Parser<'_> {
-    /// Parses one statement with the `///` lines that precede it.
     pub fn statement(&mut self) -> Read<Item> {
         let doc = self.doc();
         let start = self.here();
@@ -62,7 +61,7 @@ impl Parser<'_> {
         };
         let mut fault = Diagnostic::new(Kind::Grammar, span, message);
         if block.is_none() {
-            let is_definition = self.peek_at(1) == Token::Equals;
+            let is_definition = self.peek_at(1) == Token::Sign("=");
             let definition = format!("a quantity is named with `let {word} = …;`");
             fault = fault.help_if(is_definition.then_some(definition));
             fault = fault.did_you_mean(word, self.suggestions(&STATEMENTS));
@@ -85,11 +84,11 @@ impl Parser<'_> {
             ParameterClass::Coefficient
         };
         let what = format!("`=` and the default of `{}`", name.text);
-        self.need(Token::Equals, &what)?;
+        self.need(Token::Sign("="), &what)?;
         let value = self.quantity("a number")?;
         let bounds = if self.eat_word("in") {
             let least = self.quantity("the least value")?;
-            if !self.eat(Token::To) {
+            if !self.eat(Token::Sign("..")) {
                 let help = format!("write `in {least} .. 10`");
                 return self
                     .expected_help("`..` between the least and the greatest value", Some(help));
@@ -107,11 +106,10 @@ impl Parser<'_> {
         }))
     }
 
-    /// Parses `input NAME in FRAME = (a, b, c) unit;`.
     pub fn input(&mut self) -> Read<ItemKind> {
         let (_, name) = self.keyword_and_name()?;
         let frame = self.in_frame("the name of the input, with the frame of its components")?;
-        self.need(Token::Equals, "`=` and the default components")?;
+        self.need(Token::Sign("="), "`=` and the default components")?;
         let value = self.triple_of_numbers()?;
         let unit = self.optional_unit()?;
         self.semicolon("this `input`")?;
@@ -123,17 +121,15 @@ impl Parser<'_> {
         }))
     }
 
-    /// Parses three literals in parentheses, such as `(1, 2, 3)`.
     pub fn triple_of_numbers(&mut self) -> Read<[Number; 3]> {
         let open = "`(` and three numbers";
         self.tuple(open, "component", "components", |p| p.number("a number"))
     }
 
-    /// Parses `state NAME = value unit;`.
     pub fn state(&mut self) -> Read<ItemKind> {
         let (_, name) = self.keyword_and_name()?;
         let what = format!("`=` and the value of `{}` at the start", name.text);
-        self.need(Token::Equals, &what)?;
+        self.need(Token::Sign("="), &what)?;
         let value = self.quantity("a number")?;
         self.semicolon("this `state`")?;
         Ok(ItemKind::State(State { name, value }))
@@ -142,13 +138,13 @@ impl Parser<'_> {
     /// Parses `frame N;`, `frame A = N turned ANGLE about AXIS;`, `frame C = N by quaternion (a, b, c, d);`.
     fn frame(&mut self) -> Read<ItemKind> {
         let (_, name) = self.keyword_and_name()?;
-        if self.eat(Token::Semicolon) {
+        if self.eat(Token::Sign(";")) {
             return Ok(ItemKind::Frame(Frame {
                 name,
                 kind: FrameKind::Inertial,
             }));
         }
-        self.need(Token::Equals, "`;` or `=` after the name of the frame")?;
+        self.need(Token::Sign("="), "`;` or `=` after the name of the frame")?;
         let parent = self.name("the frame that this one is turned from")?;
         let kind = if self.eat_word("turned") {
             let angle = self.name("the name of the angle after `turned`")?;
@@ -172,7 +168,6 @@ impl Parser<'_> {
         Ok(ItemKind::Frame(Frame { name, kind }))
     }
 
-    /// Parses `let NAME: unit = …;`.
     pub fn binding(&mut self) -> Read<ItemKind> {
         let (_, name) = self.keyword_and_name()?;
         self.binding_rest(name).map(ItemKind::Let)
@@ -186,7 +181,6 @@ impl Parser<'_> {
         Ok(Let { name, unit, value })
     }
 
-    /// Parses `force NAME = …;` or `moment NAME = …;`.
     pub fn load(&mut self) -> Read<ItemKind> {
         let (word, name) = self.keyword_and_name()?;
         let class = if word == "force" {
@@ -198,17 +192,15 @@ impl Parser<'_> {
         Ok(ItemKind::Load(Load { class, name, value }))
     }
 
-    /// Parses `der(STATE) = …;`.
     pub fn equation(&mut self) -> Read<ItemKind> {
         self.advance();
-        self.need(Token::Open, "`(` after `der`")?;
+        self.need(Token::Sign("("), "`(` after `der`")?;
         let state = self.name("the name of a state")?;
-        self.need(Token::Close, "`)` after the state")?;
+        self.need(Token::Sign(")"), "`)` after the state")?;
         let value = self.definition(&format!("der({})", state.text), "this equation")?;
         Ok(ItemKind::Equation(Equation { state, value }))
     }
 
-    /// Parses `marker NAME in FRAME;`.
     fn marker(&mut self) -> Read<ItemKind> {
         let (_, name) = self.keyword_and_name()?;
         let frame = self.in_frame("the name of the marker, with the frame it is fixed in")?;
@@ -216,7 +208,6 @@ impl Parser<'_> {
         Ok(ItemKind::Marker(Marker { name, frame }))
     }
 
-    /// Parses `observe NAME = …;`.
     pub fn observe(&mut self) -> Read<ItemKind> {
         let (_, name) = self.keyword_and_name()?;
         let value = self.definition(&name.text, "this `observe`")?;
@@ -230,18 +221,17 @@ impl Parser<'_> {
         Ok(ItemKind::Clock(value))
     }
 
-    /// Parses `limit EXPR > bound "reason";`.
     fn limit(&mut self) -> Read<ItemKind> {
         self.advance();
         let value = self.expr()?;
-        if self.peek() == Token::Less {
+        if self.peek() == Token::Sign("<") {
             let help =
                 "a limit says what must stay above a bound: write `limit -x > -bound` instead";
             return self.expected_help("`>`", Some(help.to_owned()));
         }
-        self.need(Token::Greater, "`>` and the bound of the limit")?;
+        self.need(Token::Sign(">"), "`>` and the bound of the limit")?;
         let bound = self.quantity("a number, the bound")?;
-        if self.peek() == Token::Semicolon {
+        if self.peek() == Token::Sign(";") {
             let help = "say what happens there, as in `limit z > 0 \"it has landed\";`".to_owned();
             return self.expected_help("the reason of the limit", Some(help));
         }

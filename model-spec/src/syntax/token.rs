@@ -1,6 +1,5 @@
 //! Tokens: their kinds, their spelling, and the longest one that a text begins with.
 
-/// Kinds of token of the model language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Token {
     Comment,
@@ -10,65 +9,18 @@ pub(super) enum Token {
     /// A quoted text whose closing quotation mark is missing, up to the end of the line.
     OpenText,
     Superscript,
-    Plus,
-    Minus,
-    Star,
-    Dot,
-    Times,
-    Slash,
-    Caret,
-    StarStar,
-    Open,
-    Close,
-    OpenSquare,
-    CloseSquare,
-    Question,
-    OpenBrace,
-    CloseBrace,
-    Comma,
-    Semicolon,
-    Colon,
-    Equals,
-    Greater,
-    Less,
-    To,
-    Point,
-    /// Characters that belong to no token.
+    /// An operator, bracket or punctuation mark; each of two marks with one meaning is the ASCII one or the first.
+    Sign(&'static str),
     Bad,
-    /// End of the text.
     End,
 }
 
-/// Tokens of fixed spelling. A longer spelling precedes the shorter ones that are its prefixes.
-const SPELLINGS: [(&str, Token); 25] = [
-    ("+", Token::Plus),
-    ("-", Token::Minus),
-    ("−", Token::Minus),
-    ("**", Token::StarStar),
-    ("*", Token::Star),
-    ("·", Token::Dot),
-    ("⋅", Token::Dot),
-    ("×", Token::Times),
-    ("/", Token::Slash),
-    ("^", Token::Caret),
-    ("(", Token::Open),
-    (")", Token::Close),
-    ("[", Token::OpenSquare),
-    ("]", Token::CloseSquare),
-    ("?", Token::Question),
-    ("{", Token::OpenBrace),
-    ("}", Token::CloseBrace),
-    (",", Token::Comma),
-    (";", Token::Semicolon),
-    (":", Token::Colon),
-    ("=", Token::Equals),
-    (">", Token::Greater),
-    ("<", Token::Less),
-    ("..", Token::To),
-    (".", Token::Point),
+/// Spellings of [`Token::Sign`]. A longer one precedes the shorter ones that are its prefixes.
+const SIGNS: [&str; 25] = [
+    "+", "-", "−", "**", "*", "·", "⋅", "×", "/", "^", "(", ")", "[", "]", "?", "{", "}", ",", ";",
+    ":", "=", ">", "<", "..", ".",
 ];
 
-/// Whether a character separates tokens and is otherwise ignored.
 fn is_space(c: char) -> bool {
     matches!(
         c,
@@ -76,18 +28,15 @@ fn is_space(c: char) -> bool {
     )
 }
 
-/// Whether a name may begin with a character.
 fn begins_name(c: char) -> bool {
     c.is_ascii_alphabetic()
         || matches!(c, '_' | '°' | 'µ' | 'ż' | 'ġ' | '\u{0370}'..='\u{03FF}' | '\u{1E00}'..='\u{1EFF}')
 }
 
-/// Whether a character may continue a name.
 fn continues_name(c: char) -> bool {
     c != '°' && begins_name(c) || c.is_ascii_digit() || matches!(c, '\u{0307}' | '\u{0308}')
 }
 
-/// Number of bytes of space at the beginning of a text.
 pub(super) fn leading_space(text: &str) -> usize {
     prefix_length(text, is_space)
 }
@@ -101,7 +50,6 @@ fn prefix_length(text: &str, condition: impl Fn(char) -> bool) -> usize {
     text.find(|c| !condition(c)).unwrap_or(text.len())
 }
 
-/// The longest token that a text begins with, and its length in bytes.
 pub(super) fn first_token(text: &str) -> Option<(Token, usize)> {
     let first = text.chars().next()?;
     if text.starts_with("//") {
@@ -131,9 +79,13 @@ pub(super) fn first_token(text: &str) -> Option<(Token, usize)> {
     if digits > 0 {
         return Some((Token::Superscript, sign + digits));
     }
-    let mut spellings = SPELLINGS.iter();
-    let (spelling, token) = spellings.find(|(spelling, _)| text.starts_with(spelling))?;
-    Some((*token, spelling.len()))
+    let sign = SIGNS.into_iter().find(|sign| text.starts_with(sign))?;
+    let meant = match sign {
+        "−" => "-",
+        "⋅" => "·",
+        other => other,
+    };
+    Some((Token::Sign(meant), sign.len()))
 }
 
 /// Length of the number that a text begins with; a point or exponent needs digits, so that `0..1` is a range.
@@ -154,7 +106,6 @@ fn number(text: &str) -> usize {
     end
 }
 
-/// Maximum length of a source excerpt in a message, characters; longer excerpts are truncated.
 const MAX_QUOTED: usize = 60;
 
 /// Truncates a text to [`MAX_QUOTED`] characters, of which the last is then `…`; shorter texts are returned unchanged.

@@ -31,7 +31,6 @@ impl File {
         of_kind!(self.items.iter(), ItemKind::Frame)
     }
 
-    /// The effects that the file declares, in order.
     pub(crate) fn effects(&self) -> impl Iterator<Item = &Effect> {
         of_kind!(self.items.iter(), ItemKind::Effect)
     }
@@ -88,6 +87,18 @@ impl ItemKind {
     /// Mutable [`ItemKind::value`].
     pub fn value_mut(&mut self) -> Option<&mut Expr> {
         value!(self)
+    }
+
+    /// Class of a statement that an effect may replace, as in messages, and its name; a clock has none.
+    pub(crate) fn class_and_name(&self) -> (&'static str, Option<&Name>) {
+        match self {
+            ItemKind::Let(own) => ("quantity", Some(&own.name)),
+            ItemKind::Load(own) => (own.class.keyword(), Some(&own.name)),
+            ItemKind::Clock(_) => ("the clock", None),
+            ItemKind::Equation(own) => ("equation for", Some(&own.state)),
+            ItemKind::Observe(own) => ("observation", Some(&own.name)),
+            _ => ("", None),
+        }
     }
 
     /// Name that a parameter, state, `let` or input statement declares; `None` for other kinds of statement.

@@ -18,16 +18,13 @@ use crate::unit::Unit;
 /// Number of variables, in order of priority, that occur in products of two.
 const MAX_IN_PRODUCTS: usize = 4;
 
-/// Maximum number of auxiliary variables of a model that become variables of its generated term library.
 const MAX_NAMED: usize = 3;
 
 /// Maximum number of states of a model without a body that become variables of its generated term library.
 const MAX_STATES: usize = 6;
 
-/// Maximum number of equations to which a generated library adds terms.
 const MAX_EQUATIONS: usize = 8;
 
-/// `needs` statement of effects that use `air_velocity`, with the body's velocity as fallback.
 const NEEDS_AIR_VELOCITY: &str = "needs vector air_velocity: m/s or velocity;";
 const DOWNSTREAM: &str = "unit(in_inertial(air_velocity))";
 const LEFTWARD: &str = "unit(cross(inertial.3, in_inertial(air_velocity)))";
@@ -290,7 +287,6 @@ fn depends_on(name: &str, unit: Unit) -> &'static str {
     }
 }
 
-/// Whether a leaf of an expression has a value that varies during a flight.
 fn is_variable(kind: &ExprKind) -> bool {
     matches!(
         kind,

@@ -1,7 +1,7 @@
 //! What any model gets: effects bound by what it has, and what is said where one does not fit.
 
-use model_spec::compose::{KnownEffect, ModelTree, Origin, Refused, known_effects};
-use model_spec::load::{self, EFFECTS, GENERAL_EFFECTS, MODELS, from_text};
+use model_spec::compose::{EffectTree, KnownEffect, ModelTree, Origin, known_effects};
+use model_spec::load::{self, EFFECTS, MODELS, from_text};
 use model_spec::model::Model;
 
 /// Test models of kinds of bodies that are not built in, each with the minimum number of built-in effects that must be
@@ -61,28 +61,6 @@ fn any_model_gets_candidates_that_can_be_applied_alone_and_together() {
 }
 
 #[test]
-fn binding_agrees_with_composition() {
-    let built_in = MODELS
-        .iter()
-        .map(|(name, _)| ModelTree::load(name).unwrap());
-    for tree in built_in.chain(OWN.iter().map(|(name, _)| own(name))) {
-        let model = tree.check().unwrap();
-        for known in known_effects(&model) {
-            let composed = tree.with(&known.effect).and_then(|with| with.check());
-            let is_bound = !matches!(known.refused, Some(Refused::Unmet(_)));
-            let (effect, refused) = (known.effect.name(), known.refused);
-            assert_eq!(
-                is_bound,
-                composed.is_ok(),
-                "{effect} on {}: {refused:?}\n{}",
-                model.name,
-                composed.err().map(|e| e.to_string()).unwrap_or_default()
-            );
-        }
-    }
-}
-
-#[test]
 fn the_built_in_bodies_keep_the_effects_of_their_own() {
     // The distortion of a lens and the tilt of a template are in no body's own list.
     let of_attitude = &["lens_distortion", "template_tilt"][..];
@@ -113,13 +91,13 @@ fn the_built_in_bodies_keep_the_effects_of_their_own() {
 }
 
 #[test]
-fn an_effect_is_in_one_table_and_what_it_generalises_is_known() {
-    for (name, _) in GENERAL_EFFECTS {
-        assert!(EFFECTS.iter().all(|(other, _)| other != name), "{name}");
-        let effect = ModelTree::load("ball").unwrap().find_effect(name).unwrap();
-        assert_eq!(effect.name(), *name);
+fn every_built_in_effect_is_read_and_what_it_generalises_is_specific() {
+    let all = EffectTree::built_in();
+    assert_eq!(all.len(), EFFECTS.len());
+    for effect in all {
         for narrower in effect.generalises() {
-            let found = EFFECTS.iter().any(|(other, _)| *other == narrower);
+            let is_specific = |other: &EffectTree| other.name() == narrower && !other.is_general();
+            let (name, found) = (effect.name(), all.iter().any(is_specific));
             assert!(found, "{name} generalises `{narrower}`");
         }
     }

@@ -10,10 +10,7 @@ import pytest
 from conftest import ROOT, document, error, points, program
 from hyzer.ir import to_numpy
 
-FOLDERS = ("effects", "general_effects")
-EFFECTS = sorted(
-    path.stem for folder in FOLDERS for path in (ROOT / "model-spec" / folder).glob("*.hyz")
-)
+EFFECTS = sorted(path.stem for path in (ROOT / "model-spec" / "effects").glob("*.hyz"))
 
 
 @pytest.mark.parametrize("effect", EFFECTS)

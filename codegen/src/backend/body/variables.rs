@@ -1,14 +1,13 @@
 //! Names of the local variables of a generated function.
 
-use super::{input_element, width};
+use super::input_element;
 use crate::compile::Compiled;
-use crate::program::{Function, Operand, Program};
+use crate::program::{Binary, Function, Op, Operand, Program, Unary};
 use std::collections::{HashMap, HashSet};
 
 /// Maximum length, in characters, of the name that follows `part_of_` in the variable name of a subexpression.
 const MAX_STEM: usize = 24;
 
-/// Names of the local variables of a generated function: inputs that it reads, and statements.
 pub(crate) struct Variables {
     inputs: HashMap<(super::Input, u32), String>,
     statements: Vec<Option<String>>,
@@ -67,14 +66,13 @@ impl Variables {
         let program = &function.program;
         let owners = self.owners(function);
         for k in 0..program.statements.len() {
-            while self.widths(program).statement(k) > width::MAX_STATEMENT {
+            while self.widths(program).statement(k) > MAX_STATEMENT {
                 let Some(part) = self.widths(program).widest_part(k) else {
                     break;
                 };
                 self.statements[part] = Some(part_name(owners[part].as_deref(), names));
             }
-            if self.statements[k].is_none() && self.widths(program).statement(k) > width::MAX_INLINE
-            {
+            if self.statements[k].is_none() && self.widths(program).statement(k) > MAX_INLINE {
                 self.statements[k] = Some(part_name(owners[k].as_deref(), names));
             }
         }
@@ -83,8 +81,8 @@ impl Variables {
     fn widths<'a>(
         &'a self,
         program: &'a Program,
-    ) -> width::Widths<'a, impl Fn(Operand) -> Option<usize> + 'a> {
-        width::Widths {
+    ) -> Widths<'a, impl Fn(Operand) -> Option<usize> + 'a> {
+        Widths {
             program,
             variable: |operand| Some(self.of(operand)?.chars().count()),
         }
@@ -177,5 +175,63 @@ impl<F: Fn(&str) -> bool> UniqueNames<F> {
         }
         self.taken.insert(name.clone());
         name
+    }
+}
+
+/// Maximum width, in characters, of an inlined expression.
+pub(super) const MAX_INLINE: usize = 64;
+
+pub(super) const MAX_STATEMENT: usize = 84;
+
+/// Estimated width of a function or method call without its operands, characters.
+const CALL: usize = 11;
+
+/// Estimated width of a numeric constant, characters.
+const CONSTANT: usize = 13;
+
+/// Estimates printed widths; `variable` is the length of the name of an operand's variable.
+pub(super) struct Widths<'a, V> {
+    pub program: &'a Program,
+    pub variable: V,
+}
+
+impl<V: Fn(Operand) -> Option<usize>> Widths<'_, V> {
+    pub fn statement(&self, k: usize) -> usize {
+        let op = &self.program.statements[k].op;
+        let operands: usize = op
+            .operands()
+            .into_iter()
+            .map(|operand| self.operand(operand))
+            .sum();
+        operands + own_width(op)
+    }
+
+    /// Index of the statement that is the widest inlined operand of statement `k`; `None` if no operand is inlined.
+    pub fn widest_part(&self, k: usize) -> Option<usize> {
+        let operands = self.program.statements[k].op.operands();
+        let parts = operands.into_iter().filter_map(|operand| match operand {
+            Operand::Temp(t) if (self.variable)(operand).is_none() => Some(t as usize),
+            _ => None,
+        });
+        parts.max_by_key(|&part| self.statement(part))
+    }
+
+    fn operand(&self, operand: Operand) -> usize {
+        match ((self.variable)(operand), operand) {
+            (Some(width), _) => width,
+            (None, Operand::Temp(t)) => self.statement(t as usize),
+            (None, Operand::Constant(_)) => CONSTANT,
+            (None, _) => "time".len(),
+        }
+    }
+}
+
+/// Estimated width of an operation without its operands, characters.
+fn own_width(op: &Op) -> usize {
+    match op {
+        Op::Unary(Unary::Neg, _) => 1,
+        Op::Unary(Unary::Recip, _) => CONSTANT + 3,
+        Op::Binary(Binary::Add | Binary::Sub | Binary::Mul | Binary::Div, ..) => 3,
+        _ => CALL,
     }
 }

@@ -1,49 +1,37 @@
 //! Common-subexpression elimination in products, by greedy extraction of pairs.
 
-use super::candidates::{Candidates, Score};
-use super::merge_equal;
+use super::{Score, merge_equal};
 use crate::ssa::{DefId, Ssa, SsaDef};
 
 type Pair = (DefId, DefId);
 
-/// Extracts common pairs of factors from all products into shared definitions.
 pub fn share(ssa: &mut Ssa) {
-    let uses = ssa.uses();
-    let mut candidates = Candidates::new();
-    for id in ssa.defs.indices() {
-        if uses[id] > 0 {
-            register(ssa, id, &mut candidates);
-        }
-    }
-    candidates.rate(|pair, users| score(ssa, pair, users));
-    while let Some((pair, mut users)) = candidates.next(|pair, users| score(ssa, pair, users)) {
-        users.retain(|&id| count(factors(ssa, id), pair) > 0);
-        let shared = ssa.product(vec![pair.0, pair.1]);
-        for id in users {
-            if id == shared {
-                continue;
-            }
-            let SsaDef::Product(list) = &mut ssa.defs[id] else {
-                continue;
-            };
-            let times = count(list, pair);
-            for _ in 0..times {
-                for part in [pair.0, pair.1] {
-                    if let Some(at) = list.iter().position(|&f| f == part) {
-                        list.remove(at);
-                    }
-                }
-                list.push(shared);
-            }
-            list.sort_unstable();
-            register(ssa, id, &mut candidates);
-        }
-        candidates.rate(|pair, users| score(ssa, pair, users));
-    }
+    super::share(ssa, pairs, score, replace);
     merge_equal(ssa, factors, |factors| match factors {
         [single] => Some(*single),
         _ => None,
     });
+}
+
+fn replace(ssa: &mut Ssa, pair: Pair, mut users: Vec<DefId>) -> Vec<DefId> {
+    users.retain(|&id| count(factors(ssa, id), pair) > 0);
+    let shared = ssa.product(vec![pair.0, pair.1]);
+    users.retain(|&id| id != shared);
+    for &id in &users {
+        let SsaDef::Product(list) = &mut ssa.defs[id] else {
+            continue;
+        };
+        for _ in 0..count(list, pair) {
+            for part in [pair.0, pair.1] {
+                if let Some(at) = list.iter().position(|&f| f == part) {
+                    list.remove(at);
+                }
+            }
+            list.push(shared);
+        }
+        list.sort_unstable();
+    }
+    users
 }
 
 fn factors(ssa: &Ssa, id: DefId) -> &[DefId] {
@@ -53,13 +41,13 @@ fn factors(ssa: &Ssa, id: DefId) -> &[DefId] {
     }
 }
 
-fn register(ssa: &Ssa, id: DefId, candidates: &mut Candidates<Pair>) {
-    let list = factors(ssa, id);
-    for a in 0..list.len() {
-        for b in a + 1..list.len() {
-            candidates.hold((list[a], list[b]), id);
-        }
-    }
+fn pairs(ssa: &Ssa, id: DefId) -> Vec<Pair> {
+    let list = factors(ssa, id).iter().enumerate();
+    let pairs = list.flat_map(|(k, &a)| {
+        let rest = &factors(ssa, id)[k + 1..];
+        rest.iter().map(move |&b| (a, b))
+    });
+    pairs.collect()
 }
 
 /// Number of disjoint occurrences of a pair in a list of factors.

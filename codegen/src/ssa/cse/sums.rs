@@ -1,7 +1,6 @@
 //! Common-subexpression elimination in sums: common pairs of terms are computed once, up to sign.
 
-use super::candidates::{Candidates, Score};
-use super::merge_equal;
+use super::{Score, merge_equal};
 use crate::ssa::{DefId, Signed, Ssa, SsaDef, sort_terms};
 
 /// Two terms that occur in one sum, and whether their signs differ.
@@ -9,49 +8,35 @@ type Pair = (DefId, DefId, bool);
 
 /// Extracts common pairs of terms from all sums into shared definitions.
 pub fn share(ssa: &mut Ssa) {
-    let uses = ssa.uses();
-    let mut candidates = Candidates::new();
-    for id in ssa.defs.indices() {
-        if uses[id] > 0 {
-            register(ssa, id, &mut candidates);
-        }
-    }
-    candidates.rate(|pair, users| score(ssa, pair, users));
-    while let Some((pair, users)) = candidates.next(|pair, users| score(ssa, pair, users)) {
-        // share an existing sum equal to the pair
-        let whole = users
-            .iter()
-            .copied()
-            .find(|&id| terms(ssa, id).len() == 2 && sign(terms(ssa, id), pair).is_some());
-        let (flipped, shared) = match whole {
-            Some(id) => (sign(terms(ssa, id), pair) == Some(true), id),
-            None => {
-                let both = vec![(false, pair.0), (pair.2, pair.1)];
-                let facts = ssa.sum_facts(&both);
-                (false, ssa.define(SsaDef::Sum(both), facts, None))
-            }
-        };
-        for id in users {
-            if id == shared {
-                continue;
-            }
-            let Some(minus) = sign(terms(ssa, id), pair) else {
-                continue;
-            };
-            let SsaDef::Sum(list) = &mut ssa.defs[id] else {
-                continue;
-            };
-            list.retain(|&(_, term)| term != pair.0 && term != pair.1);
-            list.push((minus != flipped, shared));
-            sort_terms(list);
-            register(ssa, id, &mut candidates);
-        }
-        candidates.rate(|pair, users| score(ssa, pair, users));
-    }
+    super::share(ssa, pairs, score, replace);
     merge_equal(ssa, terms, |terms| match terms {
         [(false, single)] => Some(*single),
         _ => None,
     });
+}
+
+fn replace(ssa: &mut Ssa, pair: Pair, mut users: Vec<DefId>) -> Vec<DefId> {
+    // share an existing sum equal to the pair
+    let mut all = users.iter().copied();
+    let whole = all.find(|&id| terms(ssa, id).len() == 2 && sign(terms(ssa, id), pair).is_some());
+    let (flipped, shared) = match whole {
+        Some(id) => (sign(terms(ssa, id), pair) == Some(true), id),
+        None => {
+            let both = vec![(false, pair.0), (pair.2, pair.1)];
+            let facts = ssa.sum_facts(&both);
+            (false, ssa.define(SsaDef::Sum(both), facts, None))
+        }
+    };
+    users.retain(|&id| id != shared && sign(terms(ssa, id), pair).is_some());
+    for &id in &users {
+        let minus = sign(terms(ssa, id), pair) == Some(true);
+        if let SsaDef::Sum(list) = &mut ssa.defs[id] {
+            list.retain(|&(_, term)| term != pair.0 && term != pair.1);
+            list.push((minus != flipped, shared));
+            sort_terms(list);
+        }
+    }
+    users
 }
 
 fn terms(ssa: &Ssa, id: DefId) -> &[Signed] {
@@ -61,13 +46,13 @@ fn terms(ssa: &Ssa, id: DefId) -> &[Signed] {
     }
 }
 
-fn register(ssa: &Ssa, id: DefId, candidates: &mut Candidates<Pair>) {
-    let list = terms(ssa, id);
-    for a in 0..list.len() {
-        for b in a + 1..list.len() {
-            candidates.hold((list[a].1, list[b].1, list[a].0 != list[b].0), id);
-        }
-    }
+fn pairs(ssa: &Ssa, id: DefId) -> Vec<Pair> {
+    let list = terms(ssa, id).iter().enumerate();
+    let pairs = list.flat_map(|(k, &(minus, a))| {
+        let rest = &terms(ssa, id)[k + 1..];
+        rest.iter().map(move |&(other, b)| (a, b, minus != other))
+    });
+    pairs.collect()
 }
 
 /// Sign of the first term of a pair in a sum (`true` is minus); `None` if the sum does not contain the pair.

@@ -136,8 +136,7 @@ impl DiagnosisOptions<'_> {
         }
         self.throws.validate()?;
         let own = model.offers.iter().map(|offer| offer.name.as_str());
-        let general = model_spec::load::GENERAL_EFFECTS;
-        let built_in = model_spec::load::EFFECTS.iter().chain(general);
+        let built_in = model_spec::load::EFFECTS.iter();
         let known: Vec<&str> = own.chain(built_in.map(|effect| effect.0)).collect();
         let unknown = |name: &&String| !known.contains(&identifier(name).as_str());
         match self.without.iter().find(unknown) {

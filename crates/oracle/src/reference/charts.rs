@@ -22,9 +22,6 @@ fn states<const N: usize>(
 /// Coordinate chart of a body with attitude. The attitude is a quaternion if the model has a state `q0`. Otherwise it
 /// consists of the angles phi, theta and gamma about the axes 1, 2 and 3, with the rates phidot, thetadot and gammadot;
 /// the velocity components u, v and w are in the frame after the first two rotations.
-///
-/// # Errors
-/// [`BindError::MissingState`] if the model lacks one of the states of the chart.
 pub(super) fn with_attitude(model: &Model) -> Result<Chart, BindError> {
     if model.states.iter().any(|s| s.name == "q0") {
         return quaternion(model);
@@ -45,9 +42,6 @@ pub(super) fn with_attitude(model: &Model) -> Result<Chart, BindError> {
 
 /// Coordinate chart of a body with the attitude quaternion q0, q1, q2, q3. The velocity vx, vy, vz is in inertial
 /// components, the angular velocity p, q, r in components of the body frame.
-///
-/// # Errors
-/// [`BindError::MissingState`] if the model lacks one of these states or of the position x, y, z.
 fn quaternion(model: &Model) -> Result<Chart, BindError> {
     Ok(Chart {
         attitude: Attitude::Quaternion(
@@ -60,9 +54,6 @@ fn quaternion(model: &Model) -> Result<Chart, BindError> {
 
 /// Coordinate chart of a point mass: the states x, y, z (position) and vx, vy, vz (velocity), both in inertial
 /// components.
-///
-/// # Errors
-/// [`BindError::MissingState`] if the model lacks one of these states.
 pub(super) fn point_mass(model: &Model) -> Result<Chart, BindError> {
     in_inertial_axes(model, ["vx", "vy", "vz"])
 }

@@ -29,7 +29,6 @@ pub enum Law {
     Discus,
 }
 
-/// Reference laws with the names that a model may state after the keyword `reference`.
 const LAWS: [(&str, Law); 3] = [
     ("hubbard_hummel_disc", Law::Disc),
     ("ball_with_drag", Law::Ball),
@@ -107,9 +106,6 @@ impl Law {
 
 /// Index in [`Model::inputs`] of the input `name`, whose components a reference law takes as inertial ones; `None` if
 /// the model does not declare it.
-///
-/// # Errors
-/// [`BindError::InputFrame`] if the input has components in another frame.
 fn inertial_input(model: &Model, name: &'static str) -> Result<Option<usize>, BindError> {
     let index = model.inputs.iter().position(|input| input.name == name);
     let frame = index.map(|index| &model.frames[model.inputs[index].frame]);

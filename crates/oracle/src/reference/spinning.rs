@@ -51,7 +51,6 @@ pub(super) struct Coefficients<T> {
     pub spin_down: T,
 }
 
-/// Mass, inertia and dimensions of a body of revolution, with air density and gravity.
 #[derive(Clone, Copy)]
 pub(super) struct Body<T> {
     pub mass: T,

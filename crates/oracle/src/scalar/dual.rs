@@ -1,8 +1,12 @@
-//! Dual numbers over any scalar; over [`ErrorBound`](super::ErrorBound) they yield a derivative with its error bound.
+//! Scalars that carry a derivative: dual numbers over any scalar, which over [`ErrorBound`](super::ErrorBound) yield its
+//! error bound, those of the crate `num-dual`, and complex steps, f'(x) = Im f(x + ih) / h without cancellation.
 
 use super::table::Interpolant;
 use super::{Elementary, Field, Real};
+use nalgebra::Complex;
+use num_dual::{Dual64, DualNum};
 use num_traits::{One, Zero};
+use std::f64::consts::FRAC_PI_2;
 
 /// Dual number: a value and its derivative in one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,5 +105,136 @@ impl<T: Real> Real for Dual<T> {
             value: self.value.atan2(x.value),
             derivative: (x.value * self.derivative - self.value * x.derivative) / square,
         }
+    }
+}
+
+/// A dual number of the crate `num-dual`, as one of the scalar types with which models are evaluated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NumDual(pub Dual64);
+
+impl NumDual {
+    /// Creates a dual number from a value and its derivative.
+    pub fn new(value: f64, derivative: f64) -> Self {
+        Self(Dual64::new(value, derivative))
+    }
+
+    /// Derivative part of the dual number.
+    pub fn derivative(self) -> f64 {
+        self.0.eps
+    }
+}
+
+crate::wrapped_ops!(NumDual(Dual64));
+
+impl Zero for NumDual {
+    fn zero() -> Self {
+        Self::lit(0.0)
+    }
+
+    fn is_zero(&self) -> bool {
+        self.0.re == 0.0 && self.0.eps == 0.0
+    }
+}
+
+super::rounded_literals!(NumDual);
+
+impl Real for NumDual {
+    fn lit(value: f64) -> Self {
+        Self(Dual64::new(value, 0.0))
+    }
+
+    fn re(self) -> f64 {
+        self.0.re
+    }
+
+    fn elementary(self, function: Elementary) -> Self {
+        if function.is_constant_at(self.0.re) {
+            return Self::lit(function.value(self.0.re));
+        }
+        Self(function.inside_domain(self.0))
+    }
+
+    fn atan2(self, x: Self) -> Self {
+        let (y, x) = (self.0, x.0);
+        if y.re == 0.0 && x.re == 0.0 {
+            Self::zero()
+        } else if y.re.abs() > x.re.abs() {
+            // num-dual divides by x, which may be 0.
+            let quarter = Dual64::from_re(FRAC_PI_2.copysign(y.re));
+            Self(quarter - (x / y).atan())
+        } else {
+            Self(y.atan2(x))
+        }
+    }
+}
+
+/// Imaginary step h of the complex-step method; h² is negligible against every value of a model.
+pub const STEP: f64 = 1e-120;
+
+/// A complex number whose imaginary part is [`STEP`] times a derivative; comparisons use the real part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ComplexStep(pub Complex<f64>);
+
+impl ComplexStep {
+    /// Complex number that represents a value and its derivative.
+    pub fn new(value: f64, derivative: f64) -> Self {
+        Self(Complex::new(value, derivative * STEP))
+    }
+
+    /// Derivative: imaginary part divided by [`STEP`].
+    pub fn derivative(self) -> f64 {
+        self.0.im / STEP
+    }
+}
+
+crate::wrapped_ops!(ComplexStep(Complex<f64>));
+
+impl Zero for ComplexStep {
+    fn zero() -> Self {
+        Self::lit(0.0)
+    }
+
+    fn is_zero(&self) -> bool {
+        self.0.re == 0.0 && self.0.im == 0.0
+    }
+}
+
+super::rounded_literals!(ComplexStep);
+
+impl Real for ComplexStep {
+    fn lit(value: f64) -> Self {
+        Self(Complex::new(value, 0.0))
+    }
+
+    fn re(self) -> f64 {
+        self.0.re
+    }
+
+    fn elementary(self, function: Elementary) -> Self {
+        let x = self.0.re;
+        if function.is_constant_at(x) {
+            return Self::lit(function.value(x));
+        }
+        Self(match function {
+            Elementary::Sqrt => self.0.sqrt(),
+            Elementary::Sin => self.0.sin(),
+            Elementary::Cos => self.0.cos(),
+            Elementary::Exp => self.0.exp(),
+            Elementary::Log => self.0.ln(),
+            // Complex versions of the other functions use logarithms or quotients that lose a step of 1e-120.
+            _ => {
+                let value = function.value(x);
+                Complex::new(value, function.derivative(x, value) * self.0.im)
+            }
+        })
+    }
+
+    fn atan2(self, x: Self) -> Self {
+        let (y, x) = (self.0, x.0);
+        if y.re == 0.0 && x.re == 0.0 {
+            return Self::zero();
+        }
+        let derivative = (x.re * y.im - y.re * x.im) / (x.re * x.re + y.re * y.re);
+        Self(Complex::new(y.re.atan2(x.re), derivative))
     }
 }

@@ -121,9 +121,6 @@ impl Elementary {
 }
 
 /// Value of a function of the model language at `x`.
-///
-/// # Panics
-/// If `function` is a table.
 pub(crate) fn call<T: Real>(function: Function, x: T) -> T {
     let elementary = |function| x.elementary(function);
     match function {

@@ -1,31 +1,25 @@
 //! Scalar types of the oracle: real numbers, derivatives, error bounds, 256-bit numbers, and a prime field.
 
 mod big;
-mod complex;
 mod dual;
 mod error_bound;
 mod function;
 mod lockstep;
-mod num_dual;
 mod ops;
 mod prime;
-mod real;
 mod table;
 
+use ::num_traits::{One, Zero};
 pub use big::{Big, PRECISION, with_numbers};
-pub use complex::{ComplexStep, STEP};
-pub use dual::Dual;
+pub use dual::{ComplexStep, Dual, NumDual, STEP};
 pub use error_bound::ErrorBound;
 pub use function::Elementary;
 pub(crate) use function::call;
 pub use lockstep::Lockstep;
-pub use num_dual::NumDual;
-pub use prime::{PRIME, Prime};
-pub use table::Interpolant;
-
-use ::num_traits::{One, Zero};
 use ops::rounded_literals;
+pub use prime::{PRIME, Prime};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+pub use table::Interpolant;
 
 /// An algebraic field: scalars with sums, differences, products and quotients.
 pub trait Field:
@@ -108,6 +102,34 @@ pub trait Real: Field {
             Self::one() / product
         } else {
             product
+        }
+    }
+}
+
+impl Field for f64 {
+    fn integer(value: i64) -> Self {
+        value as f64
+    }
+}
+
+impl Real for f64 {
+    fn lit(value: f64) -> Self {
+        value
+    }
+
+    fn re(self) -> f64 {
+        self
+    }
+
+    fn elementary(self, function: Elementary) -> Self {
+        function.value(self)
+    }
+
+    fn atan2(self, x: Self) -> Self {
+        if self == 0.0 && x == 0.0 {
+            0.0
+        } else {
+            f64::atan2(self, x)
         }
     }
 }

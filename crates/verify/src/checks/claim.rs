@@ -4,12 +4,12 @@
 //! have any number of states in any parametrization.
 
 use super::precision::{Tally, overflow};
-use crate::claim::{along, errors, is_fault};
 use crate::options::Options;
 use crate::random::Random;
 use crate::row::{Row, Verdict, Worst};
 use crate::sample;
 use crate::subject::Subject;
+use crate::subject::{along, errors, is_fault};
 use oracle::scalar::{ErrorBound, Field};
 use oracle::{BalanceLaw, Tree, claimed_rates};
 use std::collections::BTreeMap;

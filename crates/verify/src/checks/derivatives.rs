@@ -224,7 +224,6 @@ fn cancelled(value: ErrorBound, variable: f64) -> f64 {
     value.magnitude / variable.max(1.0)
 }
 
-/// Absolute value of a variable.
 fn size(point: &Point<f64>, variable: usize) -> f64 {
     let parameters = point.parameters();
     let mut all = point.states.iter().chain(&parameters);

@@ -4,6 +4,7 @@
 
 use super::precision::Tally;
 use super::reference;
+use crate::engine::Values;
 use crate::expressions::fix_effects;
 use crate::options::Options;
 use crate::pairing::Pairing;
@@ -11,7 +12,6 @@ use crate::random::Random;
 use crate::row::{Row, Verdict, Worst};
 use crate::sample;
 use crate::subject::Equations;
-use crate::values::Values;
 use model_spec::Layout;
 use model_spec::compose::{Origin, known_effects};
 use model_spec::load::{Loaded, from_text};
@@ -40,7 +40,6 @@ impl Variant {
         Self { model, values }
     }
 
-    /// Names of the effects of the model, for messages.
     fn names(&self) -> String {
         let names = self.model.effects.iter().map(|e| e.name.as_str());
         names.collect::<Vec<_>>().join(" with ")
@@ -91,7 +90,6 @@ fn variants(loaded: &Loaded, without: &Model) -> Vec<Model> {
     alone.into_iter().flatten().chain(together).collect()
 }
 
-/// Checks that effects change nothing at their null values, and cost no operations.
 fn check(without: &Model, with: &[Variant], options: &Options) -> Row {
     if with.is_empty() {
         return Row::skipped(EFFECTS, "no effects for this model");
@@ -170,7 +168,6 @@ pub fn against_oracle(with: &[Variant], options: &Options) -> Row {
     tally.row(EFFECT_REFERENCE, with.len(), options.cases.div_ceil(10))
 }
 
-/// The point with all effects at their null values.
 fn off(model: &Model, mut point: Point<f64>) -> Point<f64> {
     for c in model.effects.iter().flat_map(|e| &e.coefficients) {
         point.coefficients[c.index] = c.null_value;

@@ -7,7 +7,6 @@ use oracle::scalar::{Dual, ErrorBound, Field, Real};
 use oracle::{Point, Reference, Tree, Unsupported, derivatives_of};
 use std::ops::Range;
 
-/// Compiled functions that are compared with the vector expressions.
 pub(crate) fn functions(compiled: &Compiled) -> [&Function; 5] {
     [
         &compiled.f,
@@ -40,7 +39,6 @@ impl<'a, T> Variable<'a, T> {
     }
 }
 
-/// States and parameters of a compiled model, each with its direction at the given states.
 pub(crate) fn variables<'a, T: Field>(
     model: &Model,
     compiled: &'a Compiled,
@@ -56,7 +54,6 @@ pub(crate) fn variables<'a, T: Field>(
     names.map(variable).collect()
 }
 
-/// State derivatives and observation from the vector expressions, with their derivatives with respect to a variable.
 pub(crate) fn law<T: Real>(
     model: &Model,
     point: &Point<T>,
@@ -212,7 +209,6 @@ pub(crate) fn direction<T: Field>(model: &Model, states: &[T], variable: usize) 
     out
 }
 
-/// Name of a result: `der(v)` or `observation 1`.
 pub(crate) fn row_name(model: &Model, row: usize) -> String {
     match model.states.get(row) {
         Some(state) => format!("der({})", state.name),
@@ -221,9 +217,6 @@ pub(crate) fn row_name(model: &Model, row: usize) -> String {
 }
 
 /// State derivatives and observation from the vector expressions.
-///
-/// # Errors
-/// [`Unsupported`] if the vector expressions cannot be evaluated.
 pub(crate) fn tree_column<T: Real>(model: &Model, point: &Point<T>) -> Result<Vec<T>, Unsupported> {
     let tree = Tree::new(model, point);
     let mut out = derivatives_of(&tree)?;
@@ -233,7 +226,6 @@ pub(crate) fn tree_column<T: Real>(model: &Model, point: &Point<T>) -> Result<Ve
     Ok(out)
 }
 
-/// Derivatives with respect to true time, and observation, from the reference implementation.
 pub(crate) fn reference_column<T: Real>(
     reference: &Reference,
     model: &Model,

@@ -1,11 +1,11 @@
 //! Checks the balance laws under arbitrary loads: dp/dt = F, dH/dt = M, dE/dt = F·v + M·ω, and dr/dt = v.
 
 use super::precision::Tally;
-use crate::claim::{Bounded, along, errors};
 use crate::options::Options;
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;
+use crate::subject::{Bounded, along, errors};
 use crate::subject::{Subject, body_properties};
 use nalgebra::Vector3;
 use oracle::scalar::{Dual, ErrorBound, Real};

@@ -14,7 +14,6 @@ use oracle::scalar::{Big, Dual, ErrorBound, Lockstep, Real, with_numbers};
 
 /// Number of points, so that functions are likely to be compared on every branch.
 const POINTS: usize = 8;
-/// Maximum number of draws of a point at which rounding decides no branch.
 const MAX_DRAWS: usize = 30;
 /// Maximum difference, relative to the magnitude of the terms: a thousand times that of a constant rounded to f64.
 const TOLERANCE: f64 = 1e-13;
@@ -72,7 +71,6 @@ fn bounded((first, second): (Big, ErrorBound)) -> Bounded {
     Lockstep { first, second }
 }
 
-/// Whether two values differ by more than [`TOLERANCE`] of the value or of the magnitude of its terms.
 fn differ(found: Bounded, expected: Bounded) -> bool {
     let terms = [found.second, expected.second];
     if !terms.iter().all(|terms| terms.value.is_finite()) {

@@ -9,10 +9,10 @@
 use std::collections::BTreeSet;
 
 use super::precision::overflow;
-use crate::comparison::rate_differences;
 use crate::meaning::Meaning;
 use crate::options::Options;
 use crate::random::Random;
+use crate::row::rate_differences;
 use crate::row::{Row, Worst};
 use crate::sample::{self, is_velocity};
 use crate::subject::Subject;
@@ -297,7 +297,6 @@ fn axis_of_revolution(model: &Model) -> Option<u8> {
     }
 }
 
-/// Whether an input has the unit of a velocity, and so is the velocity of the air.
 fn has_wind(model: &Model) -> bool {
     model.inputs.iter().any(|input| is_velocity(input.unit))
 }

@@ -12,11 +12,9 @@ use oracle::scalar::{Big, Dual, ErrorBound, Real, with_numbers};
 use oracle::{Point, Tree, derivatives_of};
 use std::collections::BTreeMap;
 
-/// Magnitude above which products of values may overflow.
 const HUGE: f64 = 1e150;
 /// Relative distance of the points next to a point: some roundings.
 const BESIDE: f64 = 1e-14;
-/// Number of points next to a point at which the law is evaluated.
 const NEIGHBOURS: u64 = 8;
 
 /// A value of the law, computed in 256 bits.

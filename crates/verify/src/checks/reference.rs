@@ -130,9 +130,6 @@ pub fn tree(subject: &Subject<'_>, options: &Options) -> Row {
 
 /// Passes the finding on every state derivative and component of the observation to `errors`, with its name. Values that
 /// differ are compared in 256 bits.
-///
-/// # Errors
-/// [`Unsupported`] if the vector expressions cannot be evaluated.
 pub(super) fn with_tree(
     model: &Model,
     equations: &dyn Equations,

@@ -14,13 +14,10 @@ use oracle::{Point, Tree, derivatives_of};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// Number of random points of the prime field at which the values of equal functions are equal.
 const POINTS: usize = 4;
-/// Maximum number of trial points of the prime field: roots do not exist at all of them.
 const MAX_TRIALS: usize = 4096;
 /// Lower bound, SI, of the divisor of the difference of auxiliary variables or loads.
 const MIN_MAGNITUDE: f64 = 1e-6;
-/// Number of random points of the comparison in floating-point arithmetic.
 const NUMBERS: usize = 24;
 
 /// Result of comparing one output of two models, such as a state derivative, an auxiliary variable or a load.

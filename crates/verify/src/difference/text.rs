@@ -79,7 +79,6 @@ fn section<T>(
 }
 
 impl RowChange {
-    /// Sentence on the difference of the row.
     fn sentence(&self) -> String {
         match (self.sameness, self.added) {
             (None, true) => format!("{} is new", self.row),
@@ -90,7 +89,6 @@ impl RowChange {
 }
 
 impl Statement {
-    /// Change, class and name, then the lines that only one of the models has.
     fn text(&self) -> String {
         let mut out = format!("{:9} {}", self.change.word(), self.what);
         for (sign, text) in [('-', &self.old), ('+', &self.new)] {
@@ -116,7 +114,6 @@ impl Change {
 }
 
 impl Landing {
-    /// Where and when the flight from a release ends in both models.
     fn text(&self) -> String {
         let end = |flown: &Flown| match flown {
             Flown::End(end) => end.text(),

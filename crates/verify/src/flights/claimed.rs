@@ -126,7 +126,6 @@ pub(super) fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Poin
     drawn_within(model, random, draw, within_limits)
 }
 
-/// A flight of a claimed body.
 pub(super) struct Flight {
     /// Final point.
     pub end: Point<f64>,
@@ -136,7 +135,6 @@ pub(super) struct Flight {
     pub is_under_one_load: bool,
 }
 
-/// First flight of the [`DURATIONS`] that ends within the limits.
 pub(super) fn fly(subject: &Subject<'_>, from: &Point<f64>, rtol: f64) -> Option<Flight> {
     if !is_valid(subject.model, from) {
         return None;

@@ -3,10 +3,10 @@
 
 mod claimed;
 
-use crate::comparison::relative_difference;
 use crate::integration;
 use crate::options::Options;
 use crate::random::Random;
+use crate::row::relative_difference;
 use crate::row::{Row, Worst};
 use crate::sample::{is_valid, moved_within_limits};
 use crate::subject::{Subject, body_properties};
@@ -20,7 +20,6 @@ use std::cell::Cell;
 pub const INVARIANTS: &str = "flight without air";
 /// Name in reports of the check of flights against the reference law, with momenta as states.
 pub const MOMENTA: &str = "flight: reference in momenta";
-/// Name in reports of the check that compares the flights of two models.
 const FLIGHTS: &str = "flights";
 
 /// Maximum allowed relative difference in the flight checks, such as that of two final states.
@@ -33,7 +32,6 @@ const RTOL_AGAIN: f64 = 1e-13;
 const OF_INTEGRATION: f64 = 0.3;
 /// Reason for skipping a model whose recorded time is not that of the flight.
 const OWN_CLOCK: &str = "its clock does not keep to the seconds of the flight";
-/// Reason for skipping the check of invariants.
 const OTHER_LOADS: &str =
     "without air and with its coefficients at 0, loads are left that are not a constant force";
 /// Number of simulated flights per flight check.
@@ -260,7 +258,6 @@ fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
     }
 }
 
-/// Final point of a flight of [`DURATION`].
 fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Result<Point<f64>, IntegrationError> {
     let rates = |at: &Point<f64>| subject.equations.rates(at);
     let options = IntegrationOptions::with_tolerance(RTOL);

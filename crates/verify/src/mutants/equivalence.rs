@@ -3,8 +3,8 @@
 use crate::difference::Sameness;
 use crate::difference::function;
 use crate::difference::values::Everything;
+use crate::engine::Values;
 use crate::subject::Subject;
-use crate::values::Values;
 use codegen::program::{Op, Program};
 use model_spec::model::Model;
 

@@ -4,7 +4,6 @@ pub mod equivalence;
 mod matrix;
 mod names;
 mod rewrite;
-mod sites;
 mod statement;
 pub mod status;
 
@@ -12,7 +11,7 @@ use crate::options::Options;
 use equivalence::Original;
 use flight::parallel;
 pub use matrix::{MutationMatrix, MutationRow};
-use model_spec::model::Source;
+use model_spec::diagnostic::{Source, Span};
 use model_spec::syntax::ast::{File, FrameKind, Name};
 use names::Names;
 use status::evaluate;
@@ -115,7 +114,7 @@ pub fn mutants(file: &File, sources: &[Source]) -> Vec<Mutant> {
     let angles: Vec<Name> = angles.collect();
     let mut out = Vec::new();
     for (index, item) in file.items.iter().enumerate() {
-        let place = sites::statement_name(item);
+        let place = statement::name(item);
         for change in statement::changes(item, &names, &angles) {
             let mut file = file.clone();
             match change.to {
@@ -129,45 +128,24 @@ pub fn mutants(file: &File, sources: &[Source]) -> Vec<Mutant> {
                 file,
             });
         }
-        expressions(file, index, &place, &names, sources, &mut out);
-    }
-    out
-}
-
-fn expressions(
-    file: &File,
-    index: usize,
-    place: &str,
-    names: &Names,
-    sources: &[Source],
-    out: &mut Vec<Mutant>,
-) {
-    let mut scratch = file.items[index].clone();
-    let roots = sites::roots(&mut scratch).into_iter();
-    let sizes: Vec<usize> = roots.map(sites::count).collect();
-    for (root, size) in sizes.into_iter().enumerate() {
-        for n in 0..size {
-            let Some(e) = sites::nth(sites::roots(&mut scratch).swap_remove(root), n) else {
-                continue;
-            };
-            let e = e.clone();
-            let text = sources
-                .get(usize::from(e.span.source))
-                .and_then(|s| s.text.get(e.span.range()))
-                .unwrap_or_default();
-            for rewrite in rewrite::rewrites(&e, names, index, n == 0, n) {
+        let text = |span: Span| {
+            let source = sources.get(usize::from(span.source));
+            let text = source.and_then(|source| source.text.get(span.range()));
+            text.unwrap_or_default()
+        };
+        let mut scratch = item.clone();
+        for (k, root) in statement::roots(&mut scratch).into_iter().enumerate() {
+            for rewrite in rewrite::everywhere(root, &names, index, &text, &mut 0) {
                 let mut file = file.clone();
-                let mut roots = sites::roots(&mut file.items[index]);
-                if let Some(at) = sites::nth(roots.swap_remove(root), n) {
-                    *at = rewrite.to;
-                }
+                *statement::roots(&mut file.items[index]).swap_remove(k) = rewrite.to;
                 out.push(Mutant {
                     operator: rewrite.operator,
-                    place: place.to_owned(),
-                    change: format!("`{text}` {}", rewrite.how),
+                    place: place.clone(),
+                    change: rewrite.how,
                     file,
                 });
             }
         }
     }
+    out
 }

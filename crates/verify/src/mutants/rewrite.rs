@@ -2,17 +2,38 @@
 
 use super::names::Names;
 use super::{Mutation, Operator};
+use model_spec::diagnostic::Span;
 use model_spec::syntax::ast::{BinaryOp, Expr, ExprKind, Name};
 
-/// Mutations of the expression `e` in the statement `item`, not of its subexpressions. A whole right-hand side (`root`)
-/// is multiplied by 2, 0.5 and 1.1, a name or number by one of these, chosen by `serial`.
-pub fn rewrites(
+/// Mutations of an expression, in the statement `item`, and of its subexpressions, in preorder; `serial` counts the
+/// expressions, and `text` returns the source text of a span.
+pub fn everywhere<'s>(
     e: &Expr,
     names: &Names,
     item: usize,
-    root: bool,
-    serial: usize,
+    text: &dyn Fn(Span) -> &'s str,
+    serial: &mut usize,
 ) -> Vec<Mutation<Expr>> {
+    let mut out = rewrites(e, names, item, *serial);
+    for own in &mut out {
+        own.how = format!("`{}` {}", text(e.span), own.how);
+    }
+    *serial += 1;
+    let mut scratch = e.clone();
+    for (k, child) in children(&mut scratch).into_iter().enumerate() {
+        for inner in everywhere(child, names, item, text, serial) {
+            let mut to = e.clone();
+            *children(&mut to).swap_remove(k) = inner.to;
+            out.push(Mutation { to, ..inner });
+        }
+    }
+    out
+}
+
+/// Mutations of the expression `e` in the statement `item`, not of its subexpressions. A whole right-hand side (`serial`
+/// 0) is multiplied by 2, 0.5 and 1.1, a name or number by one of these, chosen by `serial`.
+fn rewrites(e: &Expr, names: &Names, item: usize, serial: usize) -> Vec<Mutation<Expr>> {
+    let root = serial == 0;
     let mut out = Vec::new();
     let mut push = |operator, how: String, to: Expr| out.push(Mutation { operator, how, to });
     let leaf = match &e.kind {
@@ -169,4 +190,17 @@ fn times(e: &Expr, factor: &str) -> Expr {
         e,
         ExprKind::Binary(BinaryOp::Mul, factor, Box::new(e.clone())),
     )
+}
+
+/// Direct subexpressions that are mutated separately, not the exponent of a power.
+pub fn children(e: &mut Expr) -> Vec<&mut Expr> {
+    match &mut e.kind {
+        ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Derivative(_) => Vec::new(),
+        ExprKind::Part(a, _) | ExprKind::Neg(a) => vec![a],
+        ExprKind::Components(parts, _) => parts.iter_mut().collect(),
+        // An exponent is a literal and is mutated together with its power.
+        ExprKind::Binary(BinaryOp::Pow, a, _) => vec![a],
+        ExprKind::Binary(_, a, b) => vec![a, b],
+        ExprKind::Call(_, arguments) => arguments.iter_mut().collect(),
+    }
 }

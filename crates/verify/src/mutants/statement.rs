@@ -4,7 +4,7 @@ use super::names::Names;
 use super::{Mutation, Operator};
 use model_spec::diagnostic::Span;
 use model_spec::syntax::ast::{
-    BodyPartKind, FrameKind, Interpolation, Item, ItemKind, LoadClass, Name, Table, UnitExpr,
+    BodyPartKind, Expr, FrameKind, Interpolation, Item, ItemKind, LoadClass, Name, Table, UnitExpr,
     UnitFactor,
 };
 
@@ -231,4 +231,37 @@ fn times(unit: Option<&UnitExpr>, symbol: &str, at: Span) -> UnitExpr {
         span: at,
     });
     product
+}
+
+/// Root expressions of a statement that are mutated; none where they do not describe physics.
+pub fn roots(item: &mut Item) -> Vec<&mut Expr> {
+    match &mut item.kind {
+        ItemKind::Body(body) => {
+            let of_part = body.parts.iter_mut().flat_map(|part| match &mut part.kind {
+                BodyPartKind::Mass(e) => vec![e],
+                BodyPartKind::Inertia(i) => i.rows.iter_mut().flatten().flatten().collect(),
+                _ => Vec::new(),
+            });
+            of_part.collect()
+        }
+        other => other.value_mut().into_iter().collect(),
+    }
+}
+
+/// Kind and name of a statement for messages, such as `frame B` or `der(u)`.
+pub fn name(item: &Item) -> String {
+    match &item.kind {
+        ItemKind::Parameter(c) => format!("declaration of {}", c.name.text),
+        ItemKind::Input(i) => format!("input {}", i.name.text),
+        ItemKind::Frame(f) => format!("frame {}", f.name.text),
+        ItemKind::Body(b) => format!("body {}", b.name.text),
+        ItemKind::Table(t) => format!("table {}", t.name.text),
+        ItemKind::Let(l) => format!("let {}", l.name.text),
+        ItemKind::Load(l) => format!("{:?} {}", l.class, l.name.text).to_lowercase(),
+        ItemKind::Equation(e) => format!("der({})", e.state.text),
+        ItemKind::Marker(m) => format!("marker {}", m.name.text),
+        ItemKind::Observe(o) => format!("observe {}", o.name.text),
+        ItemKind::Clock(_) => String::from("clock"),
+        _ => String::from("statement"),
+    }
 }

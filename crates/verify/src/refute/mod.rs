@@ -141,7 +141,6 @@ struct ReferencePoint<'a> {
     rates: Vec<Option<ErrorBound>>,
 }
 
-/// Comparison of a model's equations with correct rates at random points.
 struct Examination<'a> {
     model: &'a Model,
     points: Vec<ReferencePoint<'a>>,

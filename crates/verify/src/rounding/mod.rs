@@ -6,20 +6,21 @@
 //! error of a backend. The model statement that causes it is listed separately, with the number of bits lost (see
 //! [`statements`]).
 
-mod points;
 pub mod statements;
-mod table;
 
 use crate::checks::backends::{self, Run};
 use crate::evaluation::long_results;
+use crate::integration;
 pub use crate::options::ALLOWED;
 use crate::options::Options;
 use crate::random::Random;
+use crate::row::plain_table;
 use crate::row::{Measure, Row, Verdict};
-use crate::sample;
+use crate::sample::{self, is_valid, typical};
 use crate::subject::Subject;
 use codegen::Compiled;
 use codegen::program::Function;
+use ode::IntegrationOptions;
 use oracle::Point;
 use oracle::scalar::{Big, ErrorBound, Real, with_numbers};
 use serde::Serialize;
@@ -111,7 +112,7 @@ pub fn measure(
 ) -> Rounding {
     let mut random = Random::new(options.seed, ROUNDING);
     let mut at = sample::points(subject.model, effort.random, &mut random);
-    let flown = points::flown(subject, effort.flights, effort.states, &mut random);
+    let flown = flown(subject, effort.flights, effort.states, &mut random);
     let counts = [at.len(), flown.len()];
     let named = |what: &str, points: &[Point<f64>]| -> Vec<(String, Point<f64>)> {
         let each = points.iter().enumerate();
@@ -120,7 +121,7 @@ pub fn measure(
     };
     let mut places = named("random point", &at);
     places.extend(named("state of a flight", &flown));
-    places.extend(points::near_zero(subject, &mut random));
+    places.extend(near_zero(subject, &mut random));
     at.extend(flown);
     let runs = backends::runs(subject.model, compiled, &at);
     let (errors, left_out) = errors(compiled, &at, &runs);
@@ -268,4 +269,138 @@ fn sections(function: &Function) -> Vec<(&'static str, std::ops::Range<usize>)> 
         .iter()
         .map(|&(says, name)| (says, function.range(name)));
     ranges.filter(|(_, range)| !range.is_empty()).collect()
+}
+
+const LISTED: usize = 10;
+
+impl Loss {
+    /// Sentence on the loss: file, line, name, bits and point.
+    pub fn sentence(&self) -> String {
+        format!(
+            "{}, line {}: `{}` loses {:.0} of 53 bits at {} (median {:.0}): {}",
+            self.source, self.line, self.name, self.bits, self.place, self.median_bits, self.text
+        )
+    }
+}
+
+impl Rounding {
+    /// Tables of the rounding errors, one for backends with equal errors, and the statements that lose digits.
+    pub fn table(&self) -> String {
+        let [random, flown] = self.points;
+        let mut text = format!(
+            "Rounding errors against arithmetic of {} bits, in {MEASURE}.\n{random} random points and {flown} states of \
+             flights; {} left out, where rounding may decide a branch.\n",
+            oracle::scalar::PRECISION,
+            self.left_out
+        );
+        let mut groups: Vec<(Vec<&str>, Vec<&Error>)> = Vec::new();
+        let mut rest = self.errors.as_slice();
+        while let Some(first) = rest.first() {
+            let (own, after) = rest.split_at(rest.partition_point(|e| e.backend == first.backend));
+            rest = after;
+            let same = groups.iter_mut().find(|(_, errors)| {
+                errors.len() == own.len() && errors.iter().zip(own).all(|(a, b)| is_same(a, b))
+            });
+            match same {
+                Some((backends, _)) => backends.push(&first.backend),
+                None => groups.push((vec![&first.backend], own.iter().collect())),
+            }
+        }
+        for (backends, errors) in groups {
+            let mut table = plain_table(&[
+                "function", "values", "compared", "worst", "median", "worst at",
+            ]);
+            for error in errors {
+                table.add_row(vec![
+                    error.function.to_owned(),
+                    error.values.to_owned(),
+                    error.compared.to_string(),
+                    format!("{:.2}", error.worst),
+                    format!("{:.3}", error.median),
+                    error.place.clone(),
+                ]);
+            }
+            text.push_str(&format!("\n{}\n{table}\n", backends.join(", ")));
+        }
+        if self.losses.is_empty() {
+            text.push_str("\nNo statement of the model loses a bit.\n");
+            return text;
+        }
+        text.push_str(&format!(
+            "\nStatements by the bits that they lose (named in the report from {REPORTED_BITS} bits):\n"
+        ));
+        for loss in self.losses.iter().take(LISTED) {
+            text.push_str(&format!("  {}\n", loss.sentence()));
+        }
+        text
+    }
+}
+
+/// Whether two records of rounding errors are equal except for the name of the backend.
+fn is_same(a: &Error, b: &Error) -> bool {
+    let without = |e: &Error| Error {
+        backend: String::new(),
+        ..e.clone()
+    };
+    without(a) == without(b)
+}
+
+/// Duration of each flight along which states are sampled, s.
+const DURATION: f64 = 0.5;
+const MAX_STEPS: usize = 2_000;
+const MAX_STARTS: usize = 4;
+/// Values of a state near 0, relative to its typical magnitude.
+const NEAR_ZERO: [f64; 2] = [1e-3, 1e-7];
+
+/// Points along flights from random points, at most `each` per flight, within the validity limits.
+fn flown(
+    subject: &Subject<'_>,
+    flights: usize,
+    each: usize,
+    random: &mut Random,
+) -> Vec<Point<f64>> {
+    let mut points = Vec::new();
+    for _ in 0..flights {
+        let flight = (0..MAX_STARTS)
+            .map(|_| flight(subject, sample::point(subject.model, random), each))
+            .find(|flight| !flight.is_empty());
+        points.extend(flight.unwrap_or_default());
+    }
+    points
+}
+
+/// Points along a flight at intervals of `DURATION / count`, without the start, until it fails or leaves the limits.
+fn flight(subject: &Subject<'_>, mut at: Point<f64>, count: usize) -> Vec<Point<f64>> {
+    let points = (0..count).map_while(|_| {
+        at = flown_on(subject, &at, DURATION / count as f64)?;
+        is_valid(subject.model, &at).then(|| at.clone())
+    });
+    points.collect()
+}
+
+/// Point reached after `seconds`; `None` if the integration fails or a state is not finite.
+fn flown_on(subject: &Subject<'_>, from: &Point<f64>, seconds: f64) -> Option<Point<f64>> {
+    let options = IntegrationOptions {
+        max_steps: MAX_STEPS,
+        ..IntegrationOptions::with_tolerance(1e-6)
+    };
+    let rates = |at: &Point<f64>| subject.equations.rates(at);
+    let end = integration::fly(&rates, from, seconds, &options).ok()?;
+    end.states.iter().all(|v| v.is_finite()).then_some(end)
+}
+
+/// Random points, with descriptions, at which one state is near 0.
+fn near_zero(subject: &Subject<'_>, random: &mut Random) -> Vec<(String, Point<f64>)> {
+    let mut points = Vec::new();
+    for (index, state) in subject.model.states.iter().enumerate() {
+        for small in NEAR_ZERO {
+            let mut point = sample::point(subject.model, random);
+            let value = small * typical(state.unit) * random.between(0.5, 1.0);
+            point.states[index] = value;
+            if is_valid(subject.model, &point) {
+                points.push((format!("{} = {value:.1e}", state.name), point));
+            }
+        }
+    }
+    points
 }

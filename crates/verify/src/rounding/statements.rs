@@ -44,7 +44,6 @@ pub struct Loss {
     pub place: String,
 }
 
-/// Name and location of a statement of the model.
 struct Statement {
     name: String,
     span: Span,

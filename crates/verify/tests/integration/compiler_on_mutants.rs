@@ -4,10 +4,10 @@ use crate::support::{QUICK, built_in};
 use verify::Options;
 use verify::checks::{derivatives, reference};
 use verify::engine::Engine;
+use verify::engine::Values;
 use verify::mutants::mutants;
 use verify::report::Verdict;
 use verify::subject::Subject;
-use verify::values::Values;
 
 const FEW: Options = Options { cases: 4, ..QUICK };
 

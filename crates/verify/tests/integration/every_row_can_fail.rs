@@ -11,13 +11,13 @@ use verify::checks::backends::{self, Run};
 use verify::checks::claim::CLAIM;
 use verify::checks::{cases, effects, exact, exact_functions, identities};
 use verify::checks::{derivatives, metamorphic, reference, singular, units};
+use verify::engine::Values;
 use verify::flights::{INVARIANTS, MOMENTA};
 use verify::mutants::MutationMatrix;
 use verify::random::Random;
 use verify::report::{Row, Verdict};
 use verify::rounding::{self, ROUNDING, Rounding};
 use verify::sample;
-use verify::values::Values;
 
 /// Text of the ball model as a user might change it: another name and an additional side force.
 fn own_text() -> String {

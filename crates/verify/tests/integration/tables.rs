@@ -9,9 +9,9 @@ use proptest::prelude::*;
 use verify::checks::{derivatives, exact_functions, reference};
 use verify::difference::compare;
 use verify::engine::Engine;
+use verify::engine::Values;
 use verify::report::Verdict;
 use verify::subject::Subject;
-use verify::values::Values;
 
 const WAYS: [&str; 4] = ["", "monotone", "constant", "monotone, constant"];
 

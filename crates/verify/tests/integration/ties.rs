@@ -22,10 +22,12 @@ fn both_take_the_derivative_of_the_second_argument() {
         p,
         prepared: &prepared,
     };
-    let (mut dx, mut entries) = (vec![0.0; 2], vec![0.0; tape.j_pattern().len()]);
-    tape.f_jac(at, &mut Scratch::default(), &mut dx, &mut entries);
+    let pattern = tape.f_jac.pattern("j");
+    let (mut dx, mut entries) = (vec![0.0; 2], vec![0.0; pattern.len()]);
+    let results = &mut [&mut dx[..], &mut entries];
+    tape.f_jac.eval(at, &[], &mut Scratch::default(), results);
     let mut found = [[0.0; 2]; 2];
-    for (&(row, column), value) in tape.j_pattern().iter().zip(&entries) {
+    for (&(row, column), value) in pattern.iter().zip(&entries) {
         found[row as usize][column as usize] = *value;
     }
     assert_eq!(found, [[0.0, 1.0], [1.0, 0.0]]);

@@ -50,7 +50,6 @@ impl Functions for Tapes {
     }
 }
 
-/// Generated code of the model `E`.
 struct Generated<E>(PhantomData<E>);
 
 impl<E: Equations> Functions for Generated<E> {
@@ -122,7 +121,6 @@ impl<F: Functions> Kernel for Batch<'_, F> {
     }
 }
 
-/// Visitor that evaluates the generated code of a model with every instruction set of this machine.
 pub(super) struct OnLanes<'a>(pub &'a [Point<f64>]);
 
 impl Visitor for OnLanes<'_> {
@@ -133,7 +131,6 @@ impl Visitor for OnLanes<'_> {
     }
 }
 
-/// Results at each point with every instruction set of this machine.
 pub(super) fn on_lanes(
     functions: &impl Functions,
     points: &[Point<f64>],

@@ -103,7 +103,6 @@ pub fn generated_code(model: &Model) -> Row {
     }
 }
 
-/// First backend that fuses, or does not.
 fn first(runs: &[Run], fuses: bool) -> Option<&Run> {
     runs.iter().find(|run| run.fuses == fuses)
 }
@@ -197,7 +196,6 @@ pub fn function_at(compiled: &Compiled, index: usize) -> &'static str {
     found.map_or("nothing", |function| function.name)
 }
 
-/// Distance of two values in units in the last place.
 fn ulps(a: f64, b: f64) -> f64 {
     if a == b || (a.is_nan() && b.is_nan()) {
         return 0.0;

@@ -1,12 +1,41 @@
-//! Configuration of the compilation: models, effects, output directory and scalar type.
+//! Compiles flight models to Rust modules in build scripts.
+//!
+//! A crate lists this one under `[build-dependencies]` and compiles its models in `build.rs`:
+//!
+//! ```no_run
+//! fn main() -> Result<(), codegen::build::BuildError> {
+//!     codegen::build::Config::new()
+//!         .model("models/kite.hyz")
+//!         .model("disc")
+//!         .with("wind_by_height")
+//!         .compile()?;
+//!     Ok(())
+//! }
+//! ```
+//!
+//! Each model becomes one file in `OUT_DIR`, named after the model, which the crate includes as a module:
+//!
+//! ```ignore
+//! mod kite {
+//!     include!(concat!(env!("OUT_DIR"), "/kite.rs"));
+//! }
+//!
+//! let mut prepared = [0.0; kite::PREPARED.len()];
+//! kite::prepare(&kite::DEFAULTS, &mut prepared);
+//! let mut dx = [0.0; kite::STATES.len()];
+//! kite::f(0.0, &kite::INITIAL, &kite::DEFAULTS, &prepared, &mut dx);
+//! ```
+//!
+//! The generated code computes with `f64` and has no dependencies. [`Config::lanes`] makes it generic over
+//! `lanes::Real`.
 
 use crate::backend::{Backend, SourceFile};
-use crate::build::BuildError;
 use crate::generate;
 use crate::rust::{LanesRust, PlainRust};
 use model_spec::load;
-use std::env;
+use model_spec::load::LoadError;
 use std::path::{Path, PathBuf};
+use std::{env, io};
 
 /// Builder that compiles flight models to Rust modules. It holds the models, their effects and the output directory.
 #[derive(Clone, Debug, Default)]
@@ -119,5 +148,48 @@ impl Config {
         for path in names.filter(|name| Path::new(name).is_file()) {
             println!("cargo::rerun-if-changed={path}");
         }
+    }
+}
+
+/// Error of compiling flight models to Rust modules by [`Config::compile`](crate::build::Config::compile).
+#[derive(thiserror::Error)]
+pub enum BuildError {
+    /// No output directory: `OUT_DIR` is set only while cargo runs a build script.
+    #[error("OUT_DIR is not set: call `compile` in a build script, or set `out_dir`")]
+    NoOutDir,
+    /// [`Config::with`](crate::build::Config::with) was called before a model was added.
+    #[error("effect `{effect}` has no model: call `with` after `model`")]
+    NoModel {
+        /// Name or path of the effect, as passed to [`Config::with`](crate::build::Config::with).
+        effect: String,
+    },
+    /// A model, or an effect applied to it, is missing or invalid.
+    #[error("model `{model}`:\n{source}")]
+    Model {
+        /// Name or path of the model, as passed to [`Config::model`](crate::build::Config::model).
+        model: String,
+        /// Error of loading the model, with diagnostics that state file, line and column.
+        source: Box<LoadError>,
+    },
+    /// Two models have the same name, so both would be written to the same file.
+    #[error("two models would be written to `{path}`: rename one of them")]
+    SamePath {
+        /// Path of the file, relative to the output directory.
+        path: String,
+    },
+    /// A generated file cannot be written.
+    #[error("cannot write generated code to `{}`: {source}", directory.display())]
+    Write {
+        /// Output directory, in which the file was to be written.
+        directory: PathBuf,
+        /// Error that the operating system returned when the file was written.
+        source: io::Error,
+    },
+}
+
+/// Prints as `Display` does, because a build script prints its error by `Debug`.
+impl std::fmt::Debug for BuildError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(self, f)
     }
 }

@@ -1,0 +1,243 @@
+//! Syntax trees of the statements with a block: bodies, claims, effects and tables.
+
+use super::{Expr, Item, Name, Quantity, UnitExpr};
+use crate::location::Span;
+
+/// Whether a body is rigid or a point mass.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BodyClass {
+    /// Rigid body with mass and inertia (`body`).
+    Rigid,
+    /// Point mass (`point`).
+    Point,
+}
+
+impl BodyClass {
+    pub(crate) fn keyword(self) -> &'static str {
+        match self {
+            BodyClass::Rigid => "body",
+            BodyClass::Point => "point",
+        }
+    }
+}
+
+/// Declaration of a rigid body or a point mass.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Body {
+    /// Whether the body is rigid or a point mass.
+    pub class: BodyClass,
+    /// Name of the body.
+    pub name: Name,
+    /// Statements between the braces of the declaration, in order.
+    pub parts: Vec<BodyPart>,
+}
+
+/// A statement in a block `body NAME { … }` or `point NAME { … }`, such as `mass EXPR;`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BodyPart {
+    /// Kind of statement, with its content.
+    pub kind: BodyPartKind,
+    /// Source span of the statement.
+    pub span: Span,
+}
+
+/// Kinds of statement in a block `body NAME { … }` or `point NAME { … }`, with their content.
+#[derive(Clone, Debug, PartialEq)]
+pub enum BodyPartKind {
+    /// `mass EXPR;`: mass, kg.
+    Mass(Expr),
+    /// `inertia … in FRAME;`: inertia tensor, kg m².
+    Inertia(Box<Inertia>),
+    /// `fixed in FRAME;`: the body-fixed frame.
+    Fixed(Name),
+    /// `position (x, y, z) in FRAME;`: names of the position states of the centre of mass, and their frame.
+    Position([Name; 3], Name),
+    /// `velocity (u, v, w) in FRAME;`: names of the velocity states of the centre of mass, and their frame.
+    Velocity([Name; 3], Name),
+    /// `angular velocity (p, q, r) in FRAME;`: names of the angular-velocity states, and their frame.
+    AngularVelocity([Name; 3], Name),
+    /// `angular velocity in FRAME;`: frame of the components of `angular_velocity`.
+    AngularVelocityIn(Name),
+}
+
+/// Inertia tensor about the centre of mass, kg m², with off-diagonal entries such as `-∫ x y dm`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inertia {
+    /// Entries of the tensor, row by row; `None` for the off-diagonal entries of `diag(…)`.
+    pub rows: [[Option<Expr>; 3]; 3],
+    /// Name of the frame of the tensor's components.
+    pub frame: Name,
+}
+
+/// Statement `claim body NAME { … }` or `claim point NAME { … }`: the body that stated equations describe.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Claim {
+    /// Whether the body that the equations are declared to describe is rigid or a point mass.
+    pub class: BodyClass,
+    /// Name of the body that the equations are declared to describe.
+    pub name: Name,
+    /// Statements of the `claim` block, in order.
+    pub parts: Vec<ClaimPart>,
+}
+
+/// A statement in a `claim` block.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ClaimPart {
+    /// Keywords with which the statement begins: one of [`ClaimPart::WORDS`].
+    pub words: &'static str,
+    /// Content of the statement.
+    pub kind: ClaimPartKind,
+    /// Source span of the statement.
+    pub span: Span,
+}
+
+/// Content of a statement in a `claim` block.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ClaimPartKind {
+    /// `inertia … in FRAME;`: inertia tensor, kg m².
+    Inertia(Box<Inertia>),
+    /// `fixed in FRAME;`: the body-fixed frame.
+    Fixed(Name),
+    /// All other statements: the quantity that the keywords name.
+    Value(Expr),
+}
+
+impl ClaimPart {
+    /// Keywords of the statements: `axis` is the axis of revolution of a body to which no declared frame is fixed;
+    /// `force` and `moment` are the sums of all loads including the weight.
+    pub const WORDS: [&str; 9] = [
+        "mass",
+        "position",
+        "velocity",
+        "force",
+        "inertia",
+        "fixed in",
+        "axis",
+        "angular velocity",
+        "moment",
+    ];
+
+    /// Expressions of the statement, in order; empty for `fixed in`.
+    pub fn expressions(&self) -> Vec<&Expr> {
+        match &self.kind {
+            ClaimPartKind::Fixed(_) => Vec::new(),
+            ClaimPartKind::Inertia(inertia) => inertia.rows.iter().flatten().flatten().collect(),
+            ClaimPartKind::Value(e) => vec![e],
+        }
+    }
+}
+
+/// An effect `effect NAME { … }`: a named change to a model, such as an additional force.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Effect {
+    /// Name of the effect, words separated by underscores.
+    pub name: Name,
+    /// Documentation: the `///` lines before the effect.
+    pub doc: String,
+    /// Names of the models that the effect is compatible with; empty for any model.
+    pub on: Vec<Name>,
+    /// Statements in the block of the effect, in order.
+    pub parts: Vec<EffectPart>,
+}
+
+impl Effect {
+    /// Quantities that a model must have, or that have a fallback.
+    pub(crate) fn needs(&self) -> impl Iterator<Item = &Need> {
+        self.parts.iter().flat_map(|part| match part {
+            EffectPart::Needs(needs) => needs.as_slice(),
+            _ => &[],
+        })
+    }
+
+    /// Statements that the effect adds to the model, in order.
+    pub(crate) fn added(&self) -> impl Iterator<Item = &Item> {
+        self.parts.iter().filter_map(|part| match part {
+            EffectPart::Add(item) => Some(&**item),
+            _ => None,
+        })
+    }
+
+    /// Whether the effect is restricted to certain models by `on MODEL, …`, and `model` is not one of them.
+    pub(crate) fn excludes(&self, model: &str) -> bool {
+        !self.on.is_empty() && self.on.iter().all(|on| on.text != model)
+    }
+}
+
+/// A quantity that a model must have for an effect to be applicable.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Need {
+    /// Name of the needed quantity, such as `air_velocity`.
+    pub name: Name,
+    /// Whether the needed quantity is a vector.
+    pub is_vector: bool,
+    /// Unit of the needed quantity; `None` for an angle or a pure number.
+    pub unit: Option<UnitExpr>,
+    /// Fallback expression in a model that lacks the quantity.
+    pub otherwise: Option<Expr>,
+}
+
+/// A statement in the block of an effect.
+#[derive(Clone, Debug, PartialEq)]
+pub enum EffectPart {
+    /// `needs NAME: UNIT, …;`: quantities that the model must have.
+    Needs(Vec<Need>),
+    /// `generalises NAME, …;`: more specific effects; where one is applicable, this one is no candidate.
+    Generalises(Vec<Name>),
+    /// `source "…";`: literature reference, with the source span of the statement.
+    Citation(String, Span),
+    /// `increases "…";`: sentence for a first coefficient above its null value, with the span of the statement.
+    Increases(String, Span),
+    /// `decreases "…";`: sentence for a first coefficient below its null value, with the span of the statement.
+    Decreases(String, Span),
+    /// `site NAME;`: component of the model that changes, one of [`SITES`](crate::SITES).
+    Site(Name),
+    /// `variables NAME, NAME;`: what the effect depends on, from [`VARIABLES`](crate::VARIABLES), with the span.
+    Variables(Vec<Name>, Span),
+    /// `negligible NAME value;`: smallest effect size of interest of a coefficient or initial state.
+    Negligible(Name, Quantity),
+    /// `replace …;`: statement that replaces the model's statement of equal kind and name.
+    Replace(Box<Item>),
+    /// `replace inertia … in FRAME;`: inertia tensor in place of the body's, with the span of the statement.
+    ReplaceInertia(Box<Inertia>, Span),
+    /// A declaration, such as a coefficient or a load, that the effect adds to the model.
+    Add(Box<Item>),
+}
+
+/// Method of interpolation between the knots of a table.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Interpolation {
+    /// Cubic spline, natural with [`Continuation::Linear`] and clamped with [`Continuation::Constant`]. The default.
+    #[default]
+    Spline,
+    /// Piecewise cubic that is monotone between knots (Fritsch and Carlson 1980). Stated as `monotone`.
+    Monotone,
+}
+
+/// Method of extrapolation below the first and above the last knot of a table.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Continuation {
+    /// Linear extrapolation, with the slope of the interpolated curve at the end knot. The default.
+    #[default]
+    Linear,
+    /// Constant extrapolation, with slope zero at the end knots. Stated as `constant`.
+    Constant,
+}
+
+/// Declaration of a table: `table NAME(ARGUMENT: UNIT): UNIT = { argument: value, … };`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// Name of the table, by which it is called.
+    pub name: Name,
+    /// Name of the argument, which serves only as documentation.
+    pub argument: Name,
+    /// Unit of the argument; `None` for a pure number.
+    pub argument_unit: Option<UnitExpr>,
+    /// Unit of the value; `None` for a pure number.
+    pub unit: Option<UnitExpr>,
+    /// Argument and value at each knot. A quantity without a unit has the unit declared for the argument or the value.
+    pub knots: Vec<(Quantity, Quantity)>,
+    /// Method of interpolation between the knots.
+    pub interpolation: Interpolation,
+    /// Method of extrapolation below the first and above the last knot.
+    pub continuation: Continuation,
+}
