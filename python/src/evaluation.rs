@@ -21,7 +21,7 @@ thread_local! {
 /// Checked arguments of the functions of a model.
 pub struct Evaluation<'m, 'py> {
     model: &'m Model,
-    functions: &'m dyn ModelFunctions,
+    functions: &'m ModelFunctions,
     /// One time, or one for each row.
     t: Vec<f64>,
     x: Rows<'py>,
@@ -136,8 +136,8 @@ impl<'m, 'py> Evaluation<'m, 'py> {
         let [_, j, jp] = self.each(lens, |at, workspace, [dx, j, jp]| {
             let (mut a, mut b) = (by_state.borrow_mut(), by_parameter.borrow_mut());
             self.functions.f_jac_par(at, workspace, dx, &mut a, &mut b);
-            dense(patterns.jacobian, &a, n, j);
-            dense(patterns.parameter_jacobian, &b, width, jp);
+            dense(&patterns.jacobian, &a, n, j);
+            dense(&patterns.parameter_jacobian, &b, width, jp);
         });
         let j = array(py, j, &self.x.shape(&[n, n]))?;
         Ok((j, array(py, jp, &self.x.shape(&[n, width]))?))
@@ -187,8 +187,8 @@ impl<'m, 'py> Evaluation<'m, 'py> {
 }
 
 /// A dense matrix from the entries of a sparse one.
-fn dense(pattern: &[(u32, u32)], entries: &[f64], width: usize, out: &mut [f64]) {
+fn dense(pattern: &[(usize, usize)], entries: &[f64], width: usize, out: &mut [f64]) {
     for (&(row, column), entry) in pattern.iter().zip(entries) {
-        out[row as usize * width + column as usize] = *entry;
+        out[row * width + column] = *entry;
     }
 }

@@ -112,7 +112,7 @@ impl Model {
     }
 
     /// The functions of the model.
-    pub fn functions(&self) -> &dyn ModelFunctions {
+    pub fn functions(&self) -> &ModelFunctions {
         self.compiled().model.functions()
     }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use crate::fields::Fields;
-use crate::manifest::{Checker, MAX_BYTES, parsed};
+use crate::manifest::{MAX_BYTES, parsed};
 use crate::{InputError, Marker, file};
 
 /// Contents of a `dataset.toml` that are valid for any recording of the same body.
@@ -28,7 +28,7 @@ impl BodyTemplate {
         let text = file::text(path, &bytes)?;
         let document = parsed(path, text)?;
         let (document, mut unplaced) = (document.get_ref(), Vec::new());
-        let checker = Checker(Fields { file: path, text });
+        let checker = Fields { file: path, text };
         let markers = checker.markers(document, &mut unplaced)?;
         if let Some(first) = unplaced.first() {
             let found = format!("no position of the marker {}", markers[first.marker].name);

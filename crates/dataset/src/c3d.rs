@@ -5,25 +5,26 @@
 
 use std::path::Path;
 
-use crate::takes::c3d::{self, Recording};
+use crate::takes::c3d::Recording;
 use crate::takes::words::{listed, shown};
 
 use super::AXES;
 use super::samples::{self, Unexpected};
 use super::table::Table;
 use crate::input_error::InputError;
+use crate::takes::Fault;
 
 pub(super) fn parse(file: &Path, bytes: &[u8], markers: &[&str]) -> Result<Table, InputError> {
     table(bytes, markers).map_err(|(found, expected)| InputError::of_file(file, found, expected))
 }
 
-fn texts(error: c3d::C3dError) -> Unexpected {
+fn texts(error: Fault) -> Unexpected {
     (error.found, error.expected)
 }
 
 fn table(bytes: &[u8], markers: &[&str]) -> Result<Table, Unexpected> {
     let recording = Recording::open(bytes).map_err(texts)?;
-    if let Some(deviation) = recording.deviations().first() {
+    if let Some(deviation) = recording.deviations.first() {
         return Err(texts(deviation.contradiction.clone()));
     }
     let (unit, text) = recording.unit().map_err(texts)?;
@@ -59,12 +60,11 @@ fn table(bytes: &[u8], markers: &[&str]) -> Result<Table, Unexpected> {
     Ok(table)
 }
 
-/// Index, among the points in each frame of a C3D recording, of the point with the label `marker`. Returns an error if
-/// no point or several points have this label.
+/// Index, among the points in each frame of a C3D recording, of the point with the label `marker`.
 fn point_index(recording: &Recording<'_>, marker: &str) -> Result<usize, Unexpected> {
-    let labels = recording.labels();
+    let labels = &recording.labels;
     let mut found =
-        (0..recording.points().min(labels.len())).filter(|&point| labels[point] == marker);
+        (0..recording.points.min(labels.len())).filter(|&point| labels[point] == marker);
     match (found.next(), found.next()) {
         (Some(point), None) => Ok(point),
         (Some(_), Some(_)) => Err((

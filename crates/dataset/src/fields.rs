@@ -13,6 +13,9 @@ use toml::de::{DeTable, DeValue};
 use super::words::{listed, meant, shown};
 use crate::input_error::InputError;
 
+/// One of several tables of a TOML document, with its byte range.
+pub(super) type Entry<'d, 't> = (Range<usize>, &'d DeTable<'t>);
+
 /// Path and text of a TOML document, used for the locations of errors.
 pub(super) struct Fields<'a> {
     pub file: &'a Path,
@@ -56,16 +59,14 @@ impl Fields<'_> {
     /// Returns an error if the TOML table has a key not in `known`; `of` names the table in the message, for example
     /// ` in [noise]`.
     pub fn keys(&self, table: &DeTable<'_>, of: &str, known: &[&str]) -> Result<(), InputError> {
-        for key in table.keys() {
-            let name = key.get_ref();
-            if !known.contains(&name.as_ref()) {
-                let found = format!("the key {}{of}", shown(name));
-                let near = meant(name, known.iter().copied());
-                let expected = format!("{}{near}", listed(known));
-                return Err(self.fault(key.span(), found, expected));
-            }
-        }
-        Ok(())
+        let mut keys = table.keys();
+        let Some(key) = keys.find(|key| !known.contains(&key.get_ref().as_ref())) else {
+            return Ok(());
+        };
+        let name = key.get_ref();
+        let found = format!("the key {}{of}", shown(name));
+        let near = meant(name, known.iter().copied());
+        Err(self.fault(key.span(), found, format!("{}{near}", listed(known))))
     }
 
     pub fn text(&self, value: &Value<'_>, key: &str, expected: &str) -> Result<String, InputError> {
@@ -95,16 +96,15 @@ impl Fields<'_> {
     }
 
     pub fn vector(&self, value: &Value<'_>, key: &str) -> Result<[f64; 3], InputError> {
-        if let Some(items) = value.get_ref().as_array()
-            && let [x, y, z] = &items[..]
-        {
-            return Ok([
-                self.number(x, key)?,
-                self.number(y, key)?,
-                self.number(z, key)?,
-            ]);
-        }
-        Err(self.wrong_kind(value, key, "three numbers, as in [0.0, 0.0, 0.0]"))
+        let items = value.get_ref().as_array().map(|items| &items[..]);
+        let Some([x, y, z]) = items else {
+            return Err(self.wrong_kind(value, key, "three numbers, as in [0.0, 0.0, 0.0]"));
+        };
+        Ok([
+            self.number(x, key)?,
+            self.number(y, key)?,
+            self.number(z, key)?,
+        ])
     }
 
     /// The TOML table under a key of the document; `None` if the key is absent, an error if its value is not a table.
@@ -113,13 +113,12 @@ impl Fields<'_> {
         document: &'d DeTable<'t>,
         key: &str,
     ) -> Result<Option<&'d DeTable<'t>>, InputError> {
-        let Some(value) = document.get(key) else {
-            return Ok(None);
+        let expected = || format!("a table, as in [{key}]");
+        let table = |value: &'d Value<'t>| {
+            let table = value.get_ref().as_table();
+            table.ok_or_else(|| self.wrong_kind(value, key, &expected()))
         };
-        match value.get_ref().as_table() {
-            Some(table) => Ok(Some(table)),
-            None => Err(self.wrong_kind(value, key, &format!("a table, as in [{key}]"))),
-        }
+        document.get(key).map(table).transpose()
     }
 
     /// The TOML array of tables under a key of the document, each table with its byte range; empty if the key is
@@ -128,18 +127,29 @@ impl Fields<'_> {
         &self,
         document: &'d DeTable<'t>,
         key: &str,
-    ) -> Result<Vec<(Range<usize>, &'d DeTable<'t>)>, InputError> {
+    ) -> Result<Vec<Entry<'d, 't>>, InputError> {
         let Some(value) = document.get(key) else {
             return Ok(Vec::new());
         };
-        let expected = format!("tables, as in [[{key}]]");
+        let wrong = |value| self.wrong_kind(value, key, &format!("tables, as in [[{key}]]"));
         let Some(items) = value.get_ref().as_array() else {
-            return Err(self.wrong_kind(value, key, &expected));
+            return Err(wrong(value));
         };
         let table = |item: &'d Value<'t>| match item.get_ref().as_table() {
             Some(table) => Ok((item.span(), table)),
-            None => Err(self.wrong_kind(item, key, &expected)),
+            None => Err(wrong(item)),
         };
         items.iter().map(table).collect()
+    }
+
+    /// The value under the required key `key` of an entry. `expected` describes the value in the error for its absence.
+    pub fn needed<'d, 't>(
+        &self,
+        (span, table): &Entry<'d, 't>,
+        key: &str,
+        expected: &str,
+    ) -> Result<&'d Value<'t>, InputError> {
+        let absent = || self.fault(span.clone(), format!("no {key}"), expected);
+        table.get(key).ok_or_else(absent)
     }
 }

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use model_spec::location::line_and_column;
 
-use crate::input_error::{InputError, utf8};
+use crate::input_error::InputError;
+use crate::takes::file::utf8;
 
 /// Reads a regular file of at most `largest` bytes; `what` describes the expected file in the error message.
 pub(super) fn bytes(file: &Path, largest: u64, what: &str) -> Result<Vec<u8>, InputError> {
@@ -15,19 +16,12 @@ pub(super) fn bytes(file: &Path, largest: u64, what: &str) -> Result<Vec<u8>, In
 /// Decodes the content of a file as UTF-8 and drops a byte-order mark. An error for UTF-16 or a NUL byte.
 pub(super) fn text<'a>(file: &Path, bytes: &'a [u8]) -> Result<&'a str, InputError> {
     if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
-        return Err(InputError::at(
-            file,
-            (1, 1),
-            "the byte-order mark of UTF-16",
-            "UTF-8 text",
-        ));
+        let found = "the byte-order mark of UTF-16";
+        return Err(InputError::at(file, (1, 1), found, "UTF-8 text"));
     }
-    let text = utf8(file, bytes)?;
-    match text.find('\0') {
-        Some(offset) => {
-            let place = line_and_column(text, offset);
-            Err(InputError::at(file, place, "a NUL byte", "text"))
-        }
-        None => Ok(text),
-    }
+    utf8(bytes).map_err(|(offset, found, expected)| {
+        let before = String::from_utf8_lossy(&bytes[..offset]);
+        let place = line_and_column(&before, before.len());
+        InputError::at(file, place, found, expected)
+    })
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use super::write::read_back;
-use super::{Dataset, assemble, manifest, manifest_text, table, table_text, upright};
+use super::{Dataset, assemble, manifest, manifest_text, table_text};
 use crate::input_error::InputError;
 
 /// Reads and checks a dataset from texts in memory, as [`load`](fn@super::load) does from files: the text of
@@ -17,16 +17,16 @@ pub fn from_texts(
     tables: &BTreeMap<String, String>,
 ) -> Result<Dataset, InputError> {
     let manifest = manifest::parse(Path::new("dataset.toml"), manifest)?;
-    let recording = manifest.recording;
-    let threads = flight::parallel::threads();
-    assemble(manifest, threads, |_, entry, markers, sensors| {
-        let path = PathBuf::from(&entry.file);
-        let names: Vec<&str> = markers.iter().map(|marker| marker.name.as_str()).collect();
-        let text = tables
-            .get(&entry.file)
-            .ok_or_else(|| InputError::of_file(&path, "no such table", "the text of a table"))?;
-        table::parse(&path, text, (&names, sensors), &recording)
-            .map(|table| (path, upright::upright(&recording, table, sensors)))
+    assemble(manifest, flight::parallel::threads(), |_, file| {
+        let path = PathBuf::from(file);
+        match tables.get(file) {
+            Some(text) => Ok((path, text.as_bytes().into(), false)),
+            None => Err(InputError::of_file(
+                &path,
+                "no such table",
+                "the text of a table",
+            )),
+        }
     })
 }
 
@@ -38,12 +38,9 @@ impl Dataset {
     /// The first fault found; its line and column refer to the files that [`write`](fn@super::write) would write.
     pub fn validate(&self) -> Result<(), InputError> {
         let table = |index: usize, _: &Path| {
-            let text = |flight| table_text(flight, &self.markers, &self.sensors);
-            Ok(self
-                .flights
-                .get(index)
-                .map_or_else(String::new, text)
-                .into())
+            let flight = self.flights.get(index);
+            let text = flight.map(|flight| table_text(flight, &self.markers, &self.sensors));
+            Ok(text.unwrap_or_default().into_bytes().into())
         };
         if read_back(&manifest_text(self), table)? == *self {
             return Ok(());

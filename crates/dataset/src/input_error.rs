@@ -3,8 +3,6 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use model_spec::location::line_and_column;
-
 /// A malformed input file: the location of the error, what was found there and what was expected.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InputError {
@@ -54,23 +52,3 @@ impl fmt::Display for InputError {
 }
 
 impl std::error::Error for InputError {}
-
-/// Decodes the bytes of a file as UTF-8 and removes a byte-order mark.
-///
-/// # Errors
-/// [`InputError`] with the location of the first byte that is not valid UTF-8.
-pub(crate) fn utf8<'a>(file: &Path, bytes: &'a [u8]) -> Result<&'a str, InputError> {
-    match std::str::from_utf8(bytes) {
-        Ok(text) => Ok(text.strip_prefix('\u{feff}').unwrap_or(text)),
-        Err(error) => {
-            let good = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
-            let place = line_and_column(&good, good.len());
-            Err(InputError::at(
-                file,
-                place,
-                format!("the byte {:#04x}", bytes[error.valid_up_to()]),
-                "UTF-8 text",
-            ))
-        }
-    }
-}

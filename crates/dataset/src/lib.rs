@@ -29,8 +29,9 @@ mod upright;
 mod words;
 mod write;
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 pub use body_template::BodyTemplate;
 use flight::parallel;
@@ -44,7 +45,6 @@ pub use write::{manifest_text, table_text, write, write_commented, write_with};
 /// Names of the inertial axes, as in the columns `NAME_x`, `NAME_y` and `NAME_z` of a marker.
 pub const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Maximum size of a table or C3D file, bytes.
 const MAX_BYTES: u64 = 1 << 30;
 
 /// Measured flights of one body. The default has no flights, no sensors and no known values.
@@ -154,61 +154,51 @@ pub fn load(folder: &Path) -> Result<Dataset, InputError> {
 /// As for [`load`].
 pub fn load_on(folder: &Path, threads: Option<usize>) -> Result<Dataset, InputError> {
     if !folder.is_dir() {
-        let found = if folder.exists() {
-            "a file"
-        } else {
-            "no such folder"
+        let found = match folder.exists() {
+            true => "a file",
+            false => "no such folder",
         };
         let expected = "a dataset: a folder with dataset.toml";
         return Err(InputError::of_file(folder, found, expected));
     }
     let manifest = manifest::read(&folder.join("dataset.toml"))?;
-    let recording = manifest.recording;
     let threads = threads.unwrap_or_else(parallel::threads);
-    assemble(manifest, threads, |_, entry, markers, sensors| {
-        let path = folder.join(&entry.file);
-        let names: Vec<&str> = markers.iter().map(|marker| marker.name.as_str()).collect();
-        if names::is_c3d(&path) {
-            let bytes = file::bytes(&path, MAX_BYTES, "a C3D file")?;
-            if let Some(sensor) = sensors.first() {
-                let found = format!("the sensor {} with a C3D file", sensor.name);
-                return Err(InputError::of_file(
-                    &path,
-                    found,
-                    "a table: C3D has points alone",
-                ));
-            }
-            c3d::parse(&path, &bytes, &names)
-        } else {
-            let bytes = file::bytes(&path, MAX_BYTES, "a table")?;
+    assemble(manifest, threads, |_, file| {
+        let path = folder.join(file);
+        let is_c3d = names::is_c3d(&path);
+        let what = if is_c3d { "a C3D file" } else { "a table" };
+        let bytes = file::bytes(&path, MAX_BYTES, what)?;
+        Ok((path, bytes.into(), is_c3d))
+    })
+}
+
+/// Combines the checked contents of `dataset.toml` with the samples of each flight.
+fn assemble<'t>(
+    manifest: manifest::Manifest,
+    threads: usize,
+    read: impl Fn(usize, &str) -> Result<(PathBuf, Cow<'t, [u8]>, bool), InputError> + Sync,
+) -> Result<Dataset, InputError> {
+    let (mut flights, mut paths) = (Vec::with_capacity(manifest.flights.len()), Vec::new());
+    let names = manifest.markers.iter().map(|marker| marker.name.as_str());
+    let names: Vec<&str> = names.collect();
+    let (recording, sensors) = (&manifest.recording, &manifest.sensors[..]);
+    let tables = parallel::each_on(threads, manifest.flights.len(), |index| {
+        let (path, bytes, is_c3d) = read(index, &manifest.flights[index].file)?;
+        let table = if !is_c3d {
             table::parse(
                 &path,
                 file::text(&path, &bytes)?,
                 (&names, sensors),
-                &recording,
-            )
-        }
-        .map(|table| (path, upright::upright(&recording, table, sensors)))
-    })
-}
-
-/// Combines the checked contents of `dataset.toml` with the samples of each flight. The function `samples` reads them,
-/// given the index of the flight and its entry in `dataset.toml`; it is called on `threads` threads.
-fn assemble(
-    manifest: manifest::Manifest,
-    threads: usize,
-    samples: impl Fn(
-        usize,
-        &manifest::Entry,
-        &[Marker],
-        &[Sensor],
-    ) -> Result<(std::path::PathBuf, table::Table), InputError>
-    + Sync,
-) -> Result<Dataset, InputError> {
-    let (mut flights, mut paths) = (Vec::with_capacity(manifest.flights.len()), Vec::new());
-    let tables = parallel::each_on(threads, manifest.flights.len(), |index| {
-        let entry = &manifest.flights[index];
-        samples(index, entry, &manifest.markers, &manifest.sensors)
+                recording,
+            )?
+        } else if let Some(sensor) = sensors.first() {
+            let found = format!("the sensor {} with a C3D file", sensor.name);
+            let expected = "a table: C3D has points alone";
+            return Err(InputError::of_file(&path, found, expected));
+        } else {
+            c3d::parse(&path, &bytes, &names)?
+        };
+        Ok((path, upright::upright(recording, table, sensors)))
     });
     for (entry, table) in manifest.flights.into_iter().zip(tables) {
         let (path, table) = table?;

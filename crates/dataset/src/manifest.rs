@@ -8,7 +8,7 @@ use model_spec::location::line_and_column;
 use toml::Spanned;
 use toml::de::DeTable;
 
-use super::fields::{Fields, Value};
+use super::fields::{Entry, Fields, Value};
 use super::recording::Recording;
 use super::unplaced::Unplaced;
 use super::words::{meant, shown};
@@ -16,10 +16,9 @@ use super::{KnownValue, Marker, Role, Sensor, file, names};
 use crate::input_error::InputError;
 use crate::pose::distance;
 
-/// Maximum size of `dataset.toml`, bytes.
 pub(super) const MAX_BYTES: u64 = 4 << 20;
 /// Maximum number of markers, and of sensors, of a dataset.
-pub(super) const MAX_MARKERS: usize = 1000;
+const MAX_MARKERS: usize = 1000;
 /// Maximum absolute coordinate of a marker in the body frame, m; larger values suggest millimetres.
 const MAX_COORDINATE: f64 = 10.0;
 /// Distance between the declared positions of two markers below which the markers count as identical, m.
@@ -29,7 +28,6 @@ const MAX_SIGMA: f64 = 1.0;
 /// Maximum standard error of the direction of an axis, rad; larger values suggest degrees.
 const MAX_AXIS_ERROR: f64 = 0.5;
 
-/// The checked contents of `dataset.toml`.
 #[derive(Debug, PartialEq)]
 pub(super) struct Manifest {
     pub model: String,
@@ -40,17 +38,16 @@ pub(super) struct Manifest {
     pub axis_error: Option<f64>,
     pub parameters: BTreeMap<String, f64>,
     pub markers: Vec<Marker>,
-    /// Markers whose positions on the body are unknown.
     pub unplaced: Vec<Unplaced>,
     pub sensors: Vec<Sensor>,
     pub sigma: Option<f64>,
-    pub flights: Vec<Entry>,
+    pub flights: Vec<FlightEntry>,
 }
 
 /// One `[[flights]]` entry of `dataset.toml`: the file of a flight, whether it is fitted or held out, and its known
 /// values.
 #[derive(Debug, PartialEq)]
-pub(super) struct Entry {
+pub(super) struct FlightEntry {
     pub file: String,
     pub role: Role,
     pub known: BTreeMap<String, KnownValue>,
@@ -63,10 +60,9 @@ pub(super) fn read(path: &Path) -> Result<Manifest, InputError> {
 
 pub(super) fn parse(file: &Path, text: &str) -> Result<Manifest, InputError> {
     let document = parsed(file, text)?;
-    Checker(Fields { file, text }).manifest(document.get_ref())
+    Fields { file, text }.manifest(document.get_ref())
 }
 
-/// Parses the text of a file as TOML.
 pub(super) fn parsed<'t>(file: &Path, text: &'t str) -> Result<Spanned<DeTable<'t>>, InputError> {
     DeTable::parse(text).map_err(|error| syntax(file, text, &error))
 }
@@ -84,12 +80,8 @@ fn syntax(file: &Path, text: &str, error: &toml::de::Error) -> InputError {
     InputError::at(file, place, found, expected)
 }
 
-/// Converter of the parsed `dataset.toml` to checked values; it reports the location of each invalid value.
-pub(super) struct Checker<'a>(pub(super) Fields<'a>);
-
-impl Checker<'_> {
+impl Fields<'_> {
     fn manifest(&self, document: &DeTable<'_>) -> Result<Manifest, InputError> {
-        let fields = &self.0;
         const KEYS: [&str; 8] = [
             "model",
             "recording",
@@ -100,14 +92,14 @@ impl Checker<'_> {
             "noise",
             "flights",
         ];
-        fields.keys(document, "", &KEYS)?;
+        self.keys(document, "", &KEYS)?;
         let model = self.model(document)?;
         let parameters = self.parameters(document)?;
         let mut unplaced = Vec::new();
         let mut markers = self.markers(document, &mut unplaced)?;
         let mut sigma = self.sigma(document)?;
         let sensors = self.sensors(document, (&mut markers, &mut unplaced), &mut sigma)?;
-        let recording = Recording::read(fields, document, &sensors)?;
+        let recording = Recording::read(self, document, &sensors)?;
         let (origin_error, axis_error) = self.template_errors(document)?;
         let flights = self.flights(document)?;
         Ok(Manifest {
@@ -124,12 +116,11 @@ impl Checker<'_> {
         })
     }
 
-    /// Reads the known constants of the table `[parameters]`.
     pub(super) fn parameters(
         &self,
         document: &DeTable<'_>,
     ) -> Result<BTreeMap<String, f64>, InputError> {
-        let table = self.0.table(document, "parameters")?;
+        let table = self.table(document, "parameters")?;
         let constants = table.into_iter().flatten().map(|(name, value)| {
             let name = name.get_ref().to_string();
             let number = self.constant(&name, value)?;
@@ -141,39 +132,60 @@ impl Checker<'_> {
     pub(super) fn model(&self, document: &DeTable<'_>) -> Result<String, InputError> {
         let expected = "a name or a path, as in model = \"disc\"";
         let Some(value) = document.get("model") else {
-            return Err(self.0.fault(0..0, "no model", expected));
+            return Err(self.fault(0..0, "no model", expected));
         };
-        let model = self.0.text(value, "model", expected)?;
+        let model = self.text(value, "model", expected)?;
         if model.trim().is_empty() || model.chars().any(char::is_control) {
-            return Err(self.0.refused(value, "model", shown(&model), expected));
+            return Err(self.refused(value, "model", shown(&model), expected));
         }
         Ok(model)
     }
 
     /// Reads the value of the known constant `name`, and checks it by the rules for parameters in a release file.
     fn constant(&self, name: &str, value: &Value<'_>) -> Result<f64, InputError> {
-        let number = self.0.number(value, name)?;
+        let number = self.number(value, name)?;
         let rule = flight::release::Name {
             name: name.to_owned(),
             bounds: None,
         };
         match rule.expected_instead_of(number) {
-            Some(expected) => Err(self.0.refused(value, name, number, expected)),
+            Some(expected) => Err(self.refused(value, name, number, expected)),
             None => Ok(number),
         }
     }
 
-    /// The value under the required key `key` of a TOML table, whose byte range is `span`. Returns an error, in which
-    /// `expected` describes the value, if the key is absent.
-    pub(super) fn needed<'d, 't>(
+    /// Entries of `[[markers]]` or `[[sensors]]`, at most [`MAX_MARKERS`].
+    pub(super) fn entries<'d, 't>(
         &self,
-        (span, table): &(Range<usize>, &'d DeTable<'t>),
+        document: &'d DeTable<'t>,
         key: &str,
-        expected: &str,
-    ) -> Result<&'d Value<'t>, InputError> {
-        table
-            .get(key)
-            .ok_or_else(|| self.0.fault(span.clone(), format!("no {key}"), expected))
+    ) -> Result<Vec<Entry<'d, 't>>, InputError> {
+        let tables = self.tables(document, key)?;
+        let Some((span, _)) = tables.get(MAX_MARKERS) else {
+            return Ok(tables);
+        };
+        let (found, most) = (
+            format!("{} {key}", tables.len()),
+            format!("at most {MAX_MARKERS}"),
+        );
+        Err(self.fault(span.clone(), found, most))
+    }
+
+    /// Name of a marker or sensor, as `what` calls it, and its place.
+    pub(super) fn name(
+        &self,
+        entry: &Entry<'_, '_>,
+        what: &str,
+    ) -> Result<(String, Range<usize>), InputError> {
+        let value = self.needed(entry, "name", &format!("the {what}'s name"))?;
+        let name = self.text(value, "name", &format!("the {what}'s name in quotes"))?;
+        match names::wrong_with_marker(&name) {
+            None => Ok((name, value.span())),
+            Some(expected) => {
+                let found = format!("the {what} name {}", shown(&name));
+                Err(self.fault(value.span(), found, expected))
+            }
+        }
     }
 
     pub(super) fn markers(
@@ -181,30 +193,19 @@ impl Checker<'_> {
         document: &DeTable<'_>,
         unplaced: &mut Vec<Unplaced>,
     ) -> Result<Vec<Marker>, InputError> {
-        let fields = &self.0;
-        let tables = fields.tables(document, "markers")?;
+        let tables = self.entries(document, "markers")?;
         if tables.is_empty() && !document.contains_key("sensors") {
             let expected = "at least one marker: what was tracked";
-            return Err(fields.fault(0..0, "no [[markers]]", expected));
-        }
-        if tables.len() > MAX_MARKERS {
-            let found = format!("{} markers", tables.len());
-            let expected = format!("at most {MAX_MARKERS}");
-            return Err(fields.fault(tables[MAX_MARKERS].0.clone(), found, expected));
+            return Err(self.fault(0..0, "no [[markers]]", expected));
         }
         let mut markers: Vec<Marker> = Vec::with_capacity(tables.len());
         let mut seen = BTreeSet::new();
         for entry in &tables {
-            fields.keys(entry.1, " in [[markers]]", &["name", "position"])?;
-            let value = self.needed(entry, "name", "the marker's name")?;
-            let name = fields.text(value, "name", "the marker's name in quotes")?;
-            if let Some(expected) = names::wrong_with_marker(&name) {
-                let found = format!("the marker name {}", shown(&name));
-                return Err(fields.fault(value.span(), found, expected));
-            }
+            self.keys(entry.1, " in [[markers]]", &["name", "position"])?;
+            let (name, span) = self.name(entry, "marker")?;
             if !seen.insert(name.clone()) {
                 let found = format!("a second marker {}", shown(&name));
-                return Err(fields.fault(value.span(), found, "each marker once"));
+                return Err(self.fault(span, found, "each marker once"));
             }
             let value = self.needed(entry, "position", "the marker's position on the body, m")?;
             let Some(position) = self.position(value, "marker")? else {
@@ -219,7 +220,7 @@ impl Checker<'_> {
             if let Some((_, other)) = others.find(|(index, other)| is_placed(*index) && near(other))
             {
                 let found = format!("{name} at the place of {}", other.name);
-                return Err(fields.fault(value.span(), found, "each marker at a place of its own"));
+                return Err(self.fault(value.span(), found, "each marker at a place of its own"));
             }
             markers.push(Marker { name, position });
         }
@@ -233,42 +234,37 @@ impl Checker<'_> {
         document: &DeTable<'_>,
     ) -> Result<(Option<[f64; 3]>, Option<f64>), InputError> {
         const KEYS: [&str; 2] = ["origin_error", "axis_error"];
-        let Some(template) = self.0.table(document, "template")? else {
+        let Some(template) = self.table(document, "template")? else {
             return Ok((None, None));
         };
-        self.0.keys(template, " in [template]", &KEYS)?;
-        let [origin, axis] = KEYS.map(|key| template.get(key));
-        let origin = origin.map(|value| {
-            let errors = self.0.vector(value, KEYS[0])?;
-            let is_valid = errors.iter().all(|error| (0.0..=MAX_SIGMA).contains(error));
+        self.keys(template, " in [template]", &KEYS)?;
+        let origin = template.get(KEYS[0]).map(|value| {
+            let errors = self.vector(value, KEYS[0])?;
+            if errors.iter().all(|error| (0.0..=MAX_SIGMA).contains(error)) {
+                return Ok(errors);
+            }
             let expected = format!("standard errors from 0 to {MAX_SIGMA} m");
-            let refused = || {
-                self.0
-                    .refused(value, KEYS[0], format!("{errors:?}"), expected)
-            };
-            is_valid.then_some(errors).ok_or_else(refused)
+            Err(self.refused(value, KEYS[0], format!("{errors:?}"), expected))
         });
-        let axis = axis.map(|value| {
-            let error = self.0.number(value, KEYS[1])?;
-            let is_valid = (0.0..=MAX_AXIS_ERROR).contains(&error);
+        let axis = template.get(KEYS[1]).map(|value| {
+            let error = self.number(value, KEYS[1])?;
+            if (0.0..=MAX_AXIS_ERROR).contains(&error) {
+                return Ok(error);
+            }
             let expected = format!("a standard error from 0 to {MAX_AXIS_ERROR} rad");
-            let refused = || self.0.refused(value, KEYS[1], error, expected);
-            is_valid.then_some(error).ok_or_else(refused)
+            Err(self.refused(value, KEYS[1], error, expected))
         });
         Ok((origin.transpose()?, axis.transpose()?))
     }
 
-    /// Creates the record of the marker with the index `marker`, whose position is unknown. `value` is its entry in
-    /// `dataset.toml`, to which error messages refer.
     pub(super) fn unplaced(&self, marker: usize, value: &Value<'_>) -> Unplaced {
         Unplaced {
             marker,
-            place: self.0.fault(value.span(), "", ""),
+            place: self.fault(value.span(), "", ""),
         }
     }
 
-    /// Reads a position on the body, m; `None` for the text "unknown". `what` names the object in messages, a marker
-    /// or a sensor.
+    /// Reads a position on the body, m; `None` for the text "unknown".
     pub(super) fn position(
         &self,
         value: &Value<'_>,
@@ -276,14 +272,14 @@ impl Checker<'_> {
     ) -> Result<Option<[f64; 3]>, InputError> {
         if value.get_ref().as_str().is_some() {
             let expected = "three numbers, as in [0.0, 0.0, 0.0], or \"unknown\"";
-            let word = self.0.text(value, "position", expected)?;
+            let word = self.text(value, "position", expected)?;
             if word == "unknown" {
                 return Ok(None);
             }
             let found = format!("the text {}", shown(&word));
-            return Err(self.0.refused(value, "position", found, expected));
+            return Err(self.refused(value, "position", found, expected));
         }
-        let position = self.0.vector(value, "position")?;
+        let position = self.vector(value, "position")?;
         match position.iter().find(|axis| axis.abs() > MAX_COORDINATE) {
             None => Ok(Some(position)),
             Some(far) => {
@@ -291,20 +287,20 @@ impl Checker<'_> {
                     "at most {MAX_COORDINATE} m from the body's origin (millimetres given for metres?)"
                 );
                 let found = format!("a {what} at {far} m");
-                Err(self.0.fault(value.span(), found, expected))
+                Err(self.fault(value.span(), found, expected))
             }
         }
     }
 
     fn sigma(&self, document: &DeTable<'_>) -> Result<Option<f64>, InputError> {
-        let Some(noise) = self.0.table(document, "noise")? else {
+        let Some(noise) = self.table(document, "noise")? else {
             return Ok(None);
         };
-        self.0.keys(noise, " in [noise]", &["sigma"])?;
+        self.keys(noise, " in [noise]", &["sigma"])?;
         let Some(value) = noise.get("sigma") else {
             return Ok(None);
         };
-        let sigma = self.0.number(value, "sigma")?;
+        let sigma = self.number(value, "sigma")?;
         if sigma > 0.0 && sigma <= MAX_SIGMA {
             return Ok(Some(sigma));
         }
@@ -314,29 +310,28 @@ impl Checker<'_> {
             ""
         };
         let expected = format!("a standard deviation above 0 and up to {MAX_SIGMA} m{hint}");
-        Err(self.0.refused(value, "sigma", sigma, expected))
+        Err(self.refused(value, "sigma", sigma, expected))
     }
 
-    fn flights(&self, document: &DeTable<'_>) -> Result<Vec<Entry>, InputError> {
-        let tables = self.0.tables(document, "flights")?;
+    fn flights(&self, document: &DeTable<'_>) -> Result<Vec<FlightEntry>, InputError> {
+        let tables = self.tables(document, "flights")?;
         if tables.is_empty() {
-            return Err(self.0.fault(0..0, "no [[flights]]", "at least one flight"));
+            return Err(self.fault(0..0, "no [[flights]]", "at least one flight"));
         }
         let mut seen = BTreeSet::new();
         let mut flights = Vec::with_capacity(tables.len());
         for entry in &tables {
-            self.0
-                .keys(entry.1, " in [[flights]]", &["file", "role", "known"])?;
+            self.keys(entry.1, " in [[flights]]", &["file", "role", "known"])?;
             let value = self.needed(entry, "file", "the flight's table")?;
-            let file = self.0.text(value, "file", "the flight's table in quotes")?;
+            let file = self.text(value, "file", "the flight's table in quotes")?;
             if let Some(expected) = names::wrong_with_file(&file) {
-                return Err(self.0.fault(value.span(), shown(&file), expected));
+                return Err(self.fault(value.span(), shown(&file), expected));
             }
             if !seen.insert(file.clone()) {
                 let found = format!("a second flight {}", shown(&file));
-                return Err(self.0.fault(value.span(), found, "each file once"));
+                return Err(self.fault(value.span(), found, "each file once"));
             }
-            flights.push(Entry {
+            flights.push(FlightEntry {
                 file,
                 role: self.role(entry.1)?,
                 known: self.known(entry.1)?,
@@ -350,25 +345,25 @@ impl Checker<'_> {
             return Ok(Role::Fit);
         };
         let expected = "\"fit\" or \"held-out\"";
-        match self.0.text(value, "role", expected)?.as_str() {
+        match self.text(value, "role", expected)?.as_str() {
             "fit" => Ok(Role::Fit),
             "held-out" => Ok(Role::HeldOut),
             other => {
                 let expected = format!("{expected}{}", meant(other, ["fit", "held-out"]));
-                Err(self.0.refused(value, "role", shown(other), expected))
+                Err(self.refused(value, "role", shown(other), expected))
             }
         }
     }
 
     fn known(&self, flight: &DeTable<'_>) -> Result<BTreeMap<String, KnownValue>, InputError> {
         let mut known = BTreeMap::new();
-        let Some(table) = self.0.table(flight, "known")? else {
+        let Some(table) = self.table(flight, "known")? else {
             return Ok(known);
         };
         for (name, value) in table {
             let name = name.get_ref().to_string();
             let found = if value.get_ref().is_array() {
-                KnownValue::Vector(self.0.vector(value, &name)?)
+                KnownValue::Vector(self.vector(value, &name)?)
             } else {
                 KnownValue::Scalar(self.constant(&name, value)?)
             };

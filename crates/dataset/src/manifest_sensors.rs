@@ -2,10 +2,10 @@
 
 use toml::de::DeTable;
 
-use super::manifest::{Checker, MAX_MARKERS};
+use super::fields::{Entry, Fields};
 use super::unplaced::Unplaced;
 use super::words::{listed, meant, shown};
-use super::{Marker, Sensor, SensorKind, names};
+use super::{Marker, Sensor, SensorKind};
 use crate::input_error::InputError;
 
 /// Value of the key `kind` in an entry of `[[sensors]]` that declares a marker.
@@ -13,59 +13,43 @@ const MARKER: &str = "marker";
 
 const KEYS: [&str; 5] = ["name", "kind", "position", "sigma", "sigma_angle"];
 
-impl Checker<'_> {
-    /// Reads the entries of `[[sensors]]`. Entries of kind "marker" are added to `markers`, and a standard deviation
-    /// specified in such an entry becomes `sigma`, the standard deviation of the marker positions, m.
+impl Fields<'_> {
     pub(super) fn sensors(
         &self,
         document: &DeTable<'_>,
         (markers, unplaced): (&mut Vec<Marker>, &mut Vec<Unplaced>),
         sigma: &mut Option<f64>,
     ) -> Result<Vec<Sensor>, InputError> {
-        let fields = &self.0;
-        let tables = fields.tables(document, "sensors")?;
-        if tables.len() > MAX_MARKERS {
-            let found = format!("{} sensors", tables.len());
-            let expected = format!("at most {MAX_MARKERS}");
-            return Err(fields.fault(tables[MAX_MARKERS].0.clone(), found, expected));
-        }
+        let tables = self.entries(document, "sensors")?;
         if tables.is_empty() && markers.is_empty() {
             let expected = "at least one marker or sensor: what was measured";
-            return Err(fields.fault(0..0, "no [[markers]] and no [[sensors]]", expected));
+            return Err(self.fault(0..0, "no [[markers]] and no [[sensors]]", expected));
         }
         let mut sensors: Vec<Sensor> = Vec::new();
         for entry in &tables {
-            fields.keys(entry.1, " in [[sensors]]", &KEYS)?;
-            let value = self.needed(entry, "name", "the sensor's name")?;
-            let name = fields.text(value, "name", "the sensor's name in quotes")?;
-            if let Some(expected) = names::wrong_with_marker(&name) {
-                let found = format!("the sensor name {}", shown(&name));
-                return Err(fields.fault(value.span(), found, expected));
-            }
+            self.keys(entry.1, " in [[sensors]]", &KEYS)?;
+            let (name, span) = self.name(entry, "sensor")?;
             let own = sensors.iter().map(|sensor| sensor.name.as_str());
             let others = markers.iter().map(|marker| marker.name.as_str());
             if name == "t" || own.chain(others).any(|other| other == name) {
                 let found = format!("a second column or sensor {}", shown(&name));
-                return Err(fields.fault(value.span(), found, "each name once"));
+                return Err(self.fault(span, found, "each name once"));
             }
             let kind = self.kind(entry)?;
-            let position = match entry.1.get("position") {
-                Some(value) => {
-                    let position = self.position(value, "sensor")?;
-                    if position.is_none() && kind.is_none() {
-                        unplaced.push(self.unplaced(markers.len(), value));
-                    }
-                    position
-                }
-                None => Some([0.0; 3]),
-            };
-            let (position_is_unknown, position) =
-                (position.is_none(), position.unwrap_or_default());
+            let stated = entry.1.get("position");
+            let position = stated
+                .map(|value| self.position(value, "sensor"))
+                .transpose()?;
+            let position_is_unknown = position == Some(None);
+            if let (true, None, Some(value)) = (position_is_unknown, kind, stated) {
+                unplaced.push(self.unplaced(markers.len(), value));
+            }
+            let position = position.flatten().unwrap_or_default();
             let own_sigma = self.deviation(entry.1, "sigma")?;
             let sigma_angle = self.deviation(entry.1, "sigma_angle")?;
             if sigma_angle.is_some() && kind != Some(SensorKind::Pose) {
                 let expected = "sigma_angle with kind = \"pose\" alone";
-                return Err(fields.fault(entry.0.clone(), "sigma_angle", expected));
+                return Err(self.fault(entry.0.clone(), "sigma_angle", expected));
             }
             match kind {
                 Some(kind) => sensors.push(Sensor {
@@ -82,7 +66,7 @@ impl Checker<'_> {
                     {
                         let found = format!("sigma = {own} and sigma = {other}");
                         let expected = "one standard deviation for all markers";
-                        return Err(fields.fault(entry.0.clone(), found, expected));
+                        return Err(self.fault(entry.0.clone(), found, expected));
                     }
                     *sigma = own_sigma.or(*sigma);
                     markers.push(Marker { name, position });
@@ -93,10 +77,7 @@ impl Checker<'_> {
     }
 
     /// Reads the kind of a sensor from its entry of `[[sensors]]`; `None` if the entry declares a marker.
-    fn kind(
-        &self,
-        entry: &(std::ops::Range<usize>, &DeTable<'_>),
-    ) -> Result<Option<SensorKind>, InputError> {
+    fn kind(&self, entry: &Entry<'_, '_>) -> Result<Option<SensorKind>, InputError> {
         let all = || {
             SensorKind::ALL
                 .iter()
@@ -105,7 +86,7 @@ impl Checker<'_> {
         };
         let expected = format!("kind, one of {}", listed(all()));
         let value = self.needed(entry, "kind", &expected)?;
-        let kind = self.0.text(value, "kind", &expected)?;
+        let kind = self.text(value, "kind", &expected)?;
         if kind == MARKER {
             return Ok(None);
         }
@@ -114,7 +95,7 @@ impl Checker<'_> {
             Some((found, _)) => Ok(Some(*found)),
             None => {
                 let expected = format!("one of {}{}", listed(all()), meant(&kind, all()));
-                Err(self.0.refused(value, "kind", shown(&kind), expected))
+                Err(self.refused(value, "kind", shown(&kind), expected))
             }
         }
     }
@@ -125,11 +106,11 @@ impl Checker<'_> {
         let Some(value) = table.get(key) else {
             return Ok(None);
         };
-        let number = self.0.number(value, key)?;
+        let number = self.number(value, key)?;
         if number > 0.0 {
             return Ok(Some(number));
         }
         let expected = "a standard deviation above 0";
-        Err(self.0.refused(value, key, number, expected))
+        Err(self.refused(value, key, number, expected))
     }
 }

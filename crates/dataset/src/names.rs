@@ -5,7 +5,6 @@ use std::path::{Component, Path};
 /// Maximum length of a marker name, bytes; file paths may be eight times as long.
 const MAX_BYTES: usize = 255;
 
-/// Checks a marker's name. Returns a description of valid names if the name is invalid, otherwise `None`.
 pub(super) fn wrong_with_marker(name: &str) -> Option<&'static str> {
     let separates =
         |c: char| c.is_whitespace() || c.is_control() || [',', ';', '"', '#'].contains(&c);
@@ -18,8 +17,6 @@ pub(super) fn wrong_with_marker(name: &str) -> Option<&'static str> {
     }
 }
 
-/// Checks a flight's file name. Returns a description of valid names if the name is invalid or leads out of the
-/// dataset's folder, otherwise `None`.
 pub(super) fn wrong_with_file(file: &str) -> Option<&'static str> {
     let parts = || Path::new(file).components();
     let inside = parts().all(|part| matches!(part, Component::Normal(_)));
@@ -37,8 +34,7 @@ pub(super) fn wrong_with_file(file: &str) -> Option<&'static str> {
     }
 }
 
-/// Whether a flight's file is read as C3D (motion-capture format), judged by the extension of its name; other files are
-/// read as text tables.
+/// Whether a flight's file is read as C3D (motion-capture format), judged by the extension of its name.
 pub(super) fn is_c3d(file: &Path) -> bool {
     file.extension()
         .is_some_and(|extension| extension.eq_ignore_ascii_case("c3d"))

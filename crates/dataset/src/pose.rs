@@ -61,16 +61,8 @@ pub fn pose(markers: &[[f64; 3]], seen: &[Option<[f64; 3]>]) -> Option<Pose> {
     if !are_not_collinear(pairs.clone().map(|(marker, _)| marker)) {
         return None;
     }
-    let seen = pairs.clone().count();
-    let (body, space) = pairs.clone().fold(
-        (Vector3::zeros(), Vector3::zeros()),
-        |(body, space), (b, s)| (body + b / seen as f64, space + s / seen as f64),
-    );
-    let about = pairs.clone().map(|(b, s)| (b - body, s - space));
-    let covariance = about.clone().map(|(b, s)| s * b.transpose()).sum();
-    let spread = about.map(|(b, s)| b.norm_squared() + s.norm_squared());
-    let attitude = nearest_rotation(&covariance, spread.sum::<f64>() / 2.0)?;
-    let position = space - attitude * body;
+    let (position, attitude) = rigid_motion(pairs.clone())?;
+    let markers = pairs.clone().count();
     let squares = pairs
         .map(|(b, s)| (position + attitude * b - s).norm_squared())
         .sum();
@@ -78,8 +70,25 @@ pub fn pose(markers: &[[f64; 3]], seen: &[Option<[f64; 3]>]) -> Option<Pose> {
         position,
         attitude,
         squares,
-        markers: seen,
+        markers,
     })
+}
+
+/// Translation and rotation that map the first points of `pairs` to the second ones, by least squares.
+#[inline] // as `pose`
+pub(crate) fn rigid_motion(
+    pairs: impl Iterator<Item = (Vector3<f64>, Vector3<f64>)> + Clone,
+) -> Option<(Vector3<f64>, UnitQuaternion<f64>)> {
+    let count = pairs.clone().count() as f64;
+    let (body, space) = pairs.clone().fold(
+        (Vector3::zeros(), Vector3::zeros()),
+        |(body, space), (b, s)| (body + b / count, space + s / count),
+    );
+    let about = pairs.map(|(b, s)| (b - body, s - space));
+    let covariance = about.clone().map(|(b, s)| s * b.transpose()).sum();
+    let spread = about.map(|(b, s)| b.norm_squared() + s.norm_squared());
+    let attitude = nearest_rotation(&covariance, spread.sum::<f64>() / 2.0)?;
+    Some((space - attitude * body, attitude))
 }
 
 /// Euclidean distance between two points, in the unit of their coordinates.

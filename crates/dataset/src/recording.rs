@@ -2,7 +2,6 @@
 //! tables to SI units, right-handed axes with z up, and attitudes from body to inertial axes.
 
 use std::f64::consts::PI;
-use std::ops::Range;
 
 use crate::takes::{Axis, LengthUnit, TimeUnit};
 use toml::de::DeTable;
@@ -39,9 +38,7 @@ const UP_Z: Axis = Axis {
 /// Direction of the vertical relative to the axes in which the flights' tables state coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Up {
-    /// This axis of the flights' tables points vertically upwards.
     Axis(Axis),
-    /// The direction of the vertical is unknown and is estimated in the fit.
     Unknown,
 }
 
@@ -56,7 +53,6 @@ pub(super) struct Recording {
     angular_rate: f64,
     /// Unit of the readings of accelerometers, m/s².
     acceleration: f64,
-    /// Whether the quaternions of poses turn inertial to body components.
     inverse_attitude: bool,
     /// Axis of the tracked body that is the third body axis of the model.
     body_up: Axis,
@@ -99,28 +95,27 @@ impl Recording {
             "body_up",
         ];
         fields.keys(table, " in [recording]", &keys)?;
-        let rates = ANGULAR_RATES.map(|(name, _)| name);
-        if let Some((text, _)) = choice(fields, table, "angular_rate", &rates)? {
-            let mut known = ANGULAR_RATES.into_iter();
-            let chosen = known.find(|(name, _)| *name == text);
-            recording.angular_rate = chosen.map_or(1.0, |(_, unit)| unit);
+        let choice = |key, choices: &[&str]| choice(fields, table, key, choices);
+        if let Some(text) = choice("angular_rate", &ANGULAR_RATES.map(|(name, _)| name))? {
+            let known = ANGULAR_RATES.iter().find(|(name, _)| *name == text);
+            recording.angular_rate = known.map_or(1.0, |(_, unit)| *unit);
         }
-        if let Some((text, _)) = choice(fields, table, "acceleration", &ACCELERATIONS)? {
+        if let Some(text) = choice("acceleration", &ACCELERATIONS)? {
             recording.acceleration = if text == "g" { STANDARD_GRAVITY } else { 1.0 };
         }
-        if let Some((text, _)) = choice(fields, table, "attitude", &ATTITUDES)? {
+        if let Some(text) = choice("attitude", &ATTITUDES)? {
             recording.inverse_attitude = text == INVERSE;
         }
-        if let Some((text, _)) = choice(fields, table, "body_up", &UPS[..6])? {
+        if let Some(text) = choice("body_up", &UPS[..6])? {
             recording.body_up = Axis::parse(&text).unwrap_or(UP_Z);
         }
-        if let Some((text, _)) = choice(fields, table, "length", &LENGTHS)? {
+        if let Some(text) = choice("length", &LENGTHS)? {
             recording.length = LengthUnit::parse(&text).unwrap_or(recording.length);
         }
-        if let Some((text, _)) = choice(fields, table, "time", &TIMES)? {
+        if let Some(text) = choice("time", &TIMES)? {
             recording.time = TimeUnit::parse(&text).unwrap_or(recording.time);
         }
-        if let Some((text, _)) = choice(fields, table, "up", &UPS)? {
+        if let Some(text) = choice("up", &UPS)? {
             recording.up = Axis::parse(&text).map_or(Up::Unknown, Up::Axis);
         }
         if let Some(value) = table.get("left_handed") {
@@ -172,14 +167,13 @@ impl Recording {
     }
 }
 
-/// Reads the text under a key of `table`, which must be one of `choices`, and its byte range in `dataset.toml`. Returns
-/// `None` if the key is absent.
+/// Reads the text under a key of `table`, which must be one of `choices`; `None` if the key is absent.
 fn choice(
     fields: &Fields<'_>,
     table: &DeTable<'_>,
     key: &str,
     choices: &[&str],
-) -> Result<Option<(String, Range<usize>)>, InputError> {
+) -> Result<Option<String>, InputError> {
     let Some(value) = table.get(key) else {
         return Ok(None);
     };
@@ -187,8 +181,8 @@ fn choice(
     let expected = quoted.join(", ");
     let text = fields.text(value, key, &expected)?;
     if choices.contains(&text.as_str()) {
-        return Ok(Some((text, value.span())));
+        return Ok(Some(text));
     }
     let expected = format!("{expected}{}", meant(&text, choices.iter().copied()));
-    Err(fields.fault(value.span(), format!("{key} = {}", shown(&text)), expected))
+    Err(fields.refused(value, key, shown(&text), expected))
 }

@@ -8,15 +8,12 @@ use crate::input_error::InputError;
 use crate::pose::distance;
 use crate::statistics::median_of;
 
-/// Maximum absolute value of a coordinate of a measured marker position, m.
 const MAX_COORDINATE: f64 = 1e4;
 /// Maximum duration of a measured flight, s; equal to the limit for simulated flights.
 const MAX_SECONDS: f64 = flight::release::Release::MAX_DURATION;
 /// Maximum median speed of a marker over half of a flight, m/s; larger values suggest millimetres.
 const MAX_SPEED: f64 = 1e3;
 /// Maximum plausible ratio of the measured distance between two markers to their distance according to `dataset.toml`.
-/// If the ratio exceeds this value and the measured distance exceeds 1 m (`MIN_REJECTED`), the coordinates are rejected
-/// as not being in metres.
 const MAX_STRETCH: f64 = 30.0;
 const MIN_REJECTED: f64 = 1.0;
 /// Maximum product of the number of samples of a flight and the number of its markers and sensor channels; it bounds
@@ -53,8 +50,7 @@ pub(super) fn check_time(
     Ok(())
 }
 
-/// Returns an error if `value`, a coordinate of a marker position, m, exceeds [`MAX_COORDINATE`] in magnitude; `name`
-/// is the column's name in the error.
+/// Returns an error if `value`, a coordinate of a marker position, m, exceeds [`MAX_COORDINATE`] in magnitude.
 pub(super) fn check_coordinate(name: &dyn Display, value: f64) -> Result<(), Unexpected> {
     if value.abs() <= MAX_COORDINATE {
         return Ok(());
@@ -82,27 +78,21 @@ pub(super) fn check_flight(
         && apart > MAX_STRETCH * declared
         && apart > MIN_REJECTED
     {
-        return wrong(
-            format!(
-                "{} and {} {apart:.3} m apart, declared {declared:.3} m apart",
-                markers[0].name, markers[1].name
-            ),
-            "positions in metres (millimetres given for metres?)",
-        );
+        let [first, second] = [0, 1].map(|marker: usize| &markers[marker].name);
+        let found =
+            format!("{first} and {second} {apart:.3} m apart, declared {declared:.3} m apart");
+        return wrong(found, "positions in metres (millimetres given for metres?)");
     }
-    if let Some(speed) = speed(flight)
-        && speed > MAX_SPEED
-    {
-        return wrong(
+    match speed(flight) {
+        Some(speed) if speed > MAX_SPEED => wrong(
             format!("a speed of {speed:.0} m/s"),
             "at most 1000 m/s (millimetres given for metres?)",
-        );
+        ),
+        _ => Ok(()),
     }
-    Ok(())
 }
 
-/// Median measured distance between the first two markers, and their distance according to `dataset.toml`, m; `None`
-/// for fewer than two markers or if no sample shows both.
+/// Median measured distance between the first two markers, and their distance according to `dataset.toml`, m.
 fn first_distance(flight: &Flight, markers: &[Marker]) -> Option<(f64, f64)> {
     let [first, second, ..] = markers else {
         return None;
@@ -119,12 +109,9 @@ fn speed(flight: &Flight) -> Option<f64> {
     if half < 2 {
         return None;
     }
+    let first = |i: usize| flight.positions[i].first().copied().flatten();
     let speeds = (half..flight.times.len()).filter_map(|i| {
-        let first = |row: &[Option<[f64; 3]>]| row.first().copied().flatten();
-        let moved = distance(
-            first(&flight.positions[i])?,
-            first(&flight.positions[i - half])?,
-        );
+        let moved = distance(first(i)?, first(i - half)?);
         Some(moved / (flight.times[i] - flight.times[i - half]))
     });
     median_of(speeds)

@@ -99,10 +99,10 @@ impl SensorKind {
 pub(super) fn channels(
     sensors: &[Sensor],
 ) -> impl Iterator<Item = (&Sensor, &'static [&'static str])> {
-    sensors.iter().flat_map(|sensor| {
-        let channels = sensor.kind.channels().iter();
-        channels.map(move |endings| (sensor, *endings))
-    })
+    let of = |sensor: &Sensor| sensor.kind.channels().iter();
+    sensors
+        .iter()
+        .flat_map(move |sensor| of(sensor).map(move |endings| (sensor, *endings)))
 }
 
 /// Rotation from body to inertial components that corresponds to a reading of the attitude, a quaternion with the

@@ -2,18 +2,15 @@
 
 use std::path::Path;
 
-use crate::takes::number::number;
-use csv::{ReaderBuilder, StringRecord};
-
 use super::AXES;
-use super::header::{Header, separator};
+use super::header::Header;
 use super::lines::Lines;
-use super::place::CellLocations;
 use super::recording::Recording;
 use super::samples;
 use super::sensor::{Reading, Sensor};
 use super::words::shown;
 use crate::input_error::InputError;
+use crate::takes::number::number;
 
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Table {
@@ -28,62 +25,45 @@ pub(super) fn parse(
     (markers, sensors): (&[&str], &[Sensor]),
     recording: &Recording,
 ) -> Result<Table, InputError> {
-    let separator = separator(text);
-    let mut reader = ReaderBuilder::new()
-        .delimiter(separator as u8)
-        .comment(Some(b'#'))
-        .has_headers(false)
-        .flexible(true)
-        .from_reader(text.as_bytes());
-    let mut lines = Lines {
-        file,
-        places: CellLocations { text, separator },
-        quotes: text.contains('"'),
-        start: 0,
-    };
-    let mut record = StringRecord::new();
-    if !lines.next(&mut reader, &mut record)? {
+    let mut lines = Lines::new(file, text);
+    if !lines.next()? {
         let first = markers.first().copied();
         let first = first.or_else(|| Some(sensors.first()?.name.as_str()));
         let expected = format!("a header such as t,{}_x,…", first.unwrap_or_default());
         return Err(InputError::at(file, (1, 1), "no header", expected));
     }
-    let header = Header::new(&lines, &record, markers, sensors)?;
+    let header = Header::new(&lines, markers, sensors)?;
     let mut table = Table::default();
-    while lines.next(&mut reader, &mut record)? {
-        row(&lines, &record, &header, (markers, recording), &mut table)?;
+    while lines.next()? {
+        row(&lines, &header, (markers, recording), &mut table)?;
     }
     if table.times.is_empty() {
-        let place = lines.places.cell(text.len(), 0);
-        return Err(InputError::at(
-            file,
-            place,
-            "a header and no rows",
-            "at least one sample",
-        ));
+        let place = lines.sheet.end();
+        let found = "a header and no rows";
+        return Err(InputError::at(file, place, found, "at least one sample"));
     }
     Ok(table)
 }
 
 fn row(
     lines: &Lines<'_>,
-    record: &StringRecord,
     header: &Header,
     (markers, recording): (&[&str], &Recording),
     table: &mut Table,
 ) -> Result<(), InputError> {
-    if record.len() != header.width {
-        let hint = if record.len() > header.width && lines.places.separator == ',' {
+    let width = lines.sheet.width();
+    if width != header.width {
+        let hint = if width > header.width && lines.sheet.separator() == ',' {
             " (decimal points, not commas?)"
         } else {
             ""
         };
         let expected = format!("{} as in the header{hint}", header.width);
-        let found = format!("{} cells", record.len());
-        return Err(lines.fault(record.len().min(header.width), found, expected));
+        return Err(lines.fault(width.min(header.width), format!("{width} cells"), expected));
     }
+    let fault = |index, (found, expected): samples::Unexpected| lines.fault(index, found, expected);
     let read = |index: usize| {
-        let cell = record.get(index).unwrap_or_default().trim();
+        let cell = lines.sheet.cell(index);
         number(cell).map_err(|expected| lines.fault(index, shown(cell), expected))
     };
     let Some(time) = read(header.time)? else {
@@ -91,7 +71,7 @@ fn row(
     };
     let time = recording.seconds(time);
     samples::check_time(table.times.first(), table.times.last(), time)
-        .map_err(|(found, expected)| lines.fault(header.time, found, expected))?;
+        .map_err(|unexpected| fault(header.time, unexpected))?;
     let mut positions = Vec::with_capacity(markers.len());
     for (axes, marker) in header.columns.iter().zip(markers) {
         let mut point = [None; 3];
@@ -99,19 +79,18 @@ fn row(
             *slot = read(index)?.map(|value| recording.metres(value));
             if let Some(value) = *slot {
                 samples::check_coordinate(&format_args!("{marker}_{axis}"), value)
-                    .map_err(|(found, expected)| lines.fault(index, found, expected))?;
+                    .map_err(|unexpected| fault(index, unexpected))?;
             }
         }
         // A marker with a missing coordinate counts as not seen: two coordinates do not define a point.
-        positions.push(match point {
-            [Some(x), Some(y), Some(z)] => Some([x, y, z]),
-            _ => None,
-        });
+        let [x, y, z] = point;
+        positions.push(x.zip(y).zip(z).map(|((x, y), z)| [x, y, z]));
     }
-    let mut readings = Vec::with_capacity(header.channels.len());
-    for columns in &header.channels {
-        readings.push(reading(lines, columns, read)?);
-    }
+    let readings = header
+        .channels
+        .iter()
+        .map(|columns| reading(lines, columns, read));
+    let readings = readings.collect::<Result<Vec<_>, InputError>>()?;
     let most = samples::max_samples(markers.len() + header.channels.len());
     if table.times.len() >= most {
         let expected = format!("at most {most} samples");
@@ -125,11 +104,8 @@ fn row(
     Ok(())
 }
 
-/// Maximum deviation of the norm of a measured quaternion from 1.
 const MAX_NORM_ERROR: f64 = 0.02;
 
-/// Reads one channel of a sensor from the cells in `columns`; `None` if a cell is empty, an error for a quaternion that
-/// is not normalized.
 fn reading(
     lines: &Lines<'_>,
     columns: &[usize],

@@ -12,7 +12,6 @@ use crate::statistics::median_vector;
 /// A marker with the position `"unknown"` in `dataset.toml`.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Unplaced {
-    /// Index of the marker in the dataset.
     pub marker: usize,
     /// Input error located at the marker's entry in `dataset.toml`; its texts are filled in if the position cannot be
     /// estimated.
@@ -60,7 +59,6 @@ pub(super) fn estimate_positions(
     Ok(template)
 }
 
-/// Estimates the positions of all markers from their motion in free flight.
 fn estimate_all_markers(
     markers: &mut [Marker],
     first: &Unplaced,
@@ -73,11 +71,9 @@ fn estimate_all_markers(
     });
     let free: Vec<FreeFlight<'_>> = free.collect();
     let template = estimate_template(&labels, &free, None).map_err(|error| {
+        let found = format!("flights that do not place the markers: {error}");
         let expected = "flights that tell the positions of the markers, or these positions";
-        first.error(
-            format!("flights that do not place the markers: {error}"),
-            expected,
-        )
+        first.error(found, expected)
     })?;
     for (marker, found) in markers.iter_mut().zip(&template.markers) {
         marker.position = found.position;
@@ -85,9 +81,7 @@ fn estimate_all_markers(
     Ok(template)
 }
 
-/// Estimates the unknown positions of some markers from the known positions of the remaining markers. Returns an error
-/// if the known positions do not determine the attitude of the body, or if a marker of unknown position is never
-/// measured in the same sample as enough markers of known position.
+/// Estimates the unknown positions of some markers from the known positions of the remaining markers.
 fn estimate_some_markers(
     markers: &mut [Marker],
     unplaced: &[Unplaced],
@@ -95,10 +89,8 @@ fn estimate_some_markers(
 ) -> Result<(), InputError> {
     let is_placed = |marker: &usize| unplaced.iter().all(|own| own.marker != *marker);
     let placed: Vec<usize> = (0..markers.len()).filter(is_placed).collect();
-    let known: Vec<[f64; 3]> = placed
-        .iter()
-        .map(|&marker| markers[marker].position)
-        .collect();
+    let known = placed.iter().map(|&marker| markers[marker].position);
+    let known: Vec<[f64; 3]> = known.collect();
     if !fix_attitude(&known) {
         let found = format!(
             "{} of {} markers with a position",
@@ -128,8 +120,7 @@ fn estimate_some_markers(
     Ok(())
 }
 
-/// Estimates the unknown positions of pose sensors if the markers determine an attitude; otherwise the positions remain
-/// unknown, and the fit estimates them.
+/// Estimates the unknown positions of pose sensors if the markers determine an attitude.
 fn estimate_pose_sensors(markers: &[Marker], sensors: &mut [Sensor], flights: &[Flight]) {
     let known: Vec<[f64; 3]> = markers.iter().map(|marker| marker.position).collect();
     let mut channel = 0;

@@ -4,8 +4,7 @@
 pub(super) use crate::takes::words::{listed, shown};
 use model_spec::nearest_name;
 
-/// Suggestion ` (did you mean …?)` for an error message, if one of `names` is similar to the misspelt name `wrong`;
-/// otherwise an empty text.
+/// Suggestion ` (did you mean …?)` for an error message, if one of `names` is similar to the misspelt name `wrong`.
 pub(super) fn meant<'a>(wrong: &str, names: impl IntoIterator<Item = &'a str>) -> String {
     match nearest_name(wrong, names.into_iter()) {
         Some(name) => format!(" (did you mean {name}?)"),

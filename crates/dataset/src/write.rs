@@ -1,13 +1,13 @@
 //! Writes a dataset as a folder: atomically, and only if reading the folder gives an equal dataset.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::recording::Recording;
 use super::sensor::channels;
-use super::{Dataset, Flight, KnownValue, Marker, Sensor, assemble, manifest, names, table};
+use super::{Dataset, Flight, KnownValue, Marker, Sensor, assemble, manifest, names};
 use crate::input_error::InputError;
 use flight::files::{ResultFile, write_new_folder};
 
@@ -50,29 +50,35 @@ pub fn write_commented(
         let text = table_text(flight, &dataset.markers, &dataset.sensors);
         (flight.file.clone(), text)
     }));
-    is_read_back(dataset, &files)?;
-    files.extend(
-        beside
-            .iter()
-            .map(|(name, text)| ((*name).to_owned(), text.clone())),
-    );
-    if let Some((name, _)) = files
-        .iter()
-        .enumerate()
-        .find_map(|(i, file)| files[..i].iter().find(|other| other.0 == file.0))
-    {
+    let text = |index: usize, path: &Path| {
+        if names::is_c3d(path) {
+            let expected = "a table: C3D is read and not written";
+            return Err(InputError::of_file(path, "a C3D file", expected));
+        }
+        Ok(files[index + 1].1.as_bytes().into())
+    };
+    let read = read_back(&files[0].1, text).map_err(|error| invalid(error.to_string()))?;
+    if read != *dataset {
+        return Err(invalid(
+            "the dataset holds values that no file does: a position or a time that is not finite, or too few of them".into(),
+        ));
+    }
+    let beside = beside.iter();
+    files.extend(beside.map(|(name, text)| ((*name).to_owned(), text.clone())));
+    let mut names = BTreeSet::new();
+    if let Some((name, _)) = files.iter().find(|(name, _)| !names.insert(name.as_str())) {
         return Err(invalid(format!("two files {name} in one dataset")));
     }
-    match folder_content(folder, &files)? {
-        FolderContent::Nothing => {
+    match files_below(folder, 2 * files.len())? {
+        0 => {
             let files = files.into_iter();
-            let files: Vec<_> = files
-                .map(|(name, text)| ResultFile::new(name, text))
-                .collect();
-            write_new_folder(folder, &files)
+            let files = files.map(|(name, text)| ResultFile::new(name, text));
+            write_new_folder(folder, &files.collect::<Vec<_>>())
         }
-        FolderContent::This => Ok(()),
-        FolderContent::Other => Err(io::Error::new(
+        count if count == files.len() && files.iter().all(|file| is_written(folder, file)) => {
+            Ok(())
+        }
+        _ => Err(io::Error::new(
             io::ErrorKind::AlreadyExists,
             "the folder holds something else, expected an empty or a new one",
         )),
@@ -83,89 +89,51 @@ fn invalid(why: String) -> io::Error {
     io::Error::new(io::ErrorKind::InvalidInput, why)
 }
 
-/// Content of the folder into which a dataset is to be written: nothing, exactly the files to be written, or other
-/// files.
-enum FolderContent {
-    Nothing,
-    This,
-    Other,
+fn is_written(folder: &Path, (name, text): &(String, String)) -> bool {
+    std::fs::read(folder.join(name)).is_ok_and(|bytes| bytes == text.as_bytes())
 }
 
-fn folder_content(folder: &Path, files: &[(String, String)]) -> io::Result<FolderContent> {
-    let mut found = Vec::new();
-    let mut left = vec![folder.to_path_buf()];
-    while let Some(next) = left.pop() {
+/// Number of files in a folder and below it; the count ends where it exceeds `most`, since the folder may be large. 0
+/// for a folder that does not exist.
+fn files_below(folder: &Path, most: usize) -> io::Result<usize> {
+    let (mut count, mut left) = (0, vec![folder.to_path_buf()]);
+    while let Some(next) = left.pop()
+        && count + left.len() <= most
+    {
         let entries = match std::fs::read_dir(&next) {
-            Err(error) if error.kind() == io::ErrorKind::NotFound => {
-                return Ok(FolderContent::Nothing);
-            }
+            Err(error) if error.kind() == io::ErrorKind::NotFound => continue,
             entries => entries?,
         };
         for entry in entries {
             let entry = entry?;
-            if entry.file_type()?.is_dir() {
-                left.push(entry.path());
-            } else {
-                found.push(entry.path());
-            }
-            if found.len() + left.len() > files.len() * 2 + 1 {
-                return Ok(FolderContent::Other);
+            match entry.file_type()?.is_dir() {
+                true => left.push(entry.path()),
+                false => count += 1,
             }
         }
     }
-    let same = |(name, text): &(String, String)| {
-        std::fs::read(folder.join(name)).is_ok_and(|bytes| bytes == text.as_bytes())
-    };
-    Ok(match found.len() {
-        0 => FolderContent::Nothing,
-        count if count == files.len() && files.iter().all(same) => FolderContent::This,
-        _ => FolderContent::Other,
-    })
+    Ok(count + left.len())
 }
 
-/// Returns an error if reading `files` (pairs of name and text) as a dataset would fail or would not give `dataset`.
-fn is_read_back(dataset: &Dataset, files: &[(String, String)]) -> io::Result<()> {
-    let text = |index: usize, path: &Path| match names::is_c3d(path) {
-        true => {
-            let expected = "a table: C3D is read and not written";
-            Err(InputError::of_file(path, "a C3D file", expected))
-        }
-        false => Ok(files.get(index + 1).map_or("", |(_, text)| text).into()),
-    };
-    let read = read_back(&files[0].1, text).map_err(|error| invalid(error.to_string()))?;
-    if read == *dataset {
-        Ok(())
-    } else {
-        Err(invalid(
-            "the dataset holds values that no file does: a position or a time that is not finite, or too few of them".into(),
-        ))
-    }
-}
-
-/// Reads a dataset without access to files. `manifest` is the text of `dataset.toml`, and `table` returns the text of a
-/// flight's table, given the flight's index and file name.
+/// Reads a dataset without access to files.
 pub(super) fn read_back<'t>(
     manifest: &str,
-    table: impl Fn(usize, &Path) -> Result<Cow<'t, str>, InputError> + Sync,
+    table: impl Fn(usize, &Path) -> Result<Cow<'t, [u8]>, InputError> + Sync,
 ) -> Result<Dataset, InputError> {
     let manifest = manifest::parse(Path::new("dataset.toml"), manifest)?;
-    assemble(manifest, 1, |index, entry, markers, sensors| {
-        let path = PathBuf::from(&entry.file);
-        let names: Vec<&str> = markers.iter().map(|marker| marker.name.as_str()).collect();
+    assemble(manifest, 1, |index, file| {
+        let path = PathBuf::from(file);
         let text = table(index, &path)?;
-        table::parse(&path, &text, (&names, sensors), &Recording::default())
-            .map(|table| (path, table))
+        Ok((path, text, false))
     })
 }
 
 /// Text of the file `dataset.toml` that describes a dataset, without the samples of its flights.
 pub fn manifest_text(dataset: &Dataset) -> String {
     let mut text = format!("model = {}\n", quoted(&dataset.model));
-    if !dataset.parameters.is_empty() {
-        text.push_str("\n[parameters]\n");
-        for (name, value) in &dataset.parameters {
-            let _ = writeln!(text, "{} = {value:?}", key(name));
-        }
+    for (index, (name, value)) in dataset.parameters.iter().enumerate() {
+        let head = if index == 0 { "\n[parameters]\n" } else { "" };
+        let _ = writeln!(text, "{head}{} = {value:?}", key(name));
     }
     if dataset.unknown_vertical {
         text.push_str("\n[recording]\nup = \"unknown\"\n");
@@ -180,8 +148,7 @@ pub fn manifest_text(dataset: &Dataset) -> String {
         let _ = writeln!(text, "axis_error = {error:?}");
     }
     for marker in &dataset.markers {
-        let name = quoted(&marker.name);
-        let position = &marker.position;
+        let (name, position) = (quoted(&marker.name), &marker.position);
         let _ = writeln!(
             text,
             "\n[[markers]]\nname = {name}\nposition = {position:?}"
@@ -238,9 +205,7 @@ pub fn table_text(flight: &Flight, markers: &[Marker], sensors: &[Sensor]) -> St
         }
     }
     text.push('\n');
-    let none = Vec::new();
     for (sample, (time, row)) in flight.times.iter().zip(&flight.positions).enumerate() {
-        let readings = flight.readings.get(sample).unwrap_or(&none);
         let _ = write!(text, "{time}");
         for point in row {
             let _ = match point {
@@ -248,7 +213,8 @@ pub fn table_text(flight: &Flight, markers: &[Marker], sensors: &[Sensor]) -> St
                 None => write!(text, ",,,"),
             };
         }
-        for (reading, width) in readings.iter().zip(&widths) {
+        let readings = flight.readings.get(sample).into_iter().flatten();
+        for (reading, width) in readings.zip(&widths) {
             for part in 0..*width {
                 let _ = match reading {
                     Some(reading) => write!(text, ",{}", reading[part]),
@@ -261,8 +227,7 @@ pub fn table_text(flight: &Flight, markers: &[Marker], sensors: &[Sensor]) -> St
     text
 }
 
-/// The text of `dataset.toml` with a comment line inserted above the position of each marker. `comments` contains the
-/// comments without `#`, in the order of the markers.
+/// The text of `dataset.toml` with a comment line inserted above the position of each marker.
 fn commented(text: &str, comments: &[String]) -> String {
     let mut comments = comments.iter();
     let mut made = String::new();
@@ -278,7 +243,6 @@ fn commented(text: &str, comments: &[String]) -> String {
     made
 }
 
-/// Quotes and escapes a text as a TOML string.
 pub(crate) fn quoted(text: &str) -> String {
     toml::Value::from(text).to_string()
 }

@@ -20,7 +20,7 @@ fn main() {
     let bound = compiled.bind(p.to_vec());
     let directions = |count| (0..count).collect::<Vec<usize>>();
     let (initial, parameters) = (directions(states), directions(p.len()));
-    let rhs = bound.differentiable_rhs();
+    let rhs = bound.rhs();
     let mut both = Sensitivities::new(rhs, &initial, &parameters).with_sensitivity_error_control();
     let (start, options) = (
         both.initial_state(x),

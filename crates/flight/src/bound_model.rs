@@ -1,7 +1,6 @@
 //! A compiled model bound to values of its parameters.
 
-use crate::compiled_model::{CompiledModel, ModelState};
-use crate::functions::{EvaluationPoint, ModelFunctions, Workspace};
+use crate::{CompiledModel, EvaluationPoint, ModelFunctions, ModelState, Workspace};
 use ode::{Event, StateVector};
 
 /// Compiled model with a value for each parameter; created by [`CompiledModel::bind`].
@@ -53,11 +52,10 @@ impl BoundModel<'_> {
     }
 
     #[inline(always)]
-    pub(crate) fn functions(&self) -> &dyn ModelFunctions {
-        &*self.model.functions
+    pub(crate) fn functions(&self) -> &ModelFunctions {
+        &self.model.functions
     }
 
-    /// Arguments of the model's functions at time `t` (s) and state `x`.
     #[inline(always)]
     pub(crate) fn at<'p>(&'p self, t: f64, x: &'p [f64]) -> EvaluationPoint<'p> {
         EvaluationPoint {

@@ -19,36 +19,9 @@ pub struct CompiledModel {
     pub(crate) layout: Layout,
     /// For each limit of validity of the model: lower bound of the limited quantity, and the reason to report below it.
     pub(crate) limits: Vec<(f64, String)>,
-    pub(crate) functions: Box<dyn ModelFunctions>,
-    pub(crate) patterns: Patterns,
+    pub(crate) functions: ModelFunctions,
+    pub(crate) patterns: SparsityPatterns,
     pub(crate) time_breaks: TimeBreaks,
-    is_generated: bool,
-}
-
-/// Sparsity patterns of the model's Jacobians, with `usize` indices, as the solver requires.
-#[derive(Clone, Debug)]
-pub(crate) struct Patterns {
-    pub jacobian: Vec<(usize, usize)>,
-    pub parameter_jacobian: Vec<(usize, usize)>,
-    pub observation_by_state: Vec<(usize, usize)>,
-    pub observation_by_parameter: Vec<(usize, usize)>,
-    pub observation_by_marker_len: usize,
-}
-
-impl Patterns {
-    fn new(patterns: &SparsityPatterns<'_>) -> Patterns {
-        let widened = |pattern: &[(u32, u32)]| {
-            let entries = pattern.iter();
-            entries.map(|&(r, c)| (r as usize, c as usize)).collect()
-        };
-        Patterns {
-            jacobian: widened(patterns.jacobian),
-            parameter_jacobian: widened(patterns.parameter_jacobian),
-            observation_by_state: widened(patterns.observation_by_state),
-            observation_by_parameter: widened(patterns.observation_by_parameter),
-            observation_by_marker_len: patterns.observation_by_marker.len(),
-        }
-    }
 }
 
 impl CompiledModel {
@@ -62,26 +35,25 @@ impl CompiledModel {
     fn generated(model: &Model) -> Option<CompiledModel> {
         let is_same = |code: &&generated::Model| code.source_hash == source_hash(model);
         let code = generated::model(&model.name).filter(is_same)?;
-        Some(CompiledModel {
-            is_generated: true,
-            ..CompiledModel::with_functions(model, Box::new(*code))
-        })
+        let functions = ModelFunctions::Generated(Box::new(*code));
+        Some(CompiledModel::with_functions(model, functions))
     }
 
     /// Compiles the model to a tape, even if generated Rust code for it exists.
     pub fn interpreted(model: &Model) -> CompiledModel {
         // With all derivatives, as in generated code, so that `prepare` hoists the same invariants and results agree
         // to the bit.
-        let tape = TapeModel::new(&compile(model));
-        CompiledModel::with_functions(model, Box::new(tape))
+        CompiledModel::with_tape(model, &compile(model))
     }
 
     /// Compiles the model to a tape specialized to the parameter values `fixed`: pairs (index in the parameter vector
     /// of the model's [`Layout`], value). Terms that vanish at these values are removed; derivatives with respect to
     /// these parameters remain. Values that are later bound to these parameters are ignored.
     pub fn specialized(model: &Model, fixed: &[(usize, f64)]) -> CompiledModel {
-        let compiled = compile_at(model, &Selection::All, fixed, Effort::Quick);
-        CompiledModel::with_functions(model, Box::new(TapeModel::new(&compiled)))
+        CompiledModel::with_tape(
+            model,
+            &compile_at(model, &Selection::All, fixed, Effort::Quick),
+        )
     }
 
     /// Compiles the model to a tape specialized to the parameter values `fixed`, which are pairs (index, value). The
@@ -93,18 +65,15 @@ impl CompiledModel {
         parameters: Vec<usize>,
     ) -> CompiledModel {
         let selection = Selection::Only(parameters);
-        let compiled = compile_at(model, &selection, fixed, Effort::Quick);
-        CompiledModel::of_selection(model, &compiled)
+        CompiledModel::of_selection(model, &compile_at(model, &selection, fixed, Effort::Quick))
     }
 
     /// Uses the generated Rust code for this model if its source hash matches; otherwise compiles the model to a tape.
     /// Such a tape has derivatives with respect to `parameters` only (indices in the parameter vector of the model's
     /// [`Layout`]), so that it is compiled and evaluated faster.
     pub fn with_derivatives_by(model: &Model, parameters: Vec<usize>) -> CompiledModel {
-        CompiledModel::generated(model).unwrap_or_else(|| {
-            let compiled = compile_for(model, &Selection::Only(parameters));
-            CompiledModel::of_selection(model, &compiled)
-        })
+        CompiledModel::generated(model)
+            .unwrap_or_else(|| CompiledModel::compiled_for(model, &Selection::Only(parameters)))
     }
 
     /// Compiles the model to a tape that observes the auxiliary variable `variable` instead of a marker position. A
@@ -116,16 +85,14 @@ impl CompiledModel {
         variable: &str,
         parameters: Vec<usize>,
     ) -> Option<CompiledModel> {
-        let index = model
-            .aux_variables
-            .iter()
-            .position(|own| own.name == variable)?;
-        let span = model.aux_variables[index].span;
-        let own = model.aux_variables[index].value.clone();
+        let mut variables = model.aux_variables.iter();
+        let index = variables.position(|own| own.name == variable)?;
+        let own = &model.aux_variables[index];
+        let span = own.span;
         let value = Expr {
             kind: ExprKind::AuxVariable(index),
             span,
-            ..own
+            ..own.value.clone()
         };
         let value = match value.shape {
             Shape::Vector(_) => value,
@@ -148,7 +115,7 @@ impl CompiledModel {
     /// columns of its parameter Jacobians are renumbered to the indices in the parameter vector of the model's
     /// [`Layout`].
     fn of_selection(model: &Model, compiled: &Compiled) -> CompiledModel {
-        let mut model = CompiledModel::with_functions(model, Box::new(TapeModel::new(compiled)));
+        let mut model = CompiledModel::with_tape(model, compiled);
         let patterns = &mut model.patterns;
         let by_parameter = [
             &mut patterns.parameter_jacobian,
@@ -160,17 +127,20 @@ impl CompiledModel {
         model
     }
 
-    /// Creates a compiled model with the given functions, which must be those of `model`.
-    pub fn with_functions(model: &Model, functions: Box<dyn ModelFunctions>) -> CompiledModel {
+    fn with_tape(model: &Model, compiled: &Compiled) -> CompiledModel {
+        let functions = ModelFunctions::Tape(Box::new(TapeModel::new(compiled)));
+        CompiledModel::with_functions(model, functions)
+    }
+
+    fn with_functions(model: &Model, functions: ModelFunctions) -> CompiledModel {
         let limits = model.limits.iter();
         let layout = Layout::new(model);
         CompiledModel {
             time_breaks: TimeBreaks::of(model, &layout),
             layout,
             limits: limits.map(|l| (l.bound, l.reason.clone())).collect(),
-            patterns: Patterns::new(&functions.patterns()),
+            patterns: functions.patterns(),
             functions,
-            is_generated: false,
         }
     }
 
@@ -182,13 +152,13 @@ impl CompiledModel {
     }
 
     /// The functions of the model, to evaluate them without binding the model to parameters.
-    pub fn functions(&self) -> &dyn ModelFunctions {
-        &*self.functions
+    pub fn functions(&self) -> &ModelFunctions {
+        &self.functions
     }
 
     /// Whether the functions of the model are generated Rust code rather than a tape.
     pub fn is_generated(&self) -> bool {
-        self.is_generated
+        matches!(self.functions, ModelFunctions::Generated(_))
     }
 
     /// Layout of the model: names and indices of states, parameters and auxiliary variables.
@@ -307,7 +277,7 @@ mod tests {
         let by = vec![place("C_D0"), place("C_Ls"), place("slip_1_1")];
         let entries = |compiled: &CompiledModel| {
             let bound = compiled.bind(layout.default_parameters());
-            let mut rhs = bound.differentiable_rhs();
+            let mut rhs = bound.rhs();
             let pattern = rhs.parameter_jacobian_pattern().to_vec();
             let mut values = vec![0.0; pattern.len()];
             let mut of_states = vec![0.0; rhs.jacobian_pattern().len()];

@@ -1,4 +1,4 @@
-//! Evaluation of a model's functions in `f64`: one trait for all backends of the compiler.
+//! Evaluation of a model's functions in `f64`, by generated code or by a tape.
 
 use codegen::tape_model::{At, Scratch, TapeModel};
 
@@ -8,196 +8,154 @@ pub type Workspace = Scratch;
 /// Point at which a model's functions are evaluated: time, state, parameters and the values computed from parameters.
 pub type EvaluationPoint<'a> = At<'a>;
 
-/// Sparsity patterns of a model's Jacobians: (row, column) of each stored entry, ordered by row.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct SparsityPatterns<'a> {
-    /// Pattern of the state Jacobian ∂f/∂x, where f = dx/dt is the right-hand side.
-    pub jacobian: &'a [(u32, u32)],
-    /// Pattern of the parameter Jacobian ∂f/∂p, where f = dx/dt is the right-hand side.
-    pub parameter_jacobian: &'a [(u32, u32)],
-    /// Pattern of ∂y/∂x, where y is the observed marker position.
-    pub observation_by_state: &'a [(u32, u32)],
-    /// Pattern of ∂y/∂p, where y is the observed marker position.
-    pub observation_by_parameter: &'a [(u32, u32)],
-    /// Pattern of the Jacobian of the observed marker position with respect to the marker's body-fixed coordinates.
-    pub observation_by_marker: &'a [(u32, u32)],
-}
-
 /// Functions of a compiled model: the right-hand side of dx/dt = f(t, x, p) with its Jacobians, the observed position y
 /// of a marker, auxiliary variables and limits of validity.
 ///
-/// Results are written to slices that must have at least the size of the result; shorter slices cause a panic. The
-/// entries of Jacobians are in the order of [`SparsityPatterns`].
-pub trait ModelFunctions: Send + Sync {
+/// Results are written to slices that must have at least the size of the result; shorter slices cause a panic.
+pub enum ModelFunctions {
+    /// Rust code that was generated from the model.
+    Generated(Box<generated::Model>),
+    /// Interpreted bytecode.
+    Tape(Box<TapeModel>),
+}
+
+/// Sparsity patterns of a model's Jacobians: (row, column) of each entry, ordered by row. x is the state, p the
+/// parameters, y the observed marker position.
+#[derive(Clone, Debug)]
+pub struct SparsityPatterns {
+    /// Pattern of ∂f/∂x, where f = dx/dt.
+    pub jacobian: Vec<(usize, usize)>,
+    /// Pattern of ∂f/∂p.
+    pub parameter_jacobian: Vec<(usize, usize)>,
+    /// Pattern of ∂y/∂x.
+    pub observation_by_state: Vec<(usize, usize)>,
+    /// Pattern of ∂y/∂p.
+    pub observation_by_parameter: Vec<(usize, usize)>,
+    /// Number of entries of the derivative of y with respect to the body-fixed coordinates of the marker.
+    pub(crate) observation_by_marker_len: usize,
+}
+
+impl ModelFunctions {
     /// Number of invariants (values that depend on the parameters alone) that `prepare` computes.
-    fn prepared_len(&self) -> usize;
+    pub fn prepared_len(&self) -> usize {
+        match self {
+            Self::Generated(code) => code.prepared.len(),
+            Self::Tape(tape) => tape.prepared,
+        }
+    }
+
     /// Sparsity patterns of the Jacobians that the functions compute.
-    fn patterns(&self) -> SparsityPatterns<'_>;
-    /// Computes the invariants, which are values that depend on the parameters `p` alone, and writes them to
-    /// `prepared`.
-    fn prepare(&self, p: &[f64], prepared: &mut [f64]);
+    pub fn patterns(&self) -> SparsityPatterns {
+        let [j, jp, dy_dx, dy_dp, dy_dmarker] = match self {
+            Self::Generated(code) => [
+                code.j_pattern,
+                code.jp_pattern,
+                code.dy_dx_pattern,
+                code.dy_dp_pattern,
+                code.dy_dmarker_pattern,
+            ],
+            Self::Tape(tape) => [
+                tape.f_jac_par.pattern("j"),
+                tape.f_jac_par.pattern("jp"),
+                tape.observe_jac.pattern("dy_dx"),
+                tape.observe_jac.pattern("dy_dp"),
+                tape.observe_jac.pattern("dy_dmarker"),
+            ],
+        };
+        let widened = |pattern: &[(u32, u32)]| {
+            let entries = pattern.iter();
+            entries.map(|&(r, c)| (r as usize, c as usize)).collect()
+        };
+        SparsityPatterns {
+            jacobian: widened(j),
+            parameter_jacobian: widened(jp),
+            observation_by_state: widened(dy_dx),
+            observation_by_parameter: widened(dy_dp),
+            observation_by_marker_len: dy_dmarker.len(),
+        }
+    }
+
+    /// Computes the invariants from the parameters `p`.
+    pub fn prepare(&self, p: &[f64], prepared: &mut [f64]) {
+        match self {
+            Self::Generated(code) => (code.prepare)(p, prepared),
+            Self::Tape(tape) => prepared.copy_from_slice(&tape.prepare(p)),
+        }
+    }
+
     /// Computes the state derivative f = dx/dt, in state units per second.
-    fn f(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, dx: &mut [f64]);
+    pub fn f(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, dx: &mut [f64]) {
+        match self {
+            Self::Generated(code) => (code.f)(at.t, at.x, at.p, at.prepared, dx),
+            Self::Tape(tape) => tape.f.eval(at, &[], workspace, &mut [dx]),
+        }
+    }
+
     /// Computes the state derivative f and the entries of its Jacobians ∂f/∂x and ∂f/∂p.
-    fn f_jac_par(
+    pub fn f_jac_par(
         &self,
         at: EvaluationPoint<'_>,
         workspace: &mut Workspace,
         dx: &mut [f64],
-        jacobian: &mut [f64],
-        parameter_jacobian: &mut [f64],
-    );
+        j: &mut [f64],
+        jp: &mut [f64],
+    ) {
+        match self {
+            Self::Generated(code) => (code.f_jac_par)(at.t, at.x, at.p, at.prepared, dx, j, jp),
+            Self::Tape(tape) => tape.f_jac_par.eval(at, &[], workspace, &mut [dx, j, jp]),
+        }
+    }
+
     /// Computes the position `y` of a marker in the inertial frame, m, from the marker's body-fixed coordinates, m.
-    fn observe(
+    pub fn observe(
         &self,
         at: EvaluationPoint<'_>,
         marker: &[f64; 3],
         workspace: &mut Workspace,
         y: &mut [f64; 3],
-    );
+    ) {
+        match self {
+            Self::Generated(code) => (code.observe)(at.t, at.x, at.p, at.prepared, marker, y),
+            Self::Tape(tape) => tape.observe.eval(at, marker, workspace, &mut [y]),
+        }
+    }
+
     /// Computes the position `y` of a marker in the inertial frame, m, and its Jacobians with respect to the state, the
     /// parameters and the body-fixed marker coordinates, in this order in `jacobians`.
-    fn observe_jac(
+    pub fn observe_jac(
         &self,
         at: EvaluationPoint<'_>,
         marker: &[f64; 3],
         workspace: &mut Workspace,
         y: &mut [f64; 3],
-        jacobians: [&mut [f64]; 3],
-    );
-    /// Computes the auxiliary variables of the model, in the order of its [`Layout`](codegen::Layout).
-    fn quantities(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, q: &mut [f64]);
-    /// Computes the left-hand side of each limit of validity of the model; the model is valid where each left-hand side
-    /// exceeds the lower bound of its limit.
-    fn limits(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, l: &mut [f64]);
-}
-
-impl ModelFunctions for generated::Model {
-    fn prepared_len(&self) -> usize {
-        self.prepared.len()
-    }
-
-    fn patterns(&self) -> SparsityPatterns<'_> {
-        SparsityPatterns {
-            jacobian: self.j_pattern,
-            parameter_jacobian: self.jp_pattern,
-            observation_by_state: self.dy_dx_pattern,
-            observation_by_parameter: self.dy_dp_pattern,
-            observation_by_marker: self.dy_dmarker_pattern,
-        }
-    }
-
-    fn prepare(&self, p: &[f64], prepared: &mut [f64]) {
-        (self.prepare)(p, prepared);
-    }
-
-    fn f(&self, at: EvaluationPoint<'_>, _: &mut Workspace, dx: &mut [f64]) {
-        (self.f)(at.t, at.x, at.p, at.prepared, dx);
-    }
-
-    fn f_jac_par(
-        &self,
-        at: EvaluationPoint<'_>,
-        _: &mut Workspace,
-        dx: &mut [f64],
-        j: &mut [f64],
-        jp: &mut [f64],
-    ) {
-        (self.f_jac_par)(at.t, at.x, at.p, at.prepared, dx, j, jp);
-    }
-
-    fn observe(
-        &self,
-        at: EvaluationPoint<'_>,
-        marker: &[f64; 3],
-        _: &mut Workspace,
-        y: &mut [f64; 3],
-    ) {
-        (self.observe)(at.t, at.x, at.p, at.prepared, marker, y);
-    }
-
-    fn observe_jac(
-        &self,
-        at: EvaluationPoint<'_>,
-        marker: &[f64; 3],
-        _: &mut Workspace,
-        y: &mut [f64; 3],
-        [dy_dx, dy_dp, dy_dmarker]: [&mut [f64]; 3],
+        [dx, dp, dmarker]: [&mut [f64]; 3],
     ) {
         let EvaluationPoint { t, x, p, prepared } = at;
-        (self.observe_jac)(t, x, p, prepared, marker, y, dy_dx, dy_dp, dy_dmarker);
-    }
-
-    fn quantities(&self, at: EvaluationPoint<'_>, _: &mut Workspace, q: &mut [f64]) {
-        (self.quantities)(at.t, at.x, at.p, at.prepared, q);
-    }
-
-    fn limits(&self, at: EvaluationPoint<'_>, _: &mut Workspace, l: &mut [f64]) {
-        (self.limits)(at.t, at.x, at.p, at.prepared, l);
-    }
-}
-
-impl ModelFunctions for TapeModel {
-    fn prepared_len(&self) -> usize {
-        self.prepared
-    }
-
-    fn patterns(&self) -> SparsityPatterns<'_> {
-        SparsityPatterns {
-            jacobian: self.f_jac_par.pattern("j"),
-            parameter_jacobian: self.f_jac_par.pattern("jp"),
-            observation_by_state: self.observe_jac.pattern("dy_dx"),
-            observation_by_parameter: self.observe_jac.pattern("dy_dp"),
-            observation_by_marker: self.observe_jac.pattern("dy_dmarker"),
+        match self {
+            Self::Generated(code) => {
+                (code.observe_jac)(t, x, p, prepared, marker, y, dx, dp, dmarker);
+            }
+            Self::Tape(tape) => {
+                let results = &mut [&mut y[..], dx, dp, dmarker];
+                tape.observe_jac.eval(at, marker, workspace, results);
+            }
         }
     }
 
-    fn prepare(&self, p: &[f64], prepared: &mut [f64]) {
-        prepared.copy_from_slice(&TapeModel::prepare(self, p));
+    /// Computes the auxiliary variables of the model, in the order of its [`Layout`](codegen::Layout).
+    pub fn quantities(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, q: &mut [f64]) {
+        match self {
+            Self::Generated(code) => (code.quantities)(at.t, at.x, at.p, at.prepared, q),
+            Self::Tape(tape) => tape.quantities.eval(at, &[], workspace, &mut [q]),
+        }
     }
 
-    fn f(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, dx: &mut [f64]) {
-        self.f.eval(at, &[], workspace, &mut [dx]);
-    }
-
-    fn f_jac_par(
-        &self,
-        at: EvaluationPoint<'_>,
-        workspace: &mut Workspace,
-        dx: &mut [f64],
-        j: &mut [f64],
-        jp: &mut [f64],
-    ) {
-        self.f_jac_par.eval(at, &[], workspace, &mut [dx, j, jp]);
-    }
-
-    fn observe(
-        &self,
-        at: EvaluationPoint<'_>,
-        marker: &[f64; 3],
-        workspace: &mut Workspace,
-        y: &mut [f64; 3],
-    ) {
-        self.observe.eval(at, marker, workspace, &mut [y]);
-    }
-
-    fn observe_jac(
-        &self,
-        at: EvaluationPoint<'_>,
-        marker: &[f64; 3],
-        workspace: &mut Workspace,
-        y: &mut [f64; 3],
-        [dy_dx, dy_dp, dy_dmarker]: [&mut [f64]; 3],
-    ) {
-        let mut results = [&mut y[..], dy_dx, dy_dp, dy_dmarker];
-        self.observe_jac.eval(at, marker, workspace, &mut results);
-    }
-
-    fn quantities(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, q: &mut [f64]) {
-        self.quantities.eval(at, &[], workspace, &mut [q]);
-    }
-
-    fn limits(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, l: &mut [f64]) {
-        self.limits.eval(at, &[], workspace, &mut [l]);
+    /// Computes the left-hand side of each limit of validity of the model; the model is valid where each left-hand side
+    /// exceeds the lower bound of its limit.
+    pub fn limits(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, l: &mut [f64]) {
+        match self {
+            Self::Generated(code) => (code.limits)(at.t, at.x, at.p, at.prepared, l),
+            Self::Tape(tape) => tape.limits.eval(at, &[], workspace, &mut [l]),
+        }
     }
 }

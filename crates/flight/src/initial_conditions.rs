@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use model_spec::load::LoadError;
 use model_spec::model::{Model, Parameter};
 
 use crate::toml_reader::Name;
@@ -94,8 +93,8 @@ impl Release {
             let all = self.parameters.iter().chain(&self.coefficients);
             all.chain(&of_wind).find(|(n, _)| n == name)
         };
+        let defaults = defaults.into_iter();
         defaults
-            .into_iter()
             .map(|(name, value)| set(name).map_or(value, |(_, value)| *value))
             .collect()
     }
@@ -109,11 +108,8 @@ pub fn quaternion_fault(
     quaternions: impl IntoIterator<Item = [usize; 4]>,
 ) -> Option<String> {
     quaternions.into_iter().find_map(|states| {
-        let length = states
-            .map(|i| initial[i].1.powi(2))
-            .iter()
-            .sum::<f64>()
-            .sqrt();
+        let squares = states.map(|i| initial[i].1.powi(2));
+        let length = squares.iter().sum::<f64>().sqrt();
         let names = states.map(|i| &*initial[i].0).join(", ");
         let is_unit = (length - 1.0).abs() <= QUATERNION_TOLERANCE || length.is_nan();
         (!is_unit).then(|| format!("the quaternion {names} has length {length}; expected 1"))
@@ -140,46 +136,32 @@ pub struct Vocabulary {
     pub model: Option<Arc<Model>>,
 }
 
-/// Reason why a flight of a model cannot be simulated in the wind that its release file specifies.
-#[derive(Debug, thiserror::Error)]
-pub(crate) enum WindError {
-    /// The wind cannot be added to the model, because only the names that the model defines are available, not the
-    /// model itself.
-    #[error("found a wind by height or gusts, and no model that could fly in it")]
-    NoModel,
-    /// The wind cannot be added to the model `name`, for the reason `source`.
-    #[error("the model {name} cannot fly in this wind: {source}")]
-    Model { name: String, source: LoadError },
-}
-
 impl Vocabulary {
     /// Names that the model defines after the wind `field` has been added to it.
-    pub(crate) fn in_wind(&self, field: &WindField) -> Result<Vocabulary, WindError> {
-        let model = self.model.as_ref().ok_or(WindError::NoModel)?;
-        let composed = field.compose(model).map_err(|source| WindError::Model {
-            name: model.name.clone(),
-            source,
+    /// An error is a message why the model cannot fly in this wind.
+    pub(crate) fn in_wind(&self, field: &WindField) -> Result<Vocabulary, String> {
+        const NO_MODEL: &str = "found a wind by height or gusts, and no model that could fly in it";
+        let model = self.model.as_ref().ok_or(NO_MODEL)?;
+        let composed = field.compose(model).map_err(|source| {
+            let name = &model.name;
+            format!("the model {name} cannot fly in this wind: {source}")
         })?;
         Ok(Vocabulary::of(&composed))
     }
 
     /// Collects the names and bounds that a model defines and that its release files may use.
     pub fn of(model: &Model) -> Vocabulary {
-        let names = |of: &[Parameter]| {
-            of.iter()
-                .map(|c| Name {
-                    name: c.name.clone(),
-                    bounds: c.bounds,
-                })
-                .collect()
+        let name = |c: &Parameter| Name {
+            name: c.name.clone(),
+            bounds: c.bounds,
         };
+        let names = |of: &[Parameter]| of.iter().map(name).collect();
+        let added = model.added_states().into_iter();
         Vocabulary {
             parameters: names(&model.params),
             coefficients: names(&model.coefficients),
             states: model.states.iter().map(|s| s.name.clone()).collect(),
-            optional: model
-                .added_states()
-                .into_iter()
+            optional: added
                 .map(|state| (state, model.states[state].value))
                 .collect(),
             inputs: model.inputs.iter().map(|i| i.name.clone()).collect(),
@@ -201,8 +183,6 @@ pub const BUILT_IN: [(&str, &str); 5] = [
 
 /// TOML text of the built-in release of this name; `None` if there is none.
 pub fn built_in(name: &str) -> Option<&'static str> {
-    BUILT_IN
-        .iter()
-        .find(|(n, _)| *n == name)
-        .map(|(_, text)| *text)
+    let found = BUILT_IN.iter().find(|(own, _)| *own == name);
+    found.map(|(_, text)| *text)
 }

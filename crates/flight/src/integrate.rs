@@ -2,14 +2,13 @@
 
 use ode::{Endpoint, Event, IntegrationError, IntegrationOptions, Trajectory};
 
-use crate::bound_model::BoundModel;
-use crate::compiled_model::ModelState;
+use crate::{BoundModel, ModelState};
 
 impl BoundModel<'_> {
-    /// Integrates the model as [`ode::integrate`] from the time `start.0` (s) and the state `start.1`.
+    /// Integrates the model from the time `start.0` (s) and the state `start.1`: [`ode::integrate`].
     ///
     /// # Errors
-    /// [`IntegrationError`] if the integration fails; its `cause` is the return code.
+    /// [`IntegrationError`] if the integration fails; those of the other methods are the same.
     pub fn integrate(
         &self,
         start: (f64, &ModelState),
@@ -20,10 +19,7 @@ impl BoundModel<'_> {
         ode::integrate(&mut self.rhs(), start, t_end, options, events)
     }
 
-    /// Integrates the model as [`ode::integrate_to_event`] from the time `start.0` (s) and the state `start.1`.
-    ///
-    /// # Errors
-    /// [`IntegrationError`] if the integration fails, or no terminal event occurs before the time `t_end` (s).
+    /// Integrates the model to the first terminal event: [`ode::integrate_to_event`].
     pub fn integrate_to_event(
         &self,
         start: (f64, &ModelState),
@@ -34,10 +30,7 @@ impl BoundModel<'_> {
         ode::integrate_to_event(&mut self.rhs(), start, t_end, options, events)
     }
 
-    /// Integrates the model as [`ode::integrate_to_end`] from the time `start.0` (s) and the state `start.1`.
-    ///
-    /// # Errors
-    /// [`IntegrationError`] if the integration fails; its `cause` is the return code.
+    /// Integrates the model without dense output: [`ode::integrate_to_end`].
     pub fn integrate_to_end(
         &self,
         start: (f64, &ModelState),
@@ -48,14 +41,7 @@ impl BoundModel<'_> {
         ode::integrate_to_end(&mut self.rhs(), start, t_end, options, events)
     }
 
-    /// Integrates the model as [`ode::integrate_at`] from the time `start.0` (s) and the state `start.1`, and writes the
-    /// states at `times` (s), concatenated, to `states`.
-    ///
-    /// # Errors
-    /// [`IntegrationError`] if the integration fails; its `cause` is the return code.
-    ///
-    /// # Panics
-    /// Under the conditions for which [`ode::integrate_at`] panics.
+    /// Integrates the model and writes the states at `times` (s), concatenated, to `states`: [`ode::integrate_at`].
     pub fn integrate_at(
         &self,
         start: (f64, &ModelState),

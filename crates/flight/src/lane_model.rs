@@ -76,23 +76,28 @@ impl LaneModel {
         let isa = isa.unwrap_or_else(Isa::best);
         if self.is_generated {
             let task = GeneratedTask {
+                model: self,
                 queue: &mut *queue,
                 span,
                 options,
                 isa,
-                bounds: &self.bounds,
-                time_breaks: &self.time_breaks,
             };
             if let Some(Some(evaluations)) = generated::visit(&self.model.name, task) {
                 return evaluations;
             }
         }
         let rhs = TapeRhs {
+            model: self,
             tape: self.tape(),
-            bounds: &self.bounds,
-            time_breaks: &self.time_breaks,
         };
         fly_on(isa, &rhs, queue, span, options).unwrap_or(0)
+    }
+
+    #[inline(always)]
+    fn subtract_bounds<T: Lanes>(&self, margins: &mut [T]) {
+        for (margin, bound) in margins.iter_mut().zip(&self.bounds) {
+            *margin = *margin - T::splat(*bound);
+        }
     }
 
     fn tape(&self) -> &TapeModel {
@@ -105,12 +110,11 @@ impl LaneModel {
 
 /// Arguments of an integration of flights with Rust code generated from the model, passed to [`generated::visit`].
 struct GeneratedTask<'a> {
+    model: &'a LaneModel,
     queue: &'a mut dyn FlightQueue,
     span: &'a FlightSpan,
     options: &'a IntegrationOptions,
     isa: Isa,
-    bounds: &'a [f64],
-    time_breaks: &'a TimeBreaks,
 }
 
 impl Visitor for GeneratedTask<'_> {
@@ -118,8 +122,7 @@ impl Visitor for GeneratedTask<'_> {
 
     fn visit<E: Equations>(self) -> Option<u64> {
         let rhs = GeneratedRhs::<E> {
-            bounds: self.bounds,
-            time_breaks: self.time_breaks,
+            model: self.model,
             equations: PhantomData,
         };
         fly_on_widest(self.isa, &rhs, self.queue, self.span, self.options)
@@ -129,8 +132,7 @@ impl Visitor for GeneratedTask<'_> {
 /// Right-hand side of the equations of motion and validity limits of a model, evaluated in SIMD lanes by the generated
 /// Rust code of the type `E`.
 struct GeneratedRhs<'a, E> {
-    bounds: &'a [f64],
-    time_breaks: &'a TimeBreaks,
+    model: &'a LaneModel,
     equations: PhantomData<E>,
 }
 
@@ -140,13 +142,13 @@ impl<E: Equations> LaneRhs for GeneratedRhs<'_, E> {
             states: E::MODEL.states.len(),
             parameters: E::MODEL.parameters.len(),
             prepared: E::MODEL.prepared.len(),
-            limits: self.bounds.len(),
+            limits: self.model.bounds.len(),
             scratch: 0,
         }
     }
 
     fn time_breaks(&self, p: &[f64], breaks: &mut Vec<f64>) {
-        breaks.extend(self.time_breaks.at(p));
+        breaks.extend(self.model.time_breaks.at(p));
     }
 
     #[inline(always)]
@@ -162,15 +164,14 @@ impl<E: Equations> LaneRhs for GeneratedRhs<'_, E> {
     #[inline(always)]
     fn limits<T: Lanes>(&self, at: LanePoint<'_, T>, _: &mut [T], margins: &mut [T]) {
         E::limits(at.t, at.x, at.p, at.prepared, margins);
-        subtract(self.bounds, margins);
+        self.model.subtract_bounds(margins);
     }
 }
 
 /// Right-hand side of the equations of motion and validity limits of a model, evaluated in SIMD lanes by a tape.
 struct TapeRhs<'a> {
+    model: &'a LaneModel,
     tape: &'a TapeModel,
-    bounds: &'a [f64],
-    time_breaks: &'a TimeBreaks,
 }
 
 impl LaneRhs for TapeRhs<'_> {
@@ -181,13 +182,13 @@ impl LaneRhs for TapeRhs<'_> {
             states: tape.states,
             parameters: tape.parameters,
             prepared: tape.prepared,
-            limits: self.bounds.len(),
+            limits: self.model.bounds.len(),
             scratch: of(&tape.prepare).max(of(&tape.f)).max(of(&tape.limits)),
         }
     }
 
     fn time_breaks(&self, p: &[f64], breaks: &mut Vec<f64>) {
-        breaks.extend(self.time_breaks.at(p));
+        breaks.extend(self.model.time_breaks.at(p));
     }
 
     #[inline(always)]
@@ -209,7 +210,7 @@ impl LaneRhs for TapeRhs<'_> {
     #[inline(always)]
     fn limits<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], margins: &mut [T]) {
         evaluate(&self.tape.limits, at, scratch, margins);
-        subtract(self.bounds, margins);
+        self.model.subtract_bounds(margins);
     }
 }
 
@@ -228,7 +229,6 @@ fn evaluate<T: Lanes>(
     });
 }
 
-/// Arguments of one evaluation of a tape in SIMD lanes.
 struct Evaluation<'a, T> {
     function: &'a TapeFunction,
     at: LanePoint<'a, T>,
@@ -248,12 +248,5 @@ impl<T: Lanes> LaneKernel<T> for Evaluation<'_, T> {
             marker: &[],
         };
         self.function.tape.eval_in(inputs, self.scratch, self.out);
-    }
-}
-
-#[inline(always)]
-fn subtract<T: Lanes>(bounds: &[f64], margins: &mut [T]) {
-    for (margin, bound) in margins.iter_mut().zip(bounds) {
-        *margin = *margin - T::splat(*bound);
     }
 }

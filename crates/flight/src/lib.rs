@@ -53,7 +53,7 @@ pub use functions::{EvaluationPoint, ModelFunctions, SparsityPatterns, Workspace
 pub use lane_model::LaneModel;
 pub use lane_observer::LaneObserver;
 pub use observer::{ModelObserver, ObservationJacobians};
-pub use rhs::{DifferentiableModelRhs, ModelRhs};
+pub use rhs::ModelRhs;
 pub use simulate::simulate;
 pub use trajectory_csv::trajectory_csv;
 

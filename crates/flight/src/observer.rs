@@ -1,7 +1,6 @@
 //! Measurement equation of a model: marker positions and their Jacobians, auxiliary variables, limits of validity.
 
-use crate::bound_model::BoundModel;
-use crate::functions::Workspace;
+use crate::{BoundModel, Workspace};
 
 /// Measurement equation of a bound model: marker positions, auxiliary variables and limits of validity.
 pub struct ModelObserver<'a> {

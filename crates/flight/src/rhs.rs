@@ -1,29 +1,20 @@
 //! Right-hand side of a bound model for the solver of the crate `ode`.
 
-use crate::bound_model::BoundModel;
-use crate::compiled_model::ModelState;
-use crate::functions::Workspace;
+use crate::{BoundModel, ModelState, Workspace};
 use ode::{DifferentiableRhs, OdeRhs};
 use std::borrow::Cow;
 
-/// Right-hand side dx/dt = f(t, x) of a bound model, without Jacobians.
+/// Right-hand side dx/dt = f(t, x) of a bound model, with its Jacobians with respect to the states and to all
+/// parameters of the model where these are asked for.
 pub struct ModelRhs<'a> {
     model: &'a BoundModel<'a>,
     workspace: Workspace,
 }
 
 impl BoundModel<'_> {
-    /// Creates the right-hand side dx/dt = f(t, x) without Jacobians.
+    /// Creates the right-hand side dx/dt = f(t, x), for the functions of [`ode`] and for [`ode::Sensitivities`].
     pub fn rhs(&self) -> ModelRhs<'_> {
         ModelRhs {
-            model: self,
-            workspace: Workspace::default(),
-        }
-    }
-
-    /// Creates the right-hand side with its Jacobians ∂f/∂x and ∂f/∂p, for [`ode::Sensitivities`].
-    pub fn differentiable_rhs(&self) -> DifferentiableModelRhs<'_> {
-        DifferentiableModelRhs {
             model: self,
             workspace: Workspace::default(),
         }
@@ -47,14 +38,7 @@ impl OdeRhs for ModelRhs<'_> {
     }
 }
 
-/// Right-hand side dx/dt = f(t, x) of a bound model, with its Jacobians with respect to the states and to all
-/// parameters of the model.
-pub struct DifferentiableModelRhs<'a> {
-    model: &'a BoundModel<'a>,
-    workspace: Workspace,
-}
-
-impl DifferentiableRhs for DifferentiableModelRhs<'_> {
+impl DifferentiableRhs for ModelRhs<'_> {
     fn states(&self) -> usize {
         self.model.model.layout.states.len()
     }

@@ -140,7 +140,6 @@ impl InTime {
     }
 }
 
-/// Reads expressions that are piecewise linear in the time.
 struct Reader<'m> {
     model: &'m Model,
     layout: &'m Layout,

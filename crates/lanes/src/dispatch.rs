@@ -35,7 +35,6 @@ pub fn dispatch_widest<K: Kernel>(isa: Isa, kernel: K) -> Option<K::Output> {
     }
 }
 
-/// Runs a kernel in SIMD lanes of the instruction set `isa`, which the processor must support.
 fn run_on<K: Kernel>(isa: Isa, kernel: K) -> K::Output {
     match isa {
         #[cfg(target_arch = "x86_64")]

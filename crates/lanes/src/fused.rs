@@ -1,8 +1,7 @@
 //! Single-lane types: `f64`, and `f64` with fused multiply-add.
 
 use crate::Lanes;
-use crate::outlined::LaneKernel;
-use crate::primitive::Primitive;
+use crate::primitive::{LaneKernel, Primitive};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A single-lane [`Lanes`] type with the layout of `f64`: slices of `f64` are reinterpreted without copying.

@@ -1,10 +1,8 @@
 //! Four lanes in an array, for processors without a vector type of their own in this crate.
 
-use crate::outlined::LaneKernel;
-use crate::primitive::Primitive;
+use crate::primitive::{LaneKernel, Primitive};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Four `f64` lanes in an array.
 #[derive(Clone, Copy)]
 pub(crate) struct Four([f64; 4]);
 

@@ -1,9 +1,17 @@
 //! Primitive operations over which every function is written, so that `f64` and all vector types share one source.
 
-use crate::outlined::LaneKernel;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Maximum number of lanes of any lane type.
+/// A computation on SIMD lanes of type `T` that [`Lanes::outlined`](crate::Lanes::outlined) runs in a function that is
+/// not inlined.
+///
+/// `run` and all its callees over `T` must be `#[inline(always)]`, as in a [`Kernel`](crate::Kernel).
+pub trait LaneKernel<T> {
+    /// Runs the computation. [`Lanes::outlined`](crate::Lanes::outlined) calls this method in a function that is not
+    /// inlined.
+    fn run(self);
+}
+
 pub(crate) const MAX_WIDTH: usize = 8;
 
 /// Operations of about one machine instruction, on `f64` or on all lanes at once.
@@ -30,7 +38,6 @@ pub(crate) trait Primitive:
     /// Mask that is true in the lanes whose sign bit is set.
     fn sign_mask(self) -> Self::Mask;
     fn select(mask: Self::Mask, then: Self, otherwise: Self) -> Self;
-    /// Whether the mask is true in every lane.
     fn all_true(mask: Self::Mask) -> bool;
     fn and_bits(self, other: Self) -> Self;
     fn or_bits(self, other: Self) -> Self;
@@ -73,15 +80,13 @@ pub(crate) trait Primitive:
         self.and_bits(Self::bit_pattern(1 << 63))
     }
 
-    /// Absolute value: the sign bit cleared.
     #[inline(always)]
     fn magnitude(self) -> Self {
         self.and_bits(Self::bit_pattern(!(1 << 63)))
     }
 }
 
-/// Returns `f(a, b, result)`, computed lane by lane. Serves as a slow path of elementary functions if some lane's
-/// argument is outside the range of the polynomials; `result` is the result of the polynomials.
+/// Returns `f(a, b, result)`, computed lane by lane.
 #[cold]
 #[inline(never)]
 pub(crate) fn map_lanes<T: Primitive>(a: T, b: T, result: T, f: fn(f64, f64, f64) -> f64) -> T {

@@ -1,9 +1,13 @@
 //! Traits for arithmetic on one real number or on one real number per lane, implemented by the primitive operations.
 
-use crate::functions::{basic, exponential, inverse_trigonometric, piecewise, trigonometric};
-use crate::outlined::LaneKernel;
-use crate::primitive::{MAX_WIDTH, Primitive};
+use crate::functions::{exponential, inverse_trigonometric, piecewise, trigonometric};
+use crate::primitive::{LaneKernel, MAX_WIDTH, Primitive};
+use std::hint::cold_path;
 use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// Threshold on |x| below which guarded functions, such as the reciprocal with value 0 at 0, treat x as 0. It is chosen
+/// so that its square is still a normal number.
+const ZERO: f64 = 1e-75;
 
 /// An elementary function of one argument that is evaluated by polynomials.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -190,11 +194,25 @@ impl<T: Primitive> Real for T {
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
-        basic::sqrt(self)
+        let zero = T::broadcast(0.0);
+        if T::WIDTH == 1 {
+            // A well-predicted branch is cheaper than a select, which requires the results of both branches.
+            if T::all_true(zero.lt(self)) {
+                return self.ieee_sqrt();
+            }
+            cold_path();
+        }
+        T::select(self.le(zero), zero, self.ieee_sqrt())
     }
     #[inline(always)]
     fn recip_or_zero(self) -> Self {
-        basic::recip_or_zero(self)
+        if T::WIDTH == 1 {
+            if T::all_true(T::broadcast(ZERO).le(self.magnitude())) {
+                return T::broadcast(1.0) / self;
+            }
+            cold_path();
+        }
+        self.if_zero(T::broadcast(0.0), T::broadcast(1.0) / self)
     }
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
@@ -219,23 +237,27 @@ impl<T: Primitive> Real for T {
     }
     #[inline(always)]
     fn min(self, other: Self) -> Self {
-        basic::min(self, other)
+        T::select(self.lt(other), self, other)
     }
     #[inline(always)]
     fn max(self, other: Self) -> Self {
-        basic::max(self, other)
+        T::select(other.lt(self), self, other)
     }
     #[inline(always)]
     fn sign(self) -> Self {
-        basic::sign(self)
+        let zero = T::broadcast(0.0);
+        let negative = T::select(self.lt(zero), T::broadcast(-1.0), zero);
+        T::select(zero.lt(self), T::broadcast(1.0), negative)
     }
     #[inline(always)]
     fn heaviside(self) -> Self {
-        basic::heaviside(self)
+        let zero = T::broadcast(0.0);
+        T::select(zero.lt(self), T::broadcast(1.0), zero)
     }
     #[inline(always)]
     fn if_zero(self, then: Self, otherwise: Self) -> Self {
-        basic::if_zero(self, then, otherwise)
+        let is_zero = self.magnitude().lt(T::broadcast(ZERO));
+        T::select(is_zero, then, otherwise)
     }
     #[inline(always)]
     fn piecewise_cubic(self, knots: &[f64], cubics: &[[f64; 4]]) -> Self {

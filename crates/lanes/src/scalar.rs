@@ -1,7 +1,6 @@
 //! `f64` as a single, non-fusing lane.
 
-use crate::outlined::LaneKernel;
-use crate::primitive::Primitive;
+use crate::primitive::{LaneKernel, Primitive};
 
 impl Primitive for f64 {
     // All ones or all zeros instead of `bool`, so that `select` compiles without unpredictable branches.

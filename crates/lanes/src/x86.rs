@@ -16,17 +16,14 @@
 use crate::fused::{Fused, ScalarLane};
 use crate::isa::Isa;
 use crate::kernel::{Kernel, ScalarKernel};
-use crate::outlined::LaneKernel;
-use crate::primitive::Primitive;
+use crate::primitive::{LaneKernel, Primitive};
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::OnceLock;
 
-/// Eight `f64` lanes of an AVX-512 register.
 #[derive(Clone, Copy)]
 pub(crate) struct Eight(__m512d);
 
-/// Four `f64` lanes of an AVX2 register.
 #[derive(Clone, Copy)]
 pub(crate) struct Four(__m256d);
 

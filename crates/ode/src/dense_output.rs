@@ -6,20 +6,16 @@ use crate::rhs::StateVector;
 use std::ops::Range;
 
 /// Dense output of one step: x(t + s h) = Σ weight(s) · row over the coefficient vectors `rows`, with s from 0 to 1.
-/// The weights are polynomials in s that [`Method::weights`] computes.
 #[derive(Clone, Copy)]
 pub(crate) struct DenseOutput<'a> {
     pub method: Method,
-    /// Time at the start of the step.
     pub t: f64,
-    /// Step size, in the time unit of the right-hand side.
     pub h: f64,
     /// Coefficient vectors of the dense output, each as long as the state.
     pub rows: [&'a [f64]; ROWS],
 }
 
 impl DenseOutput<'_> {
-    /// Writes the state at the fraction `s` of the step to `to`.
     #[inline]
     pub(crate) fn state(&self, s: f64, to: &mut [f64]) {
         let n = to.len();
@@ -36,8 +32,7 @@ impl DenseOutput<'_> {
         }
     }
 
-    /// Writes the components in `ranges` of the state at the fraction `s` of the step; other elements of `to` are
-    /// unchanged.
+    /// Writes the components in `ranges` of the state at the fraction `s` of the step.
     pub(crate) fn components(&self, s: f64, ranges: &[Range<usize>], to: &mut [f64]) {
         let weights = self.method.weights(s, self.h);
         for range in ranges {
@@ -62,9 +57,7 @@ impl DenseOutput<'_> {
 /// Accepted step with the states and time derivatives at its start and end, interpolated by the cubic Hermite
 /// polynomial.
 pub(crate) struct HermiteStep<'a, X> {
-    /// Time at the start of the step.
     pub t: f64,
-    /// Step size, in the time unit of the right-hand side.
     pub h: f64,
     pub x: &'a X,
     pub dx: &'a X,
@@ -73,8 +66,6 @@ pub(crate) struct HermiteStep<'a, X> {
 }
 
 impl<X: StateVector> HermiteStep<'_, X> {
-    /// Hermite data of component `i`: its value at the start and end of the step, then the step size times its time
-    /// derivative at the start and end.
     #[inline(always)]
     pub(crate) fn ends(&self, i: usize) -> (f64, f64, f64, f64) {
         (
@@ -85,7 +76,6 @@ impl<X: StateVector> HermiteStep<'_, X> {
         )
     }
 
-    /// Cubic interpolant of component `i` at the fraction `s` of the step.
     #[inline(always)]
     pub(crate) fn component(&self, i: usize, s: f64) -> f64 {
         cubic(self.ends(i), s)
@@ -100,8 +90,7 @@ impl<X: StateVector> HermiteStep<'_, X> {
     }
 }
 
-/// Value of a cubic polynomial at the fraction `s` of a step. At the start and end of the step, the cubic has the
-/// values `a` and `b`, and its derivatives times the step size are `da` and `db`.
+/// Value of a cubic polynomial at the fraction `s` of a step.
 #[inline(always)]
 pub(crate) fn cubic((a, b, da, db): (f64, f64, f64, f64), s: f64) -> f64 {
     let r = 1.0 - s;

@@ -31,7 +31,6 @@ pub struct Event<'a, X> {
     pub(crate) action: EventAction,
 }
 
-/// Boxed function of time and state with a scalar value.
 type Scalar<'a, X> = Box<dyn FnMut(f64, &X) -> f64 + 'a>;
 
 /// Event function g(t, x), whose fall from positive to zero or below is the event.
@@ -40,11 +39,9 @@ enum EventFunction<'a, X> {
     Component(usize, f64),
     /// Time derivative of a state component; contains the index of the component.
     Derivative(usize),
-    /// Function g(t, x) given by the caller.
     Function(Scalar<'a, X>),
 }
 
-/// Action of the integration at an event: record the event, stop, or fail.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum EventAction {
     Record,
@@ -104,7 +101,6 @@ impl<'a, X: StateVector> Event<'a, X> {
         }
     }
 
-    /// Value of the event function at the time `t` and the state `x`; `dx` is scratch space.
     #[inline(always)]
     fn value<D: OdeRhs<State = X>>(&mut self, rhs: &mut D, t: f64, x: &X, dx: &mut X) -> f64 {
         match &mut self.function {
@@ -158,7 +154,11 @@ impl<'a, X: StateVector> Event<'a, X> {
                 if da.min(db) > chord_distance || da.max(db) < -chord_distance {
                     return false;
                 }
-                has_falling_zero(2, |s| step.scaled_derivative(*i, s))
+                // Two intervals, since the parabola may have two zeros.
+                let values = [0.0, 0.5, 1.0].map(|s| step.scaled_derivative(*i, s));
+                values
+                    .windows(2)
+                    .any(|pair| pair[0] > 0.0 && pair[1] <= 0.0)
             }
             EventFunction::Function(g) => {
                 let first = g(step.t, step.x);
@@ -197,8 +197,7 @@ impl<'a, X: StateVector> Event<'a, X> {
 }
 
 /// Appends to `found` the fractions of a step, in increasing order, at which `value`, a function of the fraction, falls
-/// from positive to 0 or below; if `from_zero`, also the start of the step if the function is 0 there and falls. The
-/// step starts at the time `t` and has the size `h`.
+/// from positive to 0 or below; if `from_zero`, also the start of the step if the function is 0 there and falls.
 pub(crate) fn falling_zeros(
     (t, h): (f64, f64),
     from_zero: bool,
@@ -299,20 +298,6 @@ pub(crate) fn cubic_minimum(ends: (f64, f64, f64, f64)) -> f64 {
 /// Bracket width to which an event is located, as a fraction of the step from `t` of size `h`.
 pub(crate) fn location_width(t: f64, h: f64) -> f64 {
     (1e-13 * t.abs().max(1.0) / h).min(1e-3)
-}
-
-/// Whether `value`, a function of the fraction of a step, falls from positive to 0 or below between neighbouring points
-/// that divide the step into `intervals` equal intervals. More than one interval can detect two zeros within the step.
-pub(crate) fn has_falling_zero(intervals: u32, value: impl Fn(f64) -> f64) -> bool {
-    let mut before = value(0.0);
-    for k in 1..=intervals {
-        let after = value(f64::from(k) / f64::from(intervals));
-        if before > 0.0 && after <= 0.0 {
-            return true;
-        }
-        before = after;
-    }
-    false
 }
 
 #[cfg(test)]

@@ -1,12 +1,9 @@
 //! Validation of the arguments of an integration, and construction of integration errors.
 
-use crate::error::{IntegrationError, IntegrationFailure};
 use crate::method::combine;
 use crate::method::simd::{AllFinite, MIN_SIMD_LEN};
-use crate::options::IntegrationOptions;
-use crate::rhs::{OdeRhs, StateVector};
+use crate::{IntegrationError, IntegrationFailure, IntegrationOptions, OdeRhs, StateVector};
 
-/// Index of the first component that is NaN or infinite; `None` if all components are finite.
 pub(crate) fn first_non_finite<X: StateVector>(x: &X) -> Option<usize> {
     let x = x.as_ref();
     // First a test without branches, since this function runs for every step.
@@ -50,8 +47,7 @@ pub(crate) fn check_input<D: OdeRhs>(
     }
 }
 
-/// Name and value of the first quantity among the duration, the tolerances and the step bounds that is not positive;
-/// `None` if all are positive.
+/// Name and value of the first quantity among the duration, the tolerances and the step bounds that is not positive.
 fn invalid_option(options: &IntegrationOptions, duration: f64) -> Option<(&'static str, f64)> {
     let positive = [
         ("the time from start to end (s)", duration),
@@ -63,13 +59,11 @@ fn invalid_option(options: &IntegrationOptions, duration: f64) -> Option<(&'stat
     positive.into_iter().find(|(_, v)| v.is_nan() || *v <= 0.0)
 }
 
-/// Whether the duration, the tolerances and the step bounds are all positive.
 pub(crate) fn is_valid(options: &IntegrationOptions, duration: f64) -> bool {
     invalid_option(options, duration).is_none()
 }
 
-/// Builds an integration error from the return code `cause`, the time and the state `x`. The error contains only the
-/// components of the state that the error norm of the step-size control includes.
+/// Builds an integration error from the return code `cause`, the time and the state `x`.
 #[cold]
 pub(crate) fn failure<D: OdeRhs>(
     rhs: &D,
@@ -87,7 +81,6 @@ pub(crate) fn failure<D: OdeRhs>(
     }
 }
 
-/// Error for a NaN or infinite derivative `rate` of state component `i`.
 #[cold]
 pub(crate) fn non_finite_derivative<D: OdeRhs>(
     rhs: &D,
@@ -106,8 +99,7 @@ pub(crate) fn non_finite_derivative<D: OdeRhs>(
 }
 
 /// Error for a step size `h` below the minimum. It is `NonFiniteDerivative` if the derivative is NaN or infinite after
-/// an Euler step of size `h` or 1000 `h`; otherwise it is `StepTooSmall`, with the state component that changes fastest
-/// relative to its value.
+/// an Euler step of size `h` or 1000 `h`.
 #[cold]
 pub(crate) fn step_too_small<D: OdeRhs>(
     rhs: &mut D,
@@ -118,7 +110,7 @@ pub(crate) fn step_too_small<D: OdeRhs>(
 ) -> IntegrationError {
     let (mut ahead, mut rate) = (x.clone(), dx.clone());
     for step in [h, 1e3 * h] {
-        combine(&mut ahead, x, step, [1.0], [dx]);
+        combine(&mut ahead, x, step, &[(0, 1.0)], std::slice::from_ref(dx));
         rhs.derivative(t + step, &ahead, &mut rate);
         if let Some(i) = first_non_finite(&rate) {
             return non_finite_derivative(rhs, t, x, i, rate.as_ref()[i]);

@@ -1,17 +1,15 @@
 //! Functions that integrate initial value problems, one for each kind of output.
 
 use crate::dense_output::DenseOutput;
-use crate::error::{IntegrationError, IntegrationFailure};
 use crate::event::{Event, EventAction};
 use crate::input::failure;
 use crate::method::ROWS;
-use crate::options::{IntegrationOptions, SolverStats};
-use crate::rhs::{OdeRhs, StateVector};
 use crate::solver::{Endpoint, StepObserver, solve};
-use crate::trajectory::Trajectory;
+use crate::{
+    IntegrationError, IntegrationFailure, IntegrationOptions, OdeRhs, SolverStats, Trajectory,
+};
 use std::ops::Range;
 
-/// Number of steps for which a trajectory reserves memory in advance.
 const RESERVED_STEPS: usize = 64;
 
 /// Integrates from the time `start.0` and the state `start.1` to the time `t_end`, or to the first terminal event,
@@ -121,31 +119,14 @@ pub fn integrate_at<D: OdeRhs>(
 ) -> Result<Endpoint<D::State>, IntegrationError> {
     let n = start.1.as_ref().len();
     assert_eq!(states.len(), n * times.len(), "one state per output time");
-    let at_start = count_at_start(start.0, times);
-    for to in states.chunks_mut(n).take(at_start) {
-        to.copy_from_slice(start.1.as_ref());
-    }
-    let Some(&last) = times[at_start..].last() else {
-        return Ok(Endpoint {
-            time: start.0,
-            state: start.1.clone(),
-            event: None,
-            occurrences: Vec::new(),
-            stats: SolverStats::default(),
-        });
+    let mut write = |index: usize, sample: Sample<'_>| {
+        let to = &mut states[index * n..][..n];
+        match sample {
+            Sample::State(state) => to.copy_from_slice(state),
+            Sample::Step(step, s) => step.state(s, to),
+        }
     };
-    let mut sampler = Sampler {
-        times,
-        next: at_start,
-        states,
-        state_len: n,
-    };
-    let end = solve(rhs, start, last, options, events, &mut sampler)?;
-    let next = sampler.next;
-    for to in states.chunks_mut(n).skip(next) {
-        to.copy_from_slice(end.state.as_ref());
-    }
-    Ok(end)
+    solve_at(rhs, start, times, options, events, &mut write)
 }
 
 /// Integrates to the last of `times` and calls `callback` with the index of each output time and the state at that
@@ -167,34 +148,62 @@ pub fn integrate_with_callback<D: OdeRhs>(
     ranges: &[Range<usize>],
     mut callback: impl FnMut(usize, &[f64]),
 ) -> Result<(), IntegrationError> {
-    let at_start = count_at_start(start.0, times);
-    for index in 0..at_start {
-        callback(index, start.1.as_ref());
-    }
-    let Some(&last) = times[at_start..].last() else {
-        return Ok(());
+    let mut state = start.1.clone();
+    let mut write = |index: usize, sample: Sample<'_>| match sample {
+        Sample::State(state) => callback(index, state),
+        Sample::Step(step, s) => {
+            step.components(s, ranges, state.as_mut());
+            callback(index, state.as_ref());
+        }
     };
-    let mut caller = Caller {
-        times,
-        next: at_start,
-        state: start.1.clone(),
-        ranges,
-        callback,
-    };
-    solve(rhs, start, last, options, &mut [], &mut caller)?;
+    solve_at(rhs, start, times, options, &mut [], &mut write)?;
     Ok(())
 }
 
-/// Returns the number of leading output times equal to the initial time. Panics if the output times decrease or precede
-/// the initial time.
-fn count_at_start(start: f64, times: &[f64]) -> usize {
+/// State at an output time: known, or that at a fraction of a step.
+enum Sample<'a> {
+    State(&'a [f64]),
+    Step(&'a DenseOutput<'a>, f64),
+}
+
+/// Integrates to the last of `times` and passes the state at each of them, with its index, to `write`. Panics if the
+/// times decrease or precede the initial time.
+fn solve_at<D: OdeRhs>(
+    rhs: &mut D,
+    start: (f64, &D::State),
+    times: &[f64],
+    options: &IntegrationOptions,
+    events: &mut [Event<'_, D::State>],
+    write: &mut dyn FnMut(usize, Sample<'_>),
+) -> Result<Endpoint<D::State>, IntegrationError> {
     assert!(times.is_sorted(), "output times must not decrease");
-    let at_start = times.iter().take_while(|t| **t == start).count();
+    let at_start = times.iter().take_while(|t| **t == start.0).count();
     assert!(
-        times.get(at_start).is_none_or(|t| *t > start),
+        times.get(at_start).is_none_or(|t| *t > start.0),
         "output times must not precede the initial time"
     );
-    at_start
+    for index in 0..at_start {
+        write(index, Sample::State(start.1.as_ref()));
+    }
+    let Some(&last) = times[at_start..].last() else {
+        return Ok(Endpoint {
+            time: start.0,
+            state: start.1.clone(),
+            event: None,
+            occurrences: Vec::new(),
+            stats: SolverStats::default(),
+        });
+    };
+    let mut sampler = Sampler {
+        times,
+        next: at_start,
+        write,
+    };
+    let end = solve(rhs, start, last, options, events, &mut sampler)?;
+    for index in sampler.next..times.len() {
+        (sampler.write)(index, Sample::State(end.state.as_ref()));
+    }
+    Ok(end)
 }
 
 /// Step observer that stores the dense output of all accepted steps.
@@ -218,13 +227,11 @@ impl StepObserver for Recorder {
     }
 }
 
-/// Step observer that writes the states at the output times to an array.
+/// Step observer that passes on the states at the output times.
 struct Sampler<'a> {
     times: &'a [f64],
-    /// Index of the next output time.
     next: usize,
-    states: &'a mut [f64],
-    state_len: usize,
+    write: &'a mut dyn FnMut(usize, Sample<'_>),
 }
 
 impl StepObserver for Sampler<'_> {
@@ -234,39 +241,12 @@ impl StepObserver for Sampler<'_> {
 
     fn on_step(&mut self, step: DenseOutput<'_>, until: f64) {
         while let Some(&t) = self.times.get(self.next).filter(|t| **t <= until) {
-            let to = &mut self.states[self.next * self.state_len..][..self.state_len];
-            step.state((t - step.t) / step.h, to);
+            (self.write)(self.next, Sample::Step(&step, (t - step.t) / step.h));
             self.next += 1;
         }
     }
 }
 
-/// Step observer that calls a function with selected state components at the output times.
-struct Caller<'a, X, F> {
-    times: &'a [f64],
-    /// Index of the next output time.
-    next: usize,
-    state: X,
-    ranges: &'a [Range<usize>],
-    callback: F,
-}
-
-impl<X: StateVector, F: FnMut(usize, &[f64])> StepObserver for Caller<'_, X, F> {
-    fn needs_dense_output(&self, _: f64, t_end: f64) -> bool {
-        self.times.get(self.next).is_some_and(|t| *t <= t_end)
-    }
-
-    fn on_step(&mut self, step: DenseOutput<'_>, until: f64) {
-        while let Some(&t) = self.times.get(self.next).filter(|t| **t <= until) {
-            let s = (t - step.t) / step.h;
-            step.components(s, self.ranges, self.state.as_mut());
-            (self.callback)(self.next, self.state.as_ref());
-            self.next += 1;
-        }
-    }
-}
-
-/// Step observer that ignores all steps.
 struct NoObserver;
 
 impl StepObserver for NoObserver {

@@ -1,6 +1,6 @@
 //! Options of an integration and the statistics of its result.
 
-use crate::method::Method;
+use crate::method::{ErrorTolerance, Method};
 
 /// Method, error tolerances and step bounds of an integration.
 ///
@@ -49,6 +49,15 @@ impl IntegrationOptions {
             rtol: tolerance,
             atol: tolerance,
             ..IntegrationOptions::default()
+        }
+    }
+
+    /// Tolerances that apply to the first `controlled_len` components of the state.
+    pub(crate) fn tolerance(&self, controlled_len: usize) -> ErrorTolerance {
+        ErrorTolerance {
+            rtol: self.rtol,
+            atol: self.atol,
+            controlled_len,
         }
     }
 }

@@ -37,27 +37,6 @@ pub trait OdeRhs {
     }
 }
 
-impl<D: OdeRhs> OdeRhs for &mut D {
-    type State = D::State;
-
-    #[inline(always)]
-    fn derivative(&mut self, t: f64, x: &Self::State, dx: &mut Self::State) {
-        (**self).derivative(t, x, dx);
-    }
-
-    fn error_controlled_len(&self) -> usize {
-        (**self).error_controlled_len()
-    }
-
-    fn time_breaks(&self) -> &[f64] {
-        (**self).time_breaks()
-    }
-
-    fn state_name(&self, component: usize) -> Cow<'_, str> {
-        (**self).state_name(component)
-    }
-}
-
 /// Right-hand side from a closure `f(t, x, dx)` that writes dx/dt to `dx`.
 ///
 /// `names` are the state names used in error messages; components beyond the end of `names` are numbered.

@@ -1,23 +1,15 @@
 //! Step loop of an integration: error test, event location, and calls of the step observer.
 
 use crate::dense_output::{DenseOutput, HermiteStep};
-use crate::error::{IntegrationError, IntegrationFailure};
 use crate::event::{Event, EventAction, Occurrence};
 use crate::input::{check_input, failure, first_non_finite, non_finite_derivative, step_too_small};
-use crate::method::dop853::Dop853;
-use crate::method::tsit5::Tsit5;
-use crate::method::{ErrorTolerance, Method, StepStart, Stepper};
-use crate::options::{IntegrationOptions, SolverStats};
-use crate::rhs::OdeRhs;
+use crate::method::{ErrorTolerance, Stepper};
 use crate::step_control::{PiGains, PiMemory, initial_step};
-use crate::time_breaks::{just_after, segment_end};
+use crate::time_breaks::{StepEnd, just_after, segment_end};
+use crate::{IntegrationError, IntegrationFailure, IntegrationOptions, OdeRhs, SolverStats};
 
 /// Minimum step size as a fraction of the largest absolute time of the integration.
 pub(crate) const MIN_RELATIVE_STEP: f64 = 1e-14;
-
-/// Fraction of the time that remains until the final time at the start of a step. A step that would leave less than
-/// this fraction is extended to the final time, which avoids a tiny last step.
-pub(crate) const FINAL_STEP_SLACK: f64 = 1e-10;
 
 /// Final time and state of an integration.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,24 +45,15 @@ pub(crate) fn solve<D: OdeRhs>(
     events: &mut [Event<'_, D::State>],
     observer: &mut dyn StepObserver,
 ) -> Result<Endpoint<D::State>, IntegrationError> {
-    match options.method {
-        Method::Tsit5 => {
-            Solver::<D, Tsit5<_>>::new(rhs, start, t_end, options, events, observer)?.run()
-        }
-        Method::Dop853 => {
-            Solver::<D, Dop853<_>>::new(rhs, start, t_end, options, events, observer)?.run()
-        }
-    }
+    Solver::new(rhs, start, t_end, options, events, observer)?.run()
 }
 
 /// Integration in progress: problem, options, and the state between steps.
-struct Solver<'s, 'e, D: OdeRhs, S> {
+struct Solver<'s, 'e, D: OdeRhs> {
     rhs: &'s mut D,
     events: &'s mut [Event<'e, D::State>],
     observer: &'s mut dyn StepObserver,
     t: f64,
-    x: D::State,
-    dx: D::State,
     t_end: f64,
     /// Time at which the current segment ends: just before a time break, or `t_end`.
     segment_end: f64,
@@ -82,7 +65,7 @@ struct Solver<'s, 'e, D: OdeRhs, S> {
     tolerance: ErrorTolerance,
     gains: PiGains,
     memory: PiMemory,
-    stepper: S,
+    stepper: Stepper<D::State>,
     dense_buffer: Vec<f64>,
     scratch: D::State,
     log: EventLog,
@@ -97,15 +80,7 @@ struct EventLog {
     in_step: Vec<(f64, usize)>,
 }
 
-/// Size and end time of a step.
-#[derive(Clone, Copy)]
-struct StepEnd {
-    h: f64,
-    t: f64,
-    is_last: bool,
-}
-
-impl<'s, 'e, D: OdeRhs, S: Stepper<D::State>> Solver<'s, 'e, D, S> {
+impl<'s, 'e, D: OdeRhs> Solver<'s, 'e, D> {
     fn new(
         rhs: &'s mut D,
         (t, x): (f64, &D::State),
@@ -121,19 +96,15 @@ impl<'s, 'e, D: OdeRhs, S: Stepper<D::State>> Solver<'s, 'e, D, S> {
             return Err(non_finite_derivative(rhs, t, &x, i, dx.as_ref()[i]));
         }
         check_initial_events(rhs, t, (&x, &dx), events)?;
-        let tolerance = ErrorTolerance {
-            rtol: options.rtol,
-            atol: options.atol,
-            controlled_len: rhs.error_controlled_len(),
-        };
+        let tolerance = options.tolerance(rhs.error_controlled_len());
         let mut evaluations = 1;
+        let tableau = options.method.tableau();
         let h = options.first_step.unwrap_or_else(|| {
             evaluations += 1;
-            let start = StepStart { t, x: &x, dx: &dx };
             let max_step = options.max_step.min(t_end - t);
-            initial_step(rhs, &start, S::ERROR_ORDER, &tolerance, max_step)
+            initial_step(rhs, t, (&x, &dx), tableau.error_order, &tolerance, max_step)
         });
-        let gains = PiGains::new(S::ERROR_ORDER, S::PI_BETA, S::STEP_FACTOR_BOUNDS);
+        let gains = PiGains::new(tableau);
         Ok(Solver {
             t,
             t_end,
@@ -145,9 +116,9 @@ impl<'s, 'e, D: OdeRhs, S: Stepper<D::State>> Solver<'s, 'e, D, S> {
             tolerance,
             gains,
             memory: gains.start(),
-            stepper: S::new(&x),
             dense_buffer: Vec::new(),
             scratch: x.clone(),
+            stepper: Stepper::new(options.method, x, dx),
             log: EventLog::default(),
             stats: SolverStats {
                 evaluations,
@@ -156,8 +127,6 @@ impl<'s, 'e, D: OdeRhs, S: Stepper<D::State>> Solver<'s, 'e, D, S> {
             rhs,
             events,
             observer,
-            x,
-            dx,
         })
     }
 
@@ -168,11 +137,10 @@ impl<'s, 'e, D: OdeRhs, S: Stepper<D::State>> Solver<'s, 'e, D, S> {
                 let event = Some(self.events[event].name.to_string());
                 return Ok(self.endpoint(time, event));
             }
-            self.x.clone_from(self.stepper.x_end());
-            self.dx.clone_from(self.stepper.dx_end());
+            self.stepper.advance();
             self.t = end.t;
             if end.is_last {
-                self.scratch.clone_from(&self.x);
+                self.scratch.clone_from(&self.stepper.x);
                 return Ok(self.endpoint(end.t, None));
             }
             if end.t == self.segment_end {
@@ -187,7 +155,8 @@ impl<'s, 'e, D: OdeRhs, S: Stepper<D::State>> Solver<'s, 'e, D, S> {
         let breaks = self.rhs.time_breaks();
         self.segment_end = segment_end(breaks, self.t, self.t_end);
         let start = just_after(breaks, self.t);
-        self.rhs.derivative(start, &self.x, &mut self.dx);
+        let (x, dx) = self.stepper.start_mut();
+        self.rhs.derivative(start, x, dx);
         self.stats.evaluations += 1;
     }
 
@@ -207,7 +176,8 @@ impl<'s, 'e, D: OdeRhs, S: Stepper<D::State>> Solver<'s, 'e, D, S> {
     #[inline]
     fn step(&mut self) -> Result<StepEnd, IntegrationError> {
         loop {
-            let end = self.next_end();
+            let h = self.h.min(self.max_step);
+            let end = StepEnd::new(h, self.t, self.segment_end, self.t_end);
             if self.stats.steps + self.stats.rejected >= self.max_steps {
                 return Err(self.too_many_steps());
             }
@@ -221,26 +191,8 @@ impl<'s, 'e, D: OdeRhs, S: Stepper<D::State>> Solver<'s, 'e, D, S> {
             self.stats.rejected += 1;
             self.h = end.h * self.gains.after_rejected(&mut self.memory, error);
             if self.h <= self.min_step {
-                return Err(step_too_small(self.rhs, self.t, &self.x, &self.dx, self.h));
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn next_end(&self) -> StepEnd {
-        let h = self.h.min(self.max_step);
-        let remaining = self.segment_end - self.t;
-        if h >= remaining * (1.0 - FINAL_STEP_SLACK) {
-            StepEnd {
-                h: remaining,
-                t: self.segment_end,
-                is_last: self.segment_end == self.t_end,
-            }
-        } else {
-            StepEnd {
-                h,
-                t: self.t + h,
-                is_last: false,
+                let (x, dx) = (&self.stepper.x, self.stepper.dx());
+                return Err(step_too_small(self.rhs, self.t, x, dx, self.h));
             }
         }
     }
@@ -249,15 +201,9 @@ impl<'s, 'e, D: OdeRhs, S: Stepper<D::State>> Solver<'s, 'e, D, S> {
     /// finite.
     #[inline(always)]
     fn try_step(&mut self, end: StepEnd) -> f64 {
-        let start = StepStart {
-            t: self.t,
-            x: &self.x,
-            dx: &self.dx,
-        };
-        let error = self
-            .stepper
-            .try_step(self.rhs, &start, end.h, &self.tolerance);
-        self.stats.evaluations += S::EVALUATIONS;
+        let (stepper, tolerance) = (&mut self.stepper, &self.tolerance);
+        let error = stepper.try_step(self.rhs, self.t, end.h, tolerance);
+        self.stats.evaluations += stepper.tableau.rows.len();
         if error <= 1.0 {
             self.stepper.accept(self.rhs, end.t);
             let is_finite = first_non_finite(self.stepper.x_end()).is_none()
@@ -270,16 +216,14 @@ impl<'s, 'e, D: OdeRhs, S: Stepper<D::State>> Solver<'s, 'e, D, S> {
     }
 
     /// Records the events in an accepted step, and passes the dense output of the step to the observer if needed.
-    /// Returns the (time, event index) of a terminal event, with the state at that event in `scratch`; `None` if the
-    /// integration continues.
     #[inline]
     fn handle_step(&mut self, end: StepEnd) -> Result<Option<(f64, usize)>, IntegrationError> {
         let (t, h) = (self.t, end.h);
         let step = HermiteStep {
             t,
             h,
-            x: &self.x,
-            dx: &self.dx,
+            x: &self.stepper.x,
+            dx: self.stepper.dx(),
             x_end: self.stepper.x_end(),
             dx_end: self.stepper.dx_end(),
         };
@@ -290,17 +234,13 @@ impl<'s, 'e, D: OdeRhs, S: Stepper<D::State>> Solver<'s, 'e, D, S> {
         if !may_occur && !self.observer.needs_dense_output(t, end.t) {
             return Ok(None);
         }
-        let start = StepStart {
-            t,
-            x: &self.x,
-            dx: &self.dx,
-        };
-        let (rows, evaluations) =
-            self.stepper
-                .dense_rows(self.rhs, &start, h, &mut self.dense_buffer);
-        self.stats.evaluations += evaluations;
+        let tableau = self.stepper.tableau;
+        self.stats.evaluations += tableau.dense_rows.len();
+        let rows = self
+            .stepper
+            .dense_rows(self.rhs, (t, h), &mut self.dense_buffer);
         let step = DenseOutput {
-            method: S::METHOD,
+            method: tableau.method,
             t,
             h,
             rows,
@@ -320,14 +260,12 @@ impl<'s, 'e, D: OdeRhs, S: Stepper<D::State>> Solver<'s, 'e, D, S> {
     fn too_many_steps(&self) -> IntegrationError {
         let steps = self.stats.steps + self.stats.rejected;
         let cause = IntegrationFailure::TooManySteps { steps };
-        failure(self.rhs, self.t, self.x.as_ref(), cause)
+        failure(self.rhs, self.t, self.stepper.x.as_ref(), cause)
     }
 }
 
 impl EventLog {
-    /// Records the events of a step in order of time, up to the first terminal event. Returns the (time, event index)
-    /// of the terminal event, or `None` if no terminal event occurred. On return `state` is the state at the last
-    /// recorded event; it is unchanged if there was no event. Returns an error if a limit of validity is crossed.
+    /// Records the events of a step in order of time, up to the first terminal event.
     #[cold]
     fn record<D: OdeRhs>(
         &mut self,
@@ -357,8 +295,7 @@ impl EventLog {
         Ok(None)
     }
 
-    /// Locates all events in a step and stores them in `in_step`, in order of time. `like` is a state vector of the
-    /// right length, whose values do not matter.
+    /// Locates all events in a step and stores them in `in_step`, in order of time.
     fn locate<D: OdeRhs>(
         &mut self,
         rhs: &mut D,

@@ -1,6 +1,7 @@
 //! Step-size control: the PI controller and the initial step size.
 
-use crate::method::{ErrorTolerance, StepStart, combine};
+use crate::method::tableau::Tableau;
+use crate::method::{ErrorTolerance, combine};
 use crate::rhs::OdeRhs;
 
 /// Safety factor on the predicted step size, so that the next step rarely fails the error test.
@@ -29,13 +30,11 @@ pub(crate) struct PiMemory {
 }
 
 impl PiGains {
-    /// Controller of a method whose error estimate is of order `order`; `beta` is the exponent of the previous error
-    /// norm, and `factor_bounds` are the minimum and maximum ratio of successive step sizes.
-    pub(crate) fn new(order: i32, beta: f64, factor_bounds: (f64, f64)) -> PiGains {
+    pub(crate) fn new(tableau: &Tableau) -> PiGains {
         PiGains {
-            proportional_exponent: 1.0 / f64::from(order) - 0.75 * beta,
-            integral_exponent: beta,
-            factor_bounds,
+            proportional_exponent: 1.0 / f64::from(tableau.error_order) - 0.75 * tableau.pi_beta,
+            integral_exponent: tableau.pi_beta,
+            factor_bounds: tableau.step_factor_bounds,
         }
     }
 
@@ -81,12 +80,13 @@ impl PiGains {
 /// limited to `max_step`.
 pub(crate) fn initial_step<D: OdeRhs>(
     rhs: &mut D,
-    start: &StepStart<'_, D::State>,
+    t: f64,
+    (start, rate): (&D::State, &D::State),
     order: i32,
     tolerance: &ErrorTolerance,
     max_step: f64,
 ) -> f64 {
-    let (x, dx) = (start.x.as_ref(), start.dx.as_ref());
+    let (x, dx) = (start.as_ref(), rate.as_ref());
     let n = x.len().min(tolerance.controlled_len);
     let norm = |of: &dyn Fn(usize) -> f64| {
         let square = |i: usize| (of(i) / tolerance.scale(x[i], x[i])).powi(2);
@@ -96,17 +96,19 @@ pub(crate) fn initial_step<D: OdeRhs>(
     let rate_norm = norm(&|i| dx[i]);
     let euler_step = first_step(state_norm, rate_norm, max_step);
 
-    let (mut euler_state, mut euler_rate) = (start.x.clone(), start.dx.clone());
-    combine(&mut euler_state, start.x, euler_step, [1.0], [start.dx]);
-    rhs.derivative(start.t + euler_step, &euler_state, &mut euler_rate);
+    let (mut euler_state, mut euler_rate) = (start.clone(), rate.clone());
+    let k = std::slice::from_ref(rate);
+    combine(&mut euler_state, start, euler_step, &[(0, 1.0)], k);
+    rhs.derivative(t + euler_step, &euler_state, &mut euler_rate);
     let euler_rate = euler_rate.as_ref();
     let second_derivative_norm = norm(&|i| euler_rate[i] - dx[i]) / euler_step;
-    let norms = InitialNorms {
+    second_step(
         euler_step,
-        rate: rate_norm,
-        second_derivative: second_derivative_norm,
-    };
-    second_step(&norms, order, max_step)
+        rate_norm,
+        second_derivative_norm,
+        order,
+        max_step,
+    )
 }
 
 /// Size of the trial Euler step after which the second derivative of the state is estimated: 0.01 times the ratio of
@@ -121,25 +123,17 @@ pub(crate) fn first_step(state_norm: f64, rate_norm: f64, max_step: f64) -> f64 
     .min(max_step)
 }
 
-/// Quantities from which the initial step size is computed: size of the trial Euler step, and norms of the first and
-/// second time derivatives of the state. A norm is the root mean square of the components, each divided by its error
-/// tolerance.
-pub(crate) struct InitialNorms {
-    pub euler_step: f64,
-    /// Norm of the first time derivative of the state, per unit of time: root mean square of the components, each
-    /// divided by its error tolerance.
-    pub rate: f64,
-    /// Norm of the second time derivative of the state, per squared unit of time: root mean square of the components,
-    /// each divided by its error tolerance.
-    pub second_derivative: f64,
-}
-
-/// Initial step size from the norms of the first and second derivatives of the state, limited to 100 times the trial
-/// Euler step and to `max_step`. `order` is the order of the error estimate.
+/// Initial step size from the norms of the first and second time derivatives of the state, limited to 100 times the
+/// trial Euler step and to `max_step`.
 #[inline(always)]
-pub(crate) fn second_step(norms: &InitialNorms, order: i32, max_step: f64) -> f64 {
-    let euler_step = norms.euler_step;
-    let derivative_norm = norms.rate.max(norms.second_derivative);
+pub(crate) fn second_step(
+    euler_step: f64,
+    first_derivative: f64,
+    second_derivative: f64,
+    order: i32,
+    max_step: f64,
+) -> f64 {
+    let derivative_norm = first_derivative.max(second_derivative);
     let step = if derivative_norm <= 1e-15 {
         (euler_step * 1e-3).max(1e-6)
     } else {

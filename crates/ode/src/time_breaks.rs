@@ -23,3 +23,37 @@ pub(crate) fn just_after(breaks: &[f64], t: f64) -> f64 {
         _ => t,
     }
 }
+
+/// Fraction of the time that remains until the end of a segment at the start of a step. A step that would leave less
+/// than this fraction is extended to the end, which avoids a tiny last step.
+const FINAL_STEP_SLACK: f64 = 1e-10;
+
+/// Size and end time of a step.
+#[derive(Clone, Copy)]
+pub(crate) struct StepEnd {
+    pub h: f64,
+    pub t: f64,
+    /// Whether the step ends at the final time of the integration.
+    pub is_last: bool,
+}
+
+impl StepEnd {
+    /// End of a step of at most the size `h` from the time `t` in a segment; `t_end` is the final time.
+    #[inline(always)]
+    pub(crate) fn new(h: f64, t: f64, segment_end: f64, t_end: f64) -> StepEnd {
+        let remaining = segment_end - t;
+        if h >= remaining * (1.0 - FINAL_STEP_SLACK) {
+            StepEnd {
+                h: remaining,
+                t: segment_end,
+                is_last: segment_end == t_end,
+            }
+        } else {
+            StepEnd {
+                h,
+                t: t + h,
+                is_last: false,
+            }
+        }
+    }
+}

@@ -1,9 +1,8 @@
 //! Solution of an initial value problem, with dense output.
 
 use crate::dense_output::DenseOutput;
-use crate::event::Occurrence;
 use crate::method::{Method, ROWS};
-use crate::options::SolverStats;
+use crate::{Occurrence, SolverStats};
 
 /// Tolerance for sampling at a constant rate, as a fraction of the sampling interval: a sample closer than this to the
 /// end of the trajectory is omitted, since the final state is always included.
@@ -15,8 +14,7 @@ pub struct Trajectory {
     pub(crate) method: Method,
     pub(crate) states: usize,
     pub(crate) steps: Vec<(f64, f64)>,
-    /// Dense-output coefficients of all steps, concatenated in the order of the steps. Each step has `ROWS`
-    /// coefficient vectors of the length of the state vector.
+    /// Dense-output coefficients of all steps, concatenated in the order of the steps.
     pub(crate) rows: Vec<f64>,
     /// Initial time, in the time unit of the right-hand side.
     pub start: f64,
@@ -40,28 +38,17 @@ impl Trajectory {
 
     /// State at the time `t`; `None` outside the trajectory.
     pub fn sample(&self, t: f64) -> Option<Vec<f64>> {
-        let mut state = vec![0.0; self.states];
-        self.sample_into(t, &mut state).then_some(state)
-    }
-
-    /// Writes the state at the time `t` to `state` and returns true; outside the trajectory returns false and writes
-    /// nothing.
-    ///
-    /// # Panics
-    /// If the length of `state` is not that of the state vector.
-    pub fn sample_into(&self, t: f64, state: &mut [f64]) -> bool {
-        assert_eq!(state.len(), self.states);
         if !(self.start <= t && t <= self.end) {
-            return false;
+            return None;
         }
         if t == self.end {
-            state.copy_from_slice(&self.end_state);
-            return true;
+            return Some(self.end_state.clone());
         }
         let following = self.steps.partition_point(|(start, _)| *start <= t);
         let step = self.step(following.saturating_sub(1));
-        step.state((t - step.t) / step.h, state);
-        true
+        let mut state = vec![0.0; self.states];
+        step.state((t - step.t) / step.h, &mut state);
+        Some(state)
     }
 
     /// Dense output of the step with this index.

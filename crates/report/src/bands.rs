@@ -75,7 +75,7 @@ pub fn prediction_band(fit: &Fit, flight: FlightId) -> Option<PredictionBand> {
         problem,
         observations,
         (global, local),
-        &mut conditions.differentiable_rhs(),
+        &mut conditions.rhs(),
         &columns,
         &mut |point| {
             let at = point.sample * observations.channels + point.channel;

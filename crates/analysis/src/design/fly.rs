@@ -57,7 +57,8 @@ impl ThrowFlights<'_> {
         let start = self
             .body
             .thrown
-            .state_by_throw(throw, &state, &self.parameters);
+            .bind(&self.parameters)
+            .state_by_throw(throw, &state);
         let mut rhs = self.sensitivities(of_throw.len(), &of_parameters);
         let mut entries = Vec::new();
         for (column, field) in of_throw.iter().enumerate() {

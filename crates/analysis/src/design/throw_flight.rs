@@ -64,7 +64,7 @@ impl ThrownBody {
         let (compiled, thrown) = (CompiledModel::new(&model), ThrownModel::new(&model)?);
         let layout = compiled.layout();
         let (state, parameters) = (layout.default_states(), layout.default_parameters());
-        let jacobian = thrown.motion_jacobian(&state, &parameters);
+        let jacobian = thrown.bind(&parameters).jacobian(&state);
         // A state is a coordinate if its entry of the Jacobian row is 1 and all others are 0.
         let coordinate = |row: usize| {
             let is_one = |column: usize| (jacobian[(row, column)] - 1.0).abs() < 1e-9;
@@ -159,7 +159,7 @@ impl ThrowFlights<'_> {
         of_throw: usize,
         of_parameters: &[usize],
     ) -> Sensitivities<'_> {
-        let rhs = self.bound.differentiable_rhs();
+        let rhs = self.bound.rhs();
         // The state indices of the first columns are irrelevant: these columns start along directions of the throw.
         Sensitivities::new(rhs, &vec![0; of_throw], of_parameters)
     }
@@ -208,7 +208,7 @@ impl ThrowFlights<'_> {
         x: &[f64],
         s: Option<(SensitivityLayout, &[usize])>,
     ) -> Point {
-        let mut rhs = self.bound.differentiable_rhs();
+        let mut rhs = self.bound.rhs();
         let states = self.body.compiled.layout().states.len();
         let mut dx = vec![0.0; states];
         let mut jacobian = vec![0.0; rhs.jacobian_pattern().len()];

@@ -128,7 +128,7 @@ impl BoundBody<'_> {
     pub fn linearise(&self, t: f64, state: &[f64]) -> Result<Linearised, StabilityError> {
         let thrown = &self.body.thrown;
         let n = state.len();
-        let mut rhs = self.bound.differentiable_rhs();
+        let mut rhs = self.bound.rhs();
         let mut f = vec![0.0; n];
         let mut entries = vec![0.0; rhs.jacobian_pattern().len()];
         let mut by_parameter = vec![0.0; rhs.parameter_jacobian_pattern().len()];
@@ -137,11 +137,11 @@ impl BoundBody<'_> {
         for ((row, column), value) in rhs.jacobian_pattern().iter().zip(&entries) {
             jacobian[(*row, *column)] += value;
         }
-        let by_state = thrown.motion_jacobian(state, &self.parameters);
+        let by_state = thrown.bind(&self.parameters).jacobian(state);
         // Y″ f: change of Y′ along the flight.
         let along = |h: f64| {
             let moved: Vec<f64> = state.iter().zip(&f).map(|(x, f)| x + h * f).collect();
-            thrown.motion_jacobian(&moved, &self.parameters)
+            thrown.bind(&self.parameters).jacobian(&moved)
         };
         let mut bend = DMatrix::zeros(by_state.nrows(), n);
         for (k, weight) in WEIGHTS.into_iter().enumerate() {
@@ -166,7 +166,7 @@ impl BoundBody<'_> {
             }
             changes[(15 + k, 9 + k)] = 1.0;
         }
-        let states = thrown.states_moved(state, &self.parameters, &changes);
+        let states = thrown.bind(&self.parameters).states_moved(state, &changes);
         let missed = &by_state * &states - &changes;
         // The first two axes of a body of revolution need not be fixed in it.
         let rows = (0..6).chain(12..18);

@@ -14,8 +14,7 @@ use super::error::SimulationError;
 use super::{MAX_POINTS, Plan, corrupt};
 use crate::{Flight, KnownValue, Role};
 
-/// Absolute (in the SI unit of each state) and relative integration tolerance. Integration errors are far below the
-/// measurement noise.
+/// Absolute (in the SI unit of each state) and relative integration tolerance.
 const TOLERANCE: f64 = 1e-10;
 /// Number of decimals to which sample times in seconds are rounded before the simulation, so that tables remain narrow.
 const TIME_DECIMALS: i32 = 6;
@@ -26,7 +25,6 @@ pub(super) struct Maker<'a> {
     pub model: &'a Model,
     pub plan: &'a Plan,
     pub body: CompiledModel,
-    /// Marker positions in the model's marker frame, m.
     pub positions: Vec<[f64; 3]>,
 }
 

@@ -20,12 +20,10 @@ pub use truth::Truth;
 use self::maker::Maker;
 use crate::{Dataset, Marker};
 
-/// Maximum number of flights of a synthetic dataset.
 const MAX_FLIGHTS: usize = 100_000;
 /// Maximum product of the numbers of samples per flight, markers and flights of a synthetic dataset; it limits the
 /// memory used.
 const MAX_POINTS: f64 = 2e7;
-/// Maximum sampling rate, Hz.
 const MAX_RATE: f64 = 1e6;
 
 /// Settings with which a synthetic dataset is generated.
@@ -54,7 +52,6 @@ pub struct Plan {
 }
 
 impl Default for Plan {
-    /// Returns the settings for eight flights at 120 Hz, none held out, with positions rounded to 0.01 mm.
     fn default() -> Self {
         Self {
             flights: 8,
@@ -99,8 +96,8 @@ pub fn default_markers(model: &Model) -> Vec<Marker> {
     match &model.body {
         Some(body) if body.rotation.is_none() => vec![marker("centre", [0.0; 3])],
         _ => {
-            let each = MARKERS.iter().enumerate();
-            each.map(|(k, &position)| marker(&format!("m{}", k + 1), position))
+            let each = MARKERS.into_iter().zip(1..);
+            each.map(|(position, k)| marker(&format!("m{k}"), position))
                 .collect()
         }
     }
@@ -134,33 +131,26 @@ pub fn flights(
     let mut initial = Vec::with_capacity(plan.flights);
     for index in 0..plan.flights {
         let release = &releases[index % releases.len()];
-        let (flight, state) =
-            maker
-                .flight(index, release)
-                .map_err(|reason| SynthesisError::Flight {
-                    number: index + 1,
-                    reason,
-                })?;
+        let made = maker.flight(index, release);
+        let (flight, state) = made.map_err(|reason| SynthesisError::Flight {
+            number: index + 1,
+            reason,
+        })?;
         let names = model.states.iter().map(|state| state.name.clone());
         initial.push((flight.file.clone(), names.zip(state).collect()));
         flights.push(flight);
     }
-    let constants = releases[0].constants(
-        model
-            .params
-            .iter()
-            .chain(&model.coefficients)
-            .map(|constant| (constant.name.as_str(), constant.value)),
-    );
-    let (parameters, coefficients) = constants.split_at(model.params.len());
-    let named = |of: &[model_spec::model::Parameter], values: &[f64]| {
-        let names = of.iter().map(|constant| constant.name.clone());
-        names.zip(values.iter().copied()).collect()
-    };
+    let constants = model.params.iter().chain(&model.coefficients);
+    let defaults = constants
+        .clone()
+        .map(|constant| (constant.name.as_str(), constant.value));
+    let values = releases[0].constants(defaults);
+    let mut named = constants.map(|constant| constant.name.clone()).zip(values);
+    let parameters = named.by_ref().take(model.params.len()).collect();
     Ok(SyntheticDataset {
         dataset: Dataset {
             model: model.name.clone(),
-            parameters: named(&model.params, parameters),
+            parameters,
             markers,
             flights,
             ..Dataset::default()
@@ -168,7 +158,7 @@ pub fn flights(
         truth: Truth {
             model: model.name.clone(),
             effects: model.effects.iter().map(|on| on.name.clone()).collect(),
-            coefficients: named(&model.coefficients, coefficients),
+            coefficients: named.collect(),
             noise: plan.noise,
             spread: plan.spread,
             seed: plan.seed,
@@ -181,42 +171,41 @@ fn check(model: &Model, releases: &[Release], plan: &Plan) -> Result<(), Synthes
     let Some(first) = releases.first() else {
         return refuse("found no release, expected at least one");
     };
-    let same = |release: &&Release| {
+    let is_same = |release: &Release| {
         release.parameters == first.parameters && release.coefficients == first.coefficients
     };
-    if !releases.iter().all(|release| same(&release)) {
-        return refuse(
-            "found releases of different bodies, expected the same parameters and coefficients in all",
-        );
-    }
-    if model.observation.is_none() {
-        return refuse(format!("the model {} observes nothing", model.name));
-    }
     OutOfRange::check("flights", plan.flights as f64, 1.0, MAX_FLIGHTS as f64)?;
-    if plan.held_out > plan.flights {
-        let (found, most) = (plan.held_out, plan.flights);
-        return refuse(format!(
-            "held-out: found {found}, expected at most the {most} flights"
-        ));
-    }
-    if !(plan.rate > 0.0 && plan.rate <= MAX_RATE) {
-        let found = plan.rate;
-        return refuse(format!(
-            "rate: found {found}, expected above 0 and up to {MAX_RATE} Hz"
-        ));
-    }
-    if let Some(duration) = plan.duration
-        && !(duration > 0.0 && duration <= Release::MAX_DURATION)
-    {
-        let most = Release::MAX_DURATION;
-        return refuse(format!(
-            "duration: found {duration}, expected above 0 and up to {most} s"
-        ));
-    }
-    // The truth is written as TOML, which has no larger integers.
-    if i64::try_from(plan.seed).is_err() {
-        let (found, most) = (plan.seed, i64::MAX);
-        return refuse(format!("seed: found {found}, expected at most {most}"));
+    let (rate, most) = (plan.rate, Release::MAX_DURATION);
+    let duration = plan.duration.unwrap_or(most);
+    let checks = [
+        (
+            releases.iter().all(is_same),
+            "found releases of different bodies, expected the same parameters and coefficients in all".into(),
+        ),
+        (
+            model.observation.is_some(),
+            format!("the model {} observes nothing", model.name),
+        ),
+        (
+            plan.held_out <= plan.flights,
+            format!("held-out: found {}, expected at most the {} flights", plan.held_out, plan.flights),
+        ),
+        (
+            rate > 0.0 && rate <= MAX_RATE,
+            format!("rate: found {rate}, expected above 0 and up to {MAX_RATE} Hz"),
+        ),
+        (
+            duration > 0.0 && duration <= most,
+            format!("duration: found {duration}, expected above 0 and up to {most} s"),
+        ),
+        (
+            // The truth is written as TOML, which has no larger integers.
+            i64::try_from(plan.seed).is_ok(),
+            format!("seed: found {}, expected at most {}", plan.seed, i64::MAX),
+        ),
+    ];
+    if let Some((_, why)) = checks.into_iter().find(|(is_met, _)| !is_met) {
+        return refuse(why);
     }
     plan.noise.check()?;
     plan.spread.check()?;

@@ -38,14 +38,10 @@ impl Default for Corruption {
     }
 }
 
-/// Maximum allowed standard deviation of the noise, and of the additional error of outliers, m.
 const MAX_SIGMA: f64 = 100.0;
-/// Maximum allowed fraction of missing marker positions.
 const MAX_DROPOUTS: f64 = 0.9;
-/// Minimum and maximum length of a run of missing positions, samples.
 const RUN: [usize; 2] = [3, 12];
-/// Number of initial samples discarded from the dropout process, so that its rate is stationary from the first
-/// sample.
+/// Number of initial samples discarded from the dropout process, so that its rate is stationary from the first sample.
 const AHEAD: usize = 64;
 
 impl Corruption {

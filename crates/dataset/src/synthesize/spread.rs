@@ -26,7 +26,6 @@ pub struct Spread {
 }
 
 impl Default for Spread {
-    /// Returns the variation with fraction 0.1, and with scales of 5 m/s, 1 rad and 10 rad/s.
     fn default() -> Self {
         Self {
             fraction: 0.1,
@@ -37,7 +36,6 @@ impl Default for Spread {
     }
 }
 
-/// Maximum allowed value of `Spread::fraction`, the relative standard deviation of the initial states.
 const MAX_FRACTION: f64 = 2.0;
 
 impl Spread {

@@ -14,7 +14,6 @@ pub(crate) struct Column {
 pub(crate) enum Quantity {
     /// Time; the unit is `None` if the column name states none.
     Time(Option<TimeUnit>),
-    /// Number of the frame (sample) of the recording.
     Frame,
     /// Coordinate 0, 1 or 2 (x, y, z) of a position; the unit is `None` if the column name states none.
     Coordinate(usize, Option<LengthUnit>),
@@ -23,7 +22,6 @@ pub(crate) enum Quantity {
     Other,
 }
 
-/// Characters that separate the label from the coordinate in a column name.
 const JOINTS: [char; 4] = ['_', ' ', '.', ':'];
 
 impl Column {

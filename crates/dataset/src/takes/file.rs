@@ -51,27 +51,42 @@ pub fn bytes(file: &Path, largest: u64, what: &str) -> Result<Vec<u8>, TakeError
 /// Decodes the bytes of a table: UTF-8, or UTF-16 with a byte-order mark, which is stripped; lines may end in a carriage
 /// return alone. Fails for other encodings and NUL bytes.
 pub(crate) fn text(bytes: &[u8]) -> Result<Cow<'_, str>, Fault> {
-    let line = |before: &[u8]| Location::Line(1 + before.iter().filter(|&&b| b == b'\n').count());
-    let text = match bytes {
-        [0xff, 0xfe, rest @ ..] => Cow::Owned(utf16(rest, u16::from_le_bytes)?),
-        [0xfe, 0xff, rest @ ..] => Cow::Owned(utf16(rest, u16::from_be_bytes)?),
-        _ => Cow::Borrowed(std::str::from_utf8(bytes).map_err(|error| {
-            let offset = error.valid_up_to();
-            let found = format!("the byte {:#04x}", bytes[offset]);
-            Fault::new(line(&bytes[..offset]), found, "UTF-8 text")
-        })?),
+    let fault = |bytes: &[u8], (offset, found, expected): NotText| {
+        let line = 1 + bytes[..offset].iter().filter(|&&b| b == b'\n').count();
+        Fault::new(Location::Line(line), found, expected)
     };
-    if let Some(offset) = text.find('\0') {
-        let before = &text.as_bytes()[..offset];
-        return Err(Fault::new(line(before), "a NUL byte", "text"));
+    let wide = match bytes {
+        [0xff, 0xfe, rest @ ..] => utf16(rest, u16::from_le_bytes)?,
+        [0xfe, 0xff, rest @ ..] => utf16(rest, u16::from_be_bytes)?,
+        _ => {
+            let text = utf8(bytes).map_err(|error| fault(bytes, error))?;
+            return Ok(with_newlines(text).map_or(Cow::Borrowed(text), Cow::Owned));
+        }
+    };
+    utf8(wide.as_bytes()).map_err(|error| fault(wide.as_bytes(), error))?;
+    Ok(Cow::Owned(with_newlines(&wide).unwrap_or(wide)))
+}
+
+/// The text with newlines in place of carriage returns, if its lines end in these alone.
+fn with_newlines(text: &str) -> Option<String> {
+    let is_bare = text.contains('\r') && !text.contains('\n');
+    is_bare.then(|| text.replace('\r', "\n"))
+}
+
+/// Offset of a byte that is not text, what was found there and what was expected.
+pub(crate) type NotText = (usize, String, &'static str);
+
+/// Decodes UTF-8 without NUL bytes, and removes a byte-order mark.
+pub(crate) fn utf8(bytes: &[u8]) -> Result<&str, NotText> {
+    let text = std::str::from_utf8(bytes).map_err(|error| {
+        let offset = error.valid_up_to();
+        let found = format!("the byte {:#04x}", bytes[offset]);
+        (offset, found, "UTF-8 text")
+    })?;
+    match text.find('\0') {
+        Some(offset) => Err((offset, "a NUL byte".into(), "text")),
+        None => Ok(text.strip_prefix('\u{feff}').unwrap_or(text)),
     }
-    if text.contains('\r') && !text.contains('\n') {
-        return Ok(Cow::Owned(text.replace('\r', "\n")));
-    }
-    Ok(match text {
-        Cow::Borrowed(text) => Cow::Borrowed(text.strip_prefix('\u{feff}').unwrap_or(text)),
-        owned => owned,
-    })
 }
 
 fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Result<String, Fault> {

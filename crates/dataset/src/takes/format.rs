@@ -4,8 +4,7 @@ use std::fmt;
 
 use crate::takes::c3d::is_c3d;
 use crate::takes::columns::{Column, Quantity};
-use crate::takes::error::{Fault, Location};
-use crate::takes::words::shown;
+use crate::takes::{Fault, Location, separator, shown};
 
 /// File format of a recording.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,9 +82,10 @@ impl Format {
                 let has_bodies = lines().take(QUALISYS_HEADER).any(|(line, _)| {
                     line.starts_with("BODY_NAMES") || line.starts_with("NO_OF_BODIES")
                 });
-                Ok(match has_bodies {
-                    true => Self::QualisysPoses,
-                    false => Self::Qualisys,
+                Ok(if has_bodies {
+                    Self::QualisysPoses
+                } else {
+                    Self::Qualisys
                 })
             }
             "PathFileType" => {
@@ -105,14 +105,12 @@ impl Format {
     }
 }
 
-/// Recognises the format of a table by the column names in its header line; `None` if they name neither coordinates nor
-/// quaternions.
+/// Recognises the format of a table by the column names in its header line.
 fn by_columns(header: &str) -> Option<Format> {
-    let separator = crate::takes::sheet::separator(header);
-    let names: Vec<&str> = header
-        .split(char::from(separator))
-        .map(|name| name.trim().trim_matches('"'))
-        .collect();
+    let names = header
+        .split(separator(header))
+        .map(|name| name.trim().trim_matches('"'));
+    let names: Vec<&str> = names.collect();
     let columns: Vec<Column> = names.iter().map(|name| Column::parse(name)).collect();
     let has = |wanted: fn(&Quantity) -> bool| columns.iter().any(|c| wanted(&c.quantity));
     if has(|q| matches!(q, Quantity::Quaternion(_))) {

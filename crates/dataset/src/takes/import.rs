@@ -208,10 +208,10 @@ impl Followed {
     /// Labels of the points or of the body from which the positions of the markers are obtained.
     pub fn labels<'t>(&self, take: &'t Take) -> Vec<&'t str> {
         match self {
-            Self::Points(points) => points
-                .iter()
-                .map(|&i| take.points[i].label.as_str())
-                .collect(),
+            Self::Points(points) => {
+                let points = points.iter();
+                points.map(|&i| take.points[i].label.as_str()).collect()
+            }
             Self::Pose(body, _) => vec![take.bodies[*body].label.as_str()],
         }
     }
@@ -225,14 +225,15 @@ impl Followed {
             }
             Self::Pose(body, markers) => {
                 let pose = take.bodies[*body].poses[sample];
-                let position = |pose: Pose, marker: [f64; 3]| {
-                    let arm = rotated(pose.quaternion, marker);
-                    [0, 1, 2].map(|axis| pose.position[axis] + arm[axis])
+                let position = |marker: &[f64; 3]| {
+                    let Pose {
+                        position,
+                        quaternion,
+                    } = pose?;
+                    let arm = rotated(quaternion, *marker);
+                    Some([0, 1, 2].map(|axis| position[axis] + arm[axis]))
                 };
-                let markers = markers.iter();
-                markers
-                    .map(|&marker| pose.map(|pose| position(pose, marker)))
-                    .collect()
+                markers.iter().map(position).collect()
             }
         }
     }
@@ -247,17 +248,14 @@ impl Followed {
                 ..Flight::default()
             };
         };
-        let readings = take.bodies[*body].poses[throw.samples()]
-            .iter()
-            .map(|pose| match pose {
-                Some(Pose {
-                    position: [x, y, z],
-                    quaternion,
-                }) => {
-                    vec![Some([*x, *y, *z, 0.0]), Some(*quaternion)]
-                }
-                None => vec![None; 2],
-            });
+        let poses = take.bodies[*body].poses[throw.samples()].iter();
+        let readings = poses.map(|pose| {
+            let Some(pose) = pose else {
+                return vec![None; 2];
+            };
+            let [x, y, z] = pose.position;
+            vec![Some([x, y, z, 0.0]), Some(pose.quaternion)]
+        });
         Flight {
             positions: vec![Vec::new(); times.len()],
             readings: readings.collect(),

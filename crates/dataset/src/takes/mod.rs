@@ -6,14 +6,14 @@
 //! [`Take::with_z_up`] converts a take to the axes of a dataset (right-handed, z up).
 
 mod axes;
-pub mod c3d;
+pub(crate) mod c3d;
 mod columns;
 mod error;
-pub mod file;
+pub(crate) mod file;
 mod format;
 mod import;
 mod layout;
-pub mod number;
+pub(crate) mod number;
 mod options;
 mod quaternion;
 mod read;
@@ -26,12 +26,20 @@ pub mod words;
 mod z_up;
 
 pub use axes::Axis;
+pub(crate) use error::Fault;
 pub use error::{Location, TakeError};
 pub use format::Format;
+pub(crate) use format::is_digitised;
 pub use import::{Followed, ImportOptions, ImportedTake, up_of};
+pub(crate) use layout::{
+    Attitude, Clock, Layout, MAX_COORDINATE, MAX_LABELS, MAX_POSITIONS, Tracks, unique,
+};
+pub(crate) use number::{checked_rate, number};
 pub use options::ReadOptions;
+pub(crate) use quaternion::product;
 pub use quaternion::rotated;
 pub use read::{parse, read};
+pub(crate) use sheet::{Sheet, separator};
 pub use take::{Body, Point, Pose, Take};
 pub use template::{
     CentreHeight, EstimatedMarker, EstimatedTemplate, FreeFlight, TemplateError, UpVote,
@@ -39,3 +47,4 @@ pub use template::{
 };
 pub use throws::{Cause, Cut, Motion, Throw, ThrowOptions, Throws, find_throws, motion};
 pub use unit::{LengthUnit, TimeUnit};
+pub(crate) use words::{listed, shown};

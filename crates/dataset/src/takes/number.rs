@@ -15,8 +15,7 @@ pub fn number(cell: &str) -> Result<Option<f64>, &'static str> {
     }
 }
 
-/// Hint for a common notation of numbers that is not accepted (decimal comma, hexadecimal, Unicode minus sign); `None`
-/// if the cell uses none of them.
+/// Hint for a common notation of numbers that is not accepted (decimal comma, hexadecimal, Unicode minus sign).
 fn hint(cell: &str) -> Option<&'static str> {
     let reads = |text: &str| text.parse::<f64>().is_ok_and(f64::is_finite);
     let unsigned = cell.trim_start_matches(['-', '+']);

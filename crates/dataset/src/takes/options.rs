@@ -1,9 +1,6 @@
 //! Options that supply what the file of a recording does not state.
 
-use crate::takes::error::{Fault, Location};
-use crate::takes::format::Format;
-use crate::takes::number::checked_rate;
-use crate::takes::unit::{LengthUnit, TimeUnit};
+use crate::takes::{Fault, Format, LengthUnit, Location, TimeUnit, checked_rate};
 
 /// Properties of a recording file that the user states, such as units. They supplement and override those that the file
 /// specifies.
@@ -20,52 +17,44 @@ pub struct ReadOptions {
 }
 
 impl ReadOptions {
-    /// Unit of length: the user's unit if it is given, otherwise the unit `stated`, which is specified in the file.
-    /// Adds a note if both are given and differ. Fails if neither is given, with `location` as the location of the error.
+    /// Unit of length: the user's unit if it is given, otherwise the unit `stated` in the file. Adds a note if both are
+    /// given and differ. Fails if neither is given, with `location` as the location of the error.
     pub(crate) fn length(
         &self,
         stated: Option<LengthUnit>,
         location: Location,
         notes: &mut Vec<String>,
     ) -> Result<LengthUnit, Fault> {
-        match (self.length, stated) {
-            (Some(option), Some(stated)) if option != stated => {
-                notes.push(format!(
-                    "the file states lengths in {stated}; read in {option}, by the option --length"
-                ));
-                Ok(option)
-            }
-            (Some(unit), _) | (None, Some(unit)) => Ok(unit),
-            (None, None) => Err(Fault::new(
-                location,
-                "no unit of length",
-                "a unit in the file, or the option --length m, cm, mm, in or ft",
-            )),
+        if let (Some(option), Some(stated)) = (self.length, stated)
+            && option != stated
+        {
+            notes.push(format!(
+                "the file states lengths in {stated}; read in {option}, by the option --length"
+            ));
         }
+        let expected = "a unit in the file, or the option --length m, cm, mm, in or ft";
+        let absent = || Fault::new(location, "no unit of length", expected);
+        self.length.or(stated).ok_or_else(absent)
     }
 
-    /// Frames per second: the user's rate if it is given, otherwise the rate `stated`, which is specified in the file.
-    /// Adds a note if both are given and differ. Fails if neither is given or the rate is out of range, with `location` as
-    /// the location of the error.
+    /// Frames per second: the user's rate if it is given, otherwise the rate `stated` in the file. Adds a note if both
+    /// are given and differ. Fails if neither is given or the rate is out of range.
     pub(crate) fn rate(
         &self,
         stated: Option<f64>,
         location: Location,
         notes: &mut Vec<String>,
     ) -> Result<f64, Fault> {
-        let rate = match (self.rate, stated) {
-            (Some(option), Some(stated)) if option != stated => {
-                notes.push(format!(
-                    "the file states {stated} frames per second; read with {option}, by the option --rate"
-                ));
-                option
-            }
-            (Some(rate), _) | (None, Some(rate)) => rate,
-            (None, None) => {
-                let expected = "times in the file, or the option --rate with the frames per second";
-                return Err(Fault::new(location, "no times", expected));
-            }
-        };
+        if let (Some(option), Some(stated)) = (self.rate, stated)
+            && option != stated
+        {
+            notes.push(format!(
+                "the file states {stated} frames per second; read with {option}, by the option --rate"
+            ));
+        }
+        let expected = "times in the file, or the option --rate with the frames per second";
+        let absent = || Fault::new(location, "no times", expected);
+        let rate = self.rate.or(stated).ok_or_else(absent)?;
         checked_rate(rate).map_err(|(found, expected)| Fault::new(location, found, expected))
     }
 }

@@ -1,48 +1,61 @@
-//! Row-by-row reader of a table that keeps the line numbers for error messages.
+//! Row-by-row reader of a table that keeps the locations of cells for error messages.
 
 use csv::{Reader, ReaderBuilder, StringRecord};
 
-use crate::takes::error::{Fault, Location};
-use crate::takes::number::number;
-use crate::takes::words::shown;
+use crate::place::CellLocations;
+use crate::takes::{Fault, Location, number, shown};
 
-/// Cell separator of a line of a table: the tab, else the semicolon, if the line contains one outside quotes; otherwise
-/// the comma.
-pub(crate) fn separator(line: &str) -> u8 {
+/// Cell separator of a table, by the first of its lines that is neither blank nor a comment: the tab, else the
+/// semicolon, if that line contains one outside quotes; otherwise the comma.
+pub(crate) fn separator(text: &str) -> char {
+    let header = text
+        .split(['\n', '\r'])
+        .map(str::trim)
+        .find(|line| !line.is_empty() && !line.starts_with('#'));
     let mut quoted = false;
-    let mut bare = line.to_owned();
+    let mut bare = header.unwrap_or_default().to_owned();
     bare.retain(|c| {
         quoted ^= c == '"';
         !quoted
     });
-    let mut marks = [b'\t', b';'].into_iter();
-    marks
-        .find(|&mark| bare.contains(char::from(mark)))
-        .unwrap_or(b',')
+    let mut marks = ['\t', ';'].into_iter();
+    marks.find(|&mark| bare.contains(mark)).unwrap_or(',')
 }
 
-/// Row-by-row reader of a text table; skips comment lines, which begin with `#`.
 pub(crate) struct Sheet<'t> {
-    text: &'t str,
     reader: Reader<&'t [u8]>,
     record: StringRecord,
-    separator: u8,
+    locations: CellLocations<'t>,
     line: usize,
+    has_quotes: bool,
+    is_strict: bool,
 }
 
 impl<'t> Sheet<'t> {
-    pub fn new(text: &'t str, separator: u8) -> Self {
+    pub fn new(text: &'t str, separator: char) -> Self {
+        Self::with(text, separator, false)
+    }
+
+    /// Reader of a table in which a quote left open in a truncated last row is an error; otherwise that row is only
+    /// cut. Comments may contain quotes; the line numbers of rows are not valid, but their places are.
+    pub fn strict(text: &'t str, separator: char) -> Self {
+        Self::with(text, separator, true)
+    }
+
+    fn with(text: &'t str, separator: char, is_strict: bool) -> Self {
         let reader = ReaderBuilder::new()
-            .delimiter(separator)
+            .delimiter(separator as u8)
+            .comment(is_strict.then_some(b'#'))
             .has_headers(false)
             .flexible(true)
             .from_reader(text.as_bytes());
         Self {
-            text,
             reader,
             record: StringRecord::new(),
-            separator,
+            locations: CellLocations { text, separator },
             line: 0,
+            has_quotes: text.contains('"'),
+            is_strict,
         }
     }
 
@@ -57,13 +70,21 @@ impl<'t> Sheet<'t> {
         Ok(false)
     }
 
+    /// Advances as [`advance`](Self::advance); the end of the table is an error with the texts `found` and `expected`.
+    pub fn require(&mut self, found: &str, expected: &str) -> Result<(), Fault> {
+        match self.advance()? {
+            true => Ok(()),
+            false => Err(self.line_fault(found, expected)),
+        }
+    }
+
     /// Advances to the next row that is neither a comment nor a blank line; its cells may all be empty. Returns false
     /// at the end of the table.
     pub fn advance_line(&mut self) -> Result<bool, Fault> {
         loop {
             let read = self.reader.read_record(&mut self.record);
-            let place = self.record.position();
-            let line = place.map_or(self.line, |place| place.line() as usize);
+            let line = self.record.position().map(|place| place.line() as usize);
+            let line = line.unwrap_or(self.line);
             let read = read.map_err(|error| {
                 Fault::new(Location::Line(line), error.to_string(), "a readable table")
             })?;
@@ -71,15 +92,54 @@ impl<'t> Sheet<'t> {
                 return Ok(false);
             }
             self.line = line;
-            if let Some(cell) = self.record.iter().position(|cell| cell.contains('\n')) {
-                let found = "a quote that is not closed";
-                return Err(self.fault(cell, found, "a quote at both ends"));
-            }
+            self.check_quotes()?;
             let is_blank = self.record.len() == 1 && self.cell(0).is_empty();
             if !is_blank && !self.cell(0).starts_with('#') {
                 return Ok(true);
             }
         }
+    }
+
+    /// Returns an error if a quote of the current row is not closed, which would extend over the following rows.
+    fn check_quotes(&self) -> Result<(), Fault> {
+        if !self.has_quotes {
+            return Ok(());
+        }
+        let text = self.locations.text;
+        let end = (self.reader.position().byte() as usize).min(text.len());
+        let raw = &text[self.locations.record(self.start()).min(end)..end];
+        let may_be_open = !self.is_strict && self.is_cut();
+        let is_open = !may_be_open && raw.matches('"').count() % 2 == 1;
+        let broken = self
+            .record
+            .iter()
+            .position(|cell| cell.contains(['\n', '\r']));
+        match broken.or(is_open.then_some(0)) {
+            Some(cell) => {
+                Err(self.fault(cell, "a quote that is not closed", "a quote at both ends"))
+            }
+            None => Ok(()),
+        }
+    }
+
+    fn start(&self) -> usize {
+        self.record
+            .position()
+            .map_or(0, |place| place.byte() as usize)
+    }
+
+    /// Line and column, from 1, of a cell of the current row.
+    pub fn place(&self, index: usize) -> (usize, usize) {
+        self.locations.cell(self.start(), index)
+    }
+
+    /// Line and column, from 1, of the end of the table.
+    pub fn end(&self) -> (usize, usize) {
+        self.locations.cell(self.locations.text.len(), 0)
+    }
+
+    pub fn separator(&self) -> char {
+        self.locations.separator
     }
 
     /// Line number of the current row of the table, counted from 1.
@@ -114,7 +174,8 @@ impl<'t> Sheet<'t> {
 
     /// Whether the file ends in the current row without a line break, so that the row may be truncated.
     pub fn is_cut(&self) -> bool {
-        self.reader.position().byte() as usize >= self.text.len() && !self.text.ends_with('\n')
+        let text = self.locations.text;
+        self.reader.position().byte() as usize >= text.len() && !text.ends_with('\n')
     }
 
     /// Value of a cell of the current row of the table; `None` if the cell is empty or NaN. A decimal comma is accepted
@@ -122,18 +183,18 @@ impl<'t> Sheet<'t> {
     pub fn number(&self, index: usize) -> Result<Option<f64>, Fault> {
         let cell = self.cell(index);
         let is_decimal = |c: char| c.is_ascii_digit() || ['-', '+', ',', 'e', 'E'].contains(&c);
-        let comma = self.separator != b','
+        let has_comma = self.locations.separator != ','
             && cell.matches(',').count() == 1
             && cell.chars().all(is_decimal);
-        let read = match comma {
-            true => number(&cell.replace(',', ".")),
-            false => number(cell),
+        let read = if has_comma {
+            number(&cell.replace(',', "."))
+        } else {
+            number(cell)
         };
         read.map_err(|expected| self.fault(index, shown(cell), expected))
     }
 
-    /// Values of the cells with the indices `columns` in the current row of the table; `None` if one of them is empty
-    /// or NaN.
+    /// Values of the cells with the indices `columns`; `None` if one of them is empty or NaN.
     pub fn numbers<const N: usize>(&self, columns: [usize; N]) -> Result<Option<[f64; N]>, Fault> {
         let mut values = [0.0; N];
         for (value, column) in values.iter_mut().zip(columns) {
@@ -145,8 +206,7 @@ impl<'t> Sheet<'t> {
         Ok(Some(values))
     }
 
-    /// Value of a cell of the current row that must contain a number. If it does not, the result is an error whose
-    /// message contains `what`, the description of the expected value.
+    /// Value of a cell that must contain a number; `what` describes it in the error.
     pub fn needed(&self, index: usize, what: &str) -> Result<f64, Fault> {
         match self.number(index) {
             Ok(Some(number)) => Ok(number),
@@ -162,5 +222,10 @@ impl<'t> Sheet<'t> {
         expected: impl Into<String>,
     ) -> Fault {
         Fault::new(Location::Cell(self.line, index + 1), found, expected)
+    }
+
+    /// Error whose location is the line of the current row.
+    pub fn line_fault(&self, found: impl Into<String>, expected: impl Into<String>) -> Fault {
+        Fault::new(Location::Line(self.line), found, expected)
     }
 }

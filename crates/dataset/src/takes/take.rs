@@ -1,8 +1,6 @@
 //! A recording: positions of points and poses of rigid bodies over time.
 
-use crate::takes::axes::Axis;
-use crate::takes::format::Format;
-use crate::takes::unit::LengthUnit;
+use crate::takes::{Axis, Format, LengthUnit};
 
 /// A recording as read from its file: coordinates in m along the file's own axes.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,8 +1,6 @@
 //! Conversion of a take to the axes of a dataset: right-handed, z up.
 
-use crate::takes::axes::Axis;
-use crate::takes::quaternion::product;
-use crate::takes::take::{Pose, Take};
+use crate::takes::{Axis, Pose, Take, product};
 
 impl Take {
     /// Converts the recording to right-handed axes with z up; `up` is the axis of the file that points up. If the axes

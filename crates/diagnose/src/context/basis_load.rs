@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use flight::{BoundModel, DifferentiableModelRhs};
+use flight::{BoundModel, ModelRhs};
 use model_spec::layout::ParamId;
 use ode::DifferentiableRhs;
 
@@ -12,7 +12,7 @@ use ode::DifferentiableRhs;
 /// `c = 0`, the derivative of the right-hand side with respect to `c` is its derivative with respect to the coefficient
 /// of `load`, times `basis(t, x)`.
 pub(crate) struct BasisLoads<'a, B> {
-    motion: DifferentiableModelRhs<'a>,
+    motion: ModelRhs<'a>,
     pattern: Vec<(usize, usize)>,
     /// For each nonzero entry that the basis functions add to the parameter Jacobian: position in `pattern` of the
     /// model's entry that is the derivative with respect to the load coefficient, and index of the basis function by
@@ -28,7 +28,7 @@ impl<'a, B: FnMut(f64, &[f64], &mut [f64])> BasisLoads<'a, B> {
     /// component) in `loads`, with indices from `first` on. `basis` is called with the time in s and the state, and
     /// writes one basis function value for each of `loads`.
     pub fn new(conditions: &'a BoundModel<'a>, loads: &[ParamId], first: usize, basis: B) -> Self {
-        let motion = conditions.differentiable_rhs();
+        let motion = conditions.rhs();
         let mut pattern = motion.parameter_jacobian_pattern().to_vec();
         let own_entries = pattern.len();
         let mut sources = Vec::new();

@@ -109,7 +109,7 @@ impl ScoreTestModel<'_> {
                 visit(&mut motion, &parameters)
             }
             None => visit(
-                &mut conditions.differentiable_rhs(),
+                &mut conditions.rhs(),
                 &self.global_parameters(),
             ),
         };

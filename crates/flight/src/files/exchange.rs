@@ -13,8 +13,7 @@ pub(super) fn part_name(name: &str) -> String {
     format!(".{name}.hyzer-{}", std::process::id())
 }
 
-/// Exchanges the names of the folders `part` and `target`, in one step if the file system supports it. Returns the path
-/// at which the folder previously named `target` now is.
+/// Exchanges the names of the folders `part` and `target`, in one step if the file system supports it.
 pub(super) fn exchange(part: &Path, target: &Path) -> io::Result<PathBuf> {
     match in_one_step(part, target) {
         Ok(()) => Ok(part.to_path_buf()),

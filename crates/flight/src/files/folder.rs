@@ -32,8 +32,7 @@ pub enum ResultFolderError {
     Foreign {
         /// Path of the folder that contains files of unknown origin.
         path: PathBuf,
-        /// Names of at most three of the files that hyzer did not write, sorted; followed by `…` if there are
-        /// more.
+        /// Names of at most three of the files that hyzer did not write, sorted; followed by `…` if there are more.
         names: Vec<String>,
     },
     /// The last component of the path is not a folder name, as in `x/..`.
@@ -57,8 +56,7 @@ pub enum ResultFolderError {
 pub struct ResultFolder {
     /// Absolute path of the folder, with symbolic links resolved.
     target: PathBuf,
-    /// Hidden folder beside the target folder in which new results are prepared; `None` if the target cannot be
-    /// renamed, such as the current folder.
+    /// Hidden folder beside the target folder in which new results are prepared.
     part: Option<PathBuf>,
 }
 
@@ -81,33 +79,18 @@ impl ResultFolder {
         };
         let name = name.to_string_lossy();
         exchange::recover(parent, &name, &target);
-        if target.exists() {
-            is_folder(&target)?;
-            refuse_foreign(&target, path)?;
-        } else {
-            let mut above = parent;
-            while let (false, Some(next)) = (above.exists(), above.parent()) {
-                above = next;
-            }
-            is_folder(above)?;
-            try_writing(above).map_err(failed)?;
+        let existing = target.ancestors().find(|path| path.exists());
+        let existing = existing.unwrap_or(&target);
+        if !existing.is_dir() {
+            let path = existing.to_path_buf();
+            return Err(ResultFolderError::IsFile { path });
         }
-        let part = parent.join(exchange::part_name(&name));
-        let is_replaceable = match target.exists() {
-            true => !is_current(&target) && is_same_device(&target, parent),
-            false => true,
-        };
-        let has_part = is_replaceable && (!parent.exists() || try_writing(parent).is_ok());
-        if !has_part {
-            try_writing(&target).map_err(failed)?;
-        }
-        Ok(ResultFolder {
-            target,
-            part: has_part.then_some(part),
-        })
+        refuse_foreign(&target, path)?;
+        try_writing(existing).map_err(failed)?;
+        let part = (!is_current(&target)).then(|| parent.join(exchange::part_name(&name)));
+        Ok(ResultFolder { target, part })
     }
 
-    /// Hidden folder in which new results are prepared.
     #[cfg(test)]
     pub(super) fn part(&self) -> Option<&Path> {
         self.part.as_deref()
@@ -125,14 +108,19 @@ impl ResultFolder {
     /// # Errors
     /// [`ResultFolderError`] if the folder has got other files since it was opened, or cannot be written.
     pub fn replace(&self, files: &[ResultFile]) -> Result<(), ResultFolderError> {
-        if self.target.exists() {
-            refuse_foreign(&self.target, &self.target)?;
-        }
+        refuse_foreign(&self.target, &self.target)?;
         let done = match &self.part {
             Some(part) => self.swap(part, files).or_else(|error| {
+                use io::ErrorKind as Kind;
                 let _ = std::fs::remove_dir_all(part);
                 match error.kind() {
-                    io::ErrorKind::CrossesDevices | io::ErrorKind::ResourceBusy => {
+                    // The folder is a file system of its own, or the one above is not writable.
+                    Kind::CrossesDevices
+                    | Kind::ResourceBusy
+                    | Kind::PermissionDenied
+                    | Kind::ReadOnlyFilesystem
+                        if self.target.exists() =>
+                    {
                         self.in_place(files)
                     }
                     _ => Err(error),
@@ -146,7 +134,6 @@ impl ResultFolder {
         })
     }
 
-    /// Writes the files to the folder `part`, and exchanges it with the target.
     fn swap(&self, part: &Path, files: &[ResultFile]) -> io::Result<()> {
         if let Some(parent) = self.target.parent() {
             std::fs::create_dir_all(parent)?;
@@ -212,7 +199,6 @@ pub fn write_new_folder(folder: &Path, files: &[ResultFile]) -> io::Result<()> {
     written
 }
 
-/// Creates the folder `part` with the files in it, synced to the disk.
 fn write_part(part: &Path, files: &[ResultFile]) -> io::Result<()> {
     std::fs::create_dir(part)?;
     for file in files {
@@ -255,19 +241,7 @@ fn absolute(path: &Path) -> io::Result<PathBuf> {
     }
 }
 
-fn is_folder(path: &Path) -> Result<(), ResultFolderError> {
-    // For `file/out`, the existing ancestor is `file`.
-    let existing = path.ancestors().find(|path| path.exists());
-    match existing {
-        Some(path) if !path.is_dir() => Err(ResultFolderError::IsFile {
-            path: path.to_path_buf(),
-        }),
-        _ => Ok(()),
-    }
-}
-
-/// Returns an error if a folder contains a file that its manifest does not list, or one that was edited. `shown` is the
-/// path named in the error.
+/// Returns an error if a folder contains a file that its manifest does not list, or one that was edited.
 fn refuse_foreign(target: &Path, shown: &Path) -> Result<(), ResultFolderError> {
     let manifest = Manifest::read(target);
     let files = files_below(target).map_err(|source| ResultFolderError::Io {
@@ -296,7 +270,11 @@ pub(super) fn files_below(folder: &Path) -> io::Result<Vec<String>> {
     let is_ours = folder.join(MANIFEST).is_file();
     let (mut files, mut pending) = (Vec::new(), vec![String::new()]);
     while let Some(within) = pending.pop() {
-        for entry in std::fs::read_dir(folder.join(&within))? {
+        let entries = match std::fs::read_dir(folder.join(&within)) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => continue,
+            entries => entries?,
+        };
+        for entry in entries {
             let entry = entry?;
             let name = within.clone() + &entry.file_name().to_string_lossy();
             if entry.file_type()?.is_dir() && is_ours {
@@ -309,7 +287,6 @@ pub(super) fn files_below(folder: &Path) -> io::Result<Vec<String>> {
     Ok(files)
 }
 
-/// Checks that `folder` is writable by creating a temporary folder in it, which is removed again.
 fn try_writing(folder: &Path) -> io::Result<()> {
     let prefix = ".hyzer-trial-";
     tempfile::Builder::new()
@@ -318,21 +295,8 @@ fn try_writing(folder: &Path) -> io::Result<()> {
         .close()
 }
 
-/// Whether a folder is the current working directory or contains it. Such a folder must not be renamed, because
-/// processes may be using it.
+/// Whether a folder is the current working directory or contains it, so that processes may be using it.
 fn is_current(folder: &Path) -> bool {
     let current = std::env::current_dir().and_then(|current| current.canonicalize());
     current.is_ok_and(|current| current.starts_with(folder))
-}
-
-#[cfg(unix)]
-fn is_same_device(folder: &Path, parent: &Path) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    let device = |path: &Path| std::fs::metadata(path).map(|metadata| metadata.dev()).ok();
-    device(folder) == device(parent)
-}
-
-#[cfg(not(unix))]
-fn is_same_device(_: &Path, _: &Path) -> bool {
-    true
 }

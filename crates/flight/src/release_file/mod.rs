@@ -122,33 +122,25 @@ impl<'t> Reader<'t> {
         }
         if let (Some(field), Some(table)) = (&wind_field, document.get("wind")) {
             if !in_wind {
-                self.fault(
-                    table.span(),
-                    "found a wind by height or gusts; expected a constant wind alone here",
-                );
+                let message =
+                    "found a wind by height or gusts; expected a constant wind alone here";
+                self.fault(table.span(), message);
                 return None;
             }
             match vocabulary.in_wind(field) {
                 Ok(composed) => vocabulary = composed,
                 Err(why) => {
-                    self.fault(table.span(), why.to_string());
+                    self.fault(table.span(), why);
                     return None;
                 }
             }
             self.stated_twice(document, field);
         }
-        let parameters = self.constants(
-            document,
-            "parameters",
-            &vocabulary.parameters,
-            &vocabulary.coefficients,
-        );
-        let coefficients = self.constants(
-            document,
-            "coefficients",
-            &vocabulary.coefficients,
-            &vocabulary.parameters,
-        );
+        let (parameters, coefficients) = (&vocabulary.parameters, &vocabulary.coefficients);
+        let [parameters, coefficients] = [
+            self.constants(document, "parameters", parameters, coefficients),
+            self.constants(document, "coefficients", coefficients, parameters),
+        ];
         let is_throw = document.contains_key("throw");
         let initial = match is_throw {
             true => Vec::new(),
@@ -171,16 +163,13 @@ impl<'t> Reader<'t> {
         Some((release, vocabulary))
     }
 
-    /// Records a fault for each entry of the table `[parameters]` that sets a parameter of the wind `field`; its value
-    /// is determined by the table `[wind]`.
+    /// Records a fault for each entry of the table `[parameters]` that sets a parameter of the wind `field`.
     fn stated_twice(&mut self, document: &DeTable<'t>, field: &WindField) {
         let of_wind = field.parameters();
         for (name, span, _) in self.table(document, "parameters") {
             if of_wind.iter().any(|(own, _)| own == name) {
-                self.fault(
-                    span,
-                    format!("{name} follows from [wind]; expected it there alone"),
-                );
+                let message = format!("{name} follows from [wind]; expected it there alone");
+                self.fault(span, message);
             }
         }
     }
@@ -192,22 +181,18 @@ impl<'t> Reader<'t> {
                 None
             }
             (Some(_), Some(until)) => {
-                self.fault(
-                    until.span(),
-                    "found both until and duration; expected one of the two",
-                );
+                let message = "found both until and duration; expected one of the two";
+                self.fault(until.span(), message);
                 None
             }
             (Some(value), None) => {
                 let duration = self.number(value, "duration")?;
-                if !(duration > 0.0 && duration <= Release::MAX_DURATION) {
-                    self.fault(
-                        value.span(),
-                        format!(
-                            "duration is {duration}; expected a time above 0 s and up to {} s",
-                            Release::MAX_DURATION
-                        ),
+                let most = Release::MAX_DURATION;
+                if !(duration > 0.0 && duration <= most) {
+                    let message = format!(
+                        "duration is {duration}; expected a time above 0 s and up to {most} s"
                     );
+                    self.fault(value.span(), message);
                 }
                 Some(Stop::Duration(duration))
             }
@@ -221,8 +206,6 @@ impl<'t> Reader<'t> {
     }
 
     /// Parses the table `key` of the document, either `parameters` or `coefficients`, and returns its names and values.
-    /// `names` are the names that are valid in this table. `others` are the names that are valid in the other of the
-    /// two tables; the error message on such a name refers to that table.
     fn constants(
         &mut self,
         document: &DeTable<'t>,
@@ -233,33 +216,25 @@ impl<'t> Reader<'t> {
         let mut found = Vec::new();
         for (name, span, value) in self.table(document, key) {
             let Some(known) = names.iter().find(|n| n.name == name) else {
-                if others.iter().any(|n| n.name == name) {
-                    let other = if key == "parameters" {
-                        "coefficients"
-                    } else {
-                        "parameters"
+                let message = if others.iter().any(|n| n.name == name) {
+                    let other = match key {
+                        "parameters" => "coefficients",
+                        _ => "parameters",
                     };
-                    self.fault(
-                        span,
-                        format!("{name} is one of the model's {other}; expected it in [{other}]"),
-                    );
+                    format!("{name} is one of the model's {other}; expected it in [{other}]")
                 } else {
                     let hint = suggestion(name, names.iter().map(|n| &*n.name));
-                    self.fault(
-                        span,
-                        format!("the model has no {name:?} among its {key}{hint}"),
-                    );
-                }
+                    format!("the model has no {name:?} among its {key}{hint}")
+                };
+                self.fault(span, message);
                 continue;
             };
             let Some(number) = self.number(value, name) else {
                 continue;
             };
             if let Some(expected) = known.expected_instead_of(number) {
-                self.fault(
-                    value.span(),
-                    format!("{name} is {number}; expected {expected}"),
-                );
+                let message = format!("{name} is {number}; expected {expected}");
+                self.fault(value.span(), message);
             }
             found.push((name.to_string(), number));
         }
@@ -281,33 +256,26 @@ impl<'t> Reader<'t> {
             // An invalid number has its own fault; NaN prevents a second fault for a missing state.
             values[i] = Some(self.number(value, name).unwrap_or(f64::NAN));
         }
-        let absent: Vec<&str> = states
+        let absent = states
             .iter()
             .zip(&values)
-            .filter(|(_, v)| v.is_none())
-            .map(|(s, _)| &**s)
-            .collect();
-        let is_table = document
-            .get("initial")
-            .is_none_or(|t| t.get_ref().is_table());
-        if !absent.is_empty() && is_table {
+            .filter(|(_, value)| value.is_none());
+        let absent: Vec<&str> = absent.map(|(state, _)| &**state).collect();
+        let table = document.get("initial");
+        if !absent.is_empty() && table.is_none_or(|table| table.get_ref().is_table()) {
             let message = format!(
                 "found no {} in [initial]; expected every state of the model",
                 absent.join(", ")
             );
-            match document.get("initial") {
+            match table {
                 Some(table) => self.fault(table.span(), message),
                 None => self.missing(message),
             }
         }
-        let initial: Vec<(String, f64)> = states
-            .iter()
-            .zip(values)
-            .map(|(name, v)| (name.clone(), v.unwrap_or(f64::NAN)))
-            .collect();
+        let values = values.into_iter().map(|value| value.unwrap_or(f64::NAN));
+        let initial: Vec<(String, f64)> = states.iter().cloned().zip(values).collect();
         if let Some(fault) = quaternion_fault(&initial, vocabulary.quaternions.iter().copied()) {
-            let span = document.get("initial").map_or(0..0, toml::Spanned::span);
-            self.fault(span, fault);
+            self.fault(table.map_or(0..0, toml::Spanned::span), fault);
         }
         initial
     }
@@ -317,23 +285,15 @@ impl<'t> Reader<'t> {
         document: &DeTable<'t>,
         vocabulary: &Vocabulary,
     ) -> Vec<(String, [f64; 3])> {
+        let inputs = vocabulary.inputs.iter().map(|input| &**input);
+        let inputs = inputs.filter(|input| *input != "wind");
         let mut found = Vec::new();
         for (name, span, value) in self.table(document, "known") {
-            let inputs = vocabulary
-                .inputs
-                .iter()
-                .map(|i| &**i)
-                .filter(|i| *i != "wind");
             if inputs.clone().any(|input| input == name) {
                 found.extend(self.vector(value, name).map(|v| (name.to_string(), v)));
             } else {
-                self.fault(
-                    span,
-                    format!(
-                        "the model has no input {name:?}{}",
-                        suggestion(name, inputs)
-                    ),
-                );
+                let hint = suggestion(name, inputs.clone());
+                self.fault(span, format!("the model has no input {name:?}{hint}"));
             }
         }
         found

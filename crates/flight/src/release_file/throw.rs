@@ -10,8 +10,6 @@ use crate::throw::{FIELDS, Throw, ThrowError, ThrownModel};
 use crate::toml_reader::{Reader, suggestion};
 
 impl<'t> Reader<'t> {
-    /// Parses the table `[throw]`, which a release file may contain instead of `[initial]`. Sets the initial values of
-    /// the release to the state in which the body has the motion of this throw.
     pub(super) fn throw(
         &mut self,
         document: &DeTable<'t>,
@@ -63,7 +61,6 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// Names and values of all states of the model for which its body has the motion of `throw`.
 fn initial(
     throw: &Throw,
     vocabulary: &Vocabulary,

@@ -5,9 +5,9 @@
 //! is written out below; ∂M/∂s is a sixth-order central difference of the compiled motion, whose error is dominated by
 //! rounding.
 
-use nalgebra::{DMatrix, DVector, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
-use super::motion::{BoundMotion, Motion};
+use super::motion::{BoundMotion, with_offset};
 use super::{FIELDS, RPM, Throw};
 
 /// Step of a state in the difference formula for the Jacobian, in the unit of the state. A coarse step suffices, since
@@ -15,28 +15,30 @@ use super::{FIELDS, RPM, Throw};
 const STEP: f64 = 0.01;
 /// Weights of the sixth-order central difference formula, for the differences over 1, 2 and 3 steps to either side.
 const WEIGHTS: [f64; 3] = [45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0];
-/// Minimum ratio of a singular value of the Jacobian to the greatest one. A change of the state with a smaller singular
-/// value, such as a change of the length of a quaternion, counts as having no effect on the motion of the body.
+/// Minimum ratio of a singular value of the Jacobian to the greatest one.
 const RANK_TOLERANCE: f64 = 1e-9;
 
 impl BoundMotion<'_> {
+    /// Number of components that describe the motion: those of position and velocity, and for a body with attitude also
+    /// of its three axes and its angular velocity.
+    fn components(&self) -> usize {
+        if self.model.has_attitude() { 18 } else { 6 }
+    }
+
     /// Jacobian of the motion with respect to the states. Rows: position and velocity, and for a body with attitude
     /// also its three axes and its angular velocity; each has three components in the inertial frame.
     pub fn jacobian(&self, state: &[f64]) -> DMatrix<f64> {
-        let rows = stacked(&self.motion(state)).len();
+        let rows = self.components();
+        let stacked = |state: &[f64]| stacked(rows, &self.vectors(state).0);
         let mut jacobian = DMatrix::zeros(rows, state.len());
         let mut moved = state.to_vec();
-        for (column, &own) in state.iter().enumerate() {
-            let mut at = |offset: f64| {
-                moved[column] = own + offset;
-                let motion = stacked(&self.motion(&moved));
-                moved[column] = own;
-                motion
-            };
+        for column in 0..state.len() {
             let mut slope = DVector::zeros(rows);
             for (k, weight) in WEIGHTS.into_iter().enumerate() {
                 let offset = (k + 1) as f64 * STEP;
-                slope += (at(offset) - at(-offset)) * (weight / STEP);
+                let ahead = with_offset(&mut moved, column, offset, stacked);
+                let behind = with_offset(&mut moved, column, -offset, stacked);
+                slope += (ahead - behind) * (weight / STEP);
             }
             jacobian.set_column(column, &slope);
         }
@@ -47,52 +49,33 @@ impl BoundMotion<'_> {
     /// state, one column per entry of [`FIELDS`], in the unit of the state per unit of the field. Columns of fields
     /// that a body without attitude lacks are 0.
     pub fn state_by_throw(&self, throw: &Throw, state: &[f64]) -> DMatrix<f64> {
-        let motion = self.motion(state);
-        // Angular velocity in body axes for a spin of 1 rad/s, and its derivative with respect to the wobble.
-        let turning = motion.turning.as_ref();
-        let unit = turning.map(|_| self.rates_of_spin(throw, state));
-        let course = throw.course();
-        let up = Vector3::z();
-        let axes = throw.attitude();
-        let turns = [
-            ("heading", up),
-            ("launch", -(course * Vector3::y())),
-            ("hyzer", -(course * Vector3::x())),
-            ("nose", -(axes * Vector3::y())),
-        ];
+        let [_, velocity, first, second, third, rates, ..] = self.vectors(state).0;
+        let (spin, spin_by_wobble) = self.rates_of_spin(throw, state);
+        let (course, axes) = (throw.course(), throw.attitude());
         let per_degree = 1f64.to_radians();
-        let mut wanted = DMatrix::zeros(stacked(&motion).len(), FIELDS.len());
+        let mut wanted = DMatrix::zeros(self.components(), FIELDS.len());
         for (column, (name, ..)) in FIELDS.into_iter().enumerate() {
-            let mut change = Change::default();
+            // Change of a motion that turns about an axis, without the body or with it.
+            let turned = |axis: Vector3<f64>, velocity: Vector3<f64>| {
+                let about = axis * per_degree;
+                let turning = [velocity, first, second, third, rates].map(|v| about.cross(&v));
+                let [velocity, first, second, third, rates] = turning;
+                [Vector3::zeros(), velocity, first, second, third, rates]
+            };
+            let (none, mut change) = (Vector3::zeros(), [Vector3::zeros(); 6]);
             match name {
-                "speed" => change.velocity = motion.velocity / throw.speed,
-                "height" => change.position = up,
-                "spin" => {
-                    if let Some((rates, _)) = unit {
-                        change.rates = axes * rates * -RPM;
-                    }
-                }
+                "speed" => change[1] = velocity / throw.speed,
+                "height" => change[0] = Vector3::z(),
+                "spin" => change[5] = axes * spin * -RPM,
                 "wobble" => {
-                    if let Some((_, slope)) = unit {
-                        let spin = throw.rotation_rate();
-                        change.rates = axes * slope * (spin * per_degree);
-                    }
+                    change[5] = axes * spin_by_wobble * (throw.rotation_rate() * per_degree);
                 }
-                _ => {
-                    let turn = turns.iter().find(|(turn, _)| *turn == name);
-                    let about = turn.map_or(Vector3::zeros(), |(_, axis)| axis * per_degree);
-                    if name == "heading" || name == "launch" {
-                        change.velocity = about.cross(&motion.velocity);
-                    }
-                    if let Some(turning) = &motion.turning {
-                        change.axes =
-                            [0, 1, 2].map(|k| about.cross(&turning.axes.column(k).into_owned()));
-                        change.rates = about.cross(&turning.rates);
-                    }
-                }
+                "heading" => change = turned(Vector3::z(), velocity),
+                "launch" => change = turned(-(course * Vector3::y()), velocity),
+                "hyzer" => change = turned(-(course * Vector3::x()), none),
+                _ => change = turned(-(axes * Vector3::y()), none),
             }
-            let rows = change.stacked(motion.turning.is_some());
-            wanted.set_column(column, &rows);
+            wanted.set_column(column, &stacked(self.components(), &change));
         }
         self.states_moved(state, &wanted)
     }
@@ -120,18 +103,13 @@ impl BoundMotion<'_> {
     }
 
     /// Angular velocity of the body in body axes, rad/s, for a spin of 1 rad/s about the third axis and the wobble of
-    /// `throw` (angle between body axis and angular momentum). Also returns the derivative with respect to the wobble,
-    /// rad/s per rad.
+    /// `throw` (angle between body axis and angular momentum).
     fn rates_of_spin(&self, throw: &Throw, state: &[f64]) -> (Vector3<f64>, Vector3<f64>) {
         let axes = throw.attitude();
         let wobble = throw.wobble.unwrap_or(0.0).to_radians();
-        let inertia = self
-            .inertia(state)
-            .unwrap_or_else(nalgebra::Matrix3::identity);
+        let inertia = self.inertia(state).unwrap_or_else(Matrix3::identity);
         let own = axes.inverse().matrix() * inertia * axes.matrix();
-        let inverse = own
-            .try_inverse()
-            .unwrap_or_else(nalgebra::Matrix3::identity);
+        let inverse = own.try_inverse().unwrap_or_else(Matrix3::identity);
         let along = inverse * Vector3::new(wobble.sin(), 0.0, wobble.cos());
         let slope = inverse * Vector3::new(wobble.cos(), 0.0, -wobble.sin());
         let rates = along / along.z;
@@ -139,43 +117,8 @@ impl BoundMotion<'_> {
     }
 }
 
-/// Small change of a motion, or its derivative with respect to a field of a throw: position (m), velocity (m/s), the
-/// three body axes (unit vectors) and angular velocity (rad/s), all by their components in the inertial frame.
-#[derive(Default)]
-struct Change {
-    position: Vector3<f64>,
-    velocity: Vector3<f64>,
-    axes: [Vector3<f64>; 3],
-    rates: Vector3<f64>,
-}
-
-impl Change {
-    fn stacked(&self, has_attitude: bool) -> DVector<f64> {
-        let mut all = vec![self.position, self.velocity];
-        if has_attitude {
-            all.extend(self.axes);
-            all.push(self.rates);
-        }
-        DVector::from_iterator(3 * all.len(), all.iter().flat_map(|v| v.iter().copied()))
-    }
-}
-
-/// Stacks the components of a motion: position and velocity, and for a body with attitude also its three axes and its
-/// angular velocity.
-fn stacked(motion: &Motion) -> DVector<f64> {
-    let change = Change {
-        position: motion.position,
-        velocity: motion.velocity,
-        axes: motion
-            .turning
-            .as_ref()
-            .map_or_else(Default::default, |turning| {
-                [0, 1, 2].map(|k| turning.axes.column(k).into_owned())
-            }),
-        rates: motion
-            .turning
-            .as_ref()
-            .map_or(Vector3::zeros(), |turning| turning.rates),
-    };
-    change.stacked(motion.turning.is_some())
+/// The first `rows` components of vectors that follow one another.
+fn stacked(rows: usize, vectors: &[Vector3<f64>]) -> DVector<f64> {
+    let components = vectors.iter().flat_map(|v| v.iter().copied());
+    DVector::from_iterator(rows, components.take(rows))
 }

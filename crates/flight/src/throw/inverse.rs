@@ -1,20 +1,17 @@
 //! Search for the state with a given motion: damped Gauss–Newton method on the differences between the motions.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::FRAC_PI_2;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::motion::{BoundMotion, Motion};
+use super::motion::{BoundMotion, Motion, with_offset};
 
-/// Norm of the differences between two motions of a body, below which the motions count as equal. Positions are in m;
-/// velocities and angular velocities are relative to the wanted speed and rate, or to 1 m/s and 1 rad/s if greater.
+/// Norm of the differences between two motions of a body, below which the motions count as equal.
 const SAME: f64 = 1e-9;
-/// Maximum number of Gauss–Newton steps from one starting state, in the search for a state with a given motion.
 const MAX_STEPS: usize = 100;
 /// Maximum number of starting states from which the search for a state with a given motion is run.
 const MAX_STARTS: usize = 16;
-/// Maximum number of starting states that are generated in the search for a state with a given motion. The search runs
-/// from the [`MAX_STARTS`] of them whose motion is closest to the given one.
+/// Maximum number of starting states that are generated in the search for a state with a given motion.
 const MAX_COMPARED: usize = 4096;
 /// Offset of a state to either side in the central differences for the Jacobian, in the unit of the state.
 const DIFFERENCE_STEP: f64 = 1e-5;
@@ -32,7 +29,7 @@ pub fn state(bound: &BoundMotion<'_>, wanted: &Motion, near: Option<&[f64]>) -> 
     starts.sort_by_cached_key(|start| norm(&bound.differences(start, wanted)).to_bits());
     starts.into_iter().take(MAX_STARTS).find_map(|start| {
         let mut found = descend(bound, wanted, start)?;
-        tidy(bound, &mut found);
+        bound.model.normalise(&mut found);
         let is_same = norm(&bound.differences(&found, wanted)) < SAME;
         (is_same && bound.is_within_limits(&found)).then_some(found)
     })
@@ -82,14 +79,14 @@ fn starts(bound: &BoundMotion<'_>) -> Vec<Vec<f64>> {
     all
 }
 
-/// Searches for a state with the motion `wanted` by the damped Gauss–Newton method. Returns the last state; `None` if
-/// the motion at a state is not finite.
+/// Searches for a state with the motion `wanted` by the damped Gauss–Newton method.
 fn descend(bound: &BoundMotion<'_>, wanted: &Motion, start: Vec<f64>) -> Option<Vec<f64>> {
     let free: Vec<usize> = (0..start.len())
         .filter(|state| !bound.model.added.contains(state))
         .collect();
+    let at = |state: &[f64]| DVector::from_vec(bound.differences(state, wanted));
     let mut state = start;
-    let mut differences = DVector::from_vec(bound.differences(&state, wanted));
+    let mut differences = at(&state);
     let mut damping = 1e-3;
     for _ in 0..MAX_STEPS {
         let before = differences.norm();
@@ -101,15 +98,9 @@ fn descend(bound: &BoundMotion<'_>, wanted: &Motion, start: Vec<f64>) -> Option<
         }
         let mut jacobian = DMatrix::zeros(differences.len(), free.len());
         for (column, place) in free.iter().enumerate() {
-            let mut at = |offset: f64| {
-                let own = state[*place];
-                state[*place] = own + offset;
-                let differences = DVector::from_vec(bound.differences(&state, wanted));
-                state[*place] = own;
-                differences
-            };
-            let slope = (at(DIFFERENCE_STEP) - at(-DIFFERENCE_STEP)) / (2.0 * DIFFERENCE_STEP);
-            jacobian.set_column(column, &slope);
+            let ahead = with_offset(&mut state, *place, DIFFERENCE_STEP, at);
+            let behind = with_offset(&mut state, *place, -DIFFERENCE_STEP, at);
+            jacobian.set_column(column, &((ahead - behind) / (2.0 * DIFFERENCE_STEP)));
         }
         let normal = jacobian.tr_mul(&jacobian);
         let gradient = jacobian.tr_mul(&differences);
@@ -130,7 +121,7 @@ fn descend(bound: &BoundMotion<'_>, wanted: &Motion, start: Vec<f64>) -> Option<
             for (place, step) in free.iter().zip(step.iter()) {
                 candidate[*place] -= step;
             }
-            let there = DVector::from_vec(bound.differences(&candidate, wanted));
+            let there = at(&candidate);
             if there.norm() < before {
                 (state, differences) = (candidate, there);
                 damping = (damping * 0.1).max(1e-15);
@@ -144,23 +135,6 @@ fn descend(bound: &BoundMotion<'_>, wanted: &Motion, start: Vec<f64>) -> Option<
         }
     }
     Some(state)
-}
-
-/// Normalises a state: shifts angles of the model's frames by whole turns to within half a turn of 0, and scales
-/// quaternions to length 1 with a non-negative scalar part.
-fn tidy(bound: &BoundMotion<'_>, state: &mut [f64]) {
-    for angle in &bound.model.angles {
-        state[*angle] -= TAU * (state[*angle] / TAU).round();
-    }
-    for quaternion in &bound.model.quaternions {
-        let length = norm(&quaternion.map(|i| state[i]));
-        let scale = if state[quaternion[0]] < 0.0 {
-            -1.0
-        } else {
-            1.0
-        } / length;
-        quaternion.iter().for_each(|i| state[*i] *= scale);
-    }
 }
 
 fn norm(values: &[f64]) -> f64 {

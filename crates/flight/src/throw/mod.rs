@@ -15,12 +15,12 @@ mod near;
 use std::f64::consts::PI;
 
 use model_spec::model::Model;
-use nalgebra::{DMatrix, Rotation3, Vector3};
+use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use crate::initial_conditions::Release;
 pub use flown::FlownThrow;
 use motion::MotionModel;
-pub use motion::{Motion, Turning, speed_and_spin};
+pub use motion::{BoundMotion, Motion, Turning, speed_and_spin};
 pub use near::NearThrows;
 
 /// Angular velocity of 1 rpm, rad/s.
@@ -239,6 +239,22 @@ impl Throw {
         -self.spin.unwrap_or(0.0) * RPM
     }
 
+    /// Angular velocity in the inertial frame, rad/s, of a body with the body axes `axes` as columns.
+    fn rates(
+        &self,
+        axes: &Matrix3<f64>,
+        inertia: impl FnOnce() -> Option<Matrix3<f64>>,
+    ) -> Option<Vector3<f64>> {
+        let (axis, spin) = (axes.column(2), self.rotation_rate());
+        let wobble = self.wobble.unwrap_or(0.0).to_radians();
+        if wobble == 0.0 {
+            return Some(axis * spin);
+        }
+        let cone = axis * wobble.cos() + axes.column(0) * wobble.sin();
+        let along = inertia()?.try_inverse()? * cone;
+        Some(along * (spin / along.dot(&axis)))
+    }
+
     /// Rotation to the inertial frame from the axes of the velocity: forward along the velocity, to its left, and
     /// upwards.
     fn course(&self) -> Rotation3<f64> {
@@ -325,67 +341,47 @@ impl ThrownModel {
         parameters: &[f64],
         near: Option<&[f64]>,
     ) -> Result<Vec<f64>, ThrowError> {
-        throw.check()?;
-        if !self.has_attitude() {
-            let stated = ["nose", "hyzer", "spin", "wobble"]
-                .into_iter()
-                .find(|name| throw.field(name).is_some());
-            if let Some(name) = stated {
-                let model = self.name.clone();
-                return Err(ThrowError::NoAttitude { name, model });
-            }
-        }
-        let mut wanted = throw.motion(ground, self.has_attitude());
+        self.check(throw)?;
         let bound = self.motion.bind(parameters);
-        let no_state = || self.no_state();
         let find = |wanted: &Motion, near: Option<&[f64]>| {
-            inverse::state(&bound, wanted, near).ok_or_else(no_state)
+            inverse::state(&bound, wanted, near).ok_or_else(|| self.no_state())
         };
+        let mut wanted = throw.motion(ground, self.has_attitude());
         let state = find(&wanted, near)?;
-        let wobble = throw.wobble.unwrap_or(0.0).to_radians();
+        let wobble = throw.wobble.unwrap_or(0.0);
         let Some(turning) = wanted.turning.as_mut().filter(|_| wobble != 0.0) else {
             return Ok(state);
         };
-        let (axes, spin) = (turning.axes, throw.rotation_rate());
-        let cone = axes.column(2) * wobble.cos() + axes.column(0) * wobble.sin();
-        let inertia = bound.inertia(&state).ok_or_else(no_state)?;
-        let along = inertia.try_inverse().ok_or_else(no_state)? * cone;
-        turning.rates = along * (spin / along.dot(&axes.column(2)));
+        let rates = throw.rates(&turning.axes, || bound.inertia(&state));
+        turning.rates = rates.ok_or_else(|| self.no_state())?;
         find(&wanted, Some(&state))
     }
 
-    /// Derivatives of `state`, which has the motion of `throw`, with respect to the fields of the throw: one row per
-    /// state, one column per entry of [`FIELDS`], in the unit of the state per unit of the field. Columns of fields
-    /// that a body without attitude lacks are 0.
-    pub fn state_by_throw(&self, throw: &Throw, state: &[f64], parameters: &[f64]) -> DMatrix<f64> {
-        self.motion.bind(parameters).state_by_throw(throw, state)
+    /// Checks a throw, and that it specifies no attitude for a point mass.
+    fn check(&self, throw: &Throw) -> Result<(), ThrowError> {
+        throw.check()?;
+        let mut names = ["nose", "hyzer", "spin", "wobble"].into_iter();
+        match names.find(|name| !self.has_attitude() && throw.field(name).is_some()) {
+            None => Ok(()),
+            Some(name) => {
+                let model = self.name.clone();
+                Err(ThrowError::NoAttitude { name, model })
+            }
+        }
+    }
+
+    /// Motion of the body for parameter values in the order of the model's [`Layout`](codegen::Layout).
+    pub fn bind(&self, parameters: &[f64]) -> BoundMotion<'_> {
+        self.motion.bind(parameters)
     }
 
     /// Motion of the body at a state; `parameters` are in the order of the model's [`Layout`](codegen::Layout).
     pub fn motion(&self, state: &[f64], parameters: &[f64]) -> Motion {
-        self.motion.bind(parameters).motion(state)
-    }
-
-    /// Jacobian of the motion with respect to the states. Rows: position and velocity, and for a body with attitude
-    /// also its three axes and its angular velocity; each has three components in the inertial frame.
-    pub fn motion_jacobian(&self, state: &[f64], parameters: &[f64]) -> DMatrix<f64> {
-        self.motion.bind(parameters).jacobian(state)
-    }
-
-    /// Minimum-norm changes of the state that cause given changes of the motion. Each column of `wanted` is one change
-    /// of the motion, with the rows of [`motion_jacobian`](Self::motion_jacobian); the same column of the result is the
-    /// change of the state.
-    pub fn states_moved(
-        &self,
-        state: &[f64],
-        parameters: &[f64],
-        wanted: &DMatrix<f64>,
-    ) -> DMatrix<f64> {
-        self.motion.bind(parameters).states_moved(state, wanted)
+        self.bind(parameters).motion(state)
     }
 
     /// Inertia tensor about the mass centre in inertial axes at a state, kg m²; `None` for a point mass.
-    pub fn inertia(&self, state: &[f64], parameters: &[f64]) -> Option<nalgebra::Matrix3<f64>> {
+    pub fn inertia(&self, state: &[f64], parameters: &[f64]) -> Option<Matrix3<f64>> {
         self.motion.bind(parameters).inertia(state)
     }
 

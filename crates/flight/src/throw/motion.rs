@@ -1,14 +1,16 @@
 //! Motion of the body that a model describes, as a function of the state; compiled from the body that the model
 //! declares, or from its claim of one.
 
+use std::cell::RefCell;
+use std::f64::consts::TAU;
+
 use codegen::compile::Selection;
 use model_spec::model::{AuxVariable, ClaimedAttitude, Expr, ExprKind, Model, Observation, Shape};
 use model_spec::unit::Unit;
 use nalgebra::{Matrix3, Vector3};
 
-use crate::bound_model::BoundModel;
-use crate::compiled_model::CompiledModel;
 use crate::initial_conditions::Release;
+use crate::{BoundModel, CompiledModel, Workspace};
 
 /// Motion of a body at an instant, in the inertial frame.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,9 +48,37 @@ pub struct MotionModel {
 
 /// Number of vectors that describe the motion of a body with attitude: position, velocity, three body axes, angular
 /// velocity, three rows of the inertia tensor, three axes of the frame in which the tensor is given.
-pub(super) const VECTORS: usize = 12;
-/// Number of vectors that describe the motion of a point mass: position and velocity.
-pub(super) const POINT_VECTORS: usize = 2;
+const VECTORS: usize = 12;
+
+/// Vectors that describe the motion, in the order listed at [`VECTORS`]; for a point mass all but the first two are 0.
+pub(super) struct Vectors(pub [Vector3<f64>; VECTORS]);
+
+impl Vectors {
+    /// Axes of the body, as columns, in the inertial frame.
+    pub fn axes(&self) -> Matrix3<f64> {
+        Matrix3::from_columns(&self.0[2..5])
+    }
+
+    /// Inertia tensor about the mass centre in inertial axes, kg m².
+    pub fn inertia(&self) -> Matrix3<f64> {
+        let [.., r1, r2, r3, e1, e2, e3] = self.0;
+        e1 * r1.transpose() + e2 * r2.transpose() + e3 * r3.transpose()
+    }
+}
+
+/// Value of `of` at the state with an offset of one component.
+pub(super) fn with_offset<V>(
+    state: &mut [f64],
+    place: usize,
+    offset: f64,
+    of: impl FnOnce(&[f64]) -> V,
+) -> V {
+    let own = state[place];
+    state[place] = own + offset;
+    let value = of(state);
+    state[place] = own;
+    value
+}
 
 impl MotionModel {
     /// Compiles the motion of a model's body; `None` if the model neither declares a body nor states that its equations
@@ -95,9 +125,32 @@ impl MotionModel {
 
     /// Binds the motion to parameter values, in the order of the model's [`Layout`](codegen::Layout).
     pub fn bind(&self, parameters: &[f64]) -> BoundMotion<'_> {
+        let quantities = vec![0.0; self.compiled.layout().quantities.len()];
         BoundMotion {
             model: self,
             bound: self.compiled.bind(parameters.to_vec()),
+            scratch: RefCell::new((Workspace::default(), quantities)),
+        }
+    }
+
+    /// Shifts angles by whole turns to within half a turn of 0, and scales quaternions to length 1 with a non-negative
+    /// scalar part.
+    pub fn normalise(&self, state: &mut [f64]) {
+        for &angle in &self.angles {
+            state[angle] -= TAU * (state[angle] / TAU).round();
+        }
+        for quaternion in &self.quaternions {
+            let length = quaternion
+                .iter()
+                .map(|i| state[*i].powi(2))
+                .sum::<f64>()
+                .sqrt();
+            let sign = if state[quaternion[0]] < 0.0 {
+                -1.0
+            } else {
+                1.0
+            };
+            quaternion.iter().for_each(|i| state[*i] *= sign / length);
         }
     }
 }
@@ -143,6 +196,8 @@ pub fn speed_and_spin(model: &Model) -> Option<Model> {
 pub struct BoundMotion<'m> {
     pub(super) model: &'m MotionModel,
     bound: BoundModel<'m>,
+    /// Scratch memory, and the auxiliary variables, of which the last are the vectors of the motion.
+    scratch: RefCell<(Workspace, Vec<f64>)>,
 }
 
 impl BoundMotion<'_> {
@@ -160,22 +215,19 @@ impl BoundMotion<'_> {
     pub fn motion(&self, state: &[f64]) -> Motion {
         let vectors = self.vectors(state);
         Motion {
-            position: vectors[0],
-            velocity: vectors[1],
+            position: vectors.0[0],
+            velocity: vectors.0[1],
             turning: self.model.has_attitude.then(|| Turning {
-                axes: Matrix3::from_columns(&vectors[2..5]),
-                rates: vectors[5],
+                axes: vectors.axes(),
+                rates: vectors.0[5],
             }),
         }
     }
 
     /// Inertia tensor about the mass centre in inertial axes at a state, kg m²; `None` for a point mass.
     pub fn inertia(&self, state: &[f64]) -> Option<Matrix3<f64>> {
-        let vectors = self.vectors(state);
-        let [.., r1, r2, r3, e1, e2, e3] = vectors[..] else {
-            return None;
-        };
-        Some(e1 * r1.transpose() + e2 * r2.transpose() + e3 * r3.transpose())
+        let has_attitude = self.model.has_attitude;
+        has_attitude.then(|| self.vectors(state).inertia())
     }
 
     /// Differences between the motion of the body at a state and the motion `wanted`, by component. Differences of
@@ -197,24 +249,22 @@ impl BoundMotion<'_> {
         all.iter().flat_map(|v| [v.x, v.y, v.z]).collect()
     }
 
-    /// Vectors that describe the motion at a state: position, velocity and, for a body with attitude, its axes, angular
-    /// velocity and inertia in the order listed at `VECTORS`. The compiled model has them as its last auxiliary
-    /// variables.
-    fn vectors(&self, state: &[f64]) -> Vec<Vector3<f64>> {
-        let count = if self.model.has_attitude {
-            VECTORS
-        } else {
-            POINT_VECTORS
-        };
-        let all = self.bound.observer().quantities(0.0, state);
-        let own = &all[all.len() - 3 * count..];
-        own.chunks(3).map(Vector3::from_column_slice).collect()
+    pub(super) fn vectors(&self, state: &[f64]) -> Vectors {
+        let (workspace, quantities) = &mut *self.scratch.borrow_mut();
+        let at = self.bound.at(0.0, state);
+        self.bound.functions().quantities(at, workspace, quantities);
+        let count = if self.model.has_attitude { VECTORS } else { 2 };
+        let own = quantities[quantities.len() - 3 * count..].chunks_exact(3);
+        let mut vectors = [Vector3::zeros(); VECTORS];
+        for (vector, own) in vectors.iter_mut().zip(own) {
+            *vector = Vector3::from_column_slice(own);
+        }
+        Vectors(vectors)
     }
 }
 
 /// Expressions of the vectors that describe the motion, in the inertial frame and in the order of [`VECTORS`]; and
-/// whether the model defines only the axis of a body of revolution, without a frame that rotates with the body. `None`
-/// if the model neither declares a body nor states that its equations describe one.
+/// whether the model defines only the axis of a body of revolution, without a frame that rotates with the body.
 fn vectors(model: &Model) -> Option<(Vec<Expr>, bool)> {
     let vector = |kind, frame, unit| Expr {
         kind,

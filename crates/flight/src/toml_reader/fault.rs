@@ -21,7 +21,6 @@ pub struct Fault {
 }
 
 impl ReleaseError {
-    /// Creates the error for a file with these faults, in any order.
     pub(super) fn new(file: &str, mut faults: Vec<Fault>) -> Self {
         faults.sort_by_key(|fault| fault.location);
         let file = file.to_owned();

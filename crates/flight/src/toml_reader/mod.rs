@@ -14,7 +14,6 @@ pub use fault::{Fault, ReleaseError, suggestion};
 pub use text::read_text;
 pub use values::{Name, number_of};
 
-/// Maximum size of a TOML file, bytes.
 pub(crate) const MAX_FILE_BYTES: u64 = 1 << 20;
 
 /// Reader of a TOML text that collects all faults in it, with their locations.
@@ -55,7 +54,6 @@ impl<'t> Reader<'t> {
         });
     }
 
-    /// Number of faults recorded so far.
     pub(crate) fn faults_count(&self) -> usize {
         self.faults.len()
     }

@@ -12,9 +12,7 @@ pub struct Name {
     pub bounds: Option<(f64, f64)>,
 }
 
-/// Names of the parameters that must be positive in every model.
 const POSITIVE_PARAMETERS: [&str; 6] = ["m", "I_a", "I_d", "d", "A", "radius"];
-/// Names of the parameters that must not be negative in any model.
 const NON_NEGATIVE_PARAMETERS: [&str; 2] = ["rho", "g"];
 
 impl<'t> Reader<'t> {

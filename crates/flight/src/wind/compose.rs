@@ -2,15 +2,15 @@
 //! to the syntax tree of the model.
 
 use std::collections::HashMap;
+use std::fmt::Write;
 
 use model_spec::compose::{EffectTree, ModelTree};
 use model_spec::load::{LoadError, WINDS};
 use model_spec::model::Model;
-use model_spec::syntax::ast::{BinaryOp, EffectPart, Expr, ExprKind, ItemKind};
+use model_spec::syntax::ast::{EffectPart, Expr, ExprKind, ItemKind};
 
 use super::dryden::{COMPONENTS, gust_spectrum, phase_name};
-use super::nodes::{add_let, add_parameter, binary, call, inertial_vector, name, number, sum};
-use super::{GustStrength, Gusts, Profile, WindField, table};
+use super::{GustStrength, Gusts, Profile, WindField};
 
 /// Height of 20 ft, m, at which the mean wind determines the intensity of low-altitude gusts.
 const TWENTY_FEET: f64 = 6.096;
@@ -34,46 +34,67 @@ impl WindField {
             tree = tree.with(profile)?;
         }
         let mut winds = Vec::new();
-        winds.extend(profile.is_some().then(|| name("wind_of_profile")));
+        winds.extend(profile.is_some().then_some("wind_of_profile"));
         if let Some(gusts) = &self.gusts {
             for effect in gust_effects(gusts, &mean)? {
                 tree = tree.with(&effect)?;
             }
-            winds.push(name("gust_velocity"));
+            winds.push("gust_velocity");
         }
-        let Some(added) = sum(winds) else {
+        if winds.is_empty() {
             return tree.check();
+        }
+        let added = format!("let wind_added = {};", winds.join(" + "));
+        let has_air = model.aux_variables.iter().any(|own| own.name == "air");
+        let way = if has_air {
+            "wind_in_air"
+        } else {
+            "wind_in_stream"
         };
-        let join = |effect| extended(effect, vec![add_let("wind_added", added.clone())]);
-        let names = model.aux_variables.iter().map(|own| own.name.as_str());
-        let way = match { names }.any(|own| own == "air") {
-            true => "wind_in_air",
-            false => "wind_in_stream",
-        };
-        tree.with(&join(way)?)?.check()
+        tree.with(&law(way, &added)?)?.check()
     }
 }
 
-/// Parses the built-in effect of this name, which adds a wind; its text is a file in `model-spec/winds`.
-fn law(name: &str) -> Result<EffectTree, LoadError> {
+/// Built-in effect of this name that adds a wind, with further statements; its text is a file in `model-spec/winds`.
+fn law(name: &str, statements: &str) -> Result<EffectTree, LoadError> {
     let found = WINDS.iter().find(|(own, _)| *own == name);
-    let text = found.map_or("", |(_, text)| *text);
-    EffectTree::parse(&format!("{name}.hyz"), text)
-}
-
-/// Built-in effect of this name that adds a wind, with the statements `parts` appended.
-fn extended(name: &str, parts: Vec<EffectPart>) -> Result<EffectTree, LoadError> {
-    let mut tree = law(name)?.tree().clone();
-    tree.parts.extend(parts);
-    Ok(EffectTree::new(tree))
+    let text = found.map_or("", |(_, text)| text.trim_end());
+    let text = text.strip_suffix('}').unwrap_or(text);
+    EffectTree::parse(&format!("{name}.hyz"), &format!("{text}{statements}\n}}"))
 }
 
 fn profile(profile: &Profile) -> Result<EffectTree, LoadError> {
     match profile {
-        Profile::Log { .. } => law("log_wind"),
-        Profile::Power { .. } => law("power_wind"),
-        Profile::Table { rows } => extended("table_wind", table::statements(rows)),
+        Profile::Log { .. } => law("log_wind", ""),
+        Profile::Power { .. } => law("power_wind", ""),
+        Profile::Table { rows } => law("table_wind", &table_statements(rows)),
     }
+}
+
+/// Statements that define the height `wind_height` and, from tables over this height, the wind velocity
+/// `wind_of_profile`.
+fn table_statements(rows: &[[f64; 4]]) -> String {
+    let mut text = String::new();
+    for axis in 1..=3 {
+        let mut knots: Vec<[f64; 2]> = rows.iter().map(|row| [row[0], row[axis]]).collect();
+        // A table has at least three knots: the mean of two is inserted between them.
+        if let [[low, first], [high, last]] = knots[..] {
+            knots.insert(1, [0.5 * (low + high), 0.5 * (first + last)]);
+        }
+        let knots = knots
+            .iter()
+            .map(|[height, speed]| format!("{height:?}: {speed:?}"));
+        let knots: Vec<String> = knots.collect();
+        let _ = writeln!(
+            text,
+            "table wind_table_{axis}(height: m): m/s = {{ {} }} monotone, constant;",
+            knots.join(", ")
+        );
+    }
+    let components = [1, 2, 3].map(|axis| format!("wind_table_{axis}(wind_height)"));
+    let components = components.join(", ");
+    text + "let wind_height = position.3;\n"
+        + &format!("let wind_of_profile = ({components}) in inertial;\n")
 }
 
 /// Mean wind as an expression of the height: the model's constant input `wind` if it has one, plus the wind profile if
@@ -84,73 +105,77 @@ struct MeanWind<'a> {
 }
 
 impl MeanWind<'_> {
-    /// Expression of the velocity vector of the mean wind at a height; the zero vector if there is neither an input nor
-    /// a profile.
-    fn at(&self, height: &Expr) -> Expr {
-        let input = || call("in_inertial", vec![name("wind")]);
-        let of_profile = self.profile.map(|profile| {
+    /// Expression of the velocity vector of the mean wind at the expression `height`; the zero vector if there is
+    /// neither an input nor a profile.
+    fn at(&self, height: &str) -> String {
+        let mut winds = Vec::new();
+        if let Some(profile) = self.profile {
             let mut lets = HashMap::new();
             for part in &profile.tree().parts {
                 if let EffectPart::Add(item) = part
                     && let ItemKind::Let(own) = &item.kind
                 {
-                    lets.insert(own.name.text.as_str(), &own.value);
+                    lets.insert(own.name.text.as_str(), own.value.kind.clone());
                 }
             }
-            lets.insert("wind_height", height);
-            let mut wind = name("wind_of_profile");
+            lets.insert("wind_height", ExprKind::Name(height.to_owned()));
+            let mut wind = Expr {
+                kind: ExprKind::Name("wind_of_profile".into()),
+                span: Default::default(),
+            };
             insert(&mut wind, &lets);
-            wind
-        });
-        let zero = || inertial_vector([0; 3].map(|_| number(0.0, &[("m", 1), ("s", -1)])));
-        let all = sum(of_profile.into_iter().chain(self.has_input.then(input)));
-        all.unwrap_or_else(zero)
+            winds.push(format!("({wind})"));
+        }
+        if self.has_input {
+            winds.push("in_inertial(wind)".into());
+        }
+        if winds.is_empty() {
+            winds.push("(0 m/s, 0 m/s, 0 m/s) in inertial".into());
+        }
+        winds.join(" + ")
     }
 }
 
 /// Replaces, in the expression `e`, each name that is a key of `lets` by the definition in `lets`, recursively; the
 /// definitions must not be cyclic.
-fn insert(e: &mut Expr, lets: &HashMap<&str, &Expr>) {
+fn insert(e: &mut Expr, lets: &HashMap<&str, ExprKind>) {
     while let ExprKind::Name(own) = &e.kind
         && let Some(value) = lets.get(own.as_str())
     {
-        *e = (*value).clone();
+        e.kind = value.clone();
     }
     e.children_mut(&mut |child| insert(child, lets));
 }
 
-/// The two effects that together define the gust velocity `gust_velocity`. The first one defines the standard
-/// deviations and length scales of the gusts, the second one the sinusoids, which are scaled by these quantities.
+/// The two effects that together define the gust velocity `gust_velocity`.
 fn gust_effects(gusts: &Gusts, mean: &MeanWind<'_>) -> Result<[EffectTree; 2], LoadError> {
     let strength = match gusts.strength {
         GustStrength::LowAltitude => {
-            let height = number(TWENTY_FEET, &[("m", 1)]);
-            extended(
+            let wind = mean.at(&format!("({TWENTY_FEET} m)"));
+            law(
                 "low_altitude_gusts",
-                vec![add_let("gust_wind_at_20_ft", mean.at(&height))],
+                &format!("let gust_wind_at_20_ft = {wind};"),
             )?
         }
-        GustStrength::Stated { .. } => law("stated_gusts")?,
+        GustStrength::Stated { .. } => law("stated_gusts", "")?,
     };
-    let mut parts = vec![add_let("gust_wind", mean.at(&name("gust_height")))];
+    let wind = mean.at("gust_height");
+    let mut text = format!("let gust_wind = {wind};\n");
     for (k, component) in COMPONENTS.into_iter().enumerate() {
-        let scaled = format!("gust_distance_{component}");
-        let length = name(&format!("gust_length_{component}"));
-        parts.push(add_let(
-            &scaled,
-            binary(BinaryOp::Div, name("gust_distance"), length),
-        ));
+        let distance = format!("gust_distance_{component}");
+        let _ = writeln!(
+            text,
+            "let {distance} = gust_distance/gust_length_{component};"
+        );
         let mut waves = Vec::new();
         for (term, (wavenumber, amplitude)) in gust_spectrum(k).into_iter().enumerate() {
             let phase = phase_name(component, term + 1);
-            parts.push(add_parameter(&phase, "phase of a gust"));
-            let angle = binary(BinaryOp::Mul, number(wavenumber, &[]), name(&scaled));
-            let angle = binary(BinaryOp::Add, angle, name(&phase));
-            let wave = call("sin", vec![angle]);
-            waves.push(binary(BinaryOp::Mul, number(amplitude, &[]), wave));
+            let _ = writeln!(text, "/// phase of a gust\nparam {phase} = 0;");
+            waves.push(format!(
+                "{amplitude:?}*sin({wavenumber:?}*{distance} + {phase})"
+            ));
         }
-        let all = sum(waves).unwrap_or_else(|| number(0.0, &[]));
-        parts.push(add_let(&format!("gust_wave_{component}"), all));
+        let _ = writeln!(text, "let gust_wave_{component} = {};", waves.join(" + "));
     }
-    Ok([strength, extended("dryden_gusts", parts)?])
+    Ok([strength, law("dryden_gusts", &text)?])
 }

@@ -79,8 +79,7 @@ pub fn gust_phases(seed: u64, flight: u64) -> Vec<(String, f64)> {
         .collect()
 }
 
-/// Name of the parameter that is the phase of one sinusoid of a gust component; `term` is the number of the sinusoid,
-/// from 1.
+/// Name of the parameter that is the phase of one sinusoid of a gust component.
 pub(super) fn phase_name(component: &str, term: usize) -> String {
     format!("gust_phase_{component}_{term}")
 }

@@ -5,9 +5,7 @@
 
 mod compose;
 mod dryden;
-mod nodes;
 mod read;
-mod table;
 mod text;
 
 pub use dryden::{GUST_TERMS, gust_phases, gust_spectrum};
@@ -100,113 +98,57 @@ impl WindField {
     /// Names and values of the parameters that the wind adds to a model, in the units of these parameters: SI, with
     /// directions in degrees.
     pub fn parameters(&self) -> Vec<(String, f64)> {
-        let mut values: Vec<(&str, f64)> = Vec::new();
-        let mut reference = |at: &ReferenceWind| {
-            values.extend([
-                ("wind_speed", at.speed),
-                ("wind_direction", at.direction),
-                ("wind_reference_height", at.height),
-            ]);
-        };
-        match &self.profile {
-            Some(Profile::Log { at, roughness }) => {
-                reference(at);
-                values.push(("wind_roughness", *roughness));
-            }
-            Some(Profile::Power { at, exponent }) => {
-                reference(at);
-                values.push(("wind_exponent", *exponent));
-            }
-            Some(Profile::Table { .. }) | None => {}
-        }
-        let Some(gusts) = &self.gusts else {
-            return owned(values);
-        };
-        values.extend([
-            ("gust_intensity", gusts.intensity),
-            ("gust_heading", gusts.heading),
-            ("gust_height", gusts.height),
-        ]);
-        if let GustStrength::Stated { sd, length } = &gusts.strength {
-            values.extend([
-                ("gust_sd_u", sd[0]),
-                ("gust_sd_v", sd[1]),
-                ("gust_sd_w", sd[2]),
-                ("gust_length_u", length[0]),
-                ("gust_length_v", length[1]),
-                ("gust_length_w", length[2]),
-            ]);
-        }
-        let mut values = owned(values);
-        values.extend(gust_phases(gusts.seed, gusts.flight));
-        values
+        let mut own = self.clone();
+        let values = own.places().into_iter();
+        let values = values.map(|(name, value)| (name.to_owned(), *value));
+        let phases = self.gusts.iter();
+        let phases = phases.flat_map(|gusts| gust_phases(gusts.seed, gusts.flight));
+        values.chain(phases).collect()
     }
 
     /// Sets the parameter of this name to a value in the unit that [`parameters`](Self::parameters) uses; returns false
     /// if the wind has no such parameter.
     pub fn set(&mut self, name: &str, value: f64) -> bool {
-        let at = match &mut self.profile {
-            Some(Profile::Log { at, roughness }) => {
-                if name == "wind_roughness" {
-                    *roughness = value;
-                    return true;
-                }
-                Some(at)
-            }
-            Some(Profile::Power { at, exponent }) => {
-                if name == "wind_exponent" {
-                    *exponent = value;
-                    return true;
-                }
-                Some(at)
-            }
-            Some(Profile::Table { .. }) | None => None,
-        };
-        let of_profile = at.and_then(|at| match name {
-            "wind_speed" => Some(&mut at.speed),
-            "wind_direction" => Some(&mut at.direction),
-            "wind_reference_height" => Some(&mut at.height),
-            _ => None,
-        });
-        let place = of_profile.or_else(|| self.gusts.as_mut()?.number(name));
-        match place {
-            Some(place) => {
-                *place = value;
-                true
-            }
-            None => false,
-        }
+        let mut places = self.places().into_iter();
+        let place = places.find(|(own, _)| *own == name);
+        place.map(|(_, place)| *place = value).is_some()
     }
-}
 
-impl Gusts {
-    /// Mutable reference to the value of the gust parameter of this name, in SI units or degrees; `None` if the gusts
-    /// have no such parameter.
-    fn number(&mut self, name: &str) -> Option<&mut f64> {
-        match name {
-            "gust_intensity" => return Some(&mut self.intensity),
-            "gust_heading" => return Some(&mut self.heading),
-            "gust_height" => return Some(&mut self.height),
-            _ => {}
-        }
-        let GustStrength::Stated { sd, length } = &mut self.strength else {
-            return None;
+    /// Names and places of the parameters other than the phases of gusts.
+    fn places(&mut self) -> Vec<(&'static str, &mut f64)> {
+        let (at, own) = match &mut self.profile {
+            Some(Profile::Log { at, roughness }) => (Some(at), Some(("wind_roughness", roughness))),
+            Some(Profile::Power { at, exponent }) => (Some(at), Some(("wind_exponent", exponent))),
+            Some(Profile::Table { .. }) | None => (None, None),
         };
-        let of = |prefix: &str| {
-            let axis = name.strip_prefix(prefix)?;
-            ["u", "v", "w"].iter().position(|own| *own == axis)
-        };
-        match (of("gust_sd_"), of("gust_length_")) {
-            (Some(k), _) => Some(&mut sd[k]),
-            (_, Some(k)) => Some(&mut length[k]),
-            _ => None,
+        let mut places = Vec::new();
+        if let Some(at) = at {
+            places.extend([
+                ("wind_speed", &mut at.speed),
+                ("wind_direction", &mut at.direction),
+                ("wind_reference_height", &mut at.height),
+            ]);
         }
+        places.extend(own);
+        let Some(gusts) = &mut self.gusts else {
+            return places;
+        };
+        places.extend([
+            ("gust_intensity", &mut gusts.intensity),
+            ("gust_heading", &mut gusts.heading),
+            ("gust_height", &mut gusts.height),
+        ]);
+        if let GustStrength::Stated { sd, length } = &mut gusts.strength {
+            let names = [
+                "gust_sd_u",
+                "gust_sd_v",
+                "gust_sd_w",
+                "gust_length_u",
+                "gust_length_v",
+                "gust_length_w",
+            ];
+            places.extend(names.into_iter().zip(sd.iter_mut().chain(length)));
+        }
+        places
     }
-}
-
-fn owned(values: Vec<(&str, f64)>) -> Vec<(String, f64)> {
-    let values = values.into_iter();
-    values
-        .map(|(name, value)| (name.to_owned(), value))
-        .collect()
 }

@@ -7,14 +7,10 @@ use toml::de::DeTable;
 use super::{GustStrength, Gusts, Profile, ReferenceWind, WindField};
 use crate::toml_reader::{MAX_FILE_BYTES, Reader, ReleaseError, Value, number_of, read_text};
 
-/// Maximum number of rows of a wind table; a longer table is a fault.
 const MAX_ROWS: usize = 500;
-/// Maximum absolute value of a component in a wind table, m/s; a greater one is a fault.
 const MAX_SPEED: f64 = 200.0;
 /// Default height of gusts, m: 10 ft, the minimum height of the low-altitude gust model.
 const GUST_HEIGHT: f64 = 3.048;
-/// Valid keys of the table `[wind]` of a release file. The keys after `table` describe a mean wind that is a formula of
-/// the height (a logarithmic law or a power law).
 const KEYS: [&str; 9] = [
     "constant",
     "gusts",
@@ -26,7 +22,6 @@ const KEYS: [&str; 9] = [
     "roughness",
     "exponent",
 ];
-/// Valid keys of the table `[wind.gusts]` of a release file.
 const GUST_KEYS: [&str; 8] = [
     "model",
     "seed",
@@ -97,12 +92,11 @@ impl<'t> Reader<'t> {
     }
 
     fn profile(&mut self, table: &DeTable<'t>) -> Option<Profile> {
-        let of_law: Vec<&str> = KEYS[4..].to_vec();
         let Some(value) = table.get("profile") else {
-            for (key, value) in of_law
+            let of_law = KEYS[4..]
                 .iter()
-                .filter_map(|key| Some((key, table.get(*key)?)))
-            {
+                .filter_map(|key| Some((key, table.get(*key)?)));
+            for (key, value) in of_law {
                 let message = format!(
                     "found {key} without a profile; expected profile = \"log\" or profile = \"power\" with it"
                 );

@@ -30,7 +30,7 @@ force air = -drag*unit(velocity);
 fn along_x(model: &Model, vx: f64) -> (f64, Vec<f64>) {
     let compiled = CompiledModel::new(model);
     let bound = compiled.bind(compiled.layout().default_parameters());
-    let mut rhs = bound.differentiable_rhs();
+    let mut rhs = bound.rhs();
     let x = [0.0, 0.0, 10.0, vx, 0.0, 0.0];
     let mut dx = [0.0; 6];
     let mut jacobian = vec![0.0; rhs.jacobian_pattern().len()];

@@ -51,7 +51,7 @@ impl Trajectory {
             ..observations.first_samples(seen.end)
         };
         let conditions = problem.body.bind(evaluated.parameters(problem, unknowns.0));
-        let mut motion = conditions.differentiable_rhs();
+        let mut motion = conditions.rhs();
         let mut samples = vec![Vec::with_capacity(markers); seen.len()];
         each_residual(
             problem,

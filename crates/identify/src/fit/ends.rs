@@ -120,7 +120,7 @@ fn by_sample(
     let conditions = problem
         .body
         .bind(observations.parameters(problem, unknowns.0));
-    let mut motion = conditions.differentiable_rhs();
+    let mut motion = conditions.rhs();
     let zero = NormalBlock::zero(observations.manifold.dimension(), 0);
     let mut blocks = vec![zero; observations.times.len()];
     let mut previous: Vec<Option<Previous>> = vec![None; problem.channels.len()];

@@ -251,7 +251,7 @@ impl FittedFlight<'_> {
             .bind(observed.parameters(problem, fit.global()));
         let count = 1 + observed.manifold.dimension();
         let mut series = empty_series(observed.channels, count);
-        let mut motion = conditions.differentiable_rhs();
+        let mut motion = conditions.rhs();
         each_residual(
             problem,
             observed,

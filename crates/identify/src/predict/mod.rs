@@ -52,7 +52,7 @@ pub fn linearise(
         Unknowns::Local => Vec::new(),
         Unknowns::All => problem.globals.iter().map(|global| global.param).collect(),
     };
-    let mut motion = conditions.differentiable_rhs();
+    let mut motion = conditions.rhs();
     let by: (&mut dyn DifferentiableRhs, _) = (&mut motion, columns.as_slice());
     let unknowns = (global, local);
     linearise_with(problem, observations, unknowns, samples, loss, by, None)

@@ -5,16 +5,13 @@ use crate::primitive::{Primitive, map_lanes};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use std::hint::cold_path;
 
-/// Maximum |x| + |y| for which no intermediate result of `atan2` overflows. Its reciprocal is the minimum x for which
-/// `atan2` uses its fast path for small angles.
+/// Maximum |x| + |y| for which no intermediate result of `atan2` overflows.
 const MAX_SUM: f64 = 1e300;
 
 /// π/4 minus the `f64` nearest to π/4: low-order part of π/4 in sums that must be more accurate than one `f64`.
 const FRAC_PI_4_REST: f64 = 3.061_616_997_868_383e-17;
 
-/// Maximum tangent for which `atan2` evaluates the polynomial for the angle itself. For a larger tangent it evaluates
-/// the polynomial for the difference of the angle from π/4; the angle then exceeds 1/2 rad, which limits the relative
-/// effect of rounding errors in the sum.
+/// Maximum tangent for which `atan2` evaluates the polynomial for the angle itself.
 const MAX_DIRECT_TANGENT: f64 = 0.5625;
 
 /// Polynomial coefficients of (atan(q)/q - 1)/z in powers of z = q², q up to `MAX_DIRECT_TANGENT`, by Remez exchange;

@@ -1,6 +1,5 @@
 //! Elementary functions, each written once over the primitive operations.
 
-pub(crate) mod basic;
 pub(crate) mod exponential;
 pub(crate) mod inverse_trigonometric;
 pub(crate) mod piecewise;

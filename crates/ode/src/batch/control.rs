@@ -3,9 +3,9 @@
 use super::FlightSpan;
 use crate::method::tableau::Tableau;
 use crate::options::{IntegrationOptions, SolverStats};
-use crate::solver::{FINAL_STEP_SLACK, MIN_RELATIVE_STEP};
+use crate::solver::MIN_RELATIVE_STEP;
 use crate::step_control::{PiGains, PiMemory};
-use crate::time_breaks::segment_end;
+use crate::time_breaks::{StepEnd, segment_end};
 
 /// Maximum number of SIMD lanes of any instruction set.
 pub(crate) const MAX_LANES: usize = 8;
@@ -15,19 +15,15 @@ pub(crate) struct Control {
     /// Number that identifies the flight in each SIMD lane, as returned by `FlightQueue::next`; `None` if the lane is
     /// idle.
     pub flight: [Option<u64>; MAX_LANES],
-    /// Time at the start of the current step in each SIMD lane.
     pub t: [f64; MAX_LANES],
-    /// Proposed size of the next step of the flight in each SIMD lane.
     pub proposed: [f64; MAX_LANES],
     /// Size of the current step in each SIMD lane; 0 in lanes without a flight.
     pub h: [f64; MAX_LANES],
-    /// Time at the end of the current step in each SIMD lane.
     pub end: [f64; MAX_LANES],
     /// Times at which the derivative of the flight in each SIMD lane may jump, increasing.
     pub breaks: [Vec<f64>; MAX_LANES],
     /// Time at which the current segment of the flight in each SIMD lane ends: just before a break, or the final time.
     pub segment_end: [f64; MAX_LANES],
-    /// Whether the current step of the flight in each SIMD lane ends at the final time.
     pub is_last: [bool; MAX_LANES],
     /// Time and value of the maximum height so far of the flight in each SIMD lane.
     pub apex: [(f64, f64); MAX_LANES],
@@ -46,11 +42,6 @@ pub(crate) struct Control {
 
 impl Control {
     pub(crate) fn new(tableau: &Tableau, span: &FlightSpan, options: &IntegrationOptions) -> Self {
-        let gains = PiGains::new(
-            tableau.error_order,
-            tableau.pi_beta,
-            tableau.step_factor_bounds,
-        );
         Control {
             flight: [None; MAX_LANES],
             t: [0.0; MAX_LANES],
@@ -65,7 +56,7 @@ impl Control {
             rejected: [0; MAX_LANES],
             log2_last_error: [0.0; MAX_LANES],
             max_factor: [1.0; MAX_LANES],
-            gains,
+            gains: PiGains::new(tableau),
             evaluations: tableau.rows.len() as u64,
             t_end: span.t_end,
             max_step: options.max_step,
@@ -87,7 +78,6 @@ impl Control {
         self.segment_end[lane] = segment_end(&self.breaks[lane], 0.0, self.t_end);
     }
 
-    /// Begins the segment after a time break of a lane.
     #[cold]
     pub(crate) fn begin_segment(&mut self, lane: usize) {
         self.segment_end[lane] = segment_end(&self.breaks[lane], self.t[lane], self.t_end);
@@ -113,29 +103,18 @@ impl Control {
     pub(crate) fn set_steps(&mut self, lanes: usize) {
         for lane in 0..lanes {
             let h = self.proposed[lane].min(self.max_step);
-            let remaining = self.segment_end[lane] - self.t[lane];
-            let ends_segment = h >= remaining * (1.0 - FINAL_STEP_SLACK);
-            let h = if ends_segment { remaining } else { h };
-            self.is_last[lane] = ends_segment && self.segment_end[lane] == self.t_end;
-            self.end[lane] = if ends_segment {
-                self.segment_end[lane]
-            } else {
-                self.t[lane] + h
-            };
-            self.h[lane] = match self.flight[lane] {
-                Some(_) => h,
-                None => 0.0,
-            };
+            let end = StepEnd::new(h, self.t[lane], self.segment_end[lane], self.t_end);
+            self.is_last[lane] = end.is_last;
+            self.end[lane] = end.t;
+            self.h[lane] = self.flight[lane].map_or(0.0, |_| end.h);
         }
     }
 
-    /// Whether the flight in a SIMD lane has made the maximum number of steps, accepted and rejected steps together.
     #[inline(always)]
     pub(crate) fn is_exhausted(&self, lane: usize) -> bool {
         self.steps[lane] + self.rejected[lane] >= self.max_steps
     }
 
-    /// Solver statistics (numbers of steps and evaluations) of the flight in a SIMD lane.
     pub(crate) fn stats(&self, lane: usize) -> SolverStats {
         let (steps, rejected) = (self.steps[lane], self.rejected[lane]);
         SolverStats {
@@ -175,8 +154,6 @@ impl Control {
         }
     }
 
-    /// Counts the step of a lane as rejected and proposes a shorter step; `error` is the error norm of the rejected
-    /// step. Returns false if the size of the shorter step does not exceed the minimum step size.
     #[inline(always)]
     pub(crate) fn reject(&mut self, lane: usize, error: f64) -> bool {
         self.rejected[lane] += 1;

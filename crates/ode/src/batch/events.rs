@@ -8,8 +8,6 @@ use crate::root::first_past_root;
 /// the order of the square of this fraction.
 const APEX_WIDTH: f64 = 1e-8;
 
-/// Maximum number of Newton iterations in the search for the time of a landing; each iteration doubles the number of
-/// correct digits.
 const NEWTON_STEPS: u32 = 6;
 
 /// Data of the cubic Hermite interpolant of the height over a step: the height at the start and the end of the step,
@@ -23,8 +21,6 @@ pub(crate) struct HeightEnds {
 }
 
 impl HeightEnds {
-    /// Whether the height may fall to 0 within the step. If the values and slopes at its ends do not decide this, the
-    /// minimum of the cubic interpolant does.
     #[inline(always)]
     pub(crate) fn may_land(&self) -> bool {
         let (a, b) = (self.start, self.end);
@@ -73,7 +69,6 @@ impl HeightEnds {
         self.start > 0.0 && self.end < 0.0 && self.is_monotone()
     }
 
-    /// Whether the height rises at the start of the step and does not rise at its end.
     #[inline(always)]
     pub(crate) fn has_peak(&self) -> bool {
         self.start_slope > 0.0 && self.end_slope <= 0.0
@@ -84,9 +79,7 @@ impl HeightEnds {
 /// …)), where f₀ = f₂ = … = s is the fraction of the step, and f₁ = f₃ = … is s for Tsit5 and 1 - s for DOP853.
 pub(crate) struct HeightStep {
     pub method: Method,
-    /// Time at the start of the step.
     pub t: f64,
-    /// Step size, in the time unit of the right-hand side.
     pub h: f64,
     /// Coefficients of the nested products: for Tsit5 the coefficients of the powers of the fraction s of the step, for
     /// DOP853 the height components of the dense-output rows.
@@ -105,7 +98,6 @@ impl HeightStep {
         }
     }
 
-    /// Height at the fraction `s` of the step.
     #[inline(always)]
     pub(crate) fn height(&self, s: f64) -> f64 {
         let (degree, odd, _) = self.factors(s);
@@ -116,7 +108,6 @@ impl HeightStep {
         height
     }
 
-    /// Derivative of the height with respect to the fraction `s` of the step.
     #[inline(always)]
     fn slope(&self, s: f64) -> f64 {
         let terms = &self.terms;
@@ -137,8 +128,7 @@ impl HeightStep {
         slope
     }
 
-    /// Fraction of the step at which the height first falls to 0, or `None` if the height does not fall to 0. `ends`
-    /// contains the height and its derivative at both ends of the same step; `found` is scratch space.
+    /// Fraction of the step at which the height first falls to 0, or `None` if the height does not fall to 0.
     pub(crate) fn landing(&self, ends: &HeightEnds, found: &mut Vec<f64>) -> Option<f64> {
         let height = |s: f64| self.height(s);
         if ends.falls_once() {
@@ -154,8 +144,7 @@ impl HeightStep {
     }
 
     /// Locates the zero of the height by Newton's method, started at the zero of the chord; `first` and `last` are the
-    /// heights at the start and the end of the step. Returns a fraction of the step that is past the zero by at most
-    /// `width`, or `None` if the iteration does not converge.
+    /// heights at the start and the end of the step.
     fn newton(&self, (first, last): (f64, f64), width: f64) -> Option<f64> {
         let mut s = first / (first - last);
         for _ in 0..NEWTON_STEPS {

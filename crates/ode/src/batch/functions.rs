@@ -4,15 +4,20 @@
 use super::{LanePoint, LaneRhs, LaneSizes};
 use lanes::{LaneKernel, Lanes};
 
-/// A [`LaneRhs`] evaluated on SIMD lanes of the type `T`. Each method is compiled as a separate function for the
-/// instruction set of these lanes; vectors are passed by reference, because a call without that instruction set cannot
-/// pass them by value.
+/// Function of a [`LaneRhs`], with its arguments.
+#[derive(Clone, Copy)]
+pub(crate) enum Call<'a, T> {
+    Prepare(&'a [T]),
+    Derivative(&'a LanePoint<'a, T>),
+    Limits(&'a LanePoint<'a, T>),
+}
+
+/// A [`LaneRhs`] evaluated on SIMD lanes of the type `T`. The functions are compiled for the instruction set of these
+/// lanes; vectors are passed by reference, because a call without that instruction set cannot pass them by value.
 pub(crate) trait LaneFunctions<T> {
     fn sizes(&self) -> LaneSizes;
     fn time_breaks(&self, p: &[f64], breaks: &mut Vec<f64>);
-    fn prepare(&self, p: &[T], scratch: &mut [T], prepared: &mut [T]);
-    fn derivative(&self, at: &LanePoint<'_, T>, scratch: &mut [T], dx: &mut [T]);
-    fn limits(&self, at: &LanePoint<'_, T>, scratch: &mut [T], margins: &mut [T]);
+    fn call(&self, call: Call<'_, T>, scratch: &mut [T], to: &mut [T]);
 }
 
 impl<T: Lanes, R: LaneRhs> LaneFunctions<T> for R {
@@ -24,72 +29,33 @@ impl<T: Lanes, R: LaneRhs> LaneFunctions<T> for R {
         LaneRhs::time_breaks(self, p, breaks);
     }
 
-    fn prepare(&self, p: &[T], scratch: &mut [T], prepared: &mut [T]) {
-        T::outlined(Prepare {
+    fn call(&self, call: Call<'_, T>, scratch: &mut [T], to: &mut [T]) {
+        T::outlined(Outlined {
             rhs: self,
-            p,
+            call,
             scratch,
-            prepared,
-        });
-    }
-
-    fn derivative(&self, at: &LanePoint<'_, T>, scratch: &mut [T], dx: &mut [T]) {
-        T::outlined(Derivative {
-            rhs: self,
-            at,
-            scratch,
-            dx,
-        });
-    }
-
-    fn limits(&self, at: &LanePoint<'_, T>, scratch: &mut [T], margins: &mut [T]) {
-        T::outlined(Limits {
-            rhs: self,
-            at,
-            scratch,
-            margins,
+            to,
         });
     }
 }
 
-struct Prepare<'a, T, R> {
+struct Outlined<'a, T, R> {
     rhs: &'a R,
-    p: &'a [T],
+    call: Call<'a, T>,
     scratch: &'a mut [T],
-    prepared: &'a mut [T],
+    to: &'a mut [T],
 }
 
-impl<T: Lanes, R: LaneRhs> LaneKernel<T> for Prepare<'_, T, R> {
+impl<T: Lanes, R: LaneRhs> LaneKernel<T> for Outlined<'_, T, R> {
     #[inline(always)]
     fn run(self) {
-        self.rhs.prepare(self.p, self.scratch, self.prepared);
-    }
-}
-
-struct Derivative<'a, T, R> {
-    rhs: &'a R,
-    at: &'a LanePoint<'a, T>,
-    scratch: &'a mut [T],
-    dx: &'a mut [T],
-}
-
-impl<T: Lanes, R: LaneRhs> LaneKernel<T> for Derivative<'_, T, R> {
-    #[inline(always)]
-    fn run(self) {
-        self.rhs.derivative(*self.at, self.scratch, self.dx);
-    }
-}
-
-struct Limits<'a, T, R> {
-    rhs: &'a R,
-    at: &'a LanePoint<'a, T>,
-    scratch: &'a mut [T],
-    margins: &'a mut [T],
-}
-
-impl<T: Lanes, R: LaneRhs> LaneKernel<T> for Limits<'_, T, R> {
-    #[inline(always)]
-    fn run(self) {
-        self.rhs.limits(*self.at, self.scratch, self.margins);
+        let Outlined {
+            rhs, scratch, to, ..
+        } = self;
+        match self.call {
+            Call::Prepare(p) => rhs.prepare(p, scratch, to),
+            Call::Derivative(at) => rhs.derivative(*at, scratch, to),
+            Call::Limits(at) => rhs.limits(*at, scratch, to),
+        }
     }
 }

@@ -4,7 +4,7 @@ mod stop;
 
 use super::control::{Control, MAX_LANES};
 use super::events::HeightEnds;
-use super::functions::LaneFunctions;
+use super::functions::{Call, LaneFunctions};
 use super::norms::error_norm;
 use super::stages::Stages;
 use super::staging::{LaneValues, Staging, merge};
@@ -92,9 +92,7 @@ struct Flying<'a, T> {
 /// Point of a step whose state is the final state of a flight.
 #[derive(Clone, Copy)]
 enum EndState {
-    /// The flight ends in the state at the start of the step.
     Start,
-    /// The flight ends in the state at the end of the step.
     End,
     /// The flight ends in the state at an interior point of the step, which is stored in [`Flying::within`].
     Within,
@@ -114,11 +112,7 @@ impl<'a, T: Lanes> Flying<'a, T> {
             span,
             options,
             tableau,
-            tolerance: ErrorTolerance {
-                rtol: options.rtol,
-                atol: options.atol,
-                controlled_len: usize::MAX,
-            },
+            tolerance: options.tolerance(usize::MAX),
             control: Control::new(tableau, span, options),
             values: LaneValues::new(&sizes),
             staging: Staging::new(&sizes),
@@ -161,7 +155,7 @@ impl<'a, T: Lanes> Flying<'a, T> {
             if any {
                 let keep = T::load(&keep);
                 self.values.take(keep, &self.staging.values);
-                merge(keep, &self.staging.values.dx, self.stages.stage_mut(0));
+                merge(keep, &self.staging.dx, self.stages.stage_mut(0));
             }
             if !wants || self.staging.is_drained {
                 return;
@@ -173,7 +167,6 @@ impl<'a, T: Lanes> Flying<'a, T> {
         }
     }
 
-    /// Tries a step in every lane, and reports the flights that end in the step.
     #[inline(always)]
     fn step(&mut self, queue: &mut dyn FlightQueue) {
         for lane in 0..T::WIDTH {
@@ -229,8 +222,9 @@ impl<'a, T: Lanes> Flying<'a, T> {
                 p: &self.values.p,
                 prepared: &self.values.prepared,
             };
+            let to = self.stages.stage_mut(s);
             self.rhs
-                .derivative(&point, &mut self.scratch, self.stages.stage_mut(s));
+                .call(Call::Derivative(&point), &mut self.scratch, to);
         }
         self.evaluations += rows.len() as u64;
     }
@@ -302,7 +296,8 @@ impl<'a, T: Lanes> Flying<'a, T> {
                 p: &self.values.p,
                 prepared: &self.values.prepared,
             };
-            self.rhs.limits(&point, &mut self.scratch, margins);
+            self.rhs
+                .call(Call::Limits(&point), &mut self.scratch, margins);
         }
         let mut least = T::splat(f64::INFINITY);
         for limit in 0..self.margins[0].len() {
@@ -368,7 +363,8 @@ impl<'a, T: Lanes> Flying<'a, T> {
             prepared: &self.values.prepared,
         };
         let rates = &mut self.within;
-        self.rhs.derivative(&point, &mut self.scratch, rates);
+        self.rhs
+            .call(Call::Derivative(&point), &mut self.scratch, rates);
         merge(T::load(&keep), rates, self.stages.stage_mut(0));
         self.evaluations += 1;
     }

@@ -142,46 +142,6 @@ impl FlightSpan {
 /// # Panics
 /// If a tolerance, a step bound or the final time is not a positive number, if the right-hand side has no states, or if
 /// the height is not a state.
-///
-/// ```
-/// use ode::{FlightEnd, FlightQueue, FlightSpan, IntegrationOptions, LanePoint, LaneRhs, LaneSizes, fly};
-///
-/// struct Fall;
-/// impl LaneRhs for Fall {
-///     fn sizes(&self) -> LaneSizes {
-///         LaneSizes { states: 2, parameters: 1, prepared: 0, limits: 0, scratch: 0 }
-///     }
-///     #[inline(always)]
-///     fn prepare<T: lanes::Lanes>(&self, _: &[T], _: &mut [T], _: &mut [T]) {}
-///     #[inline(always)]
-///     fn derivative<T: lanes::Lanes>(&self, at: LanePoint<'_, T>, _: &mut [T], dx: &mut [T]) {
-///         (dx[0], dx[1]) = (at.x[1], -at.p[0]);
-///     }
-///     #[inline(always)]
-///     fn limits<T: lanes::Lanes>(&self, _: LanePoint<'_, T>, _: &mut [T], _: &mut [T]) {}
-/// }
-///
-/// /// Ten falls from 1 m to 10 m.
-/// struct Falls(u64, [f64; 10]);
-/// impl FlightQueue for Falls {
-///     fn next(&mut self, x: &mut [f64], p: &mut [f64]) -> Option<u64> {
-///         self.0 += 1;
-///         (x[0], x[1], p[0]) = (self.0 as f64, 0.0, 9.81);
-///         (self.0 <= 10).then_some(self.0)
-///     }
-///     fn end(&mut self, end: FlightEnd<'_>) {
-///         self.1[end.flight as usize - 1] = end.time;
-///     }
-/// }
-///
-/// let span = FlightSpan { t_end: 10.0, height: Some(0), seeks_apex: false, until_ground: true };
-/// let mut falls = Falls(0, [0.0; 10]);
-/// fly(&Fall, &mut falls, &span, &IntegrationOptions::default());
-/// for (k, time) in falls.1.iter().enumerate() {
-///     let height = (k + 1) as f64;
-///     assert!((time - (2.0 * height / 9.81).sqrt()).abs() < 1e-9);
-/// }
-/// ```
 pub fn fly<R: LaneRhs>(
     rhs: &R,
     queue: &mut dyn FlightQueue,

@@ -3,7 +3,6 @@
 use super::stages::{BLOCK, Stages};
 use crate::method::ErrorTolerance;
 use crate::method::tableau::{Row, Tableau};
-use crate::step_control::{InitialNorms, first_step, second_step};
 use lanes::Lanes;
 
 /// Tolerated error `atol + rtol · max(|a|, |b|)`, in each lane, of a state component with the values `a` and `b` at the
@@ -14,8 +13,6 @@ fn scale<T: Lanes>(tolerance: &ErrorTolerance, a: T, b: T) -> T {
     T::splat(tolerance.rtol) * greatest + T::splat(tolerance.atol)
 }
 
-/// Error norm of a step in each lane. A step is accepted if its norm is at most 1; the norm is NaN or infinite if a
-/// stage is not finite.
 #[inline(always)]
 pub(crate) fn error_norm<T: Lanes>(
     tableau: &Tableau,
@@ -105,30 +102,4 @@ pub(crate) fn change_norm<T: Lanes>(
         sum = scaled.mul_add(scaled, sum);
     }
     (sum * T::splat(1.0 / n as f64)).sqrt()
-}
-
-/// Size, in each lane, of the trial Euler step from which the initial step size is estimated. `norms` contains the norm
-/// of the state and the norm of the derivative of the state.
-#[inline(always)]
-pub(crate) fn euler_steps<T: Lanes>(norms: [T; 2], max_step: f64) -> T {
-    T::from_fn(|lane| first_step(norms[0].lane(lane), norms[1].lane(lane), max_step))
-}
-
-/// Initial step size of one lane. `rate` is the norm of the derivative at the initial state. `change` is the norm of
-/// the change of the derivative over the trial Euler step of size `euler_step`. `order` is the order of the error
-/// estimate.
-#[inline(always)]
-pub(crate) fn initial_step(
-    euler_step: f64,
-    rate: f64,
-    change: f64,
-    order: i32,
-    max_step: f64,
-) -> f64 {
-    let norms = InitialNorms {
-        euler_step,
-        rate,
-        second_derivative: change / euler_step,
-    };
-    second_step(&norms, order, max_step)
 }

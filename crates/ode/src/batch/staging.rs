@@ -2,22 +2,19 @@
 //! derivative and initial step size.
 
 use super::control::MAX_LANES;
-use super::functions::LaneFunctions;
-use super::norms::{change_norm, euler_steps, initial_norms, initial_step};
+use super::functions::{Call, LaneFunctions};
+use super::norms::{change_norm, initial_norms};
 use super::{FlightEnd, FlightOutcome, FlightQueue, FlightSpan, LanePoint, LaneSizes};
-use crate::method::ErrorTolerance;
 use crate::options::{IntegrationOptions, SolverStats};
+use crate::step_control::{first_step, second_step};
 use crate::time_breaks::just_after;
 use lanes::Lanes;
 
-/// Data of flights, one flight per SIMD lane: state, derivative, parameters, invariants, and margins of the limits of
-/// validity.
+/// Data of flights, one flight per SIMD lane: state, parameters and invariants.
 pub(crate) struct LaneValues<T> {
     pub x: Vec<T>,
-    pub dx: Vec<T>,
     pub p: Vec<T>,
     pub prepared: Vec<T>,
-    pub margins: Vec<T>,
 }
 
 impl<T: Lanes> LaneValues<T> {
@@ -26,10 +23,8 @@ impl<T: Lanes> LaneValues<T> {
         let zeros = |n| vec![T::splat(0.0); n];
         LaneValues {
             x: zeros(sizes.states),
-            dx: zeros(sizes.states),
             p: zeros(sizes.parameters),
             prepared: zeros(sizes.prepared),
-            margins: zeros(sizes.limits),
         }
     }
 
@@ -37,10 +32,8 @@ impl<T: Lanes> LaneValues<T> {
     #[inline(always)]
     pub(crate) fn take(&mut self, keep: T, from: &LaneValues<T>) {
         merge(keep, &from.x, &mut self.x);
-        merge(keep, &from.dx, &mut self.dx);
         merge(keep, &from.p, &mut self.p);
         merge(keep, &from.prepared, &mut self.prepared);
-        merge(keep, &from.margins, &mut self.margins);
     }
 }
 
@@ -57,14 +50,15 @@ pub(crate) fn merge<T: Lanes>(keep: T, from: &[T], to: &mut [T]) {
 /// Flights that wait to be started, at most one per SIMD lane.
 pub(crate) struct Staging<T> {
     pub values: LaneValues<T>,
+    /// Derivatives at the initial states.
+    pub dx: Vec<T>,
+    /// Margins of the limits of validity at the initial states.
+    margins: Vec<T>,
     /// Number that identifies the flight that waits for each lane, as returned by `FlightQueue::next`; `None` if no
     /// flight waits.
     pub flight: [Option<u64>; MAX_LANES],
-    /// Initial step size of the flight that waits for each lane.
     pub h: [f64; MAX_LANES],
-    /// Time breaks of the flight that waits for each lane.
     pub breaks: [Vec<f64>; MAX_LANES],
-    /// Whether the queue has no more flights.
     pub is_drained: bool,
     euler_state: Vec<T>,
     euler_rate: Vec<T>,
@@ -82,6 +76,8 @@ impl<T: Lanes> Staging<T> {
         let zeros = || vec![T::splat(0.0); sizes.states];
         Staging {
             values: LaneValues::new(sizes),
+            dx: zeros(),
+            margins: vec![T::splat(0.0); sizes.limits],
             flight: [None; MAX_LANES],
             h: [0.0; MAX_LANES],
             breaks: std::array::from_fn(|_| Vec::new()),
@@ -114,33 +110,19 @@ impl<T: Lanes> Staging<T> {
             }
         }
         let values = &mut self.values;
-        for (x, column) in values
-            .x
-            .iter_mut()
-            .zip(self.x_columns.chunks_exact(T::WIDTH))
-        {
-            *x = T::load(column);
+        let columns = [
+            (&mut values.x, &self.x_columns),
+            (&mut values.p, &self.p_columns),
+        ];
+        for (to, columns) in columns {
+            for (to, column) in to.iter_mut().zip(columns.chunks_exact(T::WIDTH)) {
+                *to = T::load(column);
+            }
         }
-        for (p, column) in values
-            .p
-            .iter_mut()
-            .zip(self.p_columns.chunks_exact(T::WIDTH))
-        {
-            *p = T::load(column);
-        }
-        let LaneValues {
-            x,
-            dx,
-            p,
-            prepared,
-            margins,
-        } = values;
-        rhs.prepare(p, scratch, prepared);
-        let tolerance = ErrorTolerance {
-            rtol: options.rtol,
-            atol: options.atol,
-            controlled_len: usize::MAX,
-        };
+        let (dx, margins) = (&mut self.dx, &mut self.margins);
+        let LaneValues { x, p, prepared } = values;
+        rhs.call(Call::Prepare(p), scratch, prepared);
+        let tolerance = options.tolerance(usize::MAX);
         let max_step = options.max_step.min(span.t_end);
         let mut norms = [T::splat(0.0); 2];
         let mut euler_step = T::splat(0.0);
@@ -151,7 +133,8 @@ impl<T: Lanes> Staging<T> {
                 0 => (T::load(&starts), &*x, &mut *dx),
                 _ => {
                     norms = initial_norms(x, dx, &tolerance);
-                    euler_step = euler_steps(norms, max_step);
+                    let [x_norm, rate] = norms;
+                    euler_step = T::from_fn(|l| first_step(x_norm.lane(l), rate.lane(l), max_step));
                     for (i, state) in self.euler_state.iter_mut().enumerate() {
                         *state = euler_step.mul_add(dx[i], x[i]);
                     }
@@ -164,7 +147,7 @@ impl<T: Lanes> Staging<T> {
                 p,
                 prepared,
             };
-            rhs.derivative(&point, scratch, to);
+            rhs.call(Call::Derivative(&point), scratch, to);
         }
         let change = change_norm(x, (dx, &self.euler_rate), &tolerance);
         let start = LanePoint {
@@ -173,14 +156,14 @@ impl<T: Lanes> Staging<T> {
             p,
             prepared,
         };
-        rhs.limits(&start, scratch, margins);
+        rhs.call(Call::Limits(&start), scratch, margins);
         for (lane, is_new) in is_new.iter().enumerate().take(T::WIDTH) {
             if !is_new {
                 continue;
             }
             self.h[lane] = options.first_step.unwrap_or_else(|| {
                 let (euler, rate) = (euler_step.lane(lane), norms[1].lane(lane));
-                initial_step(euler, rate, change.lane(lane), order, max_step)
+                second_step(euler, rate, change.lane(lane) / euler, order, max_step)
             });
             if let Some(outcome) = self.fault(lane, span) {
                 self.end_at_start(lane, outcome, queue, span);
@@ -189,8 +172,7 @@ impl<T: Lanes> Staging<T> {
     }
 
     /// Takes flights from the queue until one has a finite initial state and finite parameters; that flight then waits
-    /// for the lane. The flights with values that are not finite are reported to the queue as ended. Returns false if
-    /// the queue is empty.
+    /// for the lane.
     #[inline(always)]
     fn draw(
         &mut self,
@@ -230,8 +212,8 @@ impl<T: Lanes> Staging<T> {
     /// Reason why the flight that waits for a lane cannot start; `None` if it can.
     #[inline(always)]
     fn fault(&self, lane: usize, span: &FlightSpan) -> Option<FlightOutcome> {
-        let LaneValues { x, dx, margins, .. } = &self.values;
-        if let Some(limit) = margins.iter().position(|m| m.lane(lane) <= 0.0) {
+        let (x, dx) = (&self.values.x, &self.dx);
+        if let Some(limit) = self.margins.iter().position(|m| m.lane(lane) <= 0.0) {
             return Some(FlightOutcome::Limit(limit));
         }
         let mut sum = T::splat(0.0);
@@ -263,7 +245,6 @@ impl<T: Lanes> Staging<T> {
     }
 }
 
-/// Result of a flight that ended at its initial state.
 fn start_end<'x>(
     flight: u64,
     outcome: FlightOutcome,

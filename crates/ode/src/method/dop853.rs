@@ -1,182 +1,77 @@
 //! DOP853 (Hairer, Nørsett & Wanner, II.5): order 8, error estimates of orders 5 and 3, dense output of order 7.
 
-use super::dop853_table::*;
-use super::tableau::{Row, Tableau};
-use super::{ErrorTolerance, Method, ROWS, StepStart, Stepper, slices};
-use crate::rhs::{OdeRhs, StateVector};
+pub(crate) use super::dop853_table::DENSE;
+use super::dop853_table::{C, DENSE_ROWS, E3, E5, ROWS as STAGES};
+use super::tableau::Tableau;
+use super::{ErrorTolerance, Method, ROWS, slices};
+use crate::rhs::StateVector;
 
-/// Butcher tableau of the Runge–Kutta method DOP853, of order 8.
-pub(crate) static TABLEAU: Tableau = Tableau {
+pub(crate) const TABLEAU: Tableau = Tableau {
     method: Method::Dop853,
     c: &C,
-    rows: &[&A1, &A2, &A3, &A4, &A5, &A6, &A7, &A8, &A9, &A10, &A11, &B],
-    dense_rows: &[&A13, &A14, &A15],
+    rows: &STAGES,
+    dense_rows: &DENSE_ROWS,
     errors: &[&E5, &E3],
-    error_order: ERROR_ORDER,
-    pi_beta: PI_BETA,
-    step_factor_bounds: STEP_FACTOR_BOUNDS,
+    error_order: 8,
+    pi_beta: 0.0,
+    step_factor_bounds: (0.333, 6.0),
 };
 
-/// Weights of the stages in each of the last four of the eight coefficient vectors of the dense output.
-pub(crate) static DENSE: [Row; 4] = [&D0, &D1, &D2, &D3];
-
-/// Order q of the error estimate, which is proportional to h^q, where h is the step size.
-const ERROR_ORDER: i32 = 8;
-/// Exponent of the previous step's error norm in the PI step-size controller.
-const PI_BETA: f64 = 0.0;
-/// Minimum and maximum ratio of successive step sizes.
-const STEP_FACTOR_BOUNDS: (f64, f64) = (0.333, 6.0);
-
-/// Stage derivatives of a step: twelve, the derivative at the end, and three more for dense output.
-pub(crate) struct Dop853<X> {
-    k: [X; 16],
-    stage: X,
-    end: X,
-}
-
-/// Computes the argument of a Runge–Kutta stage with sparse weights: `to = from + h Σ weight · k[stage]`, where `k`
-/// contains the stage derivatives.
+/// Error norm of a step of size `h` from `x` to `end` with the stage derivatives `k`.
 #[inline(always)]
-fn combine<X: StateVector, const M: usize>(
-    to: &mut X,
-    from: &X,
+pub(crate) fn error_norm<X: StateVector>(
+    k: &[X],
+    (x, end): (&X, &X),
     h: f64,
-    k: &[X; 16],
-    terms: Terms<M>,
-) {
-    let (mut weights, mut stages) = ([0.0; M], [&k[0]; M]);
-    for m in 0..M {
-        (stages[m], weights[m]) = (&k[terms[m].0], terms[m].1);
-    }
-    super::combine(to, from, h, weights, stages);
-}
-
-impl<X: StateVector> Stepper<X> for Dop853<X> {
-    const METHOD: Method = Method::Dop853;
-    const EVALUATIONS: usize = 12;
-    const ERROR_ORDER: i32 = ERROR_ORDER;
-    const PI_BETA: f64 = PI_BETA;
-    const STEP_FACTOR_BOUNDS: (f64, f64) = STEP_FACTOR_BOUNDS;
-
-    fn new(like: &X) -> Self {
-        Dop853 {
-            k: std::array::from_fn(|_| like.clone()),
-            stage: like.clone(),
-            end: like.clone(),
+    tolerance: &ErrorTolerance,
+) -> f64 {
+    let n = x.as_ref().len().min(tolerance.controlled_len);
+    let k: [&[f64]; 12] = slices(k, n);
+    let (x, end) = (&x.as_ref()[..n], &end.as_ref()[..n]);
+    let (mut sum_5, mut sum_3) = (0.0, 0.0);
+    for i in 0..n {
+        let scale = tolerance.scale(x[i], end[i]);
+        let (mut error_5, mut error_3) = (0.0, 0.0);
+        for (stage, weight) in E5 {
+            error_5 += weight * k[stage][i];
         }
-    }
-
-    #[inline(always)]
-    fn try_step<D: OdeRhs<State = X>>(
-        &mut self,
-        rhs: &mut D,
-        start: &StepStart<'_, X>,
-        h: f64,
-        tolerance: &ErrorTolerance,
-    ) -> f64 {
-        let StepStart { t, x, dx } = *start;
-        let Dop853 { k, stage, end } = self;
-        k[0].clone_from(dx);
-        macro_rules! stages {
-            ($($s:literal $terms:ident)*) => {$(
-                combine(stage, x, h, k, $terms);
-                rhs.derivative(t + C[$s] * h, stage, &mut k[$s]);
-            )*};
+        for (stage, weight) in E3 {
+            error_3 += weight * k[stage][i];
         }
-        stages!(1 A1 2 A2 3 A3 4 A4 5 A5 6 A6 7 A7 8 A8 9 A9 10 A10 11 A11);
-        combine(end, x, h, k, B);
-
-        let n = x.as_ref().len().min(tolerance.controlled_len);
-        let k = slices(k.each_ref(), n);
-        let (x, end) = (&x.as_ref()[..n], &end.as_ref()[..n]);
-        let (mut sum_5, mut sum_3) = (0.0, 0.0);
-        for i in 0..n {
-            let scale = tolerance.scale(x[i], end[i]);
-            let (mut error_5, mut error_3) = (0.0, 0.0);
-            for (stage, weight) in E5 {
-                error_5 += weight * k[stage][i];
-            }
-            for (stage, weight) in E3 {
-                error_3 += weight * k[stage][i];
-            }
-            (error_5, error_3) = (error_5 / scale, error_3 / scale);
-            sum_5 += error_5 * error_5;
-            sum_3 += error_3 * error_3;
-        }
-        let sum_of_both = sum_5 + 0.01 * sum_3;
-        if sum_of_both == 0.0 {
-            0.0
-        } else {
-            h * sum_5 / (sum_of_both * n as f64).sqrt()
-        }
+        (error_5, error_3) = (error_5 / scale, error_3 / scale);
+        sum_5 += error_5 * error_5;
+        sum_3 += error_3 * error_3;
     }
-
-    #[inline(always)]
-    fn accept<D: OdeRhs<State = X>>(&mut self, rhs: &mut D, t_end: f64) {
-        rhs.derivative(t_end, &self.end, &mut self.k[12]);
-    }
-
-    #[inline(always)]
-    fn x_end(&self) -> &X {
-        &self.end
-    }
-
-    #[inline(always)]
-    fn dx_end(&self) -> &X {
-        &self.k[12]
-    }
-
-    #[inline(always)]
-    fn dense_rows<'s, D: OdeRhs<State = X>>(
-        &'s mut self,
-        rhs: &mut D,
-        start: &StepStart<'s, X>,
-        h: f64,
-        buffer: &'s mut Vec<f64>,
-    ) -> ([&'s [f64]; ROWS], usize) {
-        let StepStart { t, x, dx } = *start;
-        let Dop853 { k, stage, end } = self;
-        combine(stage, x, h, k, A13);
-        rhs.derivative(t + C[13] * h, stage, &mut k[13]);
-        combine(stage, x, h, k, A14);
-        rhs.derivative(t + C[14] * h, stage, &mut k[14]);
-        combine(stage, x, h, k, A15);
-        rhs.derivative(t + C[15] * h, stage, &mut k[15]);
-
-        let (x, dx, end, dx_end) = (x.as_ref(), dx.as_ref(), end.as_ref(), k[12].as_ref());
-        let n = x.len();
-        let to = &mut *buffer;
-        to.clear();
-        to.extend_from_slice(x);
-        to.extend((0..n).map(|i| end[i] - x[i]));
-        to.extend((0..n).map(|i| h * dx[i] - (end[i] - x[i])));
-        to.extend((0..n).map(|i| 2.0 * (end[i] - x[i]) - h * (dx_end[i] + dx[i])));
-        append_row(to, h, k, D0);
-        append_row(to, h, k, D1);
-        append_row(to, h, k, D2);
-        append_row(to, h, k, D3);
-        (std::array::from_fn(|row| &buffer[row * n..][..n]), 3)
+    let sum_of_both = sum_5 + 0.01 * sum_3;
+    if sum_of_both == 0.0 {
+        0.0
+    } else {
+        h * sum_5 / (sum_of_both * n as f64).sqrt()
     }
 }
 
-/// Appends to `to` a coefficient vector of the dense output, `h Σ weight · k[stage]`; `k` contains the stage
-/// derivatives.
+/// Writes the coefficient vectors of the dense output of a step of size `h` from `x` to `end` to `to`, one after
+/// another; `k` contains all stage derivatives.
 #[inline(always)]
-fn append_row<X: StateVector, const M: usize>(
-    to: &mut Vec<f64>,
-    h: f64,
-    k: &[X; 16],
-    terms: Terms<M>,
-) {
-    let n = k[0].as_ref().len();
-    let k = slices(k.each_ref(), n);
-    to.extend((0..n).map(|i| {
-        let mut sum = 0.0;
-        for (stage, weight) in terms {
-            sum += weight * k[stage][i];
-        }
-        h * sum
-    }));
+pub(crate) fn dense_rows<X: StateVector>(k: &[X], (x, end): (&X, &X), h: f64, to: &mut Vec<f64>) {
+    let (x, end) = (x.as_ref(), end.as_ref());
+    let n = x.len();
+    let k: [&[f64]; 16] = slices(k, n);
+    let (dx, dx_end) = (k[0], k[12]);
+    to.clear();
+    to.extend_from_slice(x);
+    to.extend((0..n).map(|i| end[i] - x[i]));
+    to.extend((0..n).map(|i| h * dx[i] - (end[i] - x[i])));
+    to.extend((0..n).map(|i| 2.0 * (end[i] - x[i]) - h * (dx_end[i] + dx[i])));
+    for row in &DENSE {
+        to.extend((0..n).map(|i| {
+            let mut sum = 0.0;
+            for (stage, weight) in row {
+                sum += weight * k[*stage][i];
+            }
+            h * sum
+        }));
+    }
 }
 
 /// Weights of the coefficient vectors of the order-7 interpolant at the fraction `s` of the step: 1, s, s (1 - s),
@@ -202,10 +97,7 @@ mod tests {
 
     #[test]
     fn coefficients_are_consistent() {
-        let rows: [&[(usize, f64)]; 15] = [
-            &A1, &A2, &A3, &A4, &A5, &A6, &A7, &A8, &A9, &A10, &A11, &B, &A13, &A14, &A15,
-        ];
-        for (i, row) in rows.iter().enumerate() {
+        for (i, row) in STAGES.iter().chain(&DENSE_ROWS).enumerate() {
             // Simplifying conditions: a row's sum is c, and from the second on its first moment c²/2.
             let moment = |power| row.iter().map(|(j, a)| a * C[*j].powi(power)).sum::<f64>();
             let c = C[i + 1];
@@ -217,7 +109,7 @@ mod tests {
             );
         }
         for power in 0..8 {
-            let sum: f64 = B.iter().map(|(i, b)| b * C[*i].powi(power)).sum();
+            let sum: f64 = STAGES[11].iter().map(|(i, b)| b * C[*i].powi(power)).sum();
             assert!(
                 (sum - 1.0 / f64::from(power + 1)).abs() < 1e-14,
                 "t^{power}"

@@ -7,6 +7,7 @@ pub(crate) mod tableau;
 pub(crate) mod tsit5;
 
 use crate::rhs::{OdeRhs, StateVector};
+use tableau::Tableau;
 
 /// Runge–Kutta method of an integration.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -19,8 +20,7 @@ pub enum Method {
 }
 
 impl Method {
-    /// Butcher tableau of the method.
-    pub(crate) fn tableau(self) -> &'static tableau::Tableau {
+    pub(crate) fn tableau(self) -> &'static Tableau {
         match self {
             Method::Tsit5 => &tsit5::TABLEAU,
             Method::Dop853 => &dop853::TABLEAU,
@@ -63,88 +63,231 @@ impl ErrorTolerance {
     }
 }
 
-/// Start of a step: time, state and derivative.
-pub(crate) struct StepStart<'a, X> {
-    pub t: f64,
-    pub x: &'a X,
-    pub dx: &'a X,
+/// Explicit Runge–Kutta stepper: computes the stages, error norm and dense output of a step.
+pub(crate) struct Stepper<X> {
+    pub tableau: &'static Tableau,
+    /// Stage derivatives; the first is the derivative at the start of the step.
+    k: Vec<X>,
+    pub x: X,
+    stage: X,
+    end: X,
 }
 
-/// Explicit Runge–Kutta stepper: computes the stages, error norm and dense output of a step.
-pub(crate) trait Stepper<X: StateVector> {
-    const METHOD: Method;
-    /// Number of evaluations of the right-hand side per step, including the derivative at the end of the step.
-    const EVALUATIONS: usize;
-    /// Order q of the error estimate, which is proportional to h^q, where h is the step size.
-    const ERROR_ORDER: i32;
-    /// Exponent of the previous step's error norm in the PI step-size controller; 0 makes it an integral controller.
-    const PI_BETA: f64;
-    /// Minimum and maximum ratio of successive step sizes.
-    const STEP_FACTOR_BOUNDS: (f64, f64);
+impl<X: StateVector> Stepper<X> {
+    /// Stepper that starts at the state `x`, where the derivative is `dx`.
+    pub fn new(method: Method, x: X, dx: X) -> Self {
+        let tableau = method.tableau();
+        Stepper {
+            tableau,
+            k: vec![dx; tableau.stages() + tableau.dense_rows.len()],
+            stage: x.clone(),
+            end: x.clone(),
+            x,
+        }
+    }
 
-    /// Creates the stepper and allocates its stage derivatives, each of the length of `like`.
-    fn new(like: &X) -> Self;
+    /// Index of the stage whose derivative is that at the end of the step.
+    #[inline(always)]
+    fn last(&self) -> usize {
+        self.tableau.rows.len()
+    }
 
-    /// Computes a step of size `h` and returns its error norm, acceptable up to 1; NaN or infinite where the
-    /// right-hand side is not finite.
-    fn try_step<D: OdeRhs<State = X>>(
+    /// Computes a step of size `h` from the time `t` and returns its error norm, acceptable up to 1; NaN or infinite
+    /// where the right-hand side is not finite.
+    #[inline(always)]
+    pub fn try_step<D: OdeRhs<State = X>>(
         &mut self,
         rhs: &mut D,
-        start: &StepStart<'_, X>,
+        t: f64,
         h: f64,
         tolerance: &ErrorTolerance,
-    ) -> f64;
+    ) -> f64 {
+        let (k, x, to, end) = (&mut self.k[..], &self.x, &mut self.stage, &mut self.end);
+        // Arrays and unrolled loops, so that lengths and weights are constants of the code.
+        match self.tableau.method {
+            Method::Tsit5 => {
+                let k: &mut [X; 7] = k.first_chunk_mut().expect("seven stages");
+                const TABLEAU: &Tableau = &tsit5::TABLEAU;
+                stage(rhs, k, (to, x), (t, h), TABLEAU, 1);
+                stage(rhs, k, (to, x), (t, h), TABLEAU, 2);
+                stage(rhs, k, (to, x), (t, h), TABLEAU, 3);
+                stage(rhs, k, (to, x), (t, h), TABLEAU, 4);
+                stage(rhs, k, (to, x), (t, h), TABLEAU, 5);
+                combine(end, x, h, TABLEAU.rows[5], k);
+                rhs.derivative(t + h, end, &mut k[6]);
+                tsit5::error_norm(k, (x, end), h, tolerance)
+            }
+            Method::Dop853 => {
+                let k: &mut [X; 16] = k.first_chunk_mut().expect("sixteen stages");
+                const TABLEAU: &Tableau = &dop853::TABLEAU;
+                stage(rhs, k, (to, x), (t, h), TABLEAU, 1);
+                stage(rhs, k, (to, x), (t, h), TABLEAU, 2);
+                stage(rhs, k, (to, x), (t, h), TABLEAU, 3);
+                stage(rhs, k, (to, x), (t, h), TABLEAU, 4);
+                stage(rhs, k, (to, x), (t, h), TABLEAU, 5);
+                stage(rhs, k, (to, x), (t, h), TABLEAU, 6);
+                stage(rhs, k, (to, x), (t, h), TABLEAU, 7);
+                stage(rhs, k, (to, x), (t, h), TABLEAU, 8);
+                stage(rhs, k, (to, x), (t, h), TABLEAU, 9);
+                stage(rhs, k, (to, x), (t, h), TABLEAU, 10);
+                stage(rhs, k, (to, x), (t, h), TABLEAU, 11);
+                combine(end, x, h, TABLEAU.rows[11], k);
+                dop853::error_norm(k, (x, end), h, tolerance)
+            }
+        }
+    }
 
-    /// Completes an accepted step: computes the derivative at its end `t_end`, unless the last stage is that
-    /// derivative (FSAL).
-    fn accept<D: OdeRhs<State = X>>(&mut self, rhs: &mut D, t_end: f64);
+    /// Completes an accepted step: computes the derivative at its end `t_end`, unless the error norm needed it.
+    #[inline(always)]
+    pub fn accept<D: OdeRhs<State = X>>(&mut self, rhs: &mut D, t_end: f64) {
+        let last = self.last();
+        if self.tableau.method == Method::Dop853 {
+            rhs.derivative(t_end, &self.end, &mut self.k[last]);
+        }
+    }
+
+    /// Makes the end of the accepted step the start of the next.
+    #[inline(always)]
+    pub fn advance(&mut self) {
+        let last = self.last();
+        self.x.clone_from(&self.end);
+        let (first, others) = self.k.split_at_mut(1);
+        first[0].clone_from(&others[last - 1]);
+    }
 
     /// State at the end of the step that was tried last.
-    fn x_end(&self) -> &X;
-    /// Derivative at the end of an accepted step.
-    fn dx_end(&self) -> &X;
+    #[inline(always)]
+    pub fn x_end(&self) -> &X {
+        &self.end
+    }
 
-    /// Dense-output rows (coefficient vectors) of an accepted step, and the number of right-hand side evaluations made
-    /// to compute them; `buffer` stores rows that are not stage derivatives.
-    fn dense_rows<'s, D: OdeRhs<State = X>>(
+    /// Derivative at the start of the step.
+    #[inline(always)]
+    pub fn dx(&self) -> &X {
+        &self.k[0]
+    }
+
+    /// State and derivative at the start of the step, to compute the derivative anew.
+    pub fn start_mut(&mut self) -> (&X, &mut X) {
+        (&self.x, &mut self.k[0])
+    }
+
+    /// Derivative at the end of an accepted step.
+    #[inline(always)]
+    pub fn dx_end(&self) -> &X {
+        &self.k[self.last()]
+    }
+
+    /// Dense-output rows (coefficient vectors) of an accepted step of size `h` from the time `t`; `buffer` stores rows
+    /// that are not stage derivatives.
+    #[inline(always)]
+    pub fn dense_rows<'s, D: OdeRhs<State = X>>(
         &'s mut self,
         rhs: &mut D,
-        start: &StepStart<'s, X>,
-        h: f64,
+        (t, h): (f64, f64),
         buffer: &'s mut Vec<f64>,
-    ) -> ([&'s [f64]; ROWS], usize);
+    ) -> [&'s [f64]; ROWS] {
+        let (first, tableau) = (self.tableau.stages(), self.tableau);
+        for (s, row) in (first..).zip(tableau.dense_rows) {
+            combine(&mut self.stage, &self.x, h, row, &self.k);
+            rhs.derivative(t + tableau.c[s] * h, &self.stage, &mut self.k[s]);
+        }
+        let mut rows = [self.x.as_ref(); ROWS];
+        match tableau.method {
+            Method::Tsit5 => {
+                for (row, k) in rows[1..].iter_mut().zip(&self.k) {
+                    *row = k.as_ref();
+                }
+            }
+            Method::Dop853 => {
+                dop853::dense_rows(&self.k, (&self.x, &self.end), h, buffer);
+                let n = rows[0].len();
+                rows = std::array::from_fn(|row| &buffer[row * n..][..n]);
+            }
+        }
+        rows
+    }
 }
 
-/// Computes the argument of a Runge–Kutta stage: `to = from + h Σ weight · k`, where `k` are derivatives computed by
-/// earlier stages.
+/// Evaluates the stage `s` of a step of size `h` from the time `t` and the state `from`; `to` is the argument of the
+/// stage.
+#[inline(always)]
+fn stage<X: StateVector, D: OdeRhs<State = X>, const N: usize>(
+    rhs: &mut D,
+    k: &mut [X; N],
+    (to, from): (&mut X, &X),
+    (t, h): (f64, f64),
+    tableau: &Tableau,
+    s: usize,
+) {
+    combine(to, from, h, tableau.rows[s - 1], k);
+    rhs.derivative(t + tableau.c[s] * h, to, &mut k[s]);
+}
+
+/// Maximum number of nonzero weights in a row of the Runge–Kutta matrices.
+const MAX_WEIGHTS: usize = 9;
+
+/// Computes the argument of a Runge–Kutta stage: `to = from + h Σ weight · k`, where `k` are the derivatives of earlier
+/// stages and `row` their weights.
+#[inline(always)]
+pub(crate) fn combine<X: StateVector>(to: &mut X, from: &X, h: f64, row: &[(usize, f64)], k: &[X]) {
+    let n = to.as_ref().len();
+    if n >= simd::MIN_SIMD_LEN {
+        let (mut weights, mut stages) = ([0.0; MAX_WEIGHTS], [&[] as &[f64]; MAX_WEIGHTS]);
+        for (m, (stage, weight)) in row.iter().enumerate() {
+            (weights[m], stages[m]) = (*weight, &k[*stage].as_ref()[..n]);
+        }
+        let from = &from.as_ref()[..n];
+        return simd::combine(
+            to.as_mut(),
+            from,
+            h,
+            &weights[..row.len()],
+            &stages[..row.len()],
+        );
+    }
+    match row.len() {
+        1 => sum::<X, 1>(to, from, h, row, k),
+        2 => sum::<X, 2>(to, from, h, row, k),
+        3 => sum::<X, 3>(to, from, h, row, k),
+        4 => sum::<X, 4>(to, from, h, row, k),
+        5 => sum::<X, 5>(to, from, h, row, k),
+        6 => sum::<X, 6>(to, from, h, row, k),
+        7 => sum::<X, 7>(to, from, h, row, k),
+        8 => sum::<X, 8>(to, from, h, row, k),
+        _ => sum::<X, MAX_WEIGHTS>(to, from, h, row, k),
+    }
+}
+
+/// [`combine`] for a short state and a row of `M` weights.
 // Loops instead of iterator closures, which are not always inlined.
 #[inline(always)]
-pub(crate) fn combine<X: StateVector, const M: usize>(
+fn sum<X: StateVector, const M: usize>(
     to: &mut X,
     from: &X,
     h: f64,
-    weights: [f64; M],
-    k: [&X; M],
+    row: &[(usize, f64)],
+    k: &[X],
 ) {
     let to = to.as_mut();
     let n = to.len();
     let from = &from.as_ref()[..n];
-    let k = slices(k, n);
-    if n >= simd::MIN_SIMD_LEN {
-        return simd::combine(to, from, h, &weights, &k);
+    let (mut weights, mut stages) = ([0.0; M], [&[] as &[f64]; M]);
+    for m in 0..M {
+        (weights[m], stages[m]) = (row[m].1, &k[row[m].0].as_ref()[..n]);
     }
     for i in 0..n {
-        let mut sum = weights[0] * k[0][i];
+        let mut sum = weights[0] * stages[0][i];
         for m in 1..M {
-            sum += weights[m] * k[m][i];
+            sum += weights[m] * stages[m][i];
         }
         to[i] = from[i] + h * sum;
     }
 }
 
-/// First `n` components of each vector in `k`, the stage derivatives.
+/// First `n` components of the first `M` stage derivatives.
 #[inline(always)]
-pub(crate) fn slices<X: StateVector, const M: usize>(k: [&X; M], n: usize) -> [&[f64]; M] {
+fn slices<X: StateVector, const M: usize>(k: &[X], n: usize) -> [&[f64]; M] {
     let mut slices: [&[f64]; M] = [&[]; M];
     for m in 0..M {
         slices[m] = &k[m].as_ref()[..n];

@@ -124,7 +124,6 @@ impl Kernel for WeightedRows<'_> {
     }
 }
 
-/// Kernel that checks whether all elements are finite.
 pub(crate) struct AllFinite<'a>(pub &'a [f64]);
 
 impl Kernel for AllFinite<'_> {

@@ -21,7 +21,6 @@ pub(crate) struct Tableau {
     pub error_order: i32,
     /// Exponent of the previous step's error norm in the PI step-size controller.
     pub pi_beta: f64,
-    /// Minimum and maximum ratio of successive step sizes.
     pub step_factor_bounds: (f64, f64),
 }
 

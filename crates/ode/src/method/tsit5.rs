@@ -2,8 +2,8 @@
 //! assumption", Computers & Mathematics with Applications 62 (2011).
 
 use super::tableau::Tableau;
-use super::{ErrorTolerance, Method, ROWS, StepStart, Stepper, combine, slices};
-use crate::rhs::{OdeRhs, StateVector};
+use super::{ErrorTolerance, Method, ROWS, slices};
+use crate::rhs::StateVector;
 
 /// Nodes: time of each stage as a fraction of the step.
 pub(crate) const C: [f64; 7] = [0.0, 0.161, 0.327, 0.9, 0.9800255409045097, 1.0, 1.0];
@@ -24,8 +24,7 @@ const A5: [f64; 5] = [
     -0.071584973281401,
     -0.028269050394068383,
 ];
-/// Weights of the stages in the state at the end of the step, of order 5. The derivative at that state is the first
-/// stage of the next step (FSAL).
+/// Weights of the stages in the state at the end of the step, of order 5.
 pub(crate) const B: [f64; 6] = [
     0.09646076681806523,
     0.01,
@@ -56,132 +55,39 @@ const fn row<const M: usize>(weights: [f64; M]) -> [(usize, f64); M] {
     row
 }
 
-/// Butcher tableau of the Runge–Kutta method Tsit5, of order 5.
-pub(crate) static TABLEAU: Tableau = Tableau {
+pub(crate) const TABLEAU: Tableau = Tableau {
     method: Method::Tsit5,
     c: &C,
     rows: &[&row(A1), &row(A2), &row(A3), &row(A4), &row(A5), &row(B)],
     dense_rows: &[],
     errors: &[&row(E)],
-    error_order: ERROR_ORDER,
-    pi_beta: PI_BETA,
-    step_factor_bounds: STEP_FACTOR_BOUNDS,
+    error_order: 5,
+    pi_beta: 0.04,
+    step_factor_bounds: (0.2, 10.0),
 };
 
-/// Order q of the error estimate, which is proportional to h^q, where h is the step size.
-const ERROR_ORDER: i32 = 5;
-/// Exponent of the previous step's error norm in the PI step-size controller.
-const PI_BETA: f64 = 0.04;
-/// Minimum and maximum ratio of successive step sizes.
-const STEP_FACTOR_BOUNDS: (f64, f64) = (0.2, 10.0);
-
-/// Stages k2 to k7 of a step; k1 is the derivative at its start.
-pub(crate) struct Tsit5<X> {
-    k2: X,
-    k3: X,
-    k4: X,
-    k5: X,
-    k6: X,
-    k7: X,
-    stage: X,
-    end: X,
-}
-
-impl<X: StateVector> Stepper<X> for Tsit5<X> {
-    const METHOD: Method = Method::Tsit5;
-    const EVALUATIONS: usize = 6;
-    const ERROR_ORDER: i32 = ERROR_ORDER;
-    const PI_BETA: f64 = PI_BETA;
-    const STEP_FACTOR_BOUNDS: (f64, f64) = STEP_FACTOR_BOUNDS;
-
-    fn new(like: &X) -> Self {
-        let [k2, k3, k4, k5, k6, k7, stage, end] = std::array::from_fn(|_| like.clone());
-        Tsit5 {
-            k2,
-            k3,
-            k4,
-            k5,
-            k6,
-            k7,
-            stage,
-            end,
+/// Error norm of a step of size `h` from `x` to `end` with the stage derivatives `k`.
+#[inline(always)]
+pub(crate) fn error_norm<X: StateVector>(
+    k: &[X],
+    (x, end): (&X, &X),
+    h: f64,
+    tolerance: &ErrorTolerance,
+) -> f64 {
+    let n = x.as_ref().len().min(tolerance.controlled_len);
+    let k: [&[f64]; 7] = slices(k, n);
+    let (x, end) = (&x.as_ref()[..n], &end.as_ref()[..n]);
+    // Four independent partial sums, for instruction-level parallelism.
+    let mut sums = [0.0; 4];
+    for i in 0..n {
+        let mut error = E[0] * k[0][i];
+        for m in 1..7 {
+            error += E[m] * k[m][i];
         }
+        let scaled = error / tolerance.scale(x[i], end[i]);
+        sums[i % 4] += scaled * scaled;
     }
-
-    #[inline(always)]
-    fn try_step<D: OdeRhs<State = X>>(
-        &mut self,
-        rhs: &mut D,
-        start: &StepStart<'_, X>,
-        h: f64,
-        tolerance: &ErrorTolerance,
-    ) -> f64 {
-        let StepStart { t, x, dx: k1 } = *start;
-        let Tsit5 {
-            k2,
-            k3,
-            k4,
-            k5,
-            k6,
-            k7,
-            stage,
-            end,
-        } = self;
-        combine(stage, x, h, A1, [k1]);
-        rhs.derivative(t + C[1] * h, stage, k2);
-        combine(stage, x, h, A2, [k1, k2]);
-        rhs.derivative(t + C[2] * h, stage, k3);
-        combine(stage, x, h, A3, [k1, k2, k3]);
-        rhs.derivative(t + C[3] * h, stage, k4);
-        combine(stage, x, h, A4, [k1, k2, k3, k4]);
-        rhs.derivative(t + C[4] * h, stage, k5);
-        combine(stage, x, h, A5, [k1, k2, k3, k4, k5]);
-        rhs.derivative(t + h, stage, k6);
-        combine(end, x, h, B, [k1, k2, k3, k4, k5, k6]);
-        rhs.derivative(t + h, end, k7);
-
-        let n = x.as_ref().len().min(tolerance.controlled_len);
-        let k = slices([k1, k2, k3, k4, k5, k6, k7], n);
-        let (x, end) = (&x.as_ref()[..n], &end.as_ref()[..n]);
-        // Four independent partial sums, for instruction-level parallelism.
-        let mut sums = [0.0; 4];
-        for i in 0..n {
-            let mut error = E[0] * k[0][i];
-            for m in 1..7 {
-                error += E[m] * k[m][i];
-            }
-            let scaled = error / tolerance.scale(x[i], end[i]);
-            sums[i % 4] += scaled * scaled;
-        }
-        h * (((sums[0] + sums[1]) + (sums[2] + sums[3])) / n as f64).sqrt()
-    }
-
-    #[inline(always)]
-    fn accept<D: OdeRhs<State = X>>(&mut self, _: &mut D, _: f64) {}
-
-    #[inline(always)]
-    fn x_end(&self) -> &X {
-        &self.end
-    }
-
-    #[inline(always)]
-    fn dx_end(&self) -> &X {
-        &self.k7
-    }
-
-    #[inline(always)]
-    fn dense_rows<'s, D: OdeRhs<State = X>>(
-        &'s mut self,
-        _: &mut D,
-        start: &StepStart<'s, X>,
-        _: f64,
-        _: &'s mut Vec<f64>,
-    ) -> ([&'s [f64]; ROWS], usize) {
-        let [k2, k3, k4, k5, k6, k7] = [&self.k2, &self.k3, &self.k4, &self.k5, &self.k6, &self.k7]
-            .map(std::convert::AsRef::as_ref);
-        let rows = [start.x.as_ref(), start.dx.as_ref(), k2, k3, k4, k5, k6, k7];
-        (rows, 0)
-    }
+    h * (((sums[0] + sums[1]) + (sums[2] + sums[3])) / n as f64).sqrt()
 }
 
 /// Weights of the coefficient vectors of the dense output at the fraction `s` of the step, for the order-4 interpolant,

@@ -4,21 +4,13 @@
 use std::ops::Range;
 
 use super::Sensitivities;
-use crate::aligned::AlignedVec;
-use crate::error::IntegrationError;
-use crate::event::Event;
-use crate::options::IntegrationOptions;
-use crate::solver::Endpoint;
-use crate::trajectory::Trajectory;
+use crate::{AlignedVec, Endpoint, Event, IntegrationError, IntegrationOptions, Trajectory};
 
 impl Sensitivities<'_> {
-    /// Integrates as [`integrate_at`](crate::integrate_at), from the time `start.0` and the augmented state `start.1`.
+    /// [`integrate_at`](crate::integrate_at) from the time `start.0` and the augmented state `start.1`.
     ///
     /// # Errors
-    /// [`IntegrationError`] if the integration fails; its `cause` is the return code.
-    ///
-    /// # Panics
-    /// Under the conditions for which [`integrate_at`](crate::integrate_at) panics.
+    /// [`IntegrationError`] if the integration fails; those of the other methods are the same.
     pub fn integrate_at(
         &mut self,
         start: (f64, &AlignedVec),
@@ -30,11 +22,7 @@ impl Sensitivities<'_> {
         crate::integrate_at(self, start, times, options, events, states)
     }
 
-    /// Integrates as [`integrate_to_event`](crate::integrate_to_event), from the time `start.0` and the augmented state
-    /// `start.1`.
-    ///
-    /// # Errors
-    /// [`IntegrationError`] if the integration fails, or no terminal event occurs before the time `t_end`.
+    /// [`integrate_to_event`](crate::integrate_to_event) of the augmented state.
     pub fn integrate_to_event(
         &mut self,
         start: (f64, &AlignedVec),
@@ -45,14 +33,7 @@ impl Sensitivities<'_> {
         crate::integrate_to_event(self, start, t_end, options, events)
     }
 
-    /// Integrates as [`integrate_with_callback`](crate::integrate_with_callback), from the time `start.0` and the
-    /// augmented state `start.1`.
-    ///
-    /// # Errors
-    /// [`IntegrationError`] if the integration fails; its `cause` is the return code.
-    ///
-    /// # Panics
-    /// Under the conditions for which [`integrate_with_callback`](crate::integrate_with_callback) panics.
+    /// [`integrate_with_callback`](crate::integrate_with_callback) of the augmented state.
     pub fn integrate_with_callback(
         &mut self,
         start: (f64, &AlignedVec),

@@ -3,12 +3,10 @@
 use lanes::{Kernel, Lanes};
 use std::ops::Range;
 
-/// Maximum number of rows in a block, that is a set of rows of the Jacobian J with equal column indices. It is small
-/// enough that the sums of all rows of a block stay in registers.
+/// Maximum number of rows in a block, that is a set of rows of the Jacobian J with equal column indices.
 const MAX_BLOCK_ROWS: usize = 3;
 
-/// Maximum number of SIMD vectors of a row of J S that are accumulated together. It is small enough that the sums of
-/// all rows of a block stay in registers.
+/// Maximum number of SIMD vectors of a row of J S that are accumulated together.
 const MAX_VECTORS: usize = 4;
 
 /// Sparsity pattern of the Jacobian J, grouped into blocks of rows with equal column indices, for the product J S with
@@ -24,8 +22,7 @@ pub(super) struct JacobianProduct {
     stride: usize,
 }
 
-/// Rows of the Jacobian J with equal column indices. Each row of the sensitivity matrix S is read once for all rows of
-/// the block.
+/// Rows of the Jacobian J with equal column indices.
 struct Block {
     count: usize,
     /// For each row of the block, the index of the first element of the corresponding row of the product J S.

@@ -4,8 +4,7 @@ mod integrate;
 mod jacobian_product;
 
 use self::jacobian_product::JacobianProduct;
-use crate::aligned::AlignedVec;
-use crate::rhs::OdeRhs;
+use crate::{AlignedVec, OdeRhs};
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -103,14 +102,7 @@ impl<'m> Sensitivities<'m> {
     /// # Panics
     /// If a state in `initial` does not exist, or the entries of the Jacobian ∂f/∂x are not ordered by row.
     pub fn new(rhs: impl DifferentiableRhs + 'm, initial: &[usize], parameters: &[usize]) -> Self {
-        Self::of_boxed(Box::new(rhs), initial, parameters)
-    }
-
-    fn of_boxed(
-        rhs: Box<dyn DifferentiableRhs + 'm>,
-        initial: &[usize],
-        parameters: &[usize],
-    ) -> Self {
+        let rhs: Box<dyn DifferentiableRhs + 'm> = Box::new(rhs);
         let states = rhs.states();
         assert!(initial.iter().all(|i| *i < states), "states of the model");
         let columns = initial.len() + parameters.len();

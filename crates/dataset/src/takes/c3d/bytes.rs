@@ -22,8 +22,7 @@ impl Order {
     }
 }
 
-/// Byte slice and the byte order in which its numbers are decoded. Bytes past the end of the slice read as 0, so
-/// callers check lengths first.
+/// Bytes with the byte order of their numbers. Bytes past the end read as 0, so callers check lengths first.
 #[derive(Clone, Copy)]
 pub(super) struct Bytes<'a> {
     pub bytes: &'a [u8],
@@ -32,11 +31,8 @@ pub(super) struct Bytes<'a> {
 
 impl Bytes<'_> {
     fn take<const N: usize>(&self, at: usize) -> [u8; N] {
-        let found = at
-            .checked_add(N)
-            .and_then(|end| self.bytes.get(at..end))
-            .and_then(|bytes| bytes.try_into().ok());
-        found.unwrap_or([0; N])
+        let found = self.bytes.get(at..).and_then(<[u8]>::first_chunk);
+        found.copied().unwrap_or([0; N])
     }
 
     pub fn u16(&self, at: usize) -> u16 {

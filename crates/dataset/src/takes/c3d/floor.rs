@@ -4,19 +4,19 @@
 //! (C3D user guide, FORCE_PLATFORM:CORNERS). Forces cannot be interpreted in any other way, so this order is reliable.
 //! `POINT:Y_SCREEN` states only how a program first draws the points.
 
+use nalgebra::Vector3;
+
 use crate::takes::axes::Axis;
 
 /// Minimum cosine of the angle between the normal of a force platform and a coordinate axis for the platform to count
 /// as level, with this axis as the vertical.
 const LEVEL: f64 = 0.98;
 
-/// Axis that points up, from the corners of all force platforms (x, y, z of four corners per platform). `None` if there
-/// is no platform, a platform is not level, or the platforms disagree.
 pub(super) fn up(corners: &[f64]) -> Option<Axis> {
     let mut found = None;
     for platform in corners.chunks_exact(12) {
-        let corner = |i: usize| [platform[3 * i], platform[3 * i + 1], platform[3 * i + 2]];
-        let up = above(corner(0), corner(1), corner(2))?;
+        let up =
+            above([0, 3, 6].map(|first| Vector3::from_column_slice(&platform[first..first + 3])))?;
         if *found.get_or_insert(up) != up {
             return None;
         }
@@ -26,16 +26,9 @@ pub(super) fn up(corners: &[f64]) -> Option<Axis> {
 
 /// Coordinate axis that points upwards out of the floor, from three consecutive corners of a force platform; `None` if
 /// the platform is not level.
-fn above(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> Option<Axis> {
-    let x = [0, 1, 2].map(|axis| a[axis] - b[axis]);
-    let y = [0, 1, 2].map(|axis| b[axis] - c[axis]);
-    let into = [
-        x[1] * y[2] - x[2] * y[1],
-        x[2] * y[0] - x[0] * y[2],
-        x[0] * y[1] - x[1] * y[0],
-    ];
-    let size = into.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let index = (0..3).find(|&axis| into[axis].abs() > LEVEL * size)?;
+fn above([a, b, c]: [Vector3<f64>; 3]) -> Option<Axis> {
+    let into = (a - b).cross(&(b - c));
+    let index = (0..3).find(|&axis| into[axis].abs() > LEVEL * into.norm())?;
     Some(Axis {
         index,
         negative: into[index] > 0.0,

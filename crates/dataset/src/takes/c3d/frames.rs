@@ -1,21 +1,20 @@
 //! Number and size of the frames in a C3D file, from the header, the parameters and the file length.
 
 use super::parameters::Parameters;
-use super::{C3dError, Deviation, refuse};
+use super::{Deviation, fault, refuse};
+use crate::takes::error::Fault;
 
-/// Maximum frame number that a 16-bit word of the C3D header can state. As the number of the last frame it may also
-/// stand for any greater number.
+/// Maximum frame number that a 16-bit word of the C3D header can state.
 const LAST_OF_HEADER: u32 = 0xffff;
 /// Number of bytes after the last frame of a C3D file below which they count as padding.
 const PADDING: usize = 512;
 
-/// Number of the first frame in a C3D file, and number of frames.
-pub(super) struct Extent {
+pub(super) struct Frames {
     pub first: u32,
     pub count: usize,
+    pub bytes: usize,
 }
 
-/// Quantities that determine the size of a frame in a C3D file and the position of the data.
 pub(super) struct Layout {
     /// Size of one stored number of the C3D file, bytes.
     pub width: usize,
@@ -25,60 +24,65 @@ pub(super) struct Layout {
     /// Number of samples of each analogue sensor per frame.
     pub analog_per_channel: usize,
     pub data_start: usize,
-    /// Number of bytes from the beginning of the data (field `data_start`) to the end of the file.
+    /// Number of bytes from the beginning of the data to the end of the file.
     pub available: usize,
 }
 
-/// Determines the number of the first frame, the number of frames and the size of a frame in bytes; `first` and `last`
-/// are the frame numbers in the header. Contradictions in the file with only one sensible interpretation are added to
-/// `deviations`.
+/// Determines the frames; `first` and `last` are the frame numbers in the header.
 pub(super) fn frames(
     parameters: &Parameters<'_>,
-    first: u32,
-    last: u32,
+    (first, last): (u32, u32),
     layout: &Layout,
     deviations: &mut Vec<Deviation>,
-) -> Result<(Extent, usize), C3dError> {
+) -> Result<Frames, Fault> {
+    let Layout {
+        width,
+        points,
+        analog,
+        available,
+        ..
+    } = *layout;
     let (first, count) = stated(parameters, first, last, deviations)?;
-    let mut size = layout.width * (4 * layout.points + layout.analog);
+    let mut bytes = width * (4 * points + analog);
     // Some programs write the number of channels instead of the number of analogue words.
-    let all = layout.analog.saturating_mul(layout.analog_per_channel);
-    let whole = layout.width * (4 * layout.points + all);
-    let fills = |size: usize| {
-        let needed = size.checked_mul(count);
-        needed.is_some_and(|n| n <= layout.available && layout.available - n < PADDING)
+    let all = analog.saturating_mul(layout.analog_per_channel);
+    let whole = width * (4 * points + all);
+    let fills = |bytes: usize| {
+        let needed = bytes.checked_mul(count);
+        needed.is_some_and(|n| n <= available && available - n < PADDING)
     };
-    if layout.analog_per_channel > 1 && fills(whole) && !fills(size) {
+    if layout.analog_per_channel > 1 && fills(whole) && !fills(bytes) {
+        let found = format!("{analog} analogue words per frame");
+        let expected = format!("{all}, by the length of the file");
         deviations.push(Deviation {
-            contradiction: C3dError {
-                byte: 4,
-                found: format!("{} analogue words per frame", layout.analog),
-                expected: format!("{all}, by the length of the file"),
-            },
+            contradiction: fault(4, found, expected),
             read_as: format!("frames of {all} analogue words"),
         });
-        size = whole;
+        bytes = whole;
     }
-    let held = layout.available.checked_div(size).unwrap_or(0);
-    if layout.points > 0 && held >= count {
-        return Ok((Extent { first, count }, size));
+    let held = available.checked_div(bytes).unwrap_or(0);
+    if points > 0 && held >= count {
+        return Ok(Frames {
+            first,
+            count,
+            bytes,
+        });
     }
-    let short = C3dError {
-        byte: layout.data_start,
-        found: format!("{} bytes of data", layout.available),
-        expected: format!(
-            "{count} frames of {} points, {size} bytes each",
-            layout.points
-        ),
-    };
-    if layout.points == 0 || held == 0 {
+    let found = format!("{available} bytes of data");
+    let expected = format!("{count} frames of {points} points, {bytes} bytes each");
+    let short = fault(layout.data_start, found, expected);
+    if points == 0 || held == 0 {
         return Err(short);
     }
     deviations.push(Deviation {
         contradiction: short,
         read_as: format!("the {held} whole frames that the file holds"),
     });
-    Ok((Extent { first, count: held }, size))
+    Ok(Frames {
+        first,
+        count: held,
+        bytes,
+    })
 }
 
 /// Number of the first frame of a C3D file and number of frames, from the header, or from the parameters if the 16 bits
@@ -88,7 +92,7 @@ fn stated(
     first: u32,
     last: u32,
     deviations: &mut Vec<Deviation>,
-) -> Result<(u32, usize), C3dError> {
+) -> Result<(u32, usize), Fault> {
     let start = parameters.long("TRIAL", "ACTUAL_START_FIELD")?;
     let end = parameters.long("TRIAL", "ACTUAL_END_FIELD")?;
     let (first, last) = match (start, end) {
@@ -103,12 +107,9 @@ fn stated(
             (first, u32::try_from(last).unwrap_or(u32::MAX))
         }
     };
+    let range = format!("the frames {first} to {last}");
     if last < first {
-        return refuse(
-            6,
-            format!("the frames {first} to {last}"),
-            "a last frame that is not before the first",
-        );
+        return refuse(6, range, "a last frame that is not before the first");
     }
     let count = u64::from(last) - u64::from(first) + 1;
     // POINT:FRAMES may have overflowed its 16 bits as well.
@@ -116,18 +117,14 @@ fn stated(
         && frames != count
         && count < u64::from(LAST_OF_HEADER)
     {
-        let contradiction = C3dError {
-            byte: 6,
-            found: format!("POINT:FRAMES = {frames} and the frames {first} to {last}"),
-            expected: "one number of frames".into(),
-        };
-        let nearly = frames.abs_diff(count) == 1;
-        if !nearly {
+        let found = format!("POINT:FRAMES = {frames} and {range}");
+        let contradiction = fault(6, found, "one number of frames");
+        if frames.abs_diff(count) != 1 {
             return Err(contradiction);
         }
         deviations.push(Deviation {
             contradiction,
-            read_as: format!("the frames {first} to {last}"),
+            read_as: range,
         });
     }
     match usize::try_from(count) {

@@ -3,37 +3,43 @@
 use std::collections::BTreeMap;
 
 use super::bytes::{Bytes, Order};
-use super::parameter::{Parameter, Shape, part};
-use super::{C3dError, refuse};
+use super::refuse;
+use crate::takes::{Fault, shown};
 
-/// Maximum total number of groups and parameters in a C3D file; a greater number is an error, which bounds the memory
-/// used.
+/// Maximum total number of groups and parameters in a C3D file, which bounds the memory used.
 const MAX_ENTRIES: usize = 20_000;
 
-/// Parameters of a C3D file by group and name, both in upper case.
+struct Parameter<'a> {
+    /// Byte offset of the parameter's type in the file.
+    offset: usize,
+    kind: i8,
+    dimensions: &'a [u8],
+    data: Bytes<'a>,
+}
+
 pub(super) struct Parameters<'a> {
-    groups: BTreeMap<String, u8>,
-    parameters: BTreeMap<(u8, String), Parameter<'a>>,
+    section: Bytes<'a>,
     /// Byte offset of the parameter section in the file.
     start: usize,
-    /// Byte offset in the file of the end of a parameter that extends past the parameter section; 0 if no parameter
-    /// does.
-    end_of_cut: usize,
+    groups: BTreeMap<String, u8>,
+    parameters: BTreeMap<(u8, String), Parameter<'a>>,
+    /// Fault of a parameter that extends past the section, and the byte offset of its end in the file; only the
+    /// parameters before it are read.
+    pub cut: Option<(Fault, usize)>,
 }
 
 impl<'a> Parameters<'a> {
-    /// Parses the parameter section of a C3D file, which begins at byte `start` of the file and ends where the data
-    /// begin. If a parameter extends past the section, the parameters before it are returned together with the fault.
-    pub fn read(
-        section: &'a [u8],
-        start: usize,
-        order: Order,
-    ) -> Result<(Self, Option<C3dError>), C3dError> {
+    /// Parses the parameter section, which begins at byte `start` of the file and ends where the data begin.
+    pub fn read(section: &'a [u8], start: usize, order: Order) -> Result<Self, Fault> {
         let mut found = Self {
+            section: Bytes {
+                bytes: section,
+                order,
+            },
+            start,
             groups: BTreeMap::new(),
             parameters: BTreeMap::new(),
-            start,
-            end_of_cut: 0,
+            cut: None,
         };
         // The section begins with two obsolete bytes, the number of blocks and the processor type.
         let mut at = 4;
@@ -43,55 +49,80 @@ impl<'a> Parameters<'a> {
                 break;
             }
             if found.groups.len() + found.parameters.len() >= MAX_ENTRIES {
-                return refuse(
-                    start + at,
-                    "a parameter more",
-                    format!("at most {MAX_ENTRIES}"),
-                );
+                let expected = format!("at most {MAX_ENTRIES}");
+                return refuse(start + at, "a parameter more", expected);
             }
-            let name = part(section, start, at + 2, usize::from(length))?;
-            let name = text(name).to_uppercase();
+            let name = text(found.part(at + 2, usize::from(length))?).to_uppercase();
             at += 2 + usize::from(length);
-            part(section, start, at, 2)?;
-            let all = Bytes {
-                bytes: section,
-                order,
-            };
-            let offset = usize::from(all.u16(at));
+            found.part(at, 2)?;
+            let offset = usize::from(found.section.u16(at));
             if id < 0 {
                 found.groups.entry(name).or_insert(id.unsigned_abs());
-            } else {
-                let shape = Shape::read(section, start, at + 2, &name)?;
-                let parameter = match shape.parameter(section, start, order) {
-                    Ok(parameter) => parameter,
-                    Err(cut) => {
-                        found.end_of_cut = start.saturating_add(shape.end());
-                        return Ok((found, Some(cut)));
-                    }
-                };
+            } else if let Some(parameter) = found.parameter(at + 2, &name)? {
                 let key = (id.unsigned_abs(), name);
                 found.parameters.entry(key).or_insert(parameter);
+            } else {
+                return Ok(found);
             }
             // Every entry advances the offset, so the loop terminates.
             match offset {
                 0 => break,
                 1 => {
-                    return refuse(
-                        start + at,
-                        "an entry of the parameters that ends in itself",
-                        "a next entry",
-                    );
+                    let found = "an entry of the parameters that ends in itself";
+                    return refuse(start + at, found, "a next entry");
                 }
                 _ => at += offset,
             }
         }
-        Ok((found, None))
+        Ok(found)
     }
 
-    /// Byte offset in the file of the end of the parameter that extends past the parameter section; 0 if no parameter
-    /// does.
-    pub fn end_of_cut(&self) -> usize {
-        self.end_of_cut
+    /// Reads the parameter `name` whose type is at the offset `at` of the section.
+    fn parameter(&mut self, at: usize, name: &str) -> Result<Option<Parameter<'a>>, Fault> {
+        let offset = self.start + at;
+        let &[kind, count] = self.part(at, 2)? else {
+            return refuse(offset, "half a parameter", "a whole one");
+        };
+        let kind = kind.cast_signed();
+        if ![-1, 1, 2, 4].contains(&kind) || count > 7 {
+            let name = shown(name);
+            let found = format!("the parameter {name} of type {kind} with {count} dimensions");
+            return refuse(offset, found, "type -1, 1, 2 or 4 and at most 7 dimensions");
+        }
+        let at = at + 2;
+        let dimensions = self.part(at, usize::from(count))?;
+        // The product of seven dimensions of 255 fits in 64 bits.
+        let size: u64 = dimensions.iter().map(|&d| u64::from(d)).product();
+        let size = usize::try_from(size * u64::from(kind.unsigned_abs())).unwrap_or(usize::MAX);
+        let at = at + usize::from(count);
+        match self.part(at, size) {
+            Ok(bytes) => Ok(Some(Parameter {
+                offset,
+                kind,
+                dimensions,
+                data: Bytes {
+                    bytes,
+                    ..self.section
+                },
+            })),
+            Err(fault) => {
+                self.cut = Some((fault, (self.start + at).saturating_add(size)));
+                Ok(None)
+            }
+        }
+    }
+
+    fn part(&self, at: usize, length: usize) -> Result<&'a [u8], Fault> {
+        let section = self.section.bytes;
+        let end = at.checked_add(length);
+        match end.and_then(|end| section.get(at..end)) {
+            Some(part) => Ok(part),
+            None => refuse(
+                self.start + at,
+                format!("a parameter of {length} bytes at byte {at} of the parameters"),
+                format!("all of it within their {} bytes", section.len()),
+            ),
+        }
     }
 
     /// Whether the file contains the parameter `group:name`.
@@ -113,6 +144,27 @@ impl<'a> Parameters<'a> {
         self.parameters.get(&(group, name.to_owned()))
     }
 
+    /// Value of a parameter as `read` decodes it; an error with the text `expected` if that fails.
+    fn value<V>(
+        &self,
+        group: &str,
+        name: &str,
+        (found, expected): (&str, &str),
+        read: impl Fn(&Parameter<'a>) -> Option<V>,
+    ) -> Result<Option<V>, Fault> {
+        let Some(parameter) = self.get(group, name) else {
+            return Ok(None);
+        };
+        let fault = || {
+            refuse(
+                parameter.offset,
+                format!("{group}:{name} {found}"),
+                expected,
+            )
+        };
+        read(parameter).map_or_else(fault, |value| Ok(Some(value)))
+    }
+
     /// Byte offset in the file of a parameter, or of the parameter section if the parameter is absent.
     pub fn offset(&self, group: &str, name: &str) -> usize {
         let parameter = self.get(group, name);
@@ -120,25 +172,19 @@ impl<'a> Parameters<'a> {
     }
 
     /// First value of a numeric parameter; `None` if the parameter is absent, an error if it is not numeric.
-    pub fn number(&self, group: &str, name: &str) -> Result<Option<f64>, C3dError> {
-        let Some(parameter) = self.get(group, name) else {
-            return Ok(None);
-        };
-        match (parameter.kind, parameter.data.bytes.len()) {
-            (2, 2..) => Ok(Some(f64::from(parameter.data.i16(0)))),
-            (4, 4..) => Ok(Some(f64::from(parameter.data.f32(0)))),
-            (1, 1..) => Ok(Some(f64::from(parameter.data.bytes[0]))),
-            _ => refuse(
-                parameter.offset,
-                format!("{group}:{name} without a number"),
-                "a number",
-            ),
-        }
+    pub fn number(&self, group: &str, name: &str) -> Result<Option<f64>, Fault> {
+        self.value(group, name, ("without a number", "a number"), |it| {
+            match (it.kind, it.data.bytes.len()) {
+                (2, 2..) => Some(f64::from(it.data.i16(0))),
+                (4, 4..) => Some(f64::from(it.data.f32(0))),
+                (1, 1..) => Some(f64::from(it.data.bytes[0])),
+                _ => None,
+            }
+        })
     }
 
-    /// Value of a parameter that is a count, stored as an unsigned 16-bit integer or a float; `None` if the parameter
-    /// is absent.
-    pub fn count(&self, group: &str, name: &str) -> Result<Option<u64>, C3dError> {
+    /// Value of a parameter that is a count, stored as an unsigned 16-bit integer or a float.
+    pub fn count(&self, group: &str, name: &str) -> Result<Option<u64>, Fault> {
         match self.number(group, name)? {
             None => Ok(None),
             Some(number) if (-32768.0..0.0).contains(&number) => {
@@ -147,79 +193,55 @@ impl<'a> Parameters<'a> {
             Some(number) if (0.0..=4294967295.0).contains(&number) && number.fract() == 0.0 => {
                 Ok(Some(number as u64))
             }
-            Some(number) => refuse(
-                self.offset(group, name),
-                format!("{group}:{name} = {number}"),
-                "a number of frames",
-            ),
-        }
-    }
-
-    /// Value of an unsigned 32-bit integer stored as two 16-bit words, low word first; `None` if the parameter is
-    /// absent.
-    pub fn long(&self, group: &str, name: &str) -> Result<Option<u32>, C3dError> {
-        match self.get(group, name) {
-            None => Ok(None),
-            Some(parameter) if parameter.kind == 2 && parameter.data.bytes.len() == 4 => {
-                let [low, high] = [0, 2].map(|at| u32::from(parameter.data.u16(at)));
-                Ok(Some(low | high << 16))
+            Some(number) => {
+                let found = format!("{group}:{name} = {number}");
+                refuse(self.offset(group, name), found, "a number of frames")
             }
-            Some(parameter) => refuse(
-                parameter.offset,
-                format!("{group}:{name} of another kind"),
-                "two integers",
-            ),
         }
     }
 
-    /// Text of a parameter, without surrounding blanks; `None` if the parameter is absent, an error if it is not a
-    /// text.
-    pub fn text(&self, group: &str, name: &str) -> Result<Option<String>, C3dError> {
-        match self.get(group, name) {
-            None => Ok(None),
-            Some(parameter) if parameter.kind == -1 => Ok(Some(text(parameter.data.bytes))),
-            Some(parameter) => refuse(
-                parameter.offset,
-                format!("{group}:{name} of another kind"),
-                "a text",
-            ),
-        }
+    /// Value of an unsigned 32-bit integer stored as two 16-bit words, low word first.
+    pub fn long(&self, group: &str, name: &str) -> Result<Option<u32>, Fault> {
+        self.value(group, name, ("of another kind", "two integers"), |it| {
+            let [low, high] = [0, 2].map(|at| u32::from(it.data.u16(at)));
+            (it.kind == 2 && it.data.bytes.len() == 4).then_some(low | high << 16)
+        })
     }
 
-    /// First text of a parameter that may be an array of texts; `None` if the parameter is absent.
-    pub fn first_text(&self, group: &str, name: &str) -> Result<Option<String>, C3dError> {
-        let whole = self.text(group, name)?;
-        let several = self.get(group, name).filter(|it| it.dimensions.len() > 1);
-        let first = several.and_then(|it| {
-            let width = usize::from(*it.dimensions.first()?);
-            it.data.bytes.get(..width).map(text)
-        });
-        Ok(first.or(whole))
+    /// Text of a parameter, without surrounding blanks.
+    pub fn text(&self, group: &str, name: &str) -> Result<Option<String>, Fault> {
+        self.value(group, name, ("of another kind", "a text"), |it| {
+            (it.kind == -1).then(|| text(it.data.bytes))
+        })
+    }
+
+    /// First text of a parameter that may be an array of texts.
+    pub fn first_text(&self, group: &str, name: &str) -> Result<Option<String>, Fault> {
+        self.value(group, name, ("of another kind", "a text"), |it| {
+            let width = it.dimensions.first().filter(|_| it.dimensions.len() > 1);
+            let first = width.and_then(|&width| it.data.bytes.get(..usize::from(width)));
+            (it.kind == -1).then(|| text(first.unwrap_or(it.data.bytes)))
+        })
     }
 
     /// Labels of the points from the parameters LABELS, LABELS2, …, each of which contains at most 255 labels. Only the
     /// first `points` labels are returned; there may be fewer.
-    pub fn labels(&self, points: usize) -> Result<Vec<String>, C3dError> {
+    pub fn labels(&self, points: usize) -> Result<Vec<String>, Fault> {
         let mut labels = Vec::new();
         for number in 1.. {
             let name = match number {
                 1 => "LABELS".to_owned(),
                 _ => format!("LABELS{number}"),
             };
-            let Some(parameter) = self.get("POINT", &name) else {
-                break;
-            };
-            if parameter.kind != -1 {
-                return refuse(
-                    parameter.offset,
-                    format!("POINT:{name} of another kind"),
-                    "texts",
-                );
-            }
-            let width = usize::from(parameter.dimensions.first().copied().unwrap_or(0));
-            if width > 0 {
-                let each = parameter.data.bytes.chunks(width).map(text);
-                labels.extend(each.take(points - labels.len()));
+            let more = self.value("POINT", &name, ("of another kind", "texts"), |it| {
+                let width = usize::from(it.dimensions.first().copied().unwrap_or(0));
+                let each = it.data.bytes.chunks(width.max(1)).map(text);
+                let left = if width > 0 { points - labels.len() } else { 0 };
+                (it.kind == -1).then(|| each.take(left).collect::<Vec<String>>())
+            })?;
+            match more {
+                Some(more) => labels.extend(more),
+                None => break,
             }
         }
         if labels.is_empty() {
@@ -229,7 +251,6 @@ impl<'a> Parameters<'a> {
     }
 }
 
-/// Decodes a text of the file and strips blanks and zero bytes at both ends.
 fn text(bytes: &[u8]) -> String {
     let text = String::from_utf8_lossy(bytes);
     text.trim_matches([' ', '\0', '\t', '\r', '\n']).to_owned()

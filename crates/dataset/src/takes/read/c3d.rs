@@ -1,22 +1,15 @@
 //! Reader of the points of a C3D file.
 
-use crate::takes::axes::Axis;
-use crate::takes::c3d::{C3dError, Recording};
-use crate::takes::error::{Fault, Location};
-use crate::takes::format::Format;
-use crate::takes::layout::{MAX_COORDINATE, MAX_LABELS, MAX_POSITIONS, unique};
-use crate::takes::options::ReadOptions;
-use crate::takes::take::{Point, Take};
-use crate::takes::words::shown;
-
-fn fault(error: C3dError) -> Fault {
-    Fault::new(Location::Byte(error.byte), error.found, error.expected)
-}
+use crate::takes::c3d::Recording;
+use crate::takes::{
+    Axis, Fault, Format, LengthUnit, Location, MAX_COORDINATE, MAX_LABELS, MAX_POSITIONS, Point,
+    ReadOptions, Take, shown, unique,
+};
 
 pub(super) fn read(bytes: &[u8], options: &ReadOptions) -> Result<Take, Fault> {
-    let recording = Recording::open(bytes).map_err(fault)?;
+    let recording = Recording::open(bytes)?;
     let mut notes = Vec::new();
-    for deviation in recording.deviations() {
+    for deviation in &recording.deviations {
         notes.push(format!(
             "found {}, expected {}: read as {}",
             deviation.contradiction.found, deviation.contradiction.expected, deviation.read_as
@@ -29,17 +22,16 @@ pub(super) fn read(bytes: &[u8], options: &ReadOptions) -> Result<Take, Fault> {
             notes.push(format!("found {}: the option --rate was used", error.found));
             options.rate(None, Location::Byte(20), &mut notes)?
         }
-        (Err(error), None) => {
-            let mut fault = fault(error);
-            fault.expected += ", or the option --rate";
-            return Err(fault);
+        (Err(mut error), None) => {
+            error.expected += ", or the option --rate";
+            return Err(error);
         }
     };
-    let named = recording.points().min(recording.labels().len());
+    let named = recording.points.min(recording.labels.len());
     let labelled: Vec<usize> = (0..named)
-        .filter(|&index| !recording.labels()[index].is_empty())
+        .filter(|&index| !recording.labels[index].is_empty())
         .collect();
-    let unnamed = recording.points() - labelled.len();
+    let unnamed = recording.points - labelled.len();
     if unnamed > 0 {
         notes.push(format!("{unnamed} points without a label were left out"));
     }
@@ -53,7 +45,7 @@ pub(super) fn read(bytes: &[u8], options: &ReadOptions) -> Result<Take, Fault> {
     let first = f64::from(recording.first_frame());
     let mut points = Vec::with_capacity(labelled.len());
     for index in labelled {
-        let label = recording.labels()[index].clone();
+        let label = recording.labels[index].clone();
         let mut positions = Vec::with_capacity(frames);
         for frame in 0..frames {
             let position = recording.position(frame, index);
@@ -109,10 +101,10 @@ fn length(
     recording: &Recording<'_>,
     options: &ReadOptions,
     notes: &mut Vec<String>,
-) -> Result<crate::takes::LengthUnit, Fault> {
+) -> Result<LengthUnit, Fault> {
     match (recording.unit(), options.length) {
         (Ok((unit, text)), _) => {
-            if !crate::takes::LengthUnit::is_whole_name(&text) {
+            if !LengthUnit::is_whole_name(&text) {
                 notes.push(format!("the unit {} was read as {unit}", shown(&text)));
             }
             options.length(Some(unit), Location::Byte(0), notes)
@@ -124,10 +116,9 @@ fn length(
             ));
             Ok(unit)
         }
-        (Err(error), None) => {
-            let mut fault = fault(error);
-            fault.expected += ", or the option --length";
-            Err(fault)
+        (Err(mut error), None) => {
+            error.expected += ", or the option --length";
+            Err(error)
         }
     }
 }

@@ -1,14 +1,10 @@
 //! Reader of tables with one header line that names every column: points, poses, and files of DLTdv8.
 
 use crate::takes::columns::{Column, Quantity};
-use crate::takes::error::{Fault, Location};
-use crate::takes::format::{Format, is_digitised};
-use crate::takes::layout::{Attitude, Clock, Layout, Tracks};
-use crate::takes::options::ReadOptions;
-use crate::takes::sheet::{Sheet, separator};
-use crate::takes::take::Take;
-use crate::takes::unit::{LengthUnit, TimeUnit};
-use crate::takes::words::{listed, shown};
+use crate::takes::{
+    Attitude, Clock, Fault, Format, Layout, LengthUnit, Location, ReadOptions, Sheet, Take,
+    TimeUnit, Tracks, is_digitised, listed, separator, shown,
+};
 
 /// Label used for a point or body whose column names contain no label.
 const UNNAMED: &str = "body";
@@ -25,22 +21,24 @@ struct Header {
 }
 
 pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<Take, Fault> {
-    let first = text.lines().find(|line| {
-        let line = line.trim();
-        !line.is_empty() && !line.starts_with('#')
-    });
-    let mut sheet = Sheet::new(text, separator(first.unwrap_or_default()));
+    let mut sheet = Sheet::new(text, separator(text));
     if !sheet.advance()? {
         let expected = "a header that names the columns";
         return Err(Fault::new(Location::Line(1), "no header", expected));
     }
     let header = Header::new(&sheet)?;
     let line = Location::Line(sheet.line());
-    if format == Format::Dltdv
-        && let Some((index, name)) = foreign(&sheet)
-    {
-        let expected = "columns such as pt1_X, pt1_Y, pt1_Z of DLTdv8";
-        return Err(sheet.fault(index, shown(&name), expected));
+    if format == Format::Dltdv {
+        // Every name must be one that DLTdv8 writes.
+        let cells = sheet.cells();
+        let mut foreign = cells
+            .iter()
+            .enumerate()
+            .filter(|(_, name)| !is_digitised(name));
+        if let Some((index, name)) = foreign.next() {
+            let expected = "columns such as pt1_X, pt1_Y, pt1_Z of DLTdv8";
+            return Err(sheet.fault(index, shown(name), expected));
+        }
     }
     let mut notes = Vec::new();
     let clock = header.clock(line, options, &mut notes)?;
@@ -49,23 +47,11 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
         let names = listed(&header.others);
         notes.push(format!("columns that are not read: {names}"));
     }
-    let mut layout = Layout {
-        format,
-        clock,
-        length,
-        points: Vec::new(),
-        bodies: Vec::new(),
-        width: sheet.filled(),
-        zero_is_gap: false,
-        notes,
-        stated: None,
-    };
+    let mut layout = Layout::new(format, clock, length, sheet.filled());
+    layout.notes = notes;
     for (label, track) in header.tracks.list {
-        let label = if label.is_empty() {
-            UNNAMED.to_owned()
-        } else {
-            label
-        };
+        let label = Some(label).filter(|label| !label.is_empty());
+        let label = label.unwrap_or_else(|| UNNAMED.to_owned());
         let incomplete = |what: String| {
             let expected = "x, y and z of every point, and qw, qx, qy and qz of every pose";
             Fault::new(line, what, expected)
@@ -75,42 +61,26 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
             let axis = ["x", "y", "z"][missing.unwrap_or(0)];
             return Err(incomplete(format!("no {axis} of {}", shown(&label))));
         };
-        match track.quaternion {
-            [None, None, None, None] => layout.points.push((label, [x, y, z])),
-            [Some(a), Some(b), Some(c), Some(d)] => {
-                let quaternion = Attitude::Quaternion([a, b, c, d]);
-                layout.bodies.push((label, [x, y, z], quaternion));
-            }
+        let attitude = match track.quaternion {
+            [None, None, None, None] => None,
+            [Some(a), Some(b), Some(c), Some(d)] => Some(Attitude::Quaternion([a, b, c, d])),
             _ => {
                 let found = format!("a quaternion of {} with a part missing", shown(&label));
                 return Err(incomplete(found));
             }
-        }
+        };
+        layout.add(label, [x, y, z], attitude);
     }
-    if format == Format::Poses && layout.bodies.is_empty() {
-        let expected = "columns qw, qx, qy and qz of at least one pose";
-        return Err(Fault::new(line, "no quaternion", expected));
-    }
-    if !layout.bodies.is_empty() {
+    if layout.has_bodies() {
         let note =
             "the quaternions are read as rotations from the body's axes to those of the room";
         layout.notes.push(note.into());
+    } else if format == Format::Poses {
+        let expected = "columns qw, qx, qy and qz of at least one pose";
+        return Err(Fault::new(line, "no quaternion", expected));
     }
-    if !sheet.advance()? {
-        return Err(Fault::new(
-            line,
-            "a header and no rows",
-            "at least one sample",
-        ));
-    }
+    sheet.require("a header and no rows", "at least one sample")?;
     layout.samples(&mut sheet, |_| false)
-}
-
-/// Index and name of the first column whose name is not one that DLTdv8 writes; `None` if there is none.
-fn foreign(sheet: &Sheet<'_>) -> Option<(usize, String)> {
-    let cells = sheet.cells();
-    let found = cells.iter().position(|name| !is_digitised(name))?;
-    Some((found, cells[found].clone()))
 }
 
 impl Header {
@@ -118,12 +88,10 @@ impl Header {
         let mut header = Self::default();
         for (index, name) in sheet.cells().iter().enumerate().take(sheet.filled()) {
             let column = Column::parse(name);
-            let twice = |before: Option<usize>| match before {
-                Some(_) => {
-                    let found = format!("a second column {}", shown(name));
-                    Err(sheet.fault(index, found, "each column once"))
-                }
-                None => Ok(()),
+            let twice = |before: Option<usize>| {
+                let found = || format!("a second column {}", shown(name));
+                let fault = |_| Err(sheet.fault(index, found(), "each column once"));
+                before.map_or(Ok(()), fault)
             };
             match column.quantity {
                 Quantity::Time(unit) => {

@@ -8,10 +8,7 @@ mod vicon;
 
 use std::path::Path;
 
-use crate::takes::error::{Fault, Location, TakeError};
-use crate::takes::format::Format;
-use crate::takes::options::ReadOptions;
-use crate::takes::take::Take;
+use crate::takes::{Fault, Format, Location, ReadOptions, Take, TakeError};
 
 /// Maximum size of a recording file, bytes.
 const MAX_FILE_BYTES: u64 = 1 << 30;

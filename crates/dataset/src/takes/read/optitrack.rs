@@ -3,22 +3,16 @@
 
 use std::collections::BTreeMap;
 
-use crate::takes::error::{Fault, Location};
-use crate::takes::format::Format;
-use crate::takes::layout::{Attitude, Clock, Layout, Tracks};
-use crate::takes::options::ReadOptions;
-use crate::takes::sheet::{Sheet, separator};
-use crate::takes::take::Take;
-use crate::takes::unit::LengthUnit;
-use crate::takes::words::{listed, shown};
+use crate::takes::{
+    Attitude, Clock, Fault, Format, Layout, LengthUnit, Location, ReadOptions, Sheet, Take, Tracks,
+    listed, separator, shown,
+};
 
 /// Number of columns of an OptiTrack table before those of points and bodies: frame and time.
 const FIXED: usize = 2;
-/// Maximum number of header lines of an OptiTrack table after the first line, which contains the file's properties. The
-/// line that names the axis of each column is included.
+/// Maximum number of header lines after the line of properties, up to the line of the axes.
 const MAX_HEADER_LINES: usize = 12;
 
-/// Header lines of an OptiTrack table above the columns, with one text per column.
 #[derive(Default)]
 struct Heads {
     types: Vec<String>,
@@ -38,50 +32,27 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Take, Fault> {
         let found = format!("the coordinate space {}", shown(space));
         return Err(Fault::new(line, found, "Global"));
     }
+    let stated = property("Length Units").map(|text| {
+        let found = format!("the unit {}", shown(text));
+        let fault = || Fault::new(line, found, "Meters, Centimeters or Millimeters");
+        LengthUnit::parse(text).ok_or_else(fault)
+    });
     let mut notes = Vec::new();
-    let stated = match property("Length Units") {
-        None => None,
-        Some(text) => match LengthUnit::parse(text) {
-            Some(unit) => Some(unit),
-            None => {
-                let found = format!("the unit {}", shown(text));
-                return Err(Fault::new(
-                    line,
-                    found,
-                    "Meters, Centimeters or Millimeters",
-                ));
-            }
-        },
-    };
-    let length = options.length(stated, line, &mut notes)?;
-    let stated_rows = match property("Total Exported Frames") {
-        None => None,
-        Some(text) => match text.parse() {
-            Ok(count) => Some(count),
-            Err(_) => return Err(Fault::new(line, shown(text), "a number of frames")),
-        },
-    };
+    let length = options.length(stated.transpose()?, line, &mut notes)?;
+    let rows = property("Total Exported Frames").map(|text| {
+        let fault = |_| Fault::new(line, shown(text), "a number of frames");
+        text.parse().map_err(fault)
+    });
+    let rows = rows.transpose()?;
     let heads = heads(&mut sheet)?;
     // The last column, an error, may have no axis.
     let kinds = heads.kinds.iter().rposition(|kind| !kind.is_empty());
     let width = sheet.filled().max(kinds.map_or(0, |last| last + 1));
     let tracks = tracks(&heads, &sheet)?;
-    let mut layout = Layout {
-        format: Format::OptiTrack,
-        clock: Clock::Column(1, 1.0),
-        length,
-        points: Vec::new(),
-        bodies: Vec::new(),
-        width,
-        zero_is_gap: false,
-        notes,
-        stated: stated_rows,
-    };
+    let mut layout = Layout::new(Format::OptiTrack, Clock::Column(1, 1.0), length, width);
+    (layout.notes, layout.stated) = (notes, rows);
     fill(&mut layout, &tracks, property("Rotation Type"), &sheet)?;
-    if !sheet.advance()? {
-        let location = Location::Line(sheet.line());
-        return Err(Fault::new(location, "no rows", "at least one sample"));
-    }
+    sheet.require("no rows", "at least one sample")?;
     let mut take = layout.samples(&mut sheet, |_| false)?;
     take.left_handed = Some(false);
     Ok(take)
@@ -95,98 +66,73 @@ fn properties(sheet: &mut Sheet<'_>) -> Result<BTreeMap<String, String>, Fault> 
         return Err(Fault::new(Location::Line(1), found, expected));
     }
     let cells = sheet.cells();
-    let pairs = cells.chunks_exact(2);
-    Ok(pairs
-        .map(|pair| (pair[0].clone(), pair[1].clone()))
-        .collect())
+    let pairs = cells
+        .chunks_exact(2)
+        .map(|pair| (pair[0].clone(), pair[1].clone()));
+    Ok(pairs.collect())
 }
 
-/// Reads the header lines of an OptiTrack table above the columns, up to and including the line that names the axis of
-/// each column.
+/// Reads the header lines above the columns, up to and including the line that names the axis of each column.
 fn heads(sheet: &mut Sheet<'_>) -> Result<Heads, Fault> {
     const EXPECTED: &str = "the line of the axes, from Frame on";
+    let is_axis = |cell: &String| matches!(cell.as_str(), "X" | "Y" | "Z" | "W");
+    let is_kind = |cell: &String| cell == "Position" || cell == "Rotation";
+    let is_type = |cell: &String| cell == "Marker" || cell == "Rigid Body";
     let mut heads = Heads::default();
     for _ in 0..MAX_HEADER_LINES {
-        if !sheet.advance()? {
-            let location = Location::Line(sheet.line());
-            return Err(Fault::new(location, "the end of the file", EXPECTED));
-        }
-        let is_axis = |cell: &String| matches!(cell.as_str(), "X" | "Y" | "Z" | "W");
+        sheet.require("the end of the file", EXPECTED)?;
+        let cells = sheet.cells();
         // Old exports do not name the columns of frame and time.
         let is_unnamed = sheet.cell(0).is_empty() && sheet.cell(1).is_empty();
         if sheet.cell(0).eq_ignore_ascii_case("frame")
-            || is_unnamed && sheet.cells().iter().skip(FIXED).all(is_axis)
+            || is_unnamed && cells.iter().skip(FIXED).all(is_axis)
         {
             let time = sheet.cell(1).to_ascii_lowercase();
             if !(is_unnamed || time == "time" || time.starts_with("time (s")) {
-                let found = shown(sheet.cell(1));
-                return Err(sheet.fault(1, found, "a column Time (Seconds)"));
+                return Err(sheet.fault(1, shown(sheet.cell(1)), "a column Time (Seconds)"));
             }
-            heads.axes = sheet.cells();
-            let missing = |what: &str| {
-                let expected = format!("a line {what} above the axes");
-                Fault::new(
-                    Location::Line(sheet.line()),
-                    format!("no line {what}"),
-                    expected,
-                )
-            };
-            return match (
-                heads.types.is_empty(),
-                heads.names.is_empty(),
-                heads.kinds.is_empty(),
-            ) {
-                (true, ..) => Err(missing("Type")),
-                (_, true, _) => Err(missing("Name")),
-                (.., true) => Err(missing("of Position and Rotation")),
-                _ => Ok(heads),
+            heads.axes = cells;
+            let lines = [
+                (&heads.types, "Type"),
+                (&heads.names, "Name"),
+                (&heads.kinds, "of Position and Rotation"),
+            ];
+            return match lines.iter().find(|(line, _)| line.is_empty()) {
+                None => Ok(heads),
+                Some((_, what)) => {
+                    let expected = format!("a line {what} above the axes");
+                    Err(sheet.line_fault(format!("no line {what}"), expected))
+                }
             };
         }
-        let is_kinds = |cell: &String| cell == "Position" || cell == "Rotation";
-        let is_type = |cell: &String| cell == "Marker" || cell == "Rigid Body";
         match sheet.cell(1) {
-            "Type" => heads.types = sheet.cells(),
-            "Name" => heads.names = sheet.cells(),
-            _ if sheet.cells().iter().skip(FIXED).any(is_kinds) => heads.kinds = sheet.cells(),
-            "" if heads.types.is_empty() && sheet.cells().iter().any(is_type) => {
-                heads.types = sheet.cells();
-            }
-            "" if heads.names.is_empty() && !heads.types.is_empty() => {
-                heads.names = sheet.cells();
-            }
+            "Type" => heads.types = cells,
+            "Name" => heads.names = cells,
+            _ if cells.iter().skip(FIXED).any(is_kind) => heads.kinds = cells,
+            "" if heads.types.is_empty() && cells.iter().any(is_type) => heads.types = cells,
+            "" if heads.names.is_empty() && !heads.types.is_empty() => heads.names = cells,
             _ => {}
         }
     }
     Err(sheet.fault(0, shown(sheet.cell(0)), EXPECTED))
 }
 
-/// Columns of each recorded point or body by its type and name.
 fn tracks(heads: &Heads, sheet: &Sheet<'_>) -> Result<Tracks<(String, String)>, Fault> {
     let mut tracks = Tracks::default();
     let at = |row: &[String], index: usize| row.get(index).cloned().unwrap_or_default();
-    for index in FIXED..heads.axes.len() {
-        let (kind, axis) = (at(&heads.kinds, index), at(&heads.axes, index));
-        let name = at(&heads.names, index);
-        let is_rotation = kind == "Rotation";
-        if !is_rotation && kind != "Position" {
+    for (index, axis) in heads.axes.iter().enumerate().skip(FIXED) {
+        let (kind, name) = (at(&heads.kinds, index), at(&heads.names, index));
+        if kind != "Position" && kind != "Rotation" {
             continue;
         }
         let track = tracks.entry((at(&heads.types, index), name.clone()));
-        let slot = match (is_rotation, axis.as_str()) {
-            (false, "X" | "Y" | "Z") => {
-                let axis = ["X", "Y", "Z"].iter().position(|name| *name == axis);
-                &mut track.position[axis.unwrap_or(0)]
-            }
-            (true, "W" | "X" | "Y" | "Z") => {
-                let component = ["W", "X", "Y", "Z"].iter().position(|name| *name == axis);
-                &mut track.quaternion[component.unwrap_or(0)]
-            }
+        let component = ["W", "X", "Y", "Z"].iter().position(|known| known == axis);
+        let slot = match component {
+            Some(component) if kind == "Rotation" => &mut track.quaternion[component],
+            Some(component @ 1..) => &mut track.position[component - 1],
             _ => {
-                return Err(sheet.fault(
-                    index,
-                    shown(&axis),
-                    "an axis X, Y, Z, or W of a rotation",
-                ));
+                let expected = "an axis X, Y, Z, or W of a rotation";
+                return Err(sheet.fault(index, shown(axis), expected));
             }
         };
         if slot.replace(index).is_some() {
@@ -205,60 +151,43 @@ fn fill(
     rotation: Option<&str>,
     sheet: &Sheet<'_>,
 ) -> Result<(), Fault> {
-    let measured = |name: &str| {
-        tracks
-            .list
-            .iter()
-            .any(|((kind, other), _)| kind == "Marker" && other == name)
-    };
+    let names = || tracks.list.iter().map(|(key, _)| key);
+    let is_measured = |name: &str| names().any(|(kind, own)| kind == "Marker" && own == name);
     let is_unlabelled = |name: &str| name.is_empty() || name.starts_with("Unlabeled");
     let mut left_out = Vec::new();
     for ((kind, name), track) in &tracks.list {
         let is_body = matches!(kind.as_str(), "Rigid Body" | "Bone");
         let is_solved = matches!(kind.as_str(), "Rigid Body Marker" | "Bone Marker");
-        let is_named = !is_unlabelled(name);
-        if !(is_body || is_solved || kind == "Marker") || !is_named || is_solved && measured(name) {
+        let is_known = is_body || is_solved || kind == "Marker";
+        if !is_known || is_unlabelled(name) || is_solved && is_measured(name) {
             left_out.push(format!("{kind} {}", shown(name)));
             continue;
         }
         let [Some(x), Some(y), Some(z)] = track.position else {
             let found = format!("no position of {}", shown(name));
-            let location = Location::Line(sheet.line());
-            return Err(Fault::new(location, found, "X, Y and Z of each position"));
+            return Err(sheet.line_fault(found, "X, Y and Z of each position"));
         };
         if is_solved {
-            let name = shown(name);
-            layout
-                .notes
-                .push(format!("{name} is as solved for, not as measured"));
-        }
-        if !is_body {
-            layout.points.push((name.clone(), [x, y, z]));
-            continue;
+            let note = format!("{} is as solved for, not as measured", shown(name));
+            layout.notes.push(note);
         }
         let attitude = match track.quaternion {
-            [Some(w), Some(a), Some(b), Some(c)] => Attitude::Quaternion([w, a, b, c]),
-            [None, None, None, None] => {
-                layout.points.push((name.clone(), [x, y, z]));
-                continue;
+            [Some(w), Some(a), Some(b), Some(c)] if is_body => {
+                Some(Attitude::Quaternion([w, a, b, c]))
             }
+            [None, None, None, None] => None,
+            _ if !is_body => None,
             _ => {
-                let kind = rotation.unwrap_or("another type");
-                let found = format!("rotations of {} as {}", shown(name), shown(kind));
-                let location = Location::Line(sheet.line());
-                return Err(Fault::new(
-                    location,
-                    found,
-                    "an export with Rotation Type Quaternion",
-                ));
+                let kind = shown(rotation.unwrap_or("another type"));
+                let found = format!("rotations of {} as {kind}", shown(name));
+                let expected = "an export with Rotation Type Quaternion";
+                return Err(sheet.line_fault(found, expected));
             }
         };
-        layout.bodies.push((name.clone(), [x, y, z], attitude));
+        layout.add(name.clone(), [x, y, z], attitude);
     }
-    let mut names = tracks.list.iter().map(|((_, name), _)| name);
-    if layout.points.is_empty() && layout.bodies.is_empty() && names.any(|n| is_unlabelled(n)) {
-        return Err(Fault::new(
-            Location::Line(sheet.line()),
+    if layout.is_empty() && names().any(|(_, name)| is_unlabelled(name)) {
+        return Err(sheet.line_fault(
             "markers without labels only",
             "labelled markers or a rigid body: label them in Motive, and export again",
         ));

@@ -6,15 +6,12 @@
 //! does not state it.
 
 use std::collections::BTreeMap;
+use std::str::FromStr;
 
-use crate::takes::error::{Fault, Location};
 use crate::takes::format::{Format, QUALISYS_HEADER as HEADER};
-use crate::takes::layout::{Attitude, Clock, Layout};
-use crate::takes::options::ReadOptions;
-use crate::takes::sheet::Sheet;
-use crate::takes::take::Take;
-use crate::takes::unit::LengthUnit;
-use crate::takes::words::shown;
+use crate::takes::{
+    Attitude, Clock, Fault, Layout, LengthUnit, Location, ReadOptions, Sheet, Take, shown,
+};
 
 /// Number of columns per body in a Qualisys table: position (3), angles (3), residual (1), rotation matrix (9).
 const BODY: usize = 16;
@@ -22,25 +19,19 @@ const BODY: usize = 16;
 const MATRIX: usize = 7;
 
 pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<Take, Fault> {
-    let tab = text.lines().take(HEADER).any(|line| line.contains('\t'));
-    let mut sheet = Sheet::new(text, if tab { b'\t' } else { b',' });
+    let has_tabs = text.lines().take(HEADER).any(|line| line.contains('\t'));
+    let mut sheet = Sheet::new(text, if has_tabs { '\t' } else { ',' });
     let has_bodies = format == Format::QualisysPoses;
-    let Head {
-        keywords,
-        titles,
-        has_rows,
-    } = Head::read(&mut sheet)?;
+    let head = Head::read(&mut sheet)?;
     let end = Location::Line(sheet.line());
-    let (keyword, parts) = match has_bodies {
-        true => ("BODY_NAMES", BODY),
-        false => ("MARKER_NAMES", 3),
+    let (keyword, counted, parts) = if has_bodies {
+        ("BODY_NAMES", "NO_OF_BODIES", BODY)
+    } else {
+        ("MARKER_NAMES", "NO_OF_MARKERS", 3)
     };
-    let Some((line, labels)) = keywords.get(keyword) else {
-        return Err(Fault::new(
-            end,
-            format!("no line {keyword}"),
-            "the labels of the tracks",
-        ));
+    let Some((line, labels)) = head.keywords.get(keyword) else {
+        let found = format!("no line {keyword}");
+        return Err(Fault::new(end, found, "the labels of the tracks"));
     };
     let named = labels.iter().rposition(|label| !label.is_empty());
     let labels = &labels[..named.map_or(0, |last| last + 1)];
@@ -52,79 +43,52 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
             "a label of each track",
         ));
     }
-    let mut notes = Vec::new();
-    let count = |keyword: &str| count(&keywords, keyword);
-    let tracks = count(if has_bodies {
-        "NO_OF_BODIES"
-    } else {
-        "NO_OF_MARKERS"
-    })?;
-    if let Some(stated) = tracks
-        && stated != labels.len()
-    {
-        let location = Location::Line(*line);
-        let found = format!("{} labels", labels.len());
-        return Err(Fault::new(
-            location,
-            found,
+    let count = |keyword| head.value::<usize>(keyword, "a count");
+    if let Some(stated) = count(counted)?.filter(|stated| *stated != labels.len()) {
+        let (found, expected) = (
+            format!("{} labels", labels.len()),
             format!("{stated}, as stated above"),
-        ));
+        );
+        return Err(Fault::new(Location::Line(*line), found, expected));
     }
-    let stated = frequency(&keywords)?;
+    let stated = head.value("FREQUENCY", "the frames per second")?;
+    let mut notes = Vec::new();
     let length = options.length(Some(LengthUnit::Millimetre), end, &mut notes)?;
     if options.length.is_none() {
         notes.push("lengths are in mm, as Qualisys writes them".into());
     }
-    if !has_rows {
+    if !head.has_rows {
         return Err(Fault::new(end, "no rows", "at least one sample"));
     }
-    let fixed = fixed_columns(&sheet, titles.as_deref(), parts * labels.len())?;
+    let fixed = fixed_columns(&sheet, head.titles.as_deref(), parts * labels.len())?;
     let start = fixed.len();
     let clock = match fixed {
         [.., Fixed::Time] => Clock::Column(start - 1, 1.0),
         [.., Fixed::Frame] => Clock::Frame(0, options.rate(stated, end, &mut notes)?),
         [] => Clock::Count(options.rate(stated, end, &mut notes)?),
     };
-    let axes = |i: usize| [0, 1, 2].map(|axis| start + parts * i + axis);
-    // The file contains the matrix column by column.
-    let matrix =
-        |i: usize| [0, 3, 6, 1, 4, 7, 2, 5, 8].map(|entry| start + parts * i + MATRIX + entry);
-    let mut layout = Layout {
-        format,
-        clock,
-        length,
-        points: Vec::new(),
-        bodies: Vec::new(),
-        width: start + parts * labels.len(),
-        zero_is_gap: true,
-        notes,
-        stated: count("NO_OF_FRAMES")?,
-    };
+    let mut layout = Layout::new(format, clock, length, start + parts * labels.len());
+    layout.zero_is_gap = true;
+    layout.notes = notes;
+    layout.stated = count("NO_OF_FRAMES")?;
     for (i, label) in labels.iter().enumerate() {
-        match has_bodies {
-            true => {
-                let body = (label.clone(), axes(i), Attitude::Matrix(matrix(i)));
-                layout.bodies.push(body);
-            }
-            false => layout.points.push((label.clone(), axes(i))),
-        }
+        let first = start + parts * i;
+        // The file contains the matrix column by column.
+        let entries = [0, 3, 6, 1, 4, 7, 2, 5, 8].map(|entry| first + MATRIX + entry);
+        let attitude = has_bodies.then_some(Attitude::Matrix(entries));
+        layout.add(label.clone(), [first, first + 1, first + 2], attitude);
     }
     layout.samples(&mut sheet, |_| false)
 }
 
-/// What stands above the rows of a table.
 struct Head {
-    keywords: Keywords,
-    /// Titles of the columns; `None` in a table without them.
+    /// Line number and values of each header line, by its keyword.
+    keywords: BTreeMap<String, (usize, Vec<String>)>,
     titles: Option<Vec<String>>,
     has_rows: bool,
 }
 
-/// Line number and values of each header line, by its keyword.
-type Keywords = BTreeMap<String, (usize, Vec<String>)>;
-
 impl Head {
-    /// Reads a sheet up to its first row.
     fn read(sheet: &mut Sheet<'_>) -> Result<Self, Fault> {
         let mut head = Self {
             keywords: BTreeMap::new(),
@@ -151,47 +115,25 @@ impl Head {
         }
         Ok(head)
     }
-}
 
-/// Frames per second that the header states; `None` if it states none.
-fn frequency(keywords: &Keywords) -> Result<Option<f64>, Fault> {
-    let Some((line, values)) = keywords.get("FREQUENCY") else {
-        return Ok(None);
-    };
-    let text = values.first().map_or("", String::as_str);
-    let rate = text.replace(',', ".").parse::<f64>();
-    let fault = |_| {
-        Fault::new(
-            Location::Cell(*line, 2),
-            shown(text),
-            "the frames per second",
-        )
-    };
-    rate.map(Some).map_err(fault)
-}
-
-/// Count in the header line that begins with `keyword`; `None` if the header has no such line. `keywords` contains line
-/// number and values of each header line, keyed by its keyword.
-fn count(keywords: &Keywords, keyword: &str) -> Result<Option<usize>, Fault> {
-    let Some((line, values)) = keywords.get(keyword) else {
-        return Ok(None);
-    };
-    let text = values.first().map_or("", String::as_str);
-    match text.parse() {
-        Ok(count) => Ok(Some(count)),
-        Err(_) => Err(Fault::new(Location::Cell(*line, 2), shown(text), "a count")),
+    /// First value of the header line that begins with `keyword`; `None` if there is no such line.
+    fn value<V: FromStr>(&self, keyword: &str, expected: &str) -> Result<Option<V>, Fault> {
+        let Some((line, values)) = self.keywords.get(keyword) else {
+            return Ok(None);
+        };
+        let text = values.first().map_or("", String::as_str);
+        let fault = |_| Fault::new(Location::Cell(*line, 2), shown(text), expected);
+        text.replace(',', ".").parse().map(Some).map_err(fault)
     }
 }
 
-/// Content of a column of a Qualisys table that precedes those of the first point or body.
 enum Fixed {
     Frame,
     Time,
 }
 
-/// Contents, in order, of the columns of a Qualisys table that precede those of the first point or body. They are taken
-/// from the column titles `titles` or, if there are none, from the number of cells in the current row; `tracks` is the
-/// number of columns of all points or bodies.
+/// Contents, in order, of the columns that precede those of the first point or body, by the column titles or, without
+/// them, by the number of cells in the current row; `tracks` is the number of columns of all points or bodies.
 fn fixed_columns(
     sheet: &Sheet<'_>,
     titles: Option<&[String]>,

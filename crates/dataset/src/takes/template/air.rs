@@ -10,24 +10,21 @@ use super::smooth::Smooth;
 use crate::takes::throws::GRAVITY;
 
 /// Minimum sine of the angle between velocity and spin axis at which the displacement of the centre of mass by
-/// aerodynamic forces is computed from the rotation of the spin axis about the velocity. At smaller angles the whole
-/// displacement counts as unknown.
+/// aerodynamic forces is computed from the rotation of the spin axis about the velocity.
 const MIN_SINE: f64 = 0.2;
 /// Assumed standard deviation of the uncomputed part of the change of aerodynamic acceleration by the wobble of the
 /// spin axis. It is a fraction of the product of lift acceleration and wobble angle (rad).
 const UNKNOWN: f64 = 0.5;
 
 /// Displacements of the centre of mass by aerodynamic forces that change with the wobble of the spin axis, m: one row
-/// per sample, one column per axis of the room. `known` is the computed displacement, `unknown` the assumed magnitude
-/// of the part that cannot be computed.
+/// per sample, one column per axis of the room.
 pub(super) struct AirMotion {
     pub known: DMatrix<f64>,
     pub unknown: DMatrix<f64>,
 }
 
 /// Computes the displacements of the centre of mass by the aerodynamic forces that change with the wobble of the spin
-/// axis. `path` is the trajectory of the centre of mass (m) and `axes` is the spin axis, both along the axes of the
-/// room, one row per sample.
+/// axis.
 pub(super) fn air_motion(
     times: &[f64],
     smooth: &Smooth,

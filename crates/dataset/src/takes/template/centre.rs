@@ -18,8 +18,7 @@ const DEGREES: (usize, usize) = (2, 10);
 /// Maximum degree, per turn of the body, of the polynomial fitted to the trajectory of a body point. At 1 per turn the
 /// polynomial has at most half as many waves as the body has turns, and so cannot follow the rotation.
 const DEGREES_PER_TURN: f64 = 1.0;
-/// Number of iterations of the estimate of the spin axis and the centre of mass. Each iteration updates the weights of
-/// the samples, the degrees of the polynomials and the displacement of the centre of mass by aerodynamic forces.
+/// Number of iterations of the estimate of the spin axis and the centre of mass.
 const PASSES: usize = 3;
 /// Criteria for a spin about one axis. The centre of mass p solves the normal equations B p = −b, summed over samples
 /// with weights. For such a spin, the matrix B has one small eigenvalue. The values are the minimum ratio of B's middle
@@ -70,7 +69,6 @@ struct Motion {
 /// Quantities that determine the covariance of one pose of the body, per unit variance of a measured coordinate; they
 /// depend only on the markers used for the pose.
 struct PoseNoise {
-    /// Number of markers from which the pose is computed.
     count: f64,
     /// Mean position on the body, in the axes of [`Shape`], of the markers from which the pose is computed, m.
     mean: Vector3<f64>,
@@ -196,8 +194,7 @@ fn at_height_zero(sums: &Sums, axis: &Vector3<f64>) -> (Vector3<f64>, Vector3<f6
     (-inverse * sums.right, slope, inverse)
 }
 
-/// Estimates the height of the centre of mass along the spin axis and the standard error of this height, m; `None` if
-/// the axis wobbles too little. `variance` is the variance of a position coordinate with weight 1, m².
+/// Estimates the height of the centre of mass along the spin axis and the standard error of this height, m.
 fn height(sums: &Sums, axis: &Vector3<f64>, variance: f64) -> Option<(f64, f64)> {
     let (foot, slope, _) = at_height_zero(sums, axis);
     let direction = axis + slope;
@@ -242,8 +239,7 @@ fn residuals(motions: &[Motion], point: &Vector3<f64>, axis: &Vector3<f64>) -> (
 /// Whether the spin axis `axis`, a unit vector in body-fixed axes, points upwards at the beginning of most flights.
 /// Flights that begin with an elevation of the axis whose sine is at most [`UPWARDS`] in magnitude are not counted. If
 /// as many flights begin with the axis upwards as downwards, the mean over all flights of the sine of the elevation
-/// decides. The second result contains the numbers of flights with the more frequent and with the less frequent
-/// direction; `None` if these numbers are equal.
+/// decides.
 fn side(motions: &[Motion], axis: &Vector3<f64>) -> (bool, Option<UpVote>) {
     let heights = motions.iter().map(|motion| {
         let early = (motion.rotations.len() / 10).max(3);

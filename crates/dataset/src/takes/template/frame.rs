@@ -15,9 +15,7 @@ const OFF_AXIS: f64 = 0.005;
 const MORE: usize = 7;
 
 /// Assembles the template (marker positions in the body frame) from the shape (marker positions relative to their mean)
-/// and the centre of mass. `stated` is the height of the centre of mass specified by the user: its position along the
-/// spin axis relative to the mean of the markers, m. If it is `None`, the estimated height is used if it is accurate
-/// enough, otherwise 0.
+/// and the centre of mass. If it is `None`, the estimated height is used if it is accurate enough, otherwise 0.
 pub(super) fn template(
     labels: &[String],
     shape: &Shape,
@@ -97,8 +95,7 @@ fn greatest(covariance: &Matrix3<f64>) -> f64 {
 }
 
 /// Index of the marker that the first body axis points to: the first one that is farther than [`OFF_AXIS`] from the
-/// spin axis, or the farthest one if there is none. `height` is that of the centre of mass along the axis, relative to
-/// the mean of the markers, m.
+/// spin axis, or the farthest one if there is none.
 fn first_marker(shape: &Shape, centre: &Centre, height: f64) -> usize {
     let foot = centre.foot + centre.slope * height;
     let distance = |point: &Vector3<f64>| {

@@ -78,14 +78,12 @@ pub enum CentreHeight {
     Stated {
         /// Stated height of the centre of mass along the spin axis, relative to the mean of the markers, m.
         height: f64,
-        /// Estimate, from the flights, of the height that the user stated, for comparison, and its standard error, m;
-        /// `None` if the flights do not determine the height.
+        /// Estimate, from the flights, of the height that the user stated, for comparison, and its standard error, m.
         shown: Option<(f64, f64)>,
     },
     /// The height is assumed to be 0, the mean height of the markers, because the flights do not determine it.
     Assumed {
-        /// Standard error of the unused estimate of the height from the flights, m; `None` if the spin axis wobbles too
-        /// little for an estimate.
+        /// Standard error of the unused estimate of the height from the flights, m.
         std_error: Option<f64>,
     },
 }

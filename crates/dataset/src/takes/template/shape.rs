@@ -5,7 +5,8 @@
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use super::{FreeFlight, MIN_SAMPLES, TemplateError};
-use crate::takes::throws::{centred, fitted, median};
+use crate::statistics::{median, median_of, median_vector};
+use crate::takes::throws::{centred, fitted, moments};
 
 /// Maximum number of iterations of the estimate of the marker positions on the body, and number of initial iterations
 /// that also decide which measured positions are outliers.
@@ -24,7 +25,6 @@ const FINEST: f64 = 1e-7;
 /// line.
 const FLAT: f64 = 0.05;
 
-/// Marker positions on the body, and the poses of the body in all samples.
 pub(super) struct Shape {
     /// Positions of the markers on the body relative to their mean, m, in body-fixed axes whose orientation on the body
     /// is arbitrary; the poses rotate these axes to those of the room.
@@ -36,20 +36,15 @@ pub(super) struct Shape {
     pub sigma: f64,
     /// Poses of the body in the samples: one list for each flight.
     pub poses: Vec<Vec<Placed>>,
-    /// Number of measured marker positions left out as outliers.
     pub outliers: usize,
 }
 
-/// Position and attitude of the body in one sample.
 #[derive(Clone)]
 pub(super) struct Placed {
-    /// Index of the sample in its flight.
     pub sample: usize,
     /// Position in the room, m, of the point of the body that is the mean of all marker positions.
     pub position: Vector3<f64>,
-    /// Rotation matrix from the body-fixed axes to the axes of the room.
     pub rotation: Matrix3<f64>,
-    /// For each marker, whether its measured position is used for the pose.
     pub used: Vec<bool>,
     /// Sum of the squared residuals of the pose over the markers used for it, m².
     squares: f64,
@@ -57,7 +52,6 @@ pub(super) struct Placed {
 
 type Row = Vec<Option<Vector3<f64>>>;
 
-/// Estimates the marker positions on the body and the pose of the body in each sample.
 pub(super) fn shape(labels: &[String], flights: &[FreeFlight<'_>]) -> Result<Shape, TemplateError> {
     if labels.len() < 3 {
         let labels = labels.to_vec();
@@ -117,9 +111,7 @@ fn rows(flight: &FreeFlight<'_>) -> Vec<Row> {
     flight.positions.iter().map(row).collect()
 }
 
-/// Initial estimate of the marker positions on the body. It is taken from a single sample: of the samples with the most
-/// visible markers, the one whose distances between markers are closest to the median distances. Markers missing in
-/// this sample are located by means of other samples.
+/// Initial estimate of the marker positions on the body.
 fn first_shape<'r>(
     labels: &[String],
     rows: impl Iterator<Item = &'r Row> + Clone,
@@ -130,8 +122,8 @@ fn first_shape<'r>(
         .collect();
     let distance = |row: &Row, (i, j): (usize, usize)| Some((row[i]? - row[j]?).norm());
     let typical = pairs.iter().map(|&pair| {
-        let mut each: Vec<f64> = rows.clone().filter_map(|row| distance(row, pair)).collect();
-        median(&mut each)
+        let each = rows.clone().filter_map(|row| distance(row, pair));
+        median_of(each).unwrap_or(0.0)
     });
     let typical: Vec<f64> = typical.collect();
     let off = |row: &Row| {
@@ -157,8 +149,8 @@ fn first_shape<'r>(
                 let (position, rotation) = fitted(&template, &both)?;
                 Some(rotation.transpose() * (row[k]? - position))
             });
-            let places: Vec<Vector3<f64>> = places.collect();
-            (!places.is_empty()).then(|| (k, median_point(&places)))
+            let place = median_vector(&places.collect::<Vec<_>>());
+            place.map(|place| (k, place))
         };
         let next = (0..count).filter(|&k| known[k].is_none()).find_map(place);
         let Some((k, point)) = next else {
@@ -174,18 +166,9 @@ fn first_shape<'r>(
     Ok(centred(points))
 }
 
-fn median_point(points: &[Vector3<f64>]) -> Vector3<f64> {
-    let axis = |axis: usize| median(&mut points.iter().map(|p| p[axis]).collect::<Vec<f64>>());
-    Vector3::new(axis(0), axis(1), axis(2))
-}
-
 fn is_flat(points: &[Vector3<f64>]) -> bool {
-    let mean = points.iter().sum::<Vector3<f64>>() / points.len().max(1) as f64;
-    let scatter = points.iter().map(|p| (p - mean) * (p - mean).transpose());
-    let scatter: Matrix3<f64> = scatter.sum();
-    let mut values: Vec<f64> = scatter.symmetric_eigenvalues().iter().copied().collect();
-    values.sort_by(f64::total_cmp);
-    values[1] <= FLAT * FLAT * values[2]
+    let [_, second, third] = moments(&centred(points.to_vec()));
+    second <= FLAT * FLAT * third
 }
 
 /// Pose of the sample with the index `sample`, whose measured marker positions are `row`, from the markers marked as
@@ -286,8 +269,7 @@ fn pooled_sigma(poses: &[Vec<Placed>], points: usize) -> f64 {
 }
 
 /// Mean, or median if `by_median`, of each marker's position over the samples, m, in the body-fixed axes that the poses
-/// define. The result is shifted so that the mean of all markers is 0. A marker that no pose uses has the position that
-/// `points` contains.
+/// define. The result is shifted so that the mean of all markers is 0.
 fn means(
     points: &[Vector3<f64>],
     rows: &[Vec<Row>],
@@ -303,10 +285,11 @@ fn means(
             })
         });
         let own: Vec<Vector3<f64>> = own.collect();
-        match (own.len(), by_median) {
-            (0, _) => points[k],
-            (_, true) => median_point(&own),
-            (count, false) => own.iter().sum::<Vector3<f64>>() / count as f64,
+        let mean = || own.iter().sum::<Vector3<f64>>() / own.len() as f64;
+        match by_median {
+            _ if own.is_empty() => points[k],
+            true => median_vector(&own).unwrap_or(points[k]),
+            false => mean(),
         }
     });
     centred(each.collect())

@@ -4,16 +4,13 @@ use nalgebra::DMatrix;
 
 /// Least-squares fits of polynomials in time to weighted samples of a flight.
 pub(super) struct Smooth {
-    /// Square roots of the weights of the samples.
     roots: Vec<f64>,
-    /// Orthonormal basis of the weighted polynomials, whose values are multiplied by the square roots of the weights:
-    /// one row per sample, one column per basis function.
+    /// Orthonormal basis of the weighted polynomials, whose values are multiplied by the square roots of the weights.
     basis: DMatrix<f64>,
     /// Matrix that converts the coefficients of a polynomial in the columns of `basis` to its coefficients in the
     /// Legendre polynomials.
     coefficients: DMatrix<f64>,
-    /// First and second derivatives of the Legendre polynomials with respect to time, 1/s and 1/s²: one row per sample,
-    /// one column per degree from 0.
+    /// First and second derivatives of the Legendre polynomials with respect to time, 1/s and 1/s².
     derivatives: [DMatrix<f64>; 2],
     /// Values of the Legendre polynomials at the samples: one row per sample, one column per degree from 0.
     values: DMatrix<f64>,

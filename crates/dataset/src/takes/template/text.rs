@@ -2,7 +2,6 @@
 
 use super::{CentreHeight, EstimatedTemplate, count};
 
-/// Formats a length `metres`, given in m, as a text in mm.
 fn mm(metres: f64) -> String {
     format!("{:.1} mm", 1e3 * metres)
 }

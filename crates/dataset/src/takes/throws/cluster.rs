@@ -1,8 +1,7 @@
 //! Detection of the points of a take that move as one rigid body.
 
+use crate::pose::distance;
 use crate::takes::take::Take;
-
-use super::distance;
 
 /// Approximate number of samples, equally spaced over the recording, in which the distance between two points is
 /// compared to decide whether both belong to one rigid body.

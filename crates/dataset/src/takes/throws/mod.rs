@@ -12,18 +12,21 @@ mod cluster;
 mod cut;
 mod follow;
 mod motion;
-mod quadratic;
+mod path;
 mod track;
 mod windows;
 
 use std::ops::Range;
 
+use nalgebra::Vector3;
+
 use crate::takes::take::Take;
-use cut::{Change, FlightEnd, changes};
-use follow::{Checks, Stop, follow};
+use cut::Change;
+use follow::Stop;
 pub use motion::{Motion, motion};
+use path::Path;
 use track::Track;
-pub(crate) use track::{centred, fitted};
+pub(crate) use track::{centred, fitted, moments};
 use windows::{Window, windows};
 
 /// Acceleration of gravity that is assumed for recordings, m/s².
@@ -57,8 +60,7 @@ pub enum Cause {
     Hand(f64),
     /// The body hits the ground: its vertical velocity jumps upwards by this amount, m/s.
     Ground(f64),
-    /// The body is stopped, as by a net or a hand: its acceleration jumps by this amount, m/s², against the direction
-    /// of flight.
+    /// The body is stopped, as by a net or a hand.
     Stopped(f64),
     /// The body hits an obstacle: its velocity jumps by this amount, m/s, against the direction of flight.
     Struck(f64),
@@ -166,87 +168,65 @@ fn runs(track: &Track, windows: &[Option<Window>], options: &ThrowOptions) -> Ve
     runs
 }
 
-/// Locates the ends of the free flight around `run`, a range of samples in free flight. Returns the flight as a range
-/// of samples and as a throw; `None` if too few samples remain between its beginning and its end. Ranges are indices in
-/// the track.
+/// Locates the ends of the free flight around `run`, a range of samples in free flight.
 fn throw(
     track: &Track,
     windows: &[Option<Window>],
     run: &Range<usize>,
     options: &ThrowOptions,
 ) -> Option<(Range<usize>, Throw)> {
-    let path = track.path(windows::offset(windows, run));
-    let ground = breaks::lowest(&path);
-    let is_ground = breaks::is_ground(&track.times, &path, ground);
-    let checks = Checks {
-        is_break: &|last, early| {
-            breaks::is_break(&FlightEnd::new(track, &path, last, early), ground)
-        },
-        touches: &|last| {
-            is_ground && breaks::touches(&FlightEnd::new(track, &path, last, false), ground)
-        },
-    };
-    let (start, end) = follow(track, &path, run, options, &checks);
-    let early = changes(track, &path, &start, true);
-    let late = changes(track, &path, &end, false);
+    let path = Path::new(track, windows::offset(windows, run));
+    let (start, end) = path.follow(run, options);
+    let (early, late) = (path.change(&start, true), path.change(&end, false));
     let (first, last) = (early.inside, late.inside);
     if first >= last {
         return None;
     }
     let samples = [track.samples[first], track.samples[last]];
-    let unseen = samples[1] + 1 - samples[0] - (last + 1 - first);
-    let acceleration = cut::mean_acceleration(track, &path, first..last + 1)?;
-    let make = |change: &Change, sample: usize, cause: Cause| Cut {
+    let (quadratic, _) = path.quadratic(first..last + 1, track.times[first], 1.0)?;
+    let cut = |change: &Change, sample: usize, cause: Cause| Cut {
         sample,
         time: change.time,
         cause,
     };
-    let release = make(&early, samples[0], cause(track, &start, &early, true));
-    let end = make(&late, samples[1], cause(track, &end, &late, false));
     let throw = Throw {
-        release,
-        end,
-        unseen,
-        acceleration,
+        release: cut(&early, samples[0], cause(track, &start, &early, true)),
+        end: cut(&late, samples[1], cause(track, &end, &late, false)),
+        unseen: samples[1] + 1 - samples[0] - (last + 1 - first),
+        acceleration: [0, 1, 2].map(|axis| 2.0 * quadratic[(2, axis)]),
     };
     Some((first..last + 1, throw))
 }
 
-/// Cause of the `change` of motion at the beginning (if `early` is true) or at the end of a flight; `stop` is the
-/// reason why the flight could not be followed beyond this change.
+/// Cause of the `change` of motion at the beginning (if `early` is true) or at the end of a flight.
 fn cause(track: &Track, stop: &Stop, change: &Change, early: bool) -> Cause {
-    match stop {
-        Stop::Data => Cause::Recording,
-        Stop::Gap { from, to } => Cause::Gap((track.times[*to] - track.times[*from]).abs()),
-        Stop::Deviation { .. } | Stop::Touch { .. } => {
-            let speed = norm(change.velocity);
-            let along = |v: [f64; 3]| match speed > 0.0 {
-                true => dot(v, change.velocity) / speed,
-                false => 0.0,
-            };
-            let pull = along(change.acceleration);
-            // Over few samples, the hand's acceleration may look like a jump; an upward jump is a bounce.
-            let pushed = match change.velocity_jump {
-                Some(jump) => along(jump) > 0.0 && jump[2].abs() < 0.7 * norm(jump),
-                None => pull > 0.0,
-            };
-            if early && pushed {
-                return Cause::Hand(norm(change.acceleration));
-            }
-            match change.velocity_jump {
-                Some(jump) if !early && jump[2] > 0.5 * norm(jump) && change.velocity[2] < 0.0 => {
-                    Cause::Ground(jump[2])
-                }
-                Some(jump) if !early && along(jump) < 0.0 => Cause::Struck(norm(jump)),
-                None if !early && pull < 0.0 => Cause::Stopped(norm(change.acceleration)),
-                _ => Cause::Disturbed,
-            }
+    let jump = match stop {
+        Stop::Data => return Cause::Recording,
+        Stop::Gap { from, to } => {
+            return Cause::Gap((track.times[*to] - track.times[*from]).abs());
         }
+        Stop::Deviation { .. } | Stop::Touch { .. } => change.velocity_jump,
+    };
+    let course = change.velocity.try_normalize(0.0).unwrap_or_default();
+    let along = |v: Vector3<f64>| v.dot(&course);
+    let (pull, strength) = (along(change.acceleration), change.acceleration.norm());
+    // Over few samples, the hand's acceleration may look like a jump; an upward jump is a bounce.
+    let is_pushed = jump.map_or(pull > 0.0, |jump| {
+        along(jump) > 0.0 && jump.z.abs() < 0.7 * jump.norm()
+    });
+    match jump {
+        _ if early && is_pushed => Cause::Hand(strength),
+        _ if early => Cause::Disturbed,
+        Some(jump) if jump.z > 0.5 * jump.norm() && change.velocity.z < 0.0 => {
+            Cause::Ground(jump.z)
+        }
+        Some(jump) if along(jump) < 0.0 => Cause::Struck(jump.norm()),
+        None if pull < 0.0 => Cause::Stopped(strength),
+        _ => Cause::Disturbed,
     }
 }
 
-/// Removes flights that are too short and flights that only follow the impact of an earlier flight; adds a note on
-/// each.
+/// Removes flights that are too short and flights that only follow the impact of an earlier flight.
 fn select(found: &mut Throws, options: &ThrowOptions) {
     let mut kept: Vec<Throw> = Vec::new();
     let mut last_end: Option<Cut> = None;
@@ -276,25 +256,6 @@ fn select(found: &mut Throws, options: &ThrowOptions) {
         ));
     }
     found.throws = kept;
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn norm(a: [f64; 3]) -> f64 {
-    dot(a, a).sqrt()
-}
-
-/// Distance between two positions, m.
-fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    norm([b[0] - a[0], b[1] - a[1], b[2] - a[2]])
-}
-
-/// Median of values, or the upper one of the two middle values; 0 if there are none. Sorts the values.
-pub(crate) fn median(values: &mut [f64]) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(0.0)
 }
 
 impl std::fmt::Display for Cause {

@@ -1,7 +1,8 @@
 //! Height, speed and rate of rotation of a followed body over a whole take, for figures.
 
+use nalgebra::Vector3;
+
 use super::track::Track;
-use super::{distance, norm};
 use crate::takes::take::Take;
 
 /// Maximum time between two samples, in sampling intervals, for the speed and the rate of rotation between them to be
@@ -27,34 +28,33 @@ pub struct Motion {
 /// fewer than two samples show all of them together.
 pub fn motion(take: &Take, labels: &[&str]) -> Option<Motion> {
     let track = Track::new(take, labels, &mut Vec::new())?;
-    let mut motion = Motion::default();
-    let mut rates = Vec::new();
-    let near = |i: usize, j: usize| track.times[j] - track.times[i] <= GAP * track.step;
-    let last = track.times.len() - 1;
+    let (mut motion, mut rates) = (Motion::default(), Vec::new());
+    let times = &track.times;
+    let near = |i: usize, j: usize| times[j] - times[i] <= GAP * track.step;
+    let last = times.len() - 1;
+    let mut push = |time: f64, height: f64, speed: f64, rate: f64| {
+        motion.times.push(time);
+        motion.heights.push(height);
+        motion.speeds.push(speed);
+        rates.push(rate);
+    };
     for i in 0..=last {
-        let next = (i + 1).min(last);
-        let before = i.saturating_sub(1);
-        let (from, to) = (
-            if near(before, i) { before } else { i },
-            if near(i, next) { next } else { i },
-        );
-        motion.times.push(track.times[i]);
-        motion.heights.push(track.centres[i][2]);
-        let moved = distance(track.centres[from], track.centres[to]);
-        motion
-            .speeds
-            .push(moved / (track.times[to] - track.times[from]));
-        rates.push(match next > i && near(i, next) {
-            true => turn(&track, i, next) / (track.times[next] - track.times[i]),
+        let (before, next) = (i.saturating_sub(1), (i + 1).min(last));
+        let from = if near(before, i) { before } else { i };
+        let to = if near(i, next) { next } else { i };
+        let moved = (track.centres[to] - track.centres[from]).norm();
+        let turned = match next > i && near(i, next) {
+            true => turn(&track, i, next) / (times[next] - times[i]),
             false => f64::NAN,
-        });
+        };
+        push(
+            times[i],
+            track.centres[i].z,
+            moved / (times[to] - times[from]),
+            turned,
+        );
         if next > i && !near(i, next) {
-            motion
-                .times
-                .push(0.5 * (track.times[i] + track.times[next]));
-            motion.heights.push(f64::NAN);
-            motion.speeds.push(f64::NAN);
-            rates.push(f64::NAN);
+            push(0.5 * (times[i] + times[next]), f64::NAN, f64::NAN, f64::NAN);
         }
     }
     motion.rotation = track.has_attitude().then_some(rates);
@@ -65,10 +65,10 @@ pub fn motion(take: &Take, labels: &[&str]) -> Option<Motion> {
 fn turn(track: &Track, i: usize, j: usize) -> f64 {
     let relative = track.rotation(j) * track.rotation(i).transpose();
     // The sine determines the angle accurately near 0, where the cosine alone does not.
-    let sine = [
+    let sine = Vector3::new(
         relative[(2, 1)] - relative[(1, 2)],
         relative[(0, 2)] - relative[(2, 0)],
         relative[(1, 0)] - relative[(0, 1)],
-    ];
-    norm(sine).atan2(relative.trace() - 1.0)
+    );
+    sine.norm().atan2(relative.trace() - 1.0)
 }

@@ -1,10 +1,11 @@
 //! Motion of a rigid cluster of points: centroid and attitude at each sample in which it is seen.
 
-use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Vector3};
 
 use super::cluster::rigid_points;
-use crate::takes::take::Take;
-use crate::takes::words::listed;
+use crate::pose::rigid_motion;
+use crate::sensor::attitude;
+use crate::takes::{Take, listed};
 
 /// Minimum number of points that move as one body for the attitude of the body to be computed.
 const ATTITUDE: usize = 3;
@@ -13,19 +14,15 @@ const ATTITUDE: usize = 3;
 const EXTENT: f64 = 0.01;
 
 /// Motion of the tracked points or of the tracked body in a recording, over the samples in which it is seen.
+#[derive(Default)]
 pub(super) struct Track {
     pub labels: Vec<String>,
-    /// Indices of the samples of the recording in which the body is seen.
     pub samples: Vec<usize>,
-    /// Times of the samples in which the body is seen, s.
     pub times: Vec<f64>,
-    /// Centroid of the tracked points, or position of the tracked body, in each sample in which the body is seen, along
-    /// the axes of the room, m.
-    pub centres: Vec<[f64; 3]>,
-    /// Rotations from the body-fixed axes of the tracked points to the axes of the room, one per sample; empty if the
-    /// attitude is not computed.
+    /// Centroid of the tracked points, or position of the tracked body, in each of these samples, m.
+    pub centres: Vec<Vector3<f64>>,
+    /// Rotations from the body-fixed axes of the tracked points to the axes of the room, one per sample.
     rotations: Vec<Matrix3<f64>>,
-    /// Median time between consecutive samples in which the body is seen, s.
     pub step: f64,
 }
 
@@ -39,91 +36,64 @@ impl Track {
             .filter(|&i| is_named(&take.points[i].label))
             .collect();
         let body = take.bodies.iter().find(|body| is_named(&body.label));
-        let mut track = if let Some(body) = body.filter(|_| labels.is_empty() || named.is_empty()) {
-            let mut track = Self::empty(vec![body.label.clone()]);
+        let mut track = Self::default();
+        if let Some(body) = body.filter(|_| labels.is_empty() || named.is_empty()) {
+            track.labels.push(body.label.clone());
             for (sample, pose) in body.poses.iter().enumerate() {
-                let Some(pose) = pose else { continue };
-                let [w, x, y, z] = pose.quaternion;
-                let attitude = UnitQuaternion::new_normalize(Quaternion::new(w, x, y, z));
-                track.push(take, sample, pose.position);
-                track
-                    .rotations
-                    .push(attitude.to_rotation_matrix().into_inner());
+                if let Some(pose) = pose {
+                    let rotation = attitude(pose.quaternion).to_rotation_matrix();
+                    track.push(take, sample, pose.position.into());
+                    track.rotations.push(rotation.into_inner());
+                }
             }
-            track
+        } else if labels.is_empty() {
+            track.follow_points(take, &rigid_points(take));
         } else {
-            let points = match labels.is_empty() {
-                true => rigid_points(take),
-                false => named,
-            };
-            Self::of_points(take, &points)
-        };
+            track.follow_points(take, &named);
+        }
         let mut steps: Vec<f64> = track.times.windows(2).map(|t| t[1] - t[0]).collect();
         steps.sort_by(f64::total_cmp);
-        match steps.get(steps.len() / 2) {
-            Some(&step) => {
-                track.step = step;
-                Some(track)
-            }
-            None => {
-                notes.push(format!(
-                    "no points that move as one body are seen together, of {}",
-                    listed(take.labels())
-                ));
-                None
-            }
-        }
+        let Some(&step) = steps.get(steps.len() / 2) else {
+            notes.push(format!(
+                "no points that move as one body are seen together, of {}",
+                listed(take.labels())
+            ));
+            return None;
+        };
+        track.step = step;
+        Some(track)
     }
 
-    fn empty(labels: Vec<String>) -> Self {
-        Self {
-            labels,
-            samples: Vec::new(),
-            times: Vec::new(),
-            centres: Vec::new(),
-            rotations: Vec::new(),
-            step: 0.0,
-        }
-    }
-
-    fn push(&mut self, take: &Take, sample: usize, centre: [f64; 3]) {
+    fn push(&mut self, take: &Take, sample: usize, centre: Vector3<f64>) {
         self.samples.push(sample);
         self.times.push(take.times[sample]);
         self.centres.push(centre);
     }
 
-    fn of_points(take: &Take, points: &[usize]) -> Self {
+    fn follow_points(&mut self, take: &Take, points: &[usize]) {
         let labels = points.iter().map(|&i| take.points[i].label.clone());
-        let mut track = Self::empty(labels.collect());
+        self.labels = labels.collect();
         let seen = |sample: usize| -> Vec<Option<Vector3<f64>>> {
             let each = points.iter().map(|&i| take.points[i].positions[sample]);
             each.map(|position| position.map(Vector3::from)).collect()
         };
-        let template = (0..take.times.len()).find_map(|sample| {
-            let whole: Option<Vec<Vector3<f64>>> = seen(sample).into_iter().collect();
-            whole.filter(|whole| whole.len() >= ATTITUDE).map(centred)
-        });
-        let template = template.filter(|points| extent(points) > EXTENT);
-        let template = template.map(|first| refined(&first, (0..take.times.len()).map(seen)));
-        for sample in 0..take.times.len() {
-            let row = seen(sample);
-            match &template {
-                Some(template) => {
-                    if let Some((centre, rotation)) = fitted(template, &row) {
-                        track.push(take, sample, centre.into());
-                        track.rotations.push(rotation);
-                    }
+        let samples = 0..take.times.len();
+        let whole = |sample: usize| seen(sample).into_iter().collect::<Option<Vec<_>>>();
+        let mut wholes = samples.clone().filter_map(whole);
+        let first = wholes.find(|whole| whole.len() >= ATTITUDE).map(centred);
+        let first = first.filter(|points| moments(points)[1].max(0.0).sqrt() > EXTENT);
+        let template = first.map(|first| refined(&first, samples.clone().map(seen)));
+        for sample in samples {
+            if let Some(template) = &template {
+                if let Some((centre, rotation)) = fitted(template, &seen(sample)) {
+                    self.push(take, sample, centre);
+                    self.rotations.push(rotation);
                 }
-                None => {
-                    let whole: Option<Vec<Vector3<f64>>> = row.into_iter().collect();
-                    if let Some(whole) = whole.filter(|whole| !whole.is_empty()) {
-                        let centre = whole.iter().sum::<Vector3<f64>>() / whole.len() as f64;
-                        track.push(take, sample, centre.into());
-                    }
-                }
+            } else if let Some(whole) = whole(sample).filter(|whole| !whole.is_empty()) {
+                let centre = whole.iter().sum::<Vector3<f64>>() / whole.len() as f64;
+                self.push(take, sample, centre);
             }
         }
-        track
     }
 
     /// Whether the track includes the attitude of the body, not only its position.
@@ -134,20 +104,7 @@ impl Track {
     /// Rotation from the body-fixed axes to the axes of the room at an index of the track; a zero matrix if the
     /// attitude is not computed.
     pub fn rotation(&self, i: usize) -> Matrix3<f64> {
-        self.rotations
-            .get(i)
-            .copied()
-            .unwrap_or_else(Matrix3::zeros)
-    }
-
-    /// Trajectory of a point of the body along the axes of the room, m, for each sample in which the body is seen.
-    /// `offset` is the position of this point relative to the centroid, in the body-fixed axes of the tracked points,
-    /// m.
-    pub fn path(&self, offset: [f64; 3]) -> Vec<[f64; 3]> {
-        let offset = Vector3::from(offset);
-        let each = self.centres.iter().enumerate();
-        each.map(|(i, centre)| (Vector3::from(*centre) + self.rotation(i) * offset).into())
-            .collect()
+        self.rotations.get(i).copied().unwrap_or_default()
     }
 }
 
@@ -157,17 +114,16 @@ pub(crate) fn centred(points: Vec<Vector3<f64>>) -> Vec<Vector3<f64>> {
     points.into_iter().map(|point| point - mean).collect()
 }
 
-/// Extent of a set of points across its longest direction, m: second singular value of the matrix of points; 0 for
-/// points on a line.
-fn extent(points: &[Vector3<f64>]) -> f64 {
+/// Squares of the extents of a centred set of points along its principal axes, summed over the points, in increasing
+/// order.
+pub(crate) fn moments(points: &[Vector3<f64>]) -> [f64; 3] {
     let moments: Matrix3<f64> = points.iter().map(|p| p * p.transpose()).sum();
-    let mut values: Vec<f64> = moments.symmetric_eigenvalues().iter().copied().collect();
+    let mut values: [f64; 3] = moments.symmetric_eigenvalues().into();
     values.sort_by(f64::total_cmp);
-    values[1].max(0.0).sqrt()
+    values
 }
 
-/// Refined positions of a rigid set of points relative to the mean of the points, m: each point's mean over the
-/// samples, after the rotation of each sample to the axes of the initial estimate `first`.
+/// Refined positions of a rigid set of points relative to the mean of the points, m.
 fn refined(
     first: &[Vector3<f64>],
     samples: impl Iterator<Item = Vec<Option<Vector3<f64>>>>,
@@ -184,39 +140,23 @@ fn refined(
             }
         }
     }
-    centred(
-        sums.into_iter()
-            .map(|(sum, count)| sum / f64::max(count, 1.0))
-            .collect(),
-    )
+    let means = sums
+        .into_iter()
+        .map(|(sum, count)| sum / f64::max(count, 1.0));
+    centred(means.collect())
 }
 
-/// Fits a rigid motion that maps the points `template` to the measured points `seen`, by least squares over the points
-/// that are not `None` (Kabsch 1976). Returns (position of the origin of `template`, rotation), such that position +
-/// rotation · template point ≈ measured point; `None` if fewer than 3 points are seen.
+/// Least-squares rigid motion that maps the points `template` to the measured points `seen`: the position of the origin
+/// of `template`, and the rotation. `None` if fewer than 3 points are seen.
 pub(crate) fn fitted(
     template: &[Vector3<f64>],
     seen: &[Option<Vector3<f64>>],
 ) -> Option<(Vector3<f64>, Matrix3<f64>)> {
-    let pairs: Vec<(Vector3<f64>, Vector3<f64>)> = template
-        .iter()
-        .zip(seen)
-        .filter_map(|(own, seen)| Some((*own, (*seen)?)))
-        .collect();
-    let count = pairs.len() as f64;
-    if pairs.len() < ATTITUDE {
+    let pairs = template.iter().zip(seen);
+    let pairs = pairs.filter_map(|(own, seen)| Some((*own, (*seen)?)));
+    if pairs.clone().count() < ATTITUDE {
         return None;
     }
-    let own: Vector3<f64> = pairs.iter().map(|pair| pair.0).sum::<Vector3<f64>>() / count;
-    let mean: Vector3<f64> = pairs.iter().map(|pair| pair.1).sum::<Vector3<f64>>() / count;
-    let covariance: Matrix3<f64> = pairs
-        .iter()
-        .map(|(a, b)| (b - mean) * (a - own).transpose())
-        .sum();
-    let svd = covariance.try_svd(true, true, 1e-14, 200)?;
-    let (u, v) = (svd.u?, svd.v_t?);
-    let sign = (u * v).determinant().signum();
-    // The smallest singular value is the last one.
-    let rotation = u * Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, sign)) * v;
-    Some((mean - rotation * own, rotation))
+    let (position, rotation) = rigid_motion(pairs)?;
+    Some((position, rotation.to_rotation_matrix().into_inner()))
 }

@@ -2,10 +2,11 @@
 
 use std::ops::Range;
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{SMatrix, SVector, Vector3};
 
 use super::track::Track;
-use super::{FINEST, GRAVITY, dot, median, norm};
+use super::{FINEST, GRAVITY};
+use crate::statistics::median_vector;
 
 /// Half of the time span of the samples to which a quadratic in time is fitted around one sample, s.
 const HALF: f64 = 0.042;
@@ -32,37 +33,34 @@ const TYPICAL: f64 = 1e-3;
 /// Quadratic in time fitted to the motion of a body in the samples around one sample.
 #[derive(Clone, Debug)]
 pub(super) struct Window {
-    pub velocity: [f64; 3],
-    pub acceleration: [f64; 3],
+    velocity: Vector3<f64>,
+    acceleration: Vector3<f64>,
     /// Position of the body point that moves smoothly (in free flight the centre of mass) relative to the centroid of
     /// the tracked points of the body, in the body-fixed axes of these points, m.
-    pub offset: [f64; 3],
-    /// Standard deviation of the residuals of the quadratic fit, per coordinate, estimated from all three axes
-    /// together, m.
-    pub residual: f64,
+    offset: Vector3<f64>,
+    /// Standard deviation of the residuals of the quadratic fit, per coordinate, m.
+    residual: f64,
     /// Standard error of the fitted acceleration per unit standard deviation of a measured position, 1/s².
-    pub spread: f64,
+    spread: f64,
 }
 
 impl Window {
     /// Whether the motion of the body around the central sample is free flight; `noise` is the standard deviation of a
     /// measured position, m.
     pub fn is_free(&self, noise: f64) -> bool {
-        let [x, y, z] = self.acceleration;
-        let air = [x, y, z + GRAVITY];
-        let speed = norm(self.velocity);
+        let air = self.acceleration + Vector3::z() * GRAVITY;
         let slack = 3.0 * noise * self.spread;
-        let is_moving = speed > SLOW || norm(air) < 0.5 * GRAVITY;
+        let is_moving = self.velocity.norm() > SLOW || air.norm() < 0.5 * GRAVITY;
         self.residual <= SMOOTH * noise && is_moving && allowed(self.velocity, air, slack)
     }
 }
 
 /// Whether aerodynamic forces and wind can cause the acceleration `air` (without gravity, m/s²) of a body in free
 /// flight at a velocity (m/s); `slack` is the uncertainty of the acceleration, m/s².
-pub(super) fn allowed(velocity: [f64; 3], air: [f64; 3], slack: f64) -> bool {
-    let speed = norm(velocity);
-    let push = dot(air, velocity) / speed.max(1e-9);
-    norm(air) <= AERODYNAMIC.0 + AERODYNAMIC.1 * speed * speed + slack
+pub(super) fn allowed(velocity: Vector3<f64>, air: Vector3<f64>, slack: f64) -> bool {
+    let speed = velocity.norm();
+    let push = air.dot(&velocity) / speed.max(1e-9);
+    air.norm() <= AERODYNAMIC.0 + AERODYNAMIC.1 * speed * speed + slack
         && (push <= PUSH + slack || speed <= SLOW)
 }
 
@@ -71,8 +69,7 @@ pub(super) fn half(track: &Track) -> usize {
     ((HALF / track.step).round() as usize).max(MIN_HALF)
 }
 
-/// Fit of a quadratic in time around each sample of the track; `None` where there are too few samples for a fit or the
-/// samples span a gap.
+/// Fit of a quadratic in time around each sample of the track.
 pub(super) fn windows(track: &Track) -> Vec<Option<Window>> {
     let half = half(track);
     (0..track.times.len())
@@ -120,12 +117,11 @@ fn window(track: &Track, i: usize, half: usize) -> Option<Window> {
     let solution = factor.solve(&right);
     let inverse = factor.inverse();
     let misfit = (squares - solution.dot(&right)).max(0.0);
-    let axis = |power: usize| [0, 1, 2].map(|axis| solution[3 * power + axis]);
-    let per = |values: [f64; 3], unit: f64| values.map(|x| x / unit);
+    let vector = |first: usize| Vector3::from(solution.fixed_rows::<3>(first));
     Some(Window {
-        velocity: per(axis(1), scale),
-        acceleration: per(axis(2), 0.5 * scale * scale),
-        offset: [solution[9], solution[10], solution[11]],
+        velocity: vector(3) / scale,
+        acceleration: vector(6) / (0.5 * scale * scale),
+        offset: vector(9),
         residual: (misfit / (3 * range.len() - 9) as f64).sqrt(),
         spread: inverse[(6, 6)].max(0.0).sqrt() / (0.5 * scale * scale),
     })
@@ -140,13 +136,11 @@ pub(super) fn noise(windows: &[Option<Window>]) -> f64 {
     quiet.max(FINEST)
 }
 
-/// Position of the body point that moves smoothly (in free flight the centre of mass), relative to the centroid of the
-/// tracked points of the body, in the body-fixed axes of these points, m. It is the median of [`Window::offset`] over
-/// the local quadratic fits around the samples in `run`, a range of indices in `windows`.
-pub(super) fn offset(windows: &[Option<Window>], run: &Range<usize>) -> [f64; 3] {
-    [0, 1, 2].map(|axis| {
-        let each = windows[run.clone()].iter().flatten();
-        let mut values: Vec<f64> = each.map(|window| window.offset[axis]).collect();
-        median(&mut values)
-    })
+/// Median of [`Window::offset`] over the local quadratic fits around the samples in `run`.
+pub(super) fn offset(windows: &[Option<Window>], run: &Range<usize>) -> Vector3<f64> {
+    let offsets = windows[run.clone()]
+        .iter()
+        .flatten()
+        .map(|window| window.offset);
+    median_vector(&offsets.collect::<Vec<_>>()).unwrap_or_default()
 }

@@ -26,10 +26,10 @@ fn motions(model: &Model) -> ThrownModel {
 fn moved(release: &Release, model: &Model, by: Vector3<f64>) -> Release {
     let (thrown, state) = (motions(model), release.state());
     let parameters = thrown.release_parameters(release);
-    let rows = thrown.motion_jacobian(&state, &parameters).nrows();
+    let rows = thrown.bind(&parameters).jacobian(&state).nrows();
     let mut wanted = DMatrix::zeros(rows, 1);
     wanted.view_mut((3, 0), (3, 1)).copy_from(&by);
-    let change = thrown.states_moved(&state, &parameters, &wanted);
+    let change = thrown.bind(&parameters).states_moved(&state, &wanted);
     let mut moved = release.clone();
     for ((_, x), change) in moved.initial.iter_mut().zip(change.iter()) {
         *x += change;

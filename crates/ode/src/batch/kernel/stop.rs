@@ -6,6 +6,7 @@
 use super::{EndState, Flying};
 use crate::batch::control::MAX_LANES;
 use crate::batch::events::HeightStep;
+use crate::batch::functions::Call;
 use crate::batch::{FlightOutcome, FlightQueue, LanePoint};
 use crate::dense_output::DenseOutput;
 use crate::event::{REACH, falling_zeros};
@@ -145,8 +146,7 @@ impl<T: Lanes> Flying<'_, T> {
         T::splat(-2.0 * REACH).mul_add(change, middle[limit].min(end[limit]))
     }
 
-    /// Fraction of the step at which the flight in a lane first crosses the limit of validity with the index `limit`;
-    /// `None` if it does not cross it.
+    /// Fraction of the step at which the flight in a lane first crosses the limit of validity with the index `limit`.
     #[inline(always)]
     fn limit_crossing(&mut self, lane: usize, limit: usize, h: T) -> Option<f64> {
         if self.least_margin(limit).lane(lane) > 0.0 {
@@ -176,7 +176,8 @@ impl<T: Lanes> Flying<'_, T> {
                 p: &self.values.p,
                 prepared: &self.values.prepared,
             };
-            self.rhs.limits(&point, &mut self.scratch, margins);
+            self.rhs
+                .call(Call::Limits(&point), &mut self.scratch, margins);
             margins[limit].lane(lane)
         };
         self.found.clear();
