@@ -9,8 +9,7 @@ use crate::context::{Context, EncompassingModel};
 use crate::error::DiagnosisError;
 use flight::parallel::join;
 
-/// Fit of the model under test, and the encompassing model, which includes all candidate effects (effects that the
-/// model under test may lack).
+/// Fit of the model under test, and the encompassing model.
 pub(crate) struct BaseFit {
     /// Computing time of the diagnosis, s, by stage, up to this fit.
     pub clock: Clock,
@@ -18,18 +17,12 @@ pub(crate) struct BaseFit {
     pub fit: Fit,
     /// The model extended by every candidate effect, each at the value at which it vanishes.
     pub encompassing: EncompassingModel,
-    /// Whether every flight has a data fault, and the flights are nevertheless used because a physical effect that the
-    /// model lacks may explain the faults.
+    /// Whether every flight has a fault that an effect may explain, and they are used nevertheless.
     pub is_despite_faults: bool,
 }
 
 impl BaseFit {
-    /// Fits the model under test and composes the encompassing model, which includes all candidate effects (effects
-    /// that the model under test may lack).
-    ///
-    /// # Errors
-    /// [`DiagnosisError`] if the flights cannot be fitted, the encompassing model cannot be composed, or the caller
-    /// cancelled.
+    /// Fits the model under test and composes the encompassing model.
     pub fn new(context: Context<'_>) -> Result<Self, DiagnosisError> {
         let mut clock = Clock::start();
         let Context {
@@ -65,8 +58,7 @@ impl BaseFit {
     }
 }
 
-/// Whether the detected faults of the flight data may be the consequence of a physical effect that the model lacks:
-/// true if no fault is a wrong label, unit or axis.
+/// Whether an effect may be the reason of the faults: none is a wrong label, unit or axis.
 fn may_be_an_effect(faults: &[DataFault]) -> bool {
     faults.iter().all(|fault| fault.fault == FaultKind::Other)
 }

@@ -35,8 +35,8 @@ impl Diagnosis {
     }
 }
 
-/// Tests a model against the flights of a dataset, identifies physical effects that the model lacks, and measures how
-/// far adding them reduces the out-of-sample prediction error.
+/// Tests a model against the flights of a dataset, identifies effects that it lacks, and measures how far they reduce
+/// the out-of-sample prediction error.
 ///
 /// # Errors
 /// [`DiagnosisError`] if an option is invalid, the flights cannot be fitted, or the caller cancelled.
@@ -48,8 +48,8 @@ pub fn diagnose(
     diagnose_with(model, dataset, options, |_| ()).map(|(diagnosis, _)| diagnosis)
 }
 
-/// Runs [`diagnose`], and calls `on_extension` with the extended model, if any, while its out-of-sample gain (error
-/// reduction) is measured. Returns the result of `on_extension` with the diagnosis.
+/// [`diagnose`] that calls `on_extension` with the extended model, if any, while its gain is measured, and returns its
+/// result.
 ///
 /// # Errors
 /// The errors of [`diagnose`].
@@ -105,8 +105,7 @@ struct Discordant {
     p_value: f64,
 }
 
-/// Repeats a diagnosis without the discordant flights, which contradict the missing effects that explain the other
-/// flights; `None` if the repeated diagnosis finds no missing effects that explain the remaining flights.
+/// Repeats a diagnosis without the discordant flights; `None` if nothing explains the others.
 fn without_discordant<R: Send>(
     context: Context<'_>,
     discordant: &Discordant,

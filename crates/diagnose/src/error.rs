@@ -23,8 +23,7 @@ pub enum DiagnosisError {
         /// File name of the flight.
         file: String,
     },
-    /// The information matrix of the parameters of the model under test has no eigenvalue decomposition, because it
-    /// contains values that are not finite.
+    /// The information matrix of the model's parameters contains values that are not finite.
     #[error(
         "the information matrix of the model's parameters cannot be inverted: look for values that are not finite"
     )]
@@ -43,8 +42,7 @@ impl DiagnosisError {
     }
 }
 
-/// Converts an error to `None`, so that a computation that cannot be done counts as no result. Only cancellation by
-/// the caller ([`FitError::Interrupted`]) remains an error.
+/// Converts an error other than cancellation to `None`: what cannot be computed is no result.
 pub(crate) fn if_possible<T, E: Into<DiagnosisError>>(
     result: Result<T, E>,
 ) -> Result<Option<T>, DiagnosisError> {

@@ -1,5 +1,4 @@
-//! Fit of the extended model, measurement of its out-of-sample gain, and its addition to the report unless it
-//! predicts worse.
+//! Fit of the extended model, its out-of-sample gain, and its addition to the report unless it predicts worse.
 
 use dataset::Role;
 use flight::parallel;
@@ -9,21 +8,9 @@ use crate::context::Context;
 use crate::error::{DiagnosisError, if_possible};
 use crate::extension::ExtendedModel;
 use crate::report::{self, Report};
-use crate::validation::{ApplyTo, PredictiveGain, cross_validate, gain_of_fits};
+use crate::validation::{ApplyTo, ChosenExtension, PredictiveGain, cross_validate, gain_of_fits};
 use flight::parallel::join;
 use identify::LackOfFit;
-
-/// Model extended by the effects that the diagnosis chose, before its fit and out-of-sample gain are completed.
-pub(crate) struct ChosenExtension {
-    /// The extended model.
-    pub extension: ExtendedModel,
-    /// Fit of the extended model; `None` if not yet fitted.
-    pub fit: Option<Fit>,
-    /// Out-of-sample gain; `None` if not yet measured.
-    pub gain: Option<PredictiveGain>,
-    /// Decrease of the weighted sum of squares, χ², by effects created from library terms; 0 for other effects.
-    pub chi2_decrease: f64,
-}
 
 /// An extended model with its fit and its out-of-sample gain.
 pub(crate) struct MeasuredExtension<R> {
@@ -31,22 +18,16 @@ pub(crate) struct MeasuredExtension<R> {
     fit: Fit,
     gain: Option<PredictiveGain>,
     chi2_decrease: f64,
-    /// Indices, in the dataset, of the held-out flights that are predicted without the added effects, because the first
-    /// samples of these flights contradict the effects.
+    /// Held-out flights that are predicted without the added effects, which their first samples contradict.
     not_applied: Vec<usize>,
-    /// Result of the caller's function `on_extension` for the extended model.
     callback_result: R,
 }
 
 /// An extended model and its fit, with the result of the caller's function `on_extension` for the extended model.
 pub(crate) type OfferedExtension<R> = ((ExtendedModel, Fit), R);
 
-/// Fits the extended model if it is not yet fitted, measures its out-of-sample gain, and calls `on_extension` with the
-/// extended model. If `is_consensus`, flights that contradict the added effects are predicted without them.
-/// `noise_floor` is the standard deviation of the noise of one coordinate, m.
-///
-/// # Errors
-/// [`DiagnosisError::Fit`] if the extended model cannot be fitted, or the caller cancelled.
+/// Fits the extended model, measures its gain, and calls `on_extension`. If `is_consensus`, flights that contradict the
+/// effects are predicted without them. `noise_floor` is that of a coordinate, m.
 pub(crate) fn measure<R: Send>(
     context: Context<'_>,
     before: &Fit,
@@ -109,8 +90,7 @@ pub(crate) fn measure<R: Send>(
 }
 
 impl<R> MeasuredExtension<R> {
-    /// Why the predictions of flights that were not fitted speak against the added effects; `None` if they do not, or
-    /// were not made.
+    /// Why predictions speak against the added effects; `None` if they do not.
     pub fn objection(&self) -> Option<&'static str> {
         let gain = self.gain.as_ref()?;
         if gain.changes_nothing() {
@@ -120,11 +100,7 @@ impl<R> MeasuredExtension<R> {
             .then_some("it predicts other flights worse than the model without it")
     }
 
-    /// Adds the fit of the extended model and its out-of-sample gain to the report. Returns the extended model, its fit
-    /// and the result of `on_extension`; `None` if the extended model predicts worse than the model under test.
-    ///
-    /// # Errors
-    /// [`DiagnosisError::Fit`] if the caller cancelled.
+    /// Adds fit and gain to the report. `None` if the extended model predicts worse.
     pub fn add_to(
         self,
         report: &mut Report,

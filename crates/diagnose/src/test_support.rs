@@ -7,9 +7,7 @@ use crate::context::{CandidateId, Context, DiagnosisOptions, EncompassingModel, 
 
 /// The model `disc`, which lacks the effect `stall`, fitted to three flights of the dataset `examples/mystery`.
 pub(crate) struct Fixture {
-    /// Fit of the model under test.
     pub fit: Fit,
-    /// Score-test model built from the model under test and the flights of `fit`.
     pub model: ScoreTestModel<'static>,
     /// Fitted parameter values and initial states, as unknowns of the score-test model `model`.
     pub iterate: Iterate,
@@ -24,7 +22,6 @@ impl Fixture {
     }
 }
 
-/// Loads the first `flights` flights of the dataset `examples/mystery`.
 pub(crate) fn mystery(flights: usize) -> Dataset {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/mystery");
     let mut dataset = dataset::load(folder.as_ref()).unwrap();

@@ -1,5 +1,4 @@
-//! Measurement channels. A channel has one value per sample of a flight, a vector or a scalar, and one residual for
-//! each value.
+//! Measurement channels: a vector or a scalar per sample of a flight, with one residual for each value.
 
 use model_spec::compose::Instrument;
 
@@ -14,8 +13,7 @@ pub enum ChannelKind {
     Position,
     /// Attitude of the body as a rotation vector, rad. The residual is a rotation vector in the inertial frame.
     Attitude,
-    /// Value measured by an instrument (gyroscope, accelerometer or speed sensor); contains the index of the instrument
-    /// in [`FitProblem::instruments`](crate::FitProblem).
+    /// Value measured by an instrument; contains its index in [`FitProblem::instruments`](crate::FitProblem).
     Instrument(usize),
 }
 
@@ -28,23 +26,19 @@ pub struct Channel {
     pub kind: ChannelKind,
     /// Position of the marker or sensor in the frame in which the markers are fixed (usually the body frame), m.
     pub position: [f64; 3],
-    /// Number of components of a measured value: 3 for a vector (position, rotation vector of an attitude, or reading
-    /// of an instrument), 1 for a speed.
+    /// Number of components of a measured value: 3 for a vector, 1 for a speed.
     pub components: usize,
     /// Index of the noise group of the channel. All channels of a group share the parameters of one noise process.
     pub group: usize,
-    /// Standard deviation of the noise of one component, in the unit of the channel; `None` if the dataset does not
-    /// give it.
+    /// Standard deviation of the noise of one component, in `unit`; `None` if the dataset does not give it.
     pub sigma: Option<f64>,
-    /// Factor by which the residuals of the channel are multiplied, metres per unit of the channel; 1 for markers. All
-    /// channels then have about the same noise level, so that one scale serves for losses and tolerances.
+    /// Factor by which residuals are multiplied, m per `unit`; 1 for markers. One noise level then serves all channels.
     pub scale: f64,
     /// Unit of one component of the measured value.
     pub unit: &'static str,
 }
 
 impl Channel {
-    /// Whether the channel measures the position of a marker.
     pub(crate) fn is_marker(&self) -> bool {
         matches!(self.kind, ChannelKind::Marker(_))
     }
@@ -55,8 +49,7 @@ impl Channel {
     }
 }
 
-/// Returns the channels of a dataset, first those of the markers and then those of the sensors. Also returns the
-/// different kinds of instruments among the sensors.
+/// Returns the channels of a dataset, markers first, and the different kinds of instruments among the sensors.
 pub(crate) fn of_dataset(dataset: &Dataset) -> (Vec<Channel>, Vec<Instrument>) {
     let markers = dataset.markers.iter().enumerate();
     let mut channels: Vec<Channel> = markers

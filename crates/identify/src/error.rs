@@ -1,8 +1,12 @@
 //! Errors of a fit, and reasons for which a single flight cannot be used.
 
-use crate::data_fault::DataFault;
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
 use crate::ids::FlightId;
 use crate::wording::count;
+use dataset::Flight;
 
 /// Reason why one flight cannot be fitted or predicted.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -20,8 +24,7 @@ pub enum FlightError {
         /// Number of unknowns (free directions) of the initial state.
         unknowns: usize,
     },
-    /// The dataset gives, for one flight, the known value of a quantity (such as the wind) under a name that the model
-    /// does not have.
+    /// The dataset gives the known value of a quantity under a name that the model does not have.
     #[error(
         "{name} is given as known, and the model {model} has the vectors and numbers {}",
         available.join(", ")
@@ -117,8 +120,7 @@ pub enum NameSource {
     DatasetParameters,
     /// The name is in the option `FitOptions::fixed`, the coefficients that are not estimated.
     Fixed,
-    /// The name is in the option `FitOptions::free`, the constants and components of inputs that are estimated in
-    /// addition to the coefficients.
+    /// The name is in `FitOptions::free`, the constants and components of inputs that are estimated, too.
     Free,
     /// The name is in the option `FitOptions::priors`, the Gaussian priors of parameters.
     Prior,
@@ -224,8 +226,7 @@ pub enum FitError {
         /// Required number of initial-state values for each fitted flight.
         states: Vec<usize>,
     },
-    /// The values that the dataset gives for quantities of one flight, such as the wind, do not match the model, or the
-    /// flight cannot be predicted from given values of the unknowns.
+    /// The known values of a flight do not match the model, or the flight cannot be predicted from given values.
     #[error("{file}: {reason}")]
     Flight {
         /// File name of the flight.
@@ -259,4 +260,118 @@ fn first_reasons(excluded: &[ExcludedFlight]) -> String {
         .map(|flight| format!("  {}: {}", flight.file, flight.reason))
         .collect();
     reasons.join("\n")
+}
+
+// A mistake in the data of a flight, and how to correct it.
+
+/// A mistake that screening found in the recorded data of one flight.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct DataFault {
+    /// File name of the flight that has the mistake, as in `dataset.toml`.
+    pub file: String,
+    /// Kind of the mistake, such as a wrong unit.
+    pub fault: FaultKind,
+    /// Message for the user that describes the mistake, with the values that reveal it.
+    pub detail: String,
+    /// Instruction for the user: how to correct the data.
+    pub correction: String,
+}
+
+/// Kind of a mistake in the data of a flight.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum FaultKind {
+    /// Names of markers are exchanged, in the whole flight or in a part of it.
+    LabelsExchanged,
+    /// The axes are left-handed: the tracks are the mirror image of a flight.
+    Mirrored,
+    /// Lengths are not in metres.
+    Units,
+    /// The z axis does not point up.
+    Axes,
+    /// Times are not in seconds, or are based on a wrong frame rate.
+    TimeUnit,
+    /// Some samples are not of free flight: in the hand, after the catch, in a net, on the ground.
+    NotFreeFlight,
+    /// The recorded coordinates of a marker do not change while the body moves.
+    Frozen,
+    /// Quaternions have another convention than scalar part first and body to inertial.
+    AttitudeConvention,
+    /// Readings of an instrument are not in SI units.
+    SensorUnit,
+    /// A mistake in the data for which there is no separate kind, such as a copied flight.
+    Other,
+}
+
+impl DataFault {
+    /// Creates a fault of `flight`.
+    pub(crate) fn new(
+        flight: &Flight,
+        fault: FaultKind,
+        detail: impl Into<String>,
+        correction: impl Into<String>,
+    ) -> Self {
+        Self {
+            file: flight.file.clone(),
+            fault,
+            detail: detail.into(),
+            correction: correction.into(),
+        }
+    }
+}
+
+impl FaultKind {
+    /// Name of the kind of mistake in reports, such as `labels_exchanged`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::LabelsExchanged => "labels_exchanged",
+            Self::Mirrored => "mirrored",
+            Self::Units => "units",
+            Self::Axes => "axes",
+            Self::TimeUnit => "time_unit",
+            Self::NotFreeFlight => "not_free_flight",
+            Self::Frozen => "frozen",
+            Self::AttitudeConvention => "attitude_convention",
+            Self::SensorUnit => "sensor_unit",
+            Self::Other => "other",
+        }
+    }
+}
+
+impl fmt::Display for FaultKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl fmt::Display for DataFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}; {}", self.file, self.detail, self.correction)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn kinds_are_written_as_they_are_named() {
+        use FaultKind::*;
+        for kind in [
+            LabelsExchanged,
+            Mirrored,
+            Units,
+            Axes,
+            TimeUnit,
+            NotFreeFlight,
+            Frozen,
+            AttitudeConvention,
+            SensorUnit,
+            Other,
+        ] {
+            let quoted = format!("\"{kind}\"");
+            let value = toml::Value::try_from(kind).map(|value| value.to_string());
+            assert_eq!(value, Ok(quoted));
+        }
+    }
 }

@@ -8,13 +8,12 @@ index_type!(
 );
 
 index_type!(
-    /// Index of a global parameter (estimated, common to all flights) in
-    /// [`FitProblem::globals`](crate::FitProblem::globals), and in [`Iterate::global`](crate::Iterate::global).
+    /// Index of a global parameter in [`FitProblem::globals`](crate::FitProblem::globals).
     pub struct GlobalId;
 );
 
 index_type!(
-    /// Index of a local unknown of a flight: a direction in which its initial state may vary (see
+    /// Index of a direction in which the initial state of a flight may vary (see
     /// [`StateManifold`](crate::StateManifold)).
     pub struct LocalId;
 );

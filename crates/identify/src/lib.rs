@@ -1,14 +1,10 @@
-//! Estimates aerodynamic coefficients from measured flights: the output-error fit of a model to all flights of a
-//! dataset at once.
+//! Estimates aerodynamic coefficients from measured flights: the output-error fit of a model to all flights at once.
 //!
-//! [`fit`] determines its own initial guesses and minimises the residuals (measured − predicted marker positions),
-//! weighted by a noise model that it estimates, with the exact sensitivities of the compiled model. The resulting
-//! [`Fit`] holds a [`FitReport`] with estimates, uncertainties and residual diagnostics.
+//! [`fit`] determines its own initial guesses and minimises the residuals, weighted by a noise model that it estimates,
+//! with the exact sensitivities of the compiled model. Its [`Fit`] holds a [`FitReport`].
 
 mod channel;
-mod channel_observers;
 mod contact_time;
-mod data_fault;
 mod error;
 mod fit;
 mod ground_contact;
@@ -16,29 +12,27 @@ mod ids;
 mod initial_state;
 mod lack_of_fit;
 mod least_squares;
-mod marker_observers;
+mod levels;
 mod noise;
 mod noise_floor;
 pub mod numbers;
 mod observations;
+mod observers;
 mod options;
 pub mod outliers;
-mod path_noise;
 mod predict;
 mod problem;
 mod report;
 mod screening;
 mod state_manifold;
-mod tolerance;
 mod uncertainty;
-mod unknown_vertical;
 mod unknowns;
 mod vertical;
 pub mod wording;
 
 // Fitting a dataset.
 pub use error::{ExcludedFlight, FitError, FlightError, NameSource};
-pub use fit::{CONDITIONING_FRACTION, Fit, refit};
+pub use fit::{CONDITIONING_FRACTION, Fit, fit_observations, refit};
 pub use ids::{FlightId, GlobalId, LocalId};
 pub use options::{CancellationToken, FitOptions, Prior, Progress};
 
@@ -64,7 +58,7 @@ pub use problem::{FitProblem, GlobalParameter};
 pub use state_manifold::StateManifold;
 
 // Mistakes in the data.
-pub use data_fault::{DataFault, FaultKind};
+pub use error::{DataFault, FaultKind};
 
 // Least squares over many flights.
 pub use least_squares::{

@@ -2,21 +2,19 @@
 
 use std::ops::{Deref, DerefMut};
 
-/// Noise of all channels: one stationary AR(1) process per noise group. Dereferences to the process of the first group,
-/// which is the group of the markers if the dataset has markers.
+/// Noise of all channels: one AR(1) process per noise group. Dereferences to that of the first group, the markers' if
+/// there are any.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NoiseModel {
     groups: Vec<AxesNoise>,
-    /// Noise group of each channel, by channel index. The channels of a group share one noise process, whose index in
-    /// `groups` is the number of the group. A channel without an entry belongs to group 0.
+    /// Index in `groups` of each channel; a channel without an entry belongs to group 0.
     group_of: Vec<usize>,
 }
 
 /// Noise of one group of channels: a stationary AR(1) process along each axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxesNoise {
-    /// Standard deviation of the residuals along each axis, m. Residuals of channels other than positions are
-    /// multiplied by [`Channel::scale`](crate::Channel::scale) first.
+    /// Standard deviation of the residuals along each axis, m, after [`Channel::scale`](crate::Channel::scale).
     pub sigma: [f64; 3],
     /// Autocorrelation φ at lag `interval` along each axis.
     pub ar1: [f64; 3],
@@ -29,24 +27,22 @@ pub fn group_count(group_of: &[usize]) -> usize {
     group_of.iter().max().map_or(1, |last| last + 1)
 }
 
-/// Maximum magnitude of the estimated autocorrelation of the noise, to which larger estimates are clamped. A higher
-/// correlation of residuals indicates model error.
+/// Maximum magnitude of the estimated autocorrelation; a higher one indicates model error.
 const MAX_AR1: f64 = 0.9;
 
 /// Minimum number of pairs of neighbouring residuals for an estimate of the autocorrelation.
 const MIN_PAIRS: usize = 20;
 
 impl NoiseModel {
-    /// Creates white noise of standard deviation `sigma` (m) along every axis of every channel, for a sampling interval
-    /// in s.
+    /// White noise of standard deviation `sigma` (m) of every channel, for a sampling interval in s.
     pub fn white(sigma: f64, interval: f64) -> Self {
         AxesNoise::white(sigma, interval).into()
     }
 
-    /// Creates the noise model from the noise process of each noise group, and the index of the group to which each
-    /// channel belongs, by channel index.
+    /// Creates the noise model from the process of each group and the group of each channel.
     ///
     /// # Panics
+    ///
     /// Panics if `groups` is empty.
     pub fn of_groups(groups: Vec<AxesNoise>, group_of: Vec<usize>) -> Self {
         assert!(!groups.is_empty(), "noise of at least one group");
@@ -76,8 +72,8 @@ impl NoiseModel {
         }
     }
 
-    /// Whether all standard deviations agree with those of `other` within the relative difference `tolerance`, and all
-    /// autocorrelations within the absolute difference `tolerance`.
+    /// Whether standard deviations agree within the relative, and autocorrelations within the absolute difference
+    /// `tolerance`.
     pub fn is_within(&self, other: &NoiseModel, tolerance: f64) -> bool {
         let mut pairs = self.groups.iter().zip(&other.groups);
         self.groups.len() == other.groups.len()
@@ -118,9 +114,12 @@ impl AxesNoise {
         }
     }
 
-    /// Autocorrelation φ of residuals `gap` seconds apart along an axis, and the standard deviation (m) of the
-    /// innovation r − φ r_previous.
-    pub fn innovation(&self, axis: usize, gap: f64) -> (f64, f64) {
+    /// Autocorrelation φ of residuals `gap` seconds apart, and the standard deviation (m) of the innovation r − φ
+    /// r_previous; of a residual without a previous one, 0 and its standard deviation.
+    pub fn innovation(&self, axis: usize, gap: Option<f64>) -> (f64, f64) {
+        let Some(gap) = gap else {
+            return (0.0, self.sigma[axis]);
+        };
         let intervals = gap / self.interval;
         let ar1 = self.ar1[axis];
         let phi = if self.is_one_interval(gap) {
@@ -153,17 +152,14 @@ impl AxesNoise {
     }
 }
 
-/// Sums of squares and products of the residuals of one noise group (channels with the same noise process), from which
-/// its noise is estimated. Sums of several flights can be added.
+/// Sums of squares and products of the residuals of one noise group, from which its noise is estimated.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Moments {
     /// Sum of squared residuals along each axis, m².
     pub squares: [f64; 3],
-    /// Sum of products of neighbouring residuals (of one channel, about one sampling interval apart) along each axis,
-    /// m².
+    /// Sum of products of neighbours, residuals of one channel about one interval apart, along each axis, m².
     pub products: [f64; 3],
-    /// Sum of (r² + r_previous²)/2 over the pairs of neighbouring residuals (of one channel, about one sampling
-    /// interval apart) along each axis, m².
+    /// Sum of (r² + r_previous²)/2 over the pairs of neighbours along each axis, m².
     pub neighbours: [f64; 3],
     /// Number of residuals along one axis; it is the same for all three axes.
     pub count: usize,
@@ -172,8 +168,7 @@ pub struct Moments {
 }
 
 impl Moments {
-    /// Adds the residuals (m) of one channel of a flight at `times` (s); `None` marks a missing value. Residuals about
-    /// one sampling interval `interval` (s) apart are neighbours, from which the autocorrelation is estimated.
+    /// Adds the residuals (m) of one channel at `times` (s); `None` marks a missing value. `interval` is in s.
     pub fn add(&mut self, times: &[f64], residuals: &[Option<[f64; 3]>], interval: f64) {
         let mut before: Option<(f64, [f64; 3])> = None;
         for (&time, residual) in times.iter().zip(residuals) {
@@ -206,9 +201,8 @@ impl Moments {
         self.pairs += other.pairs;
     }
 
-    /// Estimates the noise from the sums of squares and products of the residuals of a fit with `unknowns` unknowns,
-    /// for the sampling interval `interval` (s). If the standard deviation is `given` (m), it replaces the estimated
-    /// one.
+    /// Noise of residuals after a fit of `unknowns` unknowns, for the sampling interval `interval` (s). A `given`
+    /// standard deviation (m) replaces the estimated one.
     pub fn noise(&self, unknowns: usize, interval: f64, given: Option<f64>) -> AxesNoise {
         let measured = 3 * self.count;
         let spread = measured as f64 / measured.saturating_sub(unknowns).max(1) as f64;
@@ -232,12 +226,10 @@ impl Moments {
     }
 }
 
-/// Outlier threshold of the local residual (difference of a residual from the line through its neighbours), in standard
-/// deviations. A normal variable exceeds it in magnitude with probability 7 × 10⁻⁶.
+/// Outlier threshold of a local residual, in standard deviations; noise exceeds it with probability 7 × 10⁻⁶.
 pub const OUTLIER_LIMIT: f64 = 4.5;
 
-/// Transition point of Huber's loss, in units of its scale × √(number of components of the residual): the loss is
-/// quadratic below and linear above.
+/// Transition of Huber's loss from quadratic to linear, in units of its scale × √(number of components).
 pub const HUBER_LIMIT: f64 = 2.0;
 
 #[cfg(test)]
@@ -274,7 +266,7 @@ mod tests {
             assert!((noise.sigma[axis] / 0.002 - 1.0).abs() < 0.03, "{noise:?}");
             assert!((noise.ar1[axis] - 0.6).abs() < 0.02, "{noise:?}");
         }
-        let (phi, sigma) = noise.innovation(0, 2.0 / 120.0);
+        let (phi, sigma) = noise.innovation(0, Some(2.0 / 120.0));
         assert!((phi - noise.ar1[0].powi(2)).abs() < 1e-12);
         assert!((sigma - noise.sigma[0] * (1.0 - phi * phi).sqrt()).abs() < 1e-12);
     }

@@ -1,41 +1,24 @@
-//! Noise of measured coordinates, estimated without a model of the motion as the part of the data that no smooth path
-//! can follow.
+//! Noise of measured coordinates without a model: the position of the body's origin is compared with the cubic through
+//! its neighbours in time. The origin of a rigid body is computed from poses, so that spin has no effect; that of a
+//! point mass is the mean over its markers.
 //!
-//! The position of the body's origin is compared with the least-squares cubic through its neighbours in time. For a
-//! rigid body, the origin is computed from the pose in each sample, so that spin has no effect; for a point mass, it is
-//! the mean over its markers. The median over many samples is robust to outliers.
-//!
-//! Sources of bias: the cubic partly follows noise that is correlated between samples, so that an AR(1) noise of
-//! coefficient 0.6 is underestimated by a factor of about 0.6, and one of coefficient 0.9 by 0.3. Errors of the marker
-//! positions on a spinning body count as noise, as no smooth path follows them. A path that is far from a cubic over
+//! The cubic partly follows correlated noise: AR(1) noise of coefficient 0.6 is underestimated by a factor of about
+//! 0.6, of 0.9 by 0.3. Errors of marker positions on a spinning body count as noise, and a path far from a cubic over
 //! nine samples raises the estimate.
 
 use nalgebra::{Matrix4, Vector3, Vector4};
 
+use crate::levels::{MAX_GAP, OUTLIER_VARIANCE};
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 use dataset::pose::{Pose, point_position};
 use dataset::statistics::{median_of, median_vector, robust_sigma};
 
-/// Number of neighbours on each side of a sample to which a cubic in time is fitted; the noise floor is estimated from
-/// the deviation of the sample from this cubic.
+/// Number of neighbours on each side of a sample through which a cubic is fitted.
 const SIDE: usize = 4;
 
-/// Maximum time span of a window, relative to the span of a window without missing samples. Windows with a longer span
-/// are skipped.
-const MAX_GAP_RATIO: f64 = 1.5;
-
-/// Maximum number of samples of one flight that are compared with a cubic through their neighbours; longer flights are
-/// subsampled.
-const MAX_SAMPLES: usize = 60;
-
-/// Minimum number of samples that are compared with the cubic through their neighbours, for an estimate of the noise
-/// floor.
-const MIN_SAMPLES: usize = 8;
-
-/// Ratio of the variance of a sample's marker positions about the fitted rigid body to the median of these variances,
-/// above which the sample is skipped because it contains an outlier.
-const MAX_VARIANCE_RATIO: f64 = 25.0;
+/// Maximum and minimum number of samples of one flight that are compared; longer flights are subsampled.
+const COMPARED: (usize, usize) = (60, 8);
 
 /// Measured position of the body's origin in one sample.
 struct TrackPoint {
@@ -45,8 +28,7 @@ struct TrackPoint {
     markers: f64,
 }
 
-/// Standard deviation of the noise of one marker coordinate along each axis, m, estimated without a model from the
-/// scatter of one flight's samples about smooth curves; `None` if the flight has too few samples. `poses` are those of
+/// Standard deviation of the noise of a coordinate along each axis, m; `None` for too few samples. `poses` are those of
 /// [`Observations::poses`].
 pub fn noise_floor(
     problem: &FitProblem,
@@ -56,12 +38,12 @@ pub fn noise_floor(
     let track = track(problem, observations, poses);
     let interval = observations.interval()?;
     let windows = track.len().checked_sub(2 * SIDE)?;
-    let stride = windows.div_ceil(MAX_SAMPLES).max(1);
+    let stride = windows.div_ceil(COMPARED.0).max(1);
     let mut line = Interpolation::default();
     let mut sizes: [Vec<f64>; 3] = Default::default();
     for window in track.windows(2 * SIDE + 1).step_by(stride) {
         let span = window[2 * SIDE].time - window[0].time;
-        if span > MAX_GAP_RATIO * interval * (2 * SIDE) as f64 {
+        if span > MAX_GAP * interval * (2 * SIDE) as f64 {
             continue;
         }
         let Some(residual) = line.residual(window) else {
@@ -71,11 +53,9 @@ pub fn noise_floor(
             sizes.push(residual.abs());
         }
     }
-    (sizes[0].len() >= MIN_SAMPLES).then(|| sizes.map(|mut sizes| robust_sigma(&mut sizes)))
+    (sizes[0].len() >= COMPARED.1).then(|| sizes.map(|mut sizes| robust_sigma(&mut sizes)))
 }
 
-/// Median over flights of their noise floors (standard deviations of the noise, estimated without a model), along each
-/// axis, m; `None` if `flights` is empty.
 pub fn median_noise_floor(flights: &[[f64; 3]]) -> Option<[f64; 3]> {
     let sigmas: Vec<Vector3<f64>> = flights.iter().map(|sigma| (*sigma).into()).collect();
     median_vector(&sigmas).map(Into::into)
@@ -88,7 +68,7 @@ fn track(
 ) -> Vec<TrackPoint> {
     // A sample whose marker distances differ much from the rigid body contains an outlier.
     let usual = median_of(poses.iter().flatten().map(Pose::variance));
-    let limit = MAX_VARIANCE_RATIO * usual.unwrap_or(0.0);
+    let limit = OUTLIER_VARIANCE * usual.unwrap_or(0.0);
     let samples = observations.times.iter().enumerate();
     samples
         .filter_map(|(sample, &time)| match problem.has_attitude {
@@ -115,21 +95,18 @@ fn track(
         .collect()
 }
 
-/// Cubic in time, fitted by least squares to the neighbours of a sample. It is stored as the weights whose weighted sum
-/// of the neighbours' positions is the value of the cubic at the time of the sample.
+/// Weights of the neighbours' positions whose sum is the cubic in time at the sample.
 #[derive(Default)]
 struct Interpolation {
     offsets: [f64; 2 * SIDE],
     weights: [f64; 2 * SIDE],
 }
 
-/// Relative difference up to which times are considered equal, so that the weights of an [`Interpolation`] are reused
-/// for evenly spaced samples.
+/// Relative difference of equal times, for which weights are reused.
 const SAME_TIME: f64 = 1e-6;
 
 impl Interpolation {
-    /// Difference between the middle position of `window` and the cubic in time through the other positions, m, scaled
-    /// so that its standard deviation is that of one marker coordinate. `None` if the times do not determine the cubic.
+    /// Middle position less the cubic through the others, m, scaled to the noise of one marker coordinate.
     fn residual(&mut self, window: &[TrackPoint]) -> Option<Vector3<f64>> {
         let middle = &window[SIDE];
         let neighbours = || window[..SIDE].iter().chain(&window[SIDE + 1..]);
@@ -167,6 +144,34 @@ impl Interpolation {
         }
         Some(())
     }
+}
+
+// Noise of a measured path, estimated from the distances of its points from smooth curves through their neighbours.
+
+/// Maximum time span of four successive points relative to the median; the path may curve in a gap.
+const MAX_SPAN_RATIO: f64 = 1.6;
+
+/// Robust standard deviation of one coordinate about a smooth path of points (time in s, position in m), in m, by third
+/// divided differences; 0 for fewer than four points.
+pub fn path_noise(path: impl Iterator<Item = (f64, Vector3<f64>)>) -> f64 {
+    let path: Vec<(f64, Vector3<f64>)> = path.collect();
+    let span = |four: &[(f64, Vector3<f64>)]| four[3].0 - four[0].0;
+    let longest = MAX_SPAN_RATIO * median_of(path.windows(4).map(span)).unwrap_or(0.0);
+    let fours = path.windows(4).filter(|four| span(four) <= longest);
+    let mut rough: Vec<f64> = fours
+        .flat_map(|four| {
+            // Third divided difference over its standard deviation for noise of standard deviation 1.
+            let weight = |i: usize| -> f64 {
+                let others = (0..4).filter(|j| *j != i);
+                1.0 / others.map(|j| four[i].0 - four[j].0).product::<f64>()
+            };
+            let weights = [weight(0), weight(1), weight(2), weight(3)];
+            let size = weights.iter().map(|w| w * w).sum::<f64>().sqrt();
+            let sum: Vector3<f64> = four.iter().zip(weights).map(|((_, p), w)| p * w).sum();
+            <[f64; 3]>::from((sum / size).abs())
+        })
+        .collect();
+    robust_sigma(&mut rough)
 }
 
 #[cfg(test)]
@@ -230,5 +235,23 @@ mod tests {
             sigma.iter().all(|sigma| (0.0008..0.0019).contains(sigma)),
             "{sigma:?}"
         );
+    }
+
+    #[test]
+    fn gaps_and_curves_are_no_noise() {
+        let at = |i: usize| (i as f64 * 0.01, i);
+        let kept = (0..100).filter(|i| i % 5 != 2 && i % 7 != 3).map(at);
+        let path = |noise: f64| {
+            kept.clone().map(move |(t, i)| {
+                let sign = if (i * i) % 3 == 0 { 1.0 } else { -1.0 };
+                (
+                    t,
+                    Vector3::new(5.0 * t, noise * sign, 3.0 * t - 30.0 * t * t),
+                )
+            })
+        };
+        assert!(path_noise(path(0.0)) < 1e-9);
+        let noise = path_noise(path(0.003).map(|(t, p)| (t, Vector3::repeat(p.y))));
+        assert!((0.001..0.006).contains(&noise), "{noise}");
     }
 }

@@ -1,5 +1,4 @@
-//! Formatting of numbers: number of digits by the standard error, minus sign U+2212, and a dash for values that are
-//! not finite.
+//! Formatting of numbers: digits by the standard error, minus sign U+2212, and a dash for values that are not finite.
 
 /// Formats a number with the given number of decimals; `–` if it is not finite.
 pub fn plain(value: f64, decimals: usize) -> String {
@@ -24,8 +23,7 @@ pub struct Digits {
 }
 
 impl Digits {
-    /// Chooses a format that shows two significant digits of the standard error `error`, or five significant digits of
-    /// the value if `error` is not positive.
+    /// Two significant digits of the standard error `error`, or five of the value if it is not positive.
     pub fn of(value: f64, error: f64) -> Digits {
         let value = if value.is_finite() { value.abs() } else { 0.0 };
         let known = error.is_finite() && error > 0.0;
@@ -190,8 +188,7 @@ pub fn probability_of_ln(ln_p_value: f64) -> String {
     format!("10{}", raised(power.round() as i32))
 }
 
-/// Formats a standard normal quantile z, such as the one that is equivalent to the p-value of a test: with one decimal
-/// below 99.95, without decimals above.
+/// Formats a standard normal quantile: one decimal below 99.95, none above.
 pub fn equivalent_z(value: f64) -> String {
     plain(value, usize::from(value.abs() < 99.95))
 }

@@ -25,8 +25,7 @@ pub struct Truncation {
     pub reason: String,
 }
 
-/// Samples of one flight from the first to the last measured value, with the parameters and initial states that are
-/// known for the flight.
+/// Samples of one flight from the first to the last measured value, with its known parameters and states.
 #[derive(Clone, Debug)]
 pub struct Observations {
     /// File name of the flight.
@@ -37,9 +36,8 @@ pub struct Observations {
     pub origin: f64,
     /// Times of the samples relative to the first one used, s.
     pub times: Vec<f64>,
-    /// Measured values, as `measured[sample * channels + channel]`: position in the inertial frame, m; rotation vector
-    /// of an attitude, rad; or reading of an instrument in its unit. A scalar reading is repeated three times. `None`
-    /// for a missing value.
+    /// `measured[sample * channels + channel]`: position, inertial, m; rotation vector, rad; or reading in its unit. A
+    /// scalar is repeated three times. `None` for a missing value.
     pub measured: Vec<Option<[f64; 3]>>,
     /// Whether a measured value is excluded as an outlier, as `outlier[sample * channels + channel]`.
     pub outlier: Vec<bool>,
@@ -47,12 +45,10 @@ pub struct Observations {
     pub channels: usize,
     /// Number of points from which the pose is determined, as in [`FitProblem::markers`].
     pub markers: usize,
-    /// Positions of the points from which the pose is determined, as `stand_ins[sample * markers + point]`, m; `None`
-    /// for a point that is not measured. The points are the markers, followed by body-fixed points whose positions are
+    /// `stand_ins[sample * markers + point]`, m: the markers, followed by body-fixed points whose positions are
     /// computed from the pose that a sensor measures. Empty if all points are markers.
     pub stand_ins: Vec<Option<[f64; 3]>>,
-    /// Parameters of the flight in the order of the compiled model's parameter vector, SI. Global parameters have their
-    /// initial values here.
+    /// Parameters in the order of the compiled model, SI; global ones have their initial values.
     pub parameters: Vec<f64>,
     /// States whose values at the first sample are known, and these values, SI.
     pub known_states: Vec<(StateId, f64)>,
@@ -73,8 +69,7 @@ impl Observations {
     ///
     /// # Errors
     /// [`FlightError::NoMeasurement`] if nothing is measured; [`FlightError::UnknownKnownValue`],
-    /// [`FlightError::PartialQuaternion`] or [`FlightError::KnownAndEstimated`] if the known values do not match the
-    /// problem.
+    /// [`FlightError::PartialQuaternion`] or [`FlightError::KnownAndEstimated`] if the known values do not match.
     pub fn new(problem: &FitProblem, flight: &Flight) -> Result<Self, FlightError> {
         let all = 0..flight.times.len();
         let is_measured =
@@ -126,9 +121,8 @@ impl Observations {
         })
     }
 
-    /// Observations of `flight` for `problem`. The number of samples, the outliers, the truncation and the notes are
-    /// copied from `other`, the observations of the same flight for another problem. `None` if the channels or times
-    /// differ from those of `other`, or if the flight cannot be used.
+    /// Observations of `flight` with the samples, outliers, truncation and notes of `other`, those for another problem.
+    /// `None` if channels or times differ, or the flight cannot be used.
     pub(crate) fn like(problem: &FitProblem, flight: &Flight, other: &Self) -> Option<Self> {
         let mut observations = Self::new(problem, flight).ok()?;
         let samples = other.times.len();
@@ -148,8 +142,8 @@ impl Observations {
         Some(observations)
     }
 
-    /// Measured positions, in one sample, of the points from which the pose is determined, in the order of
-    /// [`FitProblem::markers`]; inertial frame, m. `None` for a point that is not measured; outliers are included.
+    /// Measured positions of the points of the pose in one sample, in the order of [`FitProblem::markers`], m; outliers
+    /// are included.
     pub fn points(&self, sample: usize) -> &[Option<[f64; 3]>] {
         match self.stand_ins.is_empty() {
             true => &self.measured[sample * self.channels..][..self.markers],
@@ -157,28 +151,23 @@ impl Observations {
         }
     }
 
-    /// Pose in each sample, `None` where the measured points (markers, or body-fixed points whose positions are
-    /// computed from the reading of a pose sensor) do not determine it; empty for a point mass.
+    /// Pose in each sample, `None` where the points do not determine it; empty for a point mass.
     pub(crate) fn poses(&self, problem: &FitProblem) -> Vec<Option<Pose>> {
         let samples = 0..self.times.len() * usize::from(problem.has_attitude);
         let each = samples.map(|sample| pose(&problem.markers, self.points(sample)));
         each.collect()
     }
 
-    /// Whether the value of a channel in a sample is excluded as an outlier.
     pub(crate) fn is_outlier(&self, sample: usize, channel: usize) -> bool {
         self.outlier[sample * self.channels + channel]
     }
 
-    /// Measured value of a channel in a sample: position in the inertial frame, m; rotation vector of an attitude, rad;
-    /// or reading of an instrument in its unit. A scalar reading is repeated three times. `None` if the value is
-    /// missing.
+    /// Measured value of a channel in a sample, as in `measured`.
     pub fn value(&self, sample: usize, channel: usize) -> Option<[f64; 3]> {
         self.measured[sample * self.channels + channel]
     }
 
-    /// Measured value of a channel in a sample, in the form that [`value`](Self::value) returns; `None` if it is
-    /// missing or an outlier.
+    /// [`value`](Self::value) unless it is an outlier.
     pub fn inlier(&self, sample: usize, channel: usize) -> Option<[f64; 3]> {
         let value = self.value(sample, channel);
         value.filter(|_| !self.is_outlier(sample, channel))
@@ -231,8 +220,8 @@ impl Observations {
         first
     }
 
-    /// Observations of a range of samples, as a separate flight. Known values of the initial state apply only if the
-    /// range starts at the first sample. Times remain relative to the first sample of the whole flight.
+    /// A range of samples as a separate flight. Known initial states apply only from the first sample; times remain
+    /// relative to it.
     pub(crate) fn arc(&self, problem: &FitProblem, samples: Range<usize>) -> Observations {
         let is_first = samples.start == 0;
         let mut arc = self.longer(self, samples);
@@ -243,8 +232,6 @@ impl Observations {
         arc
     }
 
-    /// Copy of these observations that contains the samples in the range `samples` of `flight` instead. The parameters,
-    /// the known states and the state manifold remain unchanged.
     pub(crate) fn longer(&self, flight: &Observations, samples: Range<usize>) -> Observations {
         let points = samples.start * self.channels..samples.end * self.channels;
         let stand_ins = samples.start * self.markers..samples.end * self.markers;
@@ -278,8 +265,7 @@ impl Observations {
         state
     }
 
-    /// Parameters of the flight in the order of the compiled model's parameter vector, SI, with the given values of the
-    /// global parameters.
+    /// Parameters in the order of the compiled model, SI, with the given values of the global ones.
     pub fn parameters(&self, problem: &FitProblem, global: &DVector<f64>) -> Vec<f64> {
         let mut parameters = self.parameters.clone();
         for (parameter, &value) in problem.globals.iter().zip(global.iter()) {
@@ -289,8 +275,7 @@ impl Observations {
     }
 }
 
-/// Measured values of all channels in one sample of `flight`, in channel order: position, rotation vector, or reading
-/// of an instrument. A scalar reading is repeated three times; `None` for a missing value.
+/// Measured values of all channels in one sample, as in [`Observations::measured`].
 fn row<'f>(
     problem: &'f FitProblem,
     flight: &'f Flight,
@@ -309,9 +294,8 @@ fn row<'f>(
     }))
 }
 
-/// Positions, in one sample, of the points from which the pose is determined, m. The points are the markers, followed
-/// by several body-fixed points for each pose sensor, whose positions are computed from the measured pose. `None` for a
-/// point that is not measured in this sample.
+/// Positions of the points of the pose in one sample, m: the markers, and points whose positions follow from the
+/// reading of each pose sensor.
 fn stand_ins(
     problem: &FitProblem,
     flight: &Flight,

@@ -4,18 +4,14 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use crate::data_fault::DataFault;
-use crate::error::FitError;
+use crate::error::{DataFault, FitError};
 
-/// Options of a fit. By default, every coefficient of the model is estimated within the model's bounds, without priors
-/// or profiles, on all processors.
+/// Options of a fit. By default, every coefficient is estimated within its bounds, on all processors.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FitOptions<'a> {
-    /// Coefficients that are not estimated, each with its fixed value (SI); `None` fixes a coefficient at the model's
-    /// value.
+    /// Coefficients that are fixed, each with its value (SI); `None` is the model's value.
     pub fixed: &'a [(String, Option<f64>)],
-    /// Constants and components of inputs (such as `wind_x`) that are estimated in addition to the coefficients, with
-    /// one value for all flights.
+    /// Constants and components of inputs (such as `wind_x`) that are estimated, too, with one value for all flights.
     pub free: &'a [String],
     /// Gaussian priors of global parameters.
     pub priors: &'a [Prior],
@@ -23,8 +19,7 @@ pub struct FitOptions<'a> {
     pub unbounded: bool,
     /// Names of the global parameters whose profile likelihood is computed.
     pub profiles: &'a [String],
-    /// Whether flights with a [`DataFault`](crate::DataFault) are fitted nevertheless. The report lists the faults in
-    /// both cases.
+    /// Whether flights with a [`DataFault`](crate::DataFault), which the report lists, are fitted nevertheless.
     pub trust_data: bool,
     /// Data faults that an earlier fit of the same flights reported; `None` if the data are to be screened for faults.
     pub known_faults: Option<&'a [DataFault]>,
@@ -34,8 +29,8 @@ pub struct FitOptions<'a> {
     pub progress: Option<&'a dyn Progress>,
     /// Token with which another thread can cancel the fit.
     pub cancellation: Option<&'a CancellationToken>,
-    /// Time at which the iteration stops and returns the best estimates so far, with status
-    /// [`FitStatus::Deadline`](crate::FitStatus::Deadline). These estimates depend on the speed of the machine.
+    /// Time at which the best estimates so far are returned, with status
+    /// [`FitStatus::Deadline`](crate::FitStatus::Deadline).
     pub deadline: Option<Instant>,
 }
 
@@ -52,8 +47,7 @@ pub struct Prior {
 
 /// Receiver of progress reports of a fit. Methods may be called from any thread.
 pub trait Progress: std::fmt::Debug + Sync {
-    /// Called when a stage of the fit starts, with the name of the stage and the number of flights that it processes. A
-    /// stage may process every flight several times.
+    /// Called when a stage starts, with its name and the number of flights that it processes, perhaps several times.
     fn stage_started(&self, stage: &str, flights: usize);
     /// Called when the present stage of the fit has processed one flight.
     fn flight_done(&self);
@@ -76,49 +70,36 @@ impl CancellationToken {
 }
 
 impl FitOptions<'_> {
-    /// Checks that the values of the options are finite, standard deviations positive, and the number of threads at
-    /// least 1.
+    /// Checks that values are finite, standard deviations positive, and the number of threads at least 1.
     ///
     /// # Errors
     /// [`FitError::InvalidOption`] if a value is outside its allowed range.
     pub fn validate(&self) -> Result<(), FitError> {
-        let invalid = |option, name: &str, value, expected| {
-            Err(FitError::InvalidOption {
+        let finite = |value: f64| (value.is_finite(), "a finite number");
+        let fixed = self.fixed.iter().filter_map(|(name, value)| {
+            let value = (*value)?;
+            Some(("the fixed value", &**name, value, finite(value)))
+        });
+        let priors = self.priors.iter().flat_map(|prior| {
+            let Prior { name, value, sigma } = prior;
+            let is_positive = sigma.is_finite() && *sigma > 0.0;
+            let positive = (is_positive, "a positive number");
+            [
+                ("the prior mean", &**name, *value, finite(*value)),
+                ("the prior standard deviation", &**name, *sigma, positive),
+            ]
+        });
+        let threads = (self.threads != Some(0), "at least 1");
+        let threads = ("the number", "threads", 0.0, threads);
+        let mut all = fixed.chain(priors).chain([threads]);
+        match all.find(|(.., (is_valid, _))| !is_valid) {
+            Some((option, name, value, (_, expected))) => Err(FitError::InvalidOption {
                 option,
                 name: name.to_owned(),
                 value,
                 expected,
-            })
-        };
-        for (name, value) in self.fixed {
-            if let Some(value) = *value
-                && !value.is_finite()
-            {
-                return invalid("the fixed value", name, value, "a finite number");
-            }
-        }
-        for prior in self.priors {
-            if !prior.value.is_finite() {
-                return invalid(
-                    "the prior mean",
-                    &prior.name,
-                    prior.value,
-                    "a finite number",
-                );
-            }
-            if !(prior.sigma.is_finite() && prior.sigma > 0.0) {
-                let expected = "a positive number";
-                return invalid(
-                    "the prior standard deviation",
-                    &prior.name,
-                    prior.sigma,
-                    expected,
-                );
-            }
-        }
-        match self.threads {
-            Some(0) => invalid("the number", "threads", 0.0, "at least 1"),
-            _ => Ok(()),
+            }),
+            None => Ok(()),
         }
     }
 

@@ -1,14 +1,16 @@
 //! Outlier detection: a value is an outlier if its residual is far from the line through the neighbouring residuals.
-//!
-//! Model error is smooth in time: the line through the neighbours removes it, so that it is not mistaken for outliers.
+//! Model error is smooth in time, and the line removes it.
 
 use std::ops::Range;
 
-use crate::noise::{OUTLIER_LIMIT, group_count};
+use flight::parallel;
+
+use crate::noise::{NoiseModel, OUTLIER_LIMIT, group_count};
+use crate::observations::Observations;
+use crate::problem::FitProblem;
 use dataset::statistics::{median, median_of, robust_sigma};
 
-/// Number of neighbours on each side of a value through which a line is fitted to detect whether the value is an
-/// outlier. Two of the neighbours may be outliers.
+/// Number of neighbours on each side of a value; two of them may be outliers.
 const SIDE: usize = 4;
 
 /// Minimum number of measured values of a channel for outlier detection.
@@ -17,11 +19,10 @@ const MIN_POINTS: usize = 5;
 /// Residuals of a flight as `[channel][sample]`, m; `None` for a missing value.
 pub type Residuals = [Vec<Option<[f64; 3]>>];
 
-/// Local-linear residuals as `[channel][sample]`, m: the difference of each residual from the line through its
-/// neighbours, scaled so that its standard deviation is that of one residual. The line is a least-squares line, or a
-/// Theil–Sen line for possible outliers. `None` for a missing value and for channels with fewer than `MIN_POINTS`
-/// values.
-pub fn local_residuals(times: &[f64], residuals: &Residuals) -> Vec<Vec<Option<[f64; 3]>>> {
+/// Local residuals `[channel][sample]`, m: the difference of each residual from the line through its neighbours (by
+/// least squares, or Theil and Sen for possible outliers), scaled to the noise of one residual. `None` for a missing
+/// value and for channels with fewer than `MIN_POINTS` values.
+fn local_residuals(times: &[f64], residuals: &Residuals) -> Vec<Vec<Option<[f64; 3]>>> {
     let all: Vec<Series> = residuals
         .iter()
         .map(|series| Series::of(times, series))
@@ -31,7 +32,7 @@ pub fn local_residuals(times: &[f64], residuals: &Residuals) -> Vec<Vec<Option<[
         .map(|series| series.local_residuals(residuals[0].len()))
         .collect();
     // The Theil–Sen line is expensive, and only possible outliers need it.
-    let limit = robust_scale(&local_residuals).map(|scale| THEIL_SEN_LIMIT * scale);
+    let limit = robust_scale(local_residuals.iter()).map(|scale| THEIL_SEN_LIMIT * scale);
     let mut space = Vec::with_capacity(SIDE * (2 * SIDE - 1));
     for (series, local_residuals) in all.iter().zip(&mut local_residuals) {
         for (index, &sample) in series.samples.iter().enumerate() {
@@ -48,20 +49,15 @@ pub fn local_residuals(times: &[f64], residuals: &Residuals) -> Vec<Vec<Option<[
     local_residuals
 }
 
-/// Local residual (difference of a value from the least-squares line through its neighbours), in robust standard
-/// deviations, above which it is computed again with a Theil–Sen line, which is robust but expensive.
+/// Local residual, in robust standard deviations, above which it is computed with the expensive Theil–Sen line.
 const THEIL_SEN_LIMIT: f64 = 2.5;
 
-/// Number of values in a window, which contains a value and its neighbours.
 const WINDOW: usize = 2 * SIDE + 1;
 
 /// Measured values of one channel.
 struct Series {
-    /// Time of each value, s.
     times: Vec<f64>,
-    /// Sample index of each value.
     samples: Vec<usize>,
-    /// Residuals, m.
     residuals: Vec<[f64; 3]>,
 }
 
@@ -79,9 +75,7 @@ impl Series {
         }
     }
 
-    /// Differences of the values from least-squares lines through their neighbours, m, by sample index. Each is scaled
-    /// so that its standard deviation is that of one value. `None` for missing values, and for all values if there are
-    /// fewer than `MIN_POINTS`.
+    /// Differences from least-squares lines, scaled, by sample; `None` for missing values or fewer than `MIN_POINTS`.
     fn local_residuals(&self, samples: usize) -> Vec<Option<[f64; 3]>> {
         let mut local_residuals = vec![None; samples];
         if self.samples.len() < MIN_POINTS {
@@ -102,8 +96,7 @@ impl Series {
         local_residuals
     }
 
-    /// Indices of the value at `index` of the series and of its neighbours: `SIDE` values before and `SIDE` values after
-    /// it. Near an end of the series, more of them are on one side.
+    /// Indices of the value at `index` and its neighbours; near an end, more of them are on one side.
     fn window(&self, index: usize) -> Range<usize> {
         let count = self.samples.len();
         // At the ends, the number of neighbours is the same, but they are on one side.
@@ -111,8 +104,7 @@ impl Series {
         first..(first + WINDOW).min(count)
     }
 
-    /// Difference of one value from the Theil–Sen line through its neighbours along one axis, m, scaled so that its
-    /// standard deviation is that of one value. `space` is scratch memory.
+    /// Scaled difference of one value from the Theil–Sen line along one axis, m; `space` is scratch memory.
     fn local_residual(&self, index: usize, axis: usize, space: &mut Vec<f64>) -> f64 {
         let window = self.window(index);
         let mut points = [(0.0, 0.0); 2 * SIDE];
@@ -135,21 +127,17 @@ struct Line {
     /// Times of the values in the window relative to the value to be tested, s.
     times: [f64; WINDOW],
     count: usize,
-    /// Weights of the values in the window whose weighted sum is the difference of the value to be tested from the line
-    /// at its time.
+    /// Weights of the values whose sum is the difference of the tested value from the line.
     weights: [f64; WINDOW],
     /// Standard deviation of this difference, in units of the standard deviation of a value.
     spread: f64,
 }
 
-/// Relative difference up to which time offsets between samples are considered equal, so that evenly spaced samples
-/// share the weights of the straight line fitted to their neighbours. Times may be rounded in the data, and a residual
-/// changes little within this part of a sampling interval.
+/// Relative difference of equal time offsets, for which weights are reused: times may be rounded.
 const SAME_TIME: f64 = 1e-3;
 
 impl Line {
-    /// Computes the weights of the values in a window. `times` are their times, s, at most `WINDOW`, and `own` is the
-    /// index of the value to be tested. The weights are kept if the times relative to this value have not changed.
+    /// Computes the weights of a window; `own` is the index of the tested value.
     fn through(&mut self, times: &[f64], own: usize) {
         let time = times[own];
         let mut is_same = times.len() == self.count;
@@ -176,8 +164,7 @@ impl Line {
     }
 }
 
-/// Value at time 0 of the Theil–Sen line through points (time, value): median slope of all pairs, median intercept.
-/// `space` is scratch memory.
+/// Value at time 0 of the Theil–Sen line through points (time, value); `space` is scratch memory.
 fn at_zero(points: &[(f64, f64)], space: &mut Vec<f64>) -> f64 {
     space.clear();
     for (i, (earlier, from)) in points.iter().enumerate() {
@@ -190,37 +177,97 @@ fn at_zero(points: &[(f64, f64)], space: &mut Vec<f64>) -> f64 {
     median(space)
 }
 
-/// Robust standard deviation of the local residuals of each group of channels, along each axis, m. `group_of` gives the
-/// group of each channel.
-pub fn group_scales(local_residuals: &Residuals, group_of: &[usize]) -> Vec<[f64; 3]> {
-    let groups = group_count(group_of);
-    let of_group = |group: usize| {
-        let series = local_residuals.iter().zip(group_of);
-        let series = series.filter(|(_, own)| **own == group);
-        let series: Vec<_> = series.map(|(series, _)| series.clone()).collect();
-        robust_scale(&series)
-    };
-    match groups {
-        1 => vec![robust_scale(local_residuals)],
-        _ => (0..groups).map(of_group).collect(),
+/// Flags the outliers of a flight by its residuals, indexed as [`Observations::outlier`]. `group_of` is the noise group
+/// of each channel.
+pub fn outlier_mask(times: &[f64], residuals: &Residuals, group_of: &[usize]) -> Vec<bool> {
+    let local_residuals = local_residuals(times, residuals);
+    let scales = group_scales(&local_residuals, group_of);
+    let mut mask = vec![false; residuals.iter().map(Vec::len).sum()];
+    for (place, _) in candidates(&local_residuals, &scales, group_of) {
+        mask[place] = true;
     }
+    mask
 }
 
-/// Robust standard deviation along each axis of the local residuals of all channels together, m.
-pub fn robust_scale(local_residuals: &Residuals) -> [f64; 3] {
-    let mut sizes = Vec::with_capacity(local_residuals.iter().map(Vec::len).sum());
+/// At convergence, at most one in this number of values may still change its outlier flag.
+const POINTS_PER_CHANGED_MARK: usize = 10_000;
+
+/// Marks the outliers of all flights, and estimates the noise of the other residuals after a fit of `unknowns`
+/// unknowns, for a sampling interval in s. Returns it, and whether more flags changed than at convergence.
+pub fn estimate_noise(
+    problem: &FitProblem,
+    flights: &mut [Observations],
+    residuals: &[&Residuals],
+    (unknowns, interval): (usize, f64),
+    threads: usize,
+) -> (NoiseModel, bool) {
+    let group_of = problem.noise_groups();
+    let found = parallel::each_on(threads, flights.len(), |flight| {
+        let local_residuals = local_residuals(&flights[flight].times, residuals[flight]);
+        let scales = group_scales(&local_residuals, &group_of);
+        // The greater scales by which they are judged make no further value an outlier.
+        let candidates = candidates(&local_residuals, &scales, &group_of);
+        (scales, candidates)
+    });
+    let (own, candidates): (Vec<_>, Vec<_>) = found.into_iter().unzip();
+    let scales = judged_scales(&own);
+    let marked = parallel::each_on(threads, flights.len(), |flight| {
+        let observations = &flights[flight];
+        let mut outlier = vec![false; observations.measured.len()];
+        for (place, local_residual) in &candidates[flight] {
+            let scale = scales[flight][group_of[place % observations.channels]];
+            outlier[*place] = is_outlier(local_residual, scale);
+        }
+        let mut moments = problem.no_moments();
+        for (channel, series) in residuals[flight].iter().enumerate() {
+            let inliers = series.iter().enumerate().map(|(sample, residual)| {
+                residual.filter(|_| !outlier[sample * observations.channels + channel])
+            });
+            let inliers: Vec<Option<[f64; 3]>> = inliers.collect();
+            moments[group_of[channel]].add(&observations.times, &inliers, interval);
+        }
+        (outlier, moments)
+    });
+    let mut sums = problem.no_moments();
+    let mut changed = 0;
+    for (observations, (outlier, moments)) in flights.iter_mut().zip(marked) {
+        let marks = observations.outlier.iter().zip(&outlier);
+        changed += marks.filter(|(before, now)| before != now).count();
+        observations.outlier = outlier;
+        for (sum, of_flight) in sums.iter_mut().zip(&moments) {
+            sum.join(of_flight);
+        }
+    }
+    let points: usize = sums.iter().map(|sum| sum.count).sum();
+    let noise = problem.noise_of(&sums, unknowns, interval);
+    (noise, changed > points / POINTS_PER_CHANGED_MARK)
+}
+
+/// Robust standard deviation of the local residuals of each group of channels, along each axis, m.
+fn group_scales(local_residuals: &Residuals, group_of: &[usize]) -> Vec<[f64; 3]> {
+    let of_group = |group: usize| {
+        let series = local_residuals.iter().zip(group_of);
+        robust_scale(series.filter(|(_, own)| **own == group).map(|(own, _)| own))
+    };
+    (0..group_count(group_of)).map(of_group).collect()
+}
+
+/// Robust standard deviation along each axis of the local residuals of channels together, m.
+fn robust_scale<'r>(
+    local_residuals: impl Iterator<Item = &'r Vec<Option<[f64; 3]>>> + Clone,
+) -> [f64; 3] {
     [0, 1, 2].map(|axis| {
-        let all = local_residuals.iter().flatten().flatten();
-        sizes.clear();
-        sizes.extend(all.map(|local_residual| local_residual[axis].abs()));
+        let all = local_residuals.clone().flatten().flatten();
+        let mut sizes: Vec<f64> = all
+            .map(|local_residual| local_residual[axis].abs())
+            .collect();
         robust_sigma(&mut sizes)
     })
 }
 
-/// Standard deviations of local residuals with which outliers are detected, m, by flight, noise group of channels, and
-/// axis. Each is the robust standard deviation of the flight itself (in `own`), or the median over all flights if that
-/// is greater. A local residual is the difference of a residual from the line through the neighbouring residuals.
-pub fn judged_scales(own: &[Vec<[f64; 3]>]) -> Vec<Vec<[f64; 3]>> {
+/// Standard deviations with which outliers are detected, m, by flight, group and axis: that of the flight in `own`, or
+/// the median over the flights if it is greater.
+fn judged_scales(own: &[Vec<[f64; 3]>]) -> Vec<Vec<[f64; 3]>> {
     let groups = own.first().map_or(0, Vec::len);
     let usual = |group: usize| {
         [0, 1, 2].map(|axis| median_of(own.iter().map(|scales| scales[group][axis])).unwrap_or(0.0))
@@ -234,48 +281,26 @@ pub fn judged_scales(own: &[Vec<[f64; 3]>]) -> Vec<Vec<[f64; 3]>> {
     own.iter().map(of_flight).collect()
 }
 
-/// Returns the outliers of a flight: the index `sample * channels + channel` of each value, as in
-/// `Observations::outlier`, and its local residual, m (difference of a residual from the line through the neighbouring
-/// residuals). `scales` contains the standard deviations of the local residuals by noise group, m.
-pub fn outlier_candidates(
+/// Outliers of a flight: index as in [`Observations::outlier`], and local residual, m. `scales` contains the standard
+/// deviations by noise group, m.
+fn candidates(
     local_residuals: &Residuals,
     scales: &[[f64; 3]],
     group_of: &[usize],
 ) -> Vec<(usize, [f64; 3])> {
     let channels = local_residuals.len();
-    let mut outlier_candidates = Vec::new();
+    let mut candidates = Vec::new();
     for (channel, series) in local_residuals.iter().enumerate() {
-        let scale = scales[group_of.get(channel).copied().unwrap_or(0)];
         for (sample, local_residual) in series.iter().enumerate() {
-            if let Some(local_residual) =
-                local_residual.filter(|local_residual| is_outlier(local_residual, scale))
-            {
-                outlier_candidates.push((sample * channels + channel, local_residual));
-            }
+            let outlier = local_residual.filter(|own| is_outlier(own, scales[group_of[channel]]));
+            candidates.extend(outlier.map(|own| (sample * channels + channel, own)));
         }
     }
-    outlier_candidates
+    candidates
 }
 
-/// Whether a value is an outlier, given its local residual (difference of its residual from the line through the
-/// neighbouring residuals), m, and the standard deviations `scale` (m) of local residuals along the axes.
-pub fn is_outlier(local_residual: &[f64; 3], scale: [f64; 3]) -> bool {
+fn is_outlier(local_residual: &[f64; 3], scale: [f64; 3]) -> bool {
     (0..3).any(|axis| local_residual[axis].abs() > OUTLIER_LIMIT * scale[axis])
-}
-
-/// Outlier flags of the values of a flight, indexed by `sample * channels + channel` as in `Observations::outlier`.
-/// `local_residuals` contains the differences of the residuals from the line through the neighbouring residuals, m, and
-/// `scales` their standard deviations by noise group, m.
-pub fn outlier_mask(
-    local_residuals: &Residuals,
-    scales: &[[f64; 3]],
-    group_of: &[usize],
-) -> Vec<bool> {
-    let mut outlier_mask = vec![false; local_residuals.iter().map(Vec::len).sum()];
-    for (place, _) in outlier_candidates(local_residuals, scales, group_of) {
-        outlier_mask[place] = true;
-    }
-    outlier_mask
 }
 
 #[cfg(test)]
@@ -295,9 +320,7 @@ mod tests {
         series[0].as_mut().unwrap()[2] += 0.05;
         series[79].as_mut().unwrap()[0] -= 0.05;
         let times: Vec<f64> = (0..80).map(f64::from).collect();
-        let local_residuals = local_residuals(&times, &[series]);
-        let scale = robust_scale(&local_residuals);
-        let outlier_mask = outlier_mask(&local_residuals, &[scale], &[0]);
+        let outlier_mask = outlier_mask(&times, &[series], &[0]);
         let found: Vec<usize> = (0..80).filter(|&i| outlier_mask[i]).collect();
         assert_eq!(found, [0, 20, 22, 79]);
     }

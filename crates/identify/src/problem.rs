@@ -13,9 +13,9 @@ use nalgebra::DVector;
 
 use crate::channel::{self, Channel, ChannelKind};
 use crate::error::{FitError, FlightError, NameSource};
+use crate::levels::{FAR_ABOVE, ROUGHLY_NOISE};
 use crate::noise::{Moments, NoiseModel, group_count};
 use crate::options::FitOptions;
-use crate::tolerance::FINE_TOLERANCE;
 use dataset::pose;
 use dataset::{Dataset, KnownValue, SensorKind, points_on_body};
 pub use global_parameters::GlobalParameter;
@@ -23,31 +23,23 @@ pub use global_parameters::GlobalParameter;
 /// Standard deviation of the noise of one measured coordinate, m, assumed initially if the samples do not determine it.
 const DEFAULT_SIGMA0: f64 = 1e-3;
 
-/// Ratio of the standard deviation of the residuals to the initial noise estimate `sigma0`, above which the model is
-/// considered wrong or the minimum a local one.
-const MISFIT_RATIO: f64 = 3.0;
-
-/// A model with the data and options of a fit: measured channels, known parameters and global parameters to be
-/// estimated.
+/// A model with the data and options of a fit: channels, known parameters, and those to be estimated.
 #[derive(Clone)]
 pub struct FitProblem {
     /// Model whose parameters are estimated.
     pub model: Arc<Model>,
     /// The compiled model, with its equations of motion and the measurement equation of a body-fixed point.
     pub body: Arc<CompiledModel>,
-    /// Points from which the pose is determined: their positions in the frame in which markers are fixed, m. The first
-    /// points are the markers. If the markers do not determine the attitude, body-fixed points follow, whose measured
-    /// positions are computed from the pose that a sensor measures.
+    /// Points of the pose in the frame in which markers are fixed, m: the markers; if they do not determine the
+    /// attitude, also body-fixed points whose positions are computed from the pose that a sensor measures.
     pub markers: Vec<[f64; 3]>,
     /// Measurement channels: the markers, then the channels of the sensors. Each channel has its own residuals.
     pub channels: Vec<Channel>,
-    /// For each kind of instrument among the sensors, the compiled model whose measurement equation is the quantity
-    /// that it measures.
+    /// For each kind of instrument, the compiled model that observes the quantity it measures.
     pub instruments: Vec<(Instrument, Arc<CompiledModel>)>,
     /// Whether the body of the model has an attitude; `false` for a point mass.
     pub has_attitude: bool,
-    /// Values of all parameters in the order of the compiled model's parameter vector, SI. Values that are known for
-    /// single flights only are not included.
+    /// Values of all parameters in the order of the compiled model, SI, but for those known for single flights.
     pub parameters: Vec<f64>,
     /// Global parameters, which are estimated from all flights together.
     pub globals: Vec<GlobalParameter>,
@@ -64,22 +56,18 @@ pub struct FitProblem {
 /// Parameters and initial states whose values are known for one flight.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct KnownValues {
-    /// Indices and values (SI) of the known parameters.
     pub parameters: Vec<(ParamId, f64)>,
-    /// Indices and values (SI) of the states that are known at the first sample.
     pub states: Vec<(StateId, f64)>,
 }
 
 impl FitProblem {
-    /// Compiles the model, with derivatives with respect to the estimated parameters, and combines it with a dataset
-    /// and options.
+    /// Compiles the model, with derivatives by the estimated parameters, for a dataset and options.
     ///
     /// # Errors
-    /// [`FitError::UnknownName`] if the dataset or the options contain a name that the model does not have;
-    /// [`FitError::NotEstimated`] for a prior or profile of a fixed parameter; [`FitError::NoObservation`] if the model
-    /// has no measurement equation; [`FitError::Sensor`] if it has none for a sensor;
-    /// [`FitError::AttitudeNotObservable`] if the markers do not determine the attitude; [`FitError::Flight`] if a
-    /// flight's known values do not match the model.
+    /// [`FitError::UnknownName`] for a name that the model does not have; [`FitError::NotEstimated`] for a prior or
+    /// profile of a fixed parameter; [`FitError::NoObservation`] without a measurement equation; [`FitError::Sensor`]
+    /// without one for a sensor; [`FitError::AttitudeNotObservable`] if the markers do not determine the attitude;
+    /// [`FitError::Flight`] if the known values of a flight do not match.
     pub fn new(
         model: &Model,
         dataset: &Dataset,
@@ -95,7 +83,7 @@ impl FitProblem {
         Self::with_body(model, body, dataset, options)
     }
 
-    /// Combines a model, which is already compiled as `body`, with a dataset and options.
+    /// [`new`](Self::new) for a model that is already compiled as `body`.
     ///
     /// # Errors
     /// The errors of [`new`](Self::new).
@@ -162,13 +150,11 @@ impl FitProblem {
         Ok(problem)
     }
 
-    /// Whether all channels are markers.
     pub(crate) fn sees_markers_alone(&self) -> bool {
         self.channels.iter().all(Channel::is_marker)
     }
 
-    /// Whether the pose is determined from markers only. Otherwise, it is also determined from body-fixed points, whose
-    /// positions are computed from the pose that a sensor measures.
+    /// Whether markers alone determine the pose.
     pub(crate) fn is_shown_by_markers(&self) -> bool {
         let markers = self.channels.iter().filter(|channel| channel.is_marker());
         markers.count() == self.markers.len()
@@ -180,15 +166,13 @@ impl FitProblem {
         DVector::from_iterator(self.globals.len(), values)
     }
 
-    /// For each channel, the index of its noise group. The channels of a group have the same standard deviations and
-    /// autocorrelations of the noise.
+    /// Noise group of each channel; the channels of a group have common noise parameters.
     pub fn noise_groups(&self) -> Vec<usize> {
         self.channels.iter().map(|channel| channel.group).collect()
     }
 
-    /// Estimates the noise of each group from `moments`, the sums of squares and products of its residuals after a fit
-    /// of `unknowns` unknowns, for a sampling interval in s. Standard deviations that the dataset gives replace the
-    /// estimated ones.
+    /// Noise of each group by `moments` after a fit of `unknowns` unknowns, for a sampling interval in s; given
+    /// standard deviations replace the estimated ones.
     pub fn noise_of(&self, moments: &[Moments], unknowns: usize, interval: f64) -> NoiseModel {
         let all: usize = moments.iter().map(|sum| sum.count).sum();
         let groups = moments.iter().enumerate().map(|(group, sum)| {
@@ -206,19 +190,18 @@ impl FitProblem {
         vec![Moments::default(); group_count(&self.noise_groups())]
     }
 
-    /// Whether positions of the body are measured. If not, the data do not determine the initial position and heading
-    /// of the body, which then have weak priors.
+    /// Whether positions are measured. If not, initial position and heading are open and have weak priors.
     pub(crate) fn sees_positions(&self) -> bool {
         self.channels.iter().any(Channel::is_position)
     }
 
-    /// Whether the residuals of a channel count in the root mean square residual of a flight. Markers count; without
-    /// markers, positions of pose sensors; without measured positions, all channels.
+    /// Whether the channel counts in the rms residual: markers; else positions of poses; else all.
     pub fn is_scored(&self, channel: usize) -> bool {
         let own = &self.channels[channel];
-        match self.channels.iter().any(Channel::is_marker) {
-            true => own.is_marker(),
-            false => own.is_position() || !self.sees_positions(),
+        if self.channels.iter().any(Channel::is_marker) {
+            own.is_marker()
+        } else {
+            own.is_position() || !self.sees_positions()
         }
     }
 
@@ -230,18 +213,12 @@ impl FitProblem {
         }
     }
 
-    /// Whether residuals of standard deviation `scale`, m, are far above the measurement noise, because the model is
-    /// wrong or the minimum is a local one.
+    /// Whether residuals of standard deviation `scale`, m, are far above the noise.
     pub(crate) fn is_misfit(&self, scale: f64) -> bool {
-        scale > MISFIT_RATIO * self.sigma0
+        scale > FAR_ABOVE * self.sigma0
     }
 
-    /// Finds the parameters and states that are known for one flight, by their names.
-    ///
-    /// # Errors
-    /// [`FlightError::UnknownKnownValue`] for a name that the model does not have; [`FlightError::PartialQuaternion`]
-    /// if only some components of a quaternion are known; [`FlightError::KnownAndEstimated`] if a known parameter is
-    /// also a global unknown.
+    /// The parameters and states that are known for one flight.
     pub(crate) fn known_values(
         &self,
         known: &BTreeMap<String, KnownValue>,
@@ -272,8 +249,7 @@ impl FitProblem {
         }
     }
 
-    /// Returns an error if only some components of a quaternion are known, because these and the default values of
-    /// the others together would in general not have norm 1.
+    /// A quaternion known in part would not have norm 1 in general.
     fn check_quaternions(&self, known: &[(StateId, f64)]) -> Result<(), FlightError> {
         let is_known = |state: &usize| known.iter().any(|(id, _)| id.index() == *state);
         let names = &self.body.layout().states;
@@ -307,11 +283,10 @@ impl FitProblem {
     }
 }
 
-/// Returns the model with the quantity that each kind of instrument in the dataset measures, such as the angular
-/// velocity for a gyroscope. If the model does not define this quantity, its default definition is added.
+/// The model with the quantity that each kind of instrument measures, by default definition if it lacks it.
 ///
 /// # Errors
-/// [`FitError::Sensor`] if the model can have no such quantity; a point mass, for example, has no angular velocity.
+/// [`FitError::Sensor`] if the model can have no such quantity, as a point mass no angular velocity.
 pub fn measured(model: &Model, dataset: &Dataset) -> Result<Model, FitError> {
     let (_, kinds) = channel::of_dataset(dataset);
     with_instruments(model, &kinds)
@@ -325,8 +300,7 @@ fn with_instruments(model: &Model, kinds: &[Instrument]) -> Result<Model, FitErr
     })
 }
 
-/// Compiles, for each kind of instrument, the model whose measurement equation is the quantity that it measures, with
-/// derivatives with respect to all parameters.
+/// Compiles, for each kind of instrument, the model that observes its quantity, with derivatives by all parameters.
 fn instruments(
     model: &Model,
     kinds: &[Instrument],
@@ -367,4 +341,35 @@ fn known_constants(
         parameters[id.index()] = value;
     }
     Ok(parameters)
+}
+
+// Tolerances of the integration, derived from the noise of a measured coordinate.
+
+/// Tolerance for whitened residuals of any number of flights: the error of a disc after one second is far below 1/1000
+/// of the noise, of a fast-spinning body with a quaternion below 1/50.
+pub const FINE_TOLERANCE: f64 = 0.007;
+
+/// Tolerance for a model without quaternion, and the number of flights up to which it applies; beyond, it decreases as
+/// standard errors do. It shifts the estimates of a disc by at most about 1/40 standard error.
+const FEW: (f64, usize) = (0.032, 80);
+
+/// Tolerance for residuals without derivatives.
+pub const RESIDUAL_TOLERANCE: f64 = 0.02;
+
+/// Tolerance for robust losses, in units of their scale if it is above the noise.
+const ROBUST_TOLERANCE: f64 = 0.08;
+
+/// Tolerance for whitened residuals of the given number of flights.
+pub fn whitened_tolerance(model: &Model, flights: usize) -> f64 {
+    if model.quaternions().next().is_some() {
+        return FINE_TOLERANCE;
+    }
+    let part = FEW.1 as f64 / flights.max(FEW.1) as f64;
+    (FEW.0 * part.sqrt()).max(FINE_TOLERANCE)
+}
+
+/// Tolerance, m, under a robust loss of scale `scale`, m.
+pub fn robust_tolerance(scale: f64, sigma0: f64) -> f64 {
+    let is_large = scale > ROUGHLY_NOISE * sigma0;
+    ROBUST_TOLERANCE * if is_large { scale } else { sigma0 }
 }

@@ -9,8 +9,7 @@ use crate::ids::LocalId;
 /// Directions in which an initial state may vary: one per free state, and three per unit quaternion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StateManifold {
-    /// Indices of the states that vary and belong to no quaternion. The first directions of the manifold are the
-    /// changes of these states, in this order.
+    /// States that vary and belong to no quaternion: the first directions of the manifold.
     direct: Vec<usize>,
     /// State indices of the four components of each unit quaternion that varies; each has three directions.
     quaternions: Vec<[usize; 4]>,
@@ -18,8 +17,8 @@ pub struct StateManifold {
 }
 
 impl StateManifold {
-    /// Manifold of the states of a model, of which the states `known` do not vary. A quaternion with a known component
-    /// does not vary at all, so that its norm remains 1.
+    /// Manifold of the states of a model of which `known` do not vary; a quaternion with a known component does not
+    /// vary.
     pub fn new(model: &Model, known: &[StateId]) -> Self {
         let is_known = |state: usize| known.contains(&StateId::new(state));
         let all: Vec<[usize; 4]> = model.quaternions().collect();
@@ -45,9 +44,8 @@ impl StateManifold {
         self.states
     }
 
-    /// Entries (state index, direction index, value), all others being zero, of the derivative of the state with
-    /// respect to the directions in which it may vary, at `state`. The directions of a quaternion are the components of
-    /// a small rotation vector, rad, in the axes of the frame that the quaternion orients.
+    /// Entries (state, direction, value) of the derivative of the state by its directions, at `state`. Those of a
+    /// quaternion are a small rotation vector, rad, in the axes of the frame that it orients.
     pub fn tangent(&self, state: &[f64]) -> Vec<(usize, usize, f64)> {
         let direct = self.direct.iter().enumerate();
         direct
@@ -56,10 +54,7 @@ impl StateManifold {
             .collect()
     }
 
-    /// Entries (state index, direction index, value), all others being zero, of the derivative of the state with
-    /// respect to the directions in which it may vary, at `state`, for the states that are components of
-    /// quaternions. The three directions of a quaternion are the components of a small rotation vector, rad, in the
-    /// axes of the frame that it orients.
+    /// The entries of [`tangent`](Self::tangent) that belong to quaternions.
     fn quaternion_tangent(&self, state: &[f64]) -> impl Iterator<Item = (usize, usize, f64)> {
         let each = self.quaternions.iter().enumerate();
         each.flat_map(move |(index, &components)| {
@@ -78,17 +73,14 @@ impl StateManifold {
         })
     }
 
-    /// Index of the state that varies along `direction`; `None` if `direction` belongs to a quaternion, whose four
-    /// components vary together.
+    /// State that varies along `direction`; `None` if it belongs to a quaternion.
     pub fn direct_state(&self, direction: LocalId) -> Option<StateId> {
         let state = self.direct.get(direction.index())?;
         Some(StateId::new(*state))
     }
 
-    /// Returns the state after a step along the directions in which it may vary. `step` has one element per direction:
-    /// first the changes of the free states, SI, then for each quaternion the three components of a rotation vector,
-    /// rad, in the axes of the frame that the quaternion orients. A quaternion is changed to first order in its
-    /// rotation vector and then normalised.
+    /// The state after a step along the directions: changes of free states, SI, then a rotation vector for each
+    /// quaternion, rad, which is changed to first order and normalised.
     pub fn plus(&self, state: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
         let mut moved = state.clone();
         for (&row, step) in self.direct.iter().zip(step.iter()) {

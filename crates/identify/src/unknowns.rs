@@ -1,19 +1,19 @@
-//! Unknown positions, origin and vertical of a dataset. They are added to the model as effects whose coefficients are
-//! estimated.
+//! Unknown positions, origin and vertical of a dataset, added to the model as effects with estimated coefficients.
 
 use std::borrow::Cow;
 
 use model_spec::LoadError;
-use model_spec::compose::{Instrument, ModelTree};
+use model_spec::compose::{EffectTree, Instrument, ModelTree};
 use model_spec::model::Model;
 
 use crate::error::FitError;
 use crate::fit::{self, Fit};
+use crate::levels::AT_NOISE;
 use crate::options::{FitOptions, Prior};
 use crate::problem::measured;
-use crate::unknown_vertical;
 use crate::vertical;
-use dataset::{Dataset, Sensor, SensorKind};
+use crate::vertical::{ANGLES, EFFECT, angles};
+use dataset::{Dataset, Role, Sensor, SensorKind};
 
 /// Effect that displaces all markers together on the body: its name and the names of its coefficients, m.
 const OFFSET: (&str, [&str; 3]) = ("marker_offset", ["offset_1", "offset_2", "offset_3"]);
@@ -31,31 +31,24 @@ const LEVER: (&str, [&str; 3]) = (
     ],
 );
 
-/// Prior standard deviation of each coordinate of an unknown sensor position on the body, m: about the size of a thrown
-/// body.
+/// Prior standard deviation of each coordinate of an unknown position, m: the size of a thrown body.
 const UNKNOWN: f64 = 0.1;
 
-/// A model and a dataset in which sensor positions, origin and vertical direction count as known: where the original
-/// dataset declares them unknown, effects with estimated coefficients represent them.
+/// A model and a dataset without unknowns: effects with estimated coefficients represent them.
 pub struct Resolved<'d> {
-    /// The model, with two kinds of additions: a definition of the quantity that each kind of instrument in the dataset
-    /// measures, such as the angular velocity for a gyroscope, unless the model defines it; and an effect for each
-    /// sensor position, origin or vertical direction that the dataset declares unknown.
+    /// The model with the quantities that the instruments measure, and an effect for each sensor position, origin or
+    /// vertical that is unknown.
     pub model: Model,
-    /// The dataset, with all sensor positions, the origin and the vertical direction marked as known. What it declared
-    /// unknown is estimated as coefficients of effects instead.
+    /// The dataset, with all sensor positions, the origin and the vertical marked as known.
     pub dataset: Cow<'d, Dataset>,
-    /// Priors given in the fit options, and priors of the coefficients that represent what the dataset declares
-    /// unknown: sensor positions and the origin.
+    /// Priors of the options and of the added coefficients.
     pub priors: Vec<Prior>,
-    /// Fixed coefficients given in the fit options, and fixed coefficients of the effects that represent what the
-    /// dataset declares unknown; `None` fixes a coefficient at the model's value.
+    /// Fixed coefficients of the options and of the added effects; `None` is the model's value.
     pub fixed: Vec<(String, Option<f64>)>,
 }
 
 impl Resolved<'_> {
-    /// Adds to the model an effect with a name and coefficients, which displace the markers or the accelerometer on the
-    /// body. `errors` are the prior standard deviations of the coefficients about 0, m or rad; 0 fixes a coefficient.
+    /// Adds an effect whose coefficients have the prior standard deviations `errors` about 0; 0 fixes one.
     fn free<const N: usize>(
         &mut self,
         (effect, coefficients): &(&str, [&str; N]),
@@ -100,8 +93,7 @@ impl Resolved<'_> {
     }
 }
 
-/// Adds to the model an effect for each quantity that the dataset declares unknown: sensor positions, origin of the
-/// markers' positions on the body, direction of the vertical.
+/// Adds an effect for each unknown of the dataset.
 ///
 /// # Errors
 /// [`FitError::Sensor`] if a sensor or an uncertain origin does not fit the model; the errors of [`fit`](fn@fit) if no
@@ -133,17 +125,14 @@ pub fn resolve<'d>(
         resolved.dataset.to_mut().unknown_vertical = false;
         if !vertical::is_in(&resolved.model) {
             let options = resolved.options(options);
-            let found =
-                unknown_vertical::with_vertical(&resolved.model, &resolved.dataset, &options);
+            let found = with_vertical(&resolved.model, &resolved.dataset, &options);
             resolved.model = found?;
         }
     }
     Ok(resolved)
 }
 
-/// Adds to the model an effect for each sensor whose position on the body is unknown, so that the fit estimates this
-/// position, and marks the position as known in the dataset. Sensors whose readings do not depend on their position get
-/// no effect.
+/// Adds an effect for each sensor at an unknown position on which its readings depend.
 fn place_sensors(resolved: &mut Resolved<'_>) -> Result<(), FitError> {
     let sensors = resolved.dataset.sensors.iter();
     let unplaced: Vec<Sensor> = sensors
@@ -186,16 +175,14 @@ fn place_sensors(resolved: &mut Resolved<'_>) -> Result<(), FitError> {
     Ok(())
 }
 
-/// Fits a model to the flights of a dataset.
-///
-/// A flight that cannot be integrated or fitted is excluded; its report gives the reason.
+/// Fits a model to the flights of a dataset. A flight that cannot be fitted is excluded; its report gives the reason.
 ///
 /// # Errors
 /// [`FitError::InvalidOption`] if an option is outside its range; [`FitError::UnknownName`],
 /// [`FitError::NotEstimated`], [`FitError::NoObservation`], [`FitError::Sensor`] and
 /// [`FitError::AttitudeNotObservable`] if model, dataset and options do not match; [`FitError::Flight`] if the known
-/// values of a flight do not match the model; [`FitError::NothingToFit`], [`FitError::FaultyData`] and
-/// [`FitError::NoUsableFlight`] if no flight can be used; [`FitError::Interrupted`] if the fit is cancelled.
+/// values of a flight do not; [`FitError::NothingToFit`], [`FitError::FaultyData`] and [`FitError::NoUsableFlight`] if
+/// no flight can be used; [`FitError::Interrupted`] if the fit is cancelled.
 pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result<Fit, FitError> {
     let is_placed = dataset
         .sensors
@@ -212,4 +199,123 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
         &resolved.dataset,
         &resolved.options(options),
     )
+}
+
+// Datasets whose vertical is not known: it is estimated with the other parameters, from several directions.
+
+/// Maximum number of flights that are fitted from each direction.
+const TRIED_FLIGHTS: usize = 6;
+
+/// Upward vectors that are tried, along the measured axes and halfway between two of them.
+fn directions() -> Vec<[f64; 3]> {
+    let all =
+        (0..27).map(|index| [index / 9, index / 3 % 3, index % 3].map(|k| f64::from(k) - 1.0));
+    let zeros = |v: &[f64; 3]| v.iter().filter(|x| **x == 0.0).count();
+    all.filter(|v| (1..=2).contains(&zeros(v))).collect()
+}
+
+/// Adds the effect that rotates the measured axes by two estimated angles, about x and then y, rad.
+fn turned(model: &Model, [about_x, about_y]: [f64; 2]) -> Result<Model, FitError> {
+    let [x, y] = ANGLES;
+    let text = format!(
+        "/// The axes that positions are measured in are turned from the vertical by angles that are not known.\n\
+         effect {EFFECT} {{\n\
+         source \"the dataset: its vertical is unknown\";\n\
+         site vertical;\n\
+         variables position;\n\
+         /// turn of the measured axes about x\n\
+         coefficient {x} = {about_x:?} rad in -4 .. 4;\n\
+         /// turn about the y that they have then\n\
+         coefficient {y} = {about_y:?} rad in -4 .. 4;\n\
+         negligible {x} 1e-6 rad;\n\
+         negligible {y} 1e-6 rad;\n\
+         replace observe = (cos({y})*previous.1 - sin({y})*(cos({x})*previous.3 - sin({x})*previous.2),\n\
+           cos({x})*previous.2 + sin({x})*previous.3,\n\
+           sin({y})*previous.1 + cos({y})*(cos({x})*previous.3 - sin({x})*previous.2)) in inertial;\n}}\n"
+    );
+    let refused = |error: model_spec::LoadError| FitError::Sensor {
+        model: model.name.clone(),
+        reason: error.to_string(),
+    };
+    let effect = EffectTree::parse("unknown_vertical.hyz", &text).map_err(refused)?;
+    let tree = ModelTree::of(model).with(&effect).map_err(refused)?;
+    tree.check().map_err(refused)
+}
+
+/// The model with the effect whose angles fit a few flights best. An error if no fit succeeds, or cancelled.
+fn with_vertical(
+    model: &Model,
+    dataset: &Dataset,
+    options: &FitOptions<'_>,
+) -> Result<Model, FitError> {
+    let mut few = dataset.clone();
+    few.flights.retain(|flight| flight.role == Role::Fit);
+    few.flights.truncate(TRIED_FLIGHTS);
+    let of_few = FitOptions {
+        profiles: &[],
+        progress: None,
+        ..*options
+    };
+    let mut best: Option<(f64, [f64; 2])> = None;
+    let mut failure = FitError::NothingToFit;
+    for direction in directions() {
+        if options.is_cancelled() {
+            return Err(FitError::Interrupted);
+        }
+        let start = angles(direction);
+        match fit::fit(&turned(model, start)?, &few, &of_few) {
+            Ok(found) => {
+                let misfit = misfit(&found);
+                if let Some(angles) = estimated(&found).filter(|_| reaches_noise(&found)) {
+                    return turned(model, angles);
+                }
+                if best.is_none_or(|(least, _)| misfit < least)
+                    && let Some(angles) = estimated(&found)
+                {
+                    best = Some((misfit, angles));
+                }
+            }
+            Err(error) => failure = error,
+        }
+    }
+    match best {
+        Some((_, angles)) => turned(model, angles),
+        None => Err(failure),
+    }
+}
+
+/// Whether the residuals of a fit are at the level of the measurement noise.
+fn reaches_noise(found: &Fit) -> bool {
+    let floor = found.report.position_noise().and_then(|noise| noise.floor);
+    floor.is_some_and(|floor| misfit(found) < AT_NOISE * floor)
+}
+
+/// Measure of a fit, m: rms residual × (1 + number of excluded flights).
+fn misfit(found: &Fit) -> f64 {
+    let excluded = found.report.excluded().count() as f64;
+    found.report.rms() * (1.0 + excluded)
+}
+
+/// Estimated angles of the effect, rad.
+fn estimated(found: &Fit) -> Option<[f64; 2]> {
+    let value = |name: &str| Some(found.report.coefficients.get(name)?.value);
+    Some([value(ANGLES[0])?, value(ANGLES[1])?])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vertical::upward;
+
+    #[test]
+    fn angles_and_directions_are_one_another_s_inverse() {
+        for direction in directions() {
+            let length = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
+            let back = upward(angles(direction));
+            for (a, b) in direction.iter().zip(back) {
+                assert!((a / length - b).abs() < 1e-12, "{direction:?} {back:?}");
+            }
+        }
+        assert_eq!(directions().len(), 18);
+    }
 }

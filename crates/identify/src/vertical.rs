@@ -2,12 +2,10 @@
 
 use model_spec::model::Model;
 
-/// Name of the effect that rotates the axes in which positions are measured, so that the vertical direction can be
-/// estimated.
+/// Name of the effect that rotates the axes in which positions are measured.
 pub const EFFECT: &str = "unknown_vertical";
 
-/// Names of the coefficients of the effect `unknown_vertical`, which are rotation angles, rad: about the x axis, then
-/// about the rotated y axis.
+/// Its coefficients, rotation angles, rad: about x, then about the rotated y.
 pub const ANGLES: [&str; 2] = ["vertical_x", "vertical_y"];
 
 /// Whether the model includes the effect that rotates the axes in which positions are measured.
@@ -15,8 +13,7 @@ pub(crate) fn is_in(model: &Model) -> bool {
     model.effects.iter().any(|own| own.name == EFFECT)
 }
 
-/// Angles by which the axes of the measured positions are rotated about x and then y, rad, so that the vector `up` in
-/// these axes points upward along the vertical. The vector need not be normalised.
+/// Angles of the measured axes about x and then y, rad, so that the vector `up` in them points upward.
 pub(crate) fn angles([x, y, z]: [f64; 3]) -> [f64; 2] {
     let length = (x * x + y * y + z * z).sqrt();
     // In measured axes the vertical is (-sin b cos a, sin a, cos b cos a).
@@ -24,8 +21,7 @@ pub(crate) fn angles([x, y, z]: [f64; 3]) -> [f64; 2] {
     [about_x, (-x).atan2(z)]
 }
 
-/// Upward unit vector in the axes of the measured positions, given the angles by which these axes are rotated from the
-/// vertical, about x and then y, rad.
+/// Upward unit vector in measured axes that are rotated by these angles, rad.
 pub fn upward([about_x, about_y]: [f64; 2]) -> [f64; 3] {
     let (sin_x, cos_x) = about_x.sin_cos();
     let (sin_y, cos_y) = about_y.sin_cos();

@@ -50,8 +50,7 @@ pub fn counted(number: usize, one: &str) -> String {
     format!("{} {verb}", count(number, one))
 }
 
-/// Truncates a text to the length of a note, and appends a full stop unless the text ends with a punctuation mark that
-/// ends a sentence. A colon at the end is removed.
+/// Truncates a text to a note, without a colon at its end, and appends a full stop unless it ends a sentence.
 pub fn sentence(text: &str) -> String {
     let text = short(text.trim_end().trim_end_matches(':'));
     if text.ends_with(['.', '…', '!', '?']) {

@@ -1,9 +1,6 @@
-//! Search for hypotheses on which the flights agree.
-//!
-//! Real flights differ from one another by more than the measurement noise: values stated for a flight have errors,
-//! and the air moves. A hypothesis is accepted here if the effects have the same sign in the flights and, once they
-//! are included in the model, no further candidate has; the remaining lack of fit then follows no law that is common
-//! to all flights.
+//! Search for hypotheses on which the flights agree. Real flights differ by more than the noise: stated values have
+//! errors, and the air moves. A hypothesis is accepted here if its effects have the same sign in the flights and no
+//! further candidate has; the rest then follows no common law.
 
 use identify::Iterate;
 use model_spec::sort_by_number;
@@ -13,50 +10,34 @@ use crate::context::{CandidateId, ColumnId, ScoreTestModel, TermId};
 use crate::error::{DiagnosisError, if_possible};
 use crate::selection::{Hypothesis, Search};
 
-/// Familywise significance level of the sign-flip test: the flights agree on a candidate effect if its p-value is below
-/// this level.
+/// Familywise level of the sign-flip test at which the flights agree on a candidate.
 const ALPHA_AGREE: f64 = 0.01;
 
-/// Familywise significance level of the sign-flip test by which a hypothesis is rejected: the flights still agree on a
-/// further candidate effect or library term once the effect of the hypothesis is included.
+/// Familywise level of the sign-flip test of further candidates and terms, by which a hypothesis is rejected.
 const ALPHA_REJECT: f64 = 0.002;
 
-/// Minimum number of flights for a test of whether they agree on an effect; with fewer flights the sign-flip test
-/// cannot be significant.
+/// Minimum number of flights; with fewer, the sign-flip test cannot be significant.
 const MIN_FLIGHTS: usize = 20;
 
-/// Minimum fraction of the excess χ² that a hypothesis must explain to be accepted. The excess χ² is the weighted sum
-/// of squares minus its expectation for pure noise, over all flights or over the concordant flights.
-const MIN_EXPLAINED: f64 = 0.5;
-
-/// Minimum fraction of concordant flights, which agree on the effect, for the diagnosis to be repeated without the
-/// discordant flights, which contradict it.
-const MIN_CONCORDANT: f64 = 0.5;
+/// Minimum fraction of the excess χ² that an accepted hypothesis explains, and of concordant flights for a diagnosis
+/// without the discordant ones.
+const LEAST: (f64, f64) = (0.5, 0.5);
 
 /// Result of the search for effects that the model may lack and on which the flights agree.
 pub(crate) struct Consensus {
-    /// Hypotheses of one missing effect that explain at least half of the excess χ² of all flights, best fit first.
-    /// Empty if there are none, but a hypothesis explains at least half of the excess χ² of the concordant flights,
-    /// which are those not in `discordant`.
+    /// Hypotheses of one effect that explain enough of the excess χ² of all flights, best fit first. Empty if one
+    /// explains enough of that of the concordant flights only.
     pub hypotheses: Vec<Hypothesis>,
-    /// Fraction, 0 … 1, of the excess χ² that the best hypothesis explains, over all flights, or over the concordant
-    /// flights if `hypotheses` is empty. The excess χ² is the weighted sum of squares minus its expectation for pure
-    /// noise.
+    /// Fraction of the excess χ², 0 … 1, that the best hypothesis explains.
     pub explained_fraction: f64,
-    /// Familywise p-value of the sign-flip test of the effect of the best hypothesis: probability that the flights
-    /// agree as much under the null hypothesis.
+    /// Familywise p-value of the sign-flip test of the best hypothesis.
     pub p_value: f64,
-    /// Indices of the discordant flights, which contradict the effect on which the other flights agree. The search is
-    /// to be repeated without them.
+    /// Indices of the flights that contradict it, without which the search is repeated.
     pub discordant: Vec<usize>,
 }
 
-/// Searches for hypotheses of one missing effect on which the flights agree. `None` if there are fewer than
-/// [`MIN_FLIGHTS`] flights. Also `None` if no such hypothesis explains the fraction [`MIN_EXPLAINED`] of the misfit
-/// beyond noise, of all flights or of the concordant flights.
-///
-/// # Errors
-/// [`DiagnosisError::Fit`] if a trajectory cannot be integrated, or the caller cancelled.
+/// Hypotheses of one effect on which the flights agree; `None` for fewer than [`MIN_FLIGHTS`], or if none explains
+/// [`LEAST`] of the misfit beyond noise of all or of the concordant flights.
 pub(crate) fn consensus(
     model: &ScoreTestModel<'_>,
     search: &Search,
@@ -76,7 +57,7 @@ pub(crate) fn consensus(
     let of_most = explained_without_discordant(model, &test, &agreed);
     let excess = test.excess_chi2(0..flights);
     let explained = |hypothesis: &Hypothesis| (null.squares - hypothesis.squares) / excess;
-    agreed.retain(|agreed| explained(&agreed.hypothesis) >= MIN_EXPLAINED);
+    agreed.retain(|agreed| explained(&agreed.hypothesis) >= LEAST.0);
     let Some(best) = agreed.first() else {
         return Ok(of_most);
     };
@@ -94,9 +75,7 @@ struct Agreed {
     p_value: f64,
 }
 
-/// Fits each single candidate effect on which the flights agree, and returns the hypotheses, best fit first. A
-/// hypothesis is omitted if, once its effect is included, the flights still agree on a further candidate or library
-/// term.
+/// Fits each single candidate on which the flights agree, best fit first, unless they still agree on a further one.
 fn agreed_hypotheses(
     model: &ScoreTestModel<'_>,
     search: &Search,
@@ -132,10 +111,8 @@ fn agreed_hypotheses(
     Ok(agreed)
 }
 
-/// Finds the hypothesis in `agreed` that best explains the concordant flights, those that do not contradict it. The
-/// best hypothesis explains the largest fraction of the excess χ² of its concordant flights. Considers only hypotheses
-/// whose effect has one coefficient. The list of hypotheses in the result is empty. `None` if no fraction reaches
-/// [`MIN_EXPLAINED`], or too few flights are concordant.
+/// The hypothesis in `agreed` of one coefficient that best explains its concordant flights; the list of hypotheses in
+/// the result is empty. `None` if it explains too little, or too few flights are concordant.
 fn explained_without_discordant(
     model: &ScoreTestModel<'_>,
     test: &SignFlipTest,
@@ -156,11 +133,11 @@ fn explained_without_discordant(
         let concordant = (0..flights).filter(|flight| !discordant.contains(flight));
         let explained = found.chi2_decrease / test.excess_chi2(concordant);
         let count = flights - discordant.len();
-        let are_enough = count >= MIN_FLIGHTS && count as f64 >= MIN_CONCORDANT * flights as f64;
+        let are_enough = count >= MIN_FLIGHTS && count as f64 >= LEAST.1 * flights as f64;
         let is_best = best
             .as_ref()
             .is_none_or(|best| explained > best.explained_fraction);
-        if are_enough && explained >= MIN_EXPLAINED && is_best {
+        if are_enough && explained >= LEAST.0 && is_best {
             best = Some(Consensus {
                 hypotheses: Vec::new(),
                 explained_fraction: explained,
@@ -172,8 +149,7 @@ fn explained_without_discordant(
     best
 }
 
-/// Sign-flip test of the flights' scores at the fit of the hypothesis `given`. The effects of this hypothesis are
-/// nuisance parameters.
+/// Sign-flip test at the fit of `given`, whose effects are nuisance parameters.
 fn sign_flip_test(
     model: &ScoreTestModel<'_>,
     given: &Hypothesis,
@@ -184,9 +160,7 @@ fn sign_flip_test(
     SignFlipTest::new(model, &blocks, &given.effects)
 }
 
-/// Groups of columns of the normal equations, to be tested by [`SignFlipTest::p_values`]: first the columns of each
-/// candidate effect's coefficients (an empty group for the candidates in `conditioned_on`), then the column of each
-/// library term.
+/// Columns of each candidate (none if it is in `conditioned_on`), then the column of each library term.
 fn groups(model: &ScoreTestModel<'_>, conditioned_on: &[CandidateId]) -> Vec<Vec<ColumnId>> {
     let of_candidates = model
         .candidates()

@@ -1,7 +1,5 @@
-//! Effects on which the flights agree although no hypothesis is adequate: each flight deviates from every common law
-//! in a different way, but the effect has the same sign in all of them.
+//! Effects with the same sign in all flights, although each deviates from every common law in its own way.
 
-mod discordant;
 mod hypotheses;
 mod sign_flip_test;
 

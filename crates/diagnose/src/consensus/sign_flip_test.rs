@@ -1,8 +1,6 @@
-//! Sign-flip score test: whether the scores of the single flights have a common sign.
-//!
-//! If each flight deviates from the model in a different way, the sum of squares rejects every law that is common to
-//! all flights. A common sign of the flights' scores is still evidence for an effect. Under the null hypothesis, the
-//! sign of each flight's score is positive or negative with equal probability.
+//! Sign-flip score test: whether the scores of the flights have a common sign. Where each flight deviates in its own
+//! way, the sum of squares rejects every common law, but a common sign is still evidence. Under the null hypothesis,
+//! both signs are equally likely.
 
 use identify::{NormalBlock, pseudo_inverse};
 use nalgebra::{DMatrix, DVector};
@@ -13,17 +11,13 @@ use crate::context::{CandidateId, ColumnId, Partition, ScoreTestModel, select};
 use crate::error::DiagnosisError;
 use crate::score_test::{MIN_TOLERANCE, eliminate_locals, keep_directions};
 
-/// Number of random sign vectors, with one sign for each flight, drawn for the null distribution of the sign-flip test.
-const DRAWS: usize = 10_000;
-
-/// Seed of the random sign vectors that simulate the null distribution of the sign-flip test.
-const SEED: u64 = 1;
+/// Number of random sign vectors, with one sign for each flight, of the null distribution, and their seed.
+const DRAWN: (usize, u64) = (10_000, 1);
 
 /// Effective scores and information of the single flights, the input of the sign-flip test.
 #[derive(Clone, Debug)]
 pub(crate) struct SignFlipTest {
-    /// Effective score by flight (row) and column of the normal equations; positive if the sum of squares decreases
-    /// as the unknown increases. Zero if the column is not tested.
+    /// Effective score by flight (row) and column; positive if χ² decreases as the unknown increases. 0 if not tested.
     pub(super) scores: DMatrix<f64>,
     /// Effective information by flight (row) and column of the normal equations. Zero if the column is not tested.
     pub(super) information: DMatrix<f64>,
@@ -34,20 +28,13 @@ pub(crate) struct SignFlipTest {
 /// Weighted sum of squares of the residuals of one flight, and its expectation.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FlightSquares {
-    /// Weighted sum of squares of the residuals.
     pub squares: f64,
     /// Expected weighted sum of squares if the residuals are pure noise.
     pub expected: f64,
 }
 
 impl SignFlipTest {
-    /// Computes the effective scores of all flights from their normal equations. Nuisance parameters are those of the
-    /// model under test and of the candidates in `conditioned_on`.
-    ///
-    /// # Errors
-    /// [`DiagnosisError::UndeterminedInitialState`] if the samples of a flight do not determine its initial state;
-    /// [`DiagnosisError::SingularInformation`] if the information matrix of the nuisance parameters cannot be
-    /// inverted.
+    /// Effective scores of all flights. Nuisance parameters are those of the model under test and of `conditioned_on`.
     pub fn new(
         model: &ScoreTestModel<'_>,
         blocks: &[NormalBlock],
@@ -86,8 +73,7 @@ impl SignFlipTest {
         Ok(test)
     }
 
-    /// Computes the scores of one flight from its normal equations, matrix `h` and gradient `g`. The nuisance columns
-    /// are projected out of the tested columns by `projection`, the projection coefficients common to all flights.
+    /// Scores of one flight from its matrix `h` and gradient `g`; `projection` is common to all flights.
     fn set_flight(
         &mut self,
         flight: usize,
@@ -112,7 +98,6 @@ impl SignFlipTest {
         }
     }
 
-    /// Number of flights whose scores are tested.
     pub fn flights(&self) -> usize {
         self.scores.nrows()
     }
@@ -123,9 +108,8 @@ impl SignFlipTest {
         each.sum()
     }
 
-    /// Cosine of the angle between a flight's whitened residuals and the Jacobian column of an unknown, after the
-    /// nuisance columns are projected out of this column. Positive if the sum of squares decreases as the unknown
-    /// increases; 0 if the flight has no information about the unknown.
+    /// Cosine of the angle between a flight's whitened residuals and the effective Jacobian column; positive if χ²
+    /// decreases as the unknown increases, 0 without information.
     pub(super) fn cosine(&self, flight: usize, column: ColumnId) -> f64 {
         let at = (flight, column.index());
         let norms = (self.information[at] * self.fits[flight].squares).sqrt();
@@ -135,9 +119,8 @@ impl SignFlipTest {
         }
     }
 
-    /// Familywise p-value of the sign-flip test of each group of columns of the normal equations, by the maximum
-    /// statistic: the fraction of random sign vectors for which the agreement of the flights on any group is at least
-    /// the observed agreement on this group.
+    /// Familywise p-value of each group of columns, by the maximum statistic: the fraction of random sign vectors for
+    /// which the agreement on any group is at least the observed one.
     pub fn p_values(&self, groups: &[Vec<ColumnId>]) -> Vec<f64> {
         let groups: Vec<Vec<Vec<f64>>> = groups
             .iter()
@@ -145,23 +128,21 @@ impl SignFlipTest {
             .collect();
         let mut signs = vec![1.0; self.flights()];
         let observed: Vec<f64> = groups.iter().map(|g| agreement(&signs, g)).collect();
-        let mut random = ChaCha12Rng::seed_from_u64(SEED);
-        let mut greatest = Vec::with_capacity(DRAWS);
-        for _ in 0..DRAWS {
+        let mut random = ChaCha12Rng::seed_from_u64(DRAWN.1);
+        let mut greatest = Vec::with_capacity(DRAWN.0);
+        for _ in 0..DRAWN.0 {
             signs.fill_with(|| if random.random::<bool>() { 1.0 } else { -1.0 });
             let each = groups.iter().map(|group| agreement(&signs, group));
             greatest.push(each.fold(0.0, f64::max));
         }
         greatest.sort_by(f64::total_cmp);
         let p_value = |observed: f64| {
-            let reached = DRAWS - greatest.partition_point(|drawn| *drawn < observed);
-            (1 + reached) as f64 / (1 + DRAWS) as f64
+            let reached = DRAWN.0 - greatest.partition_point(|drawn| *drawn < observed);
+            (1 + reached) as f64 / (1 + DRAWN.0) as f64
         };
         observed.into_iter().map(p_value).collect()
     }
 
-    /// For every flight: cosine of the angle between its whitened residuals and the Jacobian column of the unknown of
-    /// `column`. The vector of these cosines is scaled to unit length.
     fn unit_cosines(&self, column: ColumnId) -> Vec<f64> {
         let cosines: Vec<f64> = (0..self.flights())
             .map(|f| self.cosine(f, column))
@@ -172,9 +153,7 @@ impl SignFlipTest {
     }
 }
 
-/// Agreement of the flights on a group of unknowns. `group` contains one vector for each unknown: for each flight, the
-/// cosine of the angle between its residuals and the unknown's Jacobian column. The agreement is the maximum over the
-/// unknowns of the absolute sum of the cosines, each multiplied by its flight's entry in `signs`.
+/// Maximum over the unknowns of a group of the absolute sum of the flights' cosines, each with its sign.
 fn agreement(signs: &[f64], group: &[Vec<f64>]) -> f64 {
     let sum = |cosines: &Vec<f64>| -> f64 {
         let each = cosines.iter().zip(signs);
@@ -183,9 +162,64 @@ fn agreement(signs: &[f64], group: &[Vec<f64>]) -> f64 {
     group.iter().map(|c| sum(c).abs()).fold(0.0, f64::max)
 }
 
+// Discordant flights, in which an effect has the opposite sign or a much smaller size than in most.
+
+/// Maximum number of iterations: the common value by the concordant flights, then these by the value.
+const MAX_ITERATIONS: usize = 20;
+
+/// A flight is discordant if the common estimate is expected to change its χ² by at least this much, and its own estimate
+/// is below this part of the common one.
+const DISCORDANT: (f64, f64) = (10.0, 0.25);
+
+/// Division of the flights into those that agree with a common value of one unknown and those that contradict it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Concordance {
+    /// Indices of the flights that contradict the value of the unknown on which all other flights agree.
+    pub discordant: Vec<usize>,
+    /// Decrease of the χ² of the concordant flights by the value on which they agree.
+    pub chi2_decrease: f64,
+}
+
+impl SignFlipTest {
+    /// Finds the value of an unknown on which most flights agree, and informative flights that contradict it.
+    pub fn concordance(&self, column: ColumnId) -> Concordance {
+        let flights = 0..self.flights();
+        let score = |flight: usize| self.scores[(flight, column.index())];
+        let information = |flight: usize| self.information[(flight, column.index())];
+        // The sign of the effect in most flights, each flight weighted by its cosine.
+        let sum: f64 = flights.clone().map(|f| self.cosine(f, column)).sum();
+        let sign = sum.signum();
+        let mut concordant: Vec<usize> =
+            flights.clone().filter(|&f| sign * score(f) > 0.0).collect();
+        let mut value = 0.0;
+        for _ in 0..MAX_ITERATIONS {
+            let total: f64 = concordant.iter().map(|&f| information(f)).sum();
+            if total <= 0.0 {
+                break;
+            }
+            value = concordant.iter().map(|&f| score(f)).sum::<f64>() / total;
+            let is_concordant = |flight: &usize| {
+                let expected = value * value * information(*flight);
+                expected < DISCORDANT.0 || value * score(*flight) > DISCORDANT.1 * expected
+            };
+            let next: Vec<usize> = flights.clone().filter(is_concordant).collect();
+            if next == concordant {
+                break;
+            }
+            concordant = next;
+        }
+        let decrease = |&f: &usize| value * (2.0 * score(f) - value * information(f));
+        Concordance {
+            chi2_decrease: concordant.iter().map(decrease).sum(),
+            discordant: flights.filter(|f| !concordant.contains(f)).collect(),
+        }
+    }
+}
+
 #[cfg(test)]
-pub(super) mod tests {
+mod tests {
     use super::*;
+    use crate::context::ColumnId;
     use rand_distr::{Distribution, StandardNormal};
 
     /// Sign-flip test of `count` simulated flights with two unknowns. The value of the first unknown is about 1, but −1
@@ -238,5 +272,16 @@ pub(super) mod tests {
         }
         // Expected value 30, standard deviation 5.
         assert!((12..=48).contains(&below), "{below}");
+    }
+
+    #[test]
+    fn flights_of_opposite_sign_are_discordant() {
+        let found = flights(24, 7).concordance(ColumnId::new(0));
+        assert_eq!(found.discordant, (17..24).collect::<Vec<_>>());
+        // The weighted sum of squares of each of the 17 concordant flights falls by about 1000.
+        let relative = found.chi2_decrease / 17_000.0;
+        assert!((relative - 1.0).abs() < 0.3, "{relative}");
+        let none = flights(24, 0).concordance(ColumnId::new(0));
+        assert!(none.discordant.is_empty());
     }
 }

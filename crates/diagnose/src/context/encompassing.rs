@@ -5,18 +5,15 @@ use std::sync::Arc;
 use model_spec::LoadError;
 use model_spec::compose::{EffectTree, ModelTree, known_effects};
 use model_spec::index::IndexVec;
-use model_spec::layout::Layout;
-use model_spec::model::Model;
+use model_spec::layout::{Layout, ParamId, StateId};
+use model_spec::model::{AppliedEffect, Model};
 use model_spec::term_library::TermLibrary;
 
-use super::candidates::{Candidate, identifier};
-use super::ids::CandidateId;
+use super::columns::CandidateId;
 
-/// A model extended by all candidate effects. Where a term library is compatible with the model, its loads (additional
-/// force and moment components) are also part of it.
+/// A model extended by all candidate effects, and the loads of a term library where one is compatible.
 #[derive(Clone, Debug)]
 pub(crate) struct EncompassingModel {
-    /// The model with every candidate effect switched on.
     pub model: Model,
     /// The candidate effects, in the order in which they were switched on.
     pub candidates: IndexVec<CandidateId, Candidate>,
@@ -25,11 +22,8 @@ pub(crate) struct EncompassingModel {
 }
 
 impl EncompassingModel {
-    /// Composes `model` with every compatible effect. Left out are effects that are already switched on, effects named
-    /// in `without`, and general effects that duplicate an effect specific to the model.
-    ///
-    /// # Errors
-    /// [`LoadError`] if the model with the loads of the term library, but without candidates, is invalid.
+    /// Composes `model` with every compatible effect that is not on, in `without`, or a duplicate of a specific one. An
+    /// error if the model with the loads of the library is invalid.
     pub fn new(model: &Model, without: &[String]) -> Result<Self, LoadError> {
         let effects = candidate_effects(model, without);
         let (library, base) = match TermLibrary::for_model(model) {
@@ -58,8 +52,7 @@ impl EncompassingModel {
         })
     }
 
-    /// Names of the parameters that scale the additional loads of the term library; empty if no library is part of the
-    /// model.
+    /// Names of the parameters that scale the loads of the term library.
     pub fn load_coefficients(&self) -> impl Iterator<Item = &str> {
         let channels = self
             .library
@@ -69,7 +62,6 @@ impl EncompassingModel {
     }
 }
 
-/// Effects that can be added to the model and are not named in `without`.
 fn candidate_effects(model: &Model, without: &[String]) -> Vec<EffectTree> {
     let is_excluded = |name: &str| without.iter().any(|w| identifier(w) == name);
     known_effects(model)
@@ -101,6 +93,99 @@ fn compose_compatible(base: &ModelTree, effects: &[EffectTree]) -> Result<Model,
     Ok(model)
 }
 
+// Candidate effects: effects that the model may lack.
+
+/// An effect that the model may lack, with its coefficients and states in the encompassing model.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Candidate {
+    pub name: String,
+    /// Description of the effect: the doc comment of the effect's declaration in the model language.
+    pub doc: String,
+    /// Sentences on the effect if its first coefficient is above, or below, its null value.
+    pub senses: [String; 2],
+    /// Site of the effect: the load or the equation of the model that it changes.
+    pub site: String,
+    pub variables: Vec<String>,
+    /// Coefficients of the effect, each with one value common to all flights.
+    pub coefficients: Vec<CandidateParameter<ParamId>>,
+    /// States that the effect adds: constant in time, with one value for each flight.
+    pub states: Vec<CandidateParameter<StateId>>,
+}
+
+/// A coefficient (`ParamId`) or a state (`StateId`) of a candidate effect.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct CandidateParameter<Id> {
+    pub name: String,
+    /// Index of the parameter or state in the encompassing model, which includes all candidate effects.
+    pub id: Id,
+    pub unit: String,
+    pub null_value: f64,
+    /// Smallest effect size of interest, SI; `None` if the effect declares none.
+    pub smallest_effect_of_interest: Option<f64>,
+    /// Minimum and maximum value, SI; `None` if unbounded.
+    pub bounds: Option<(f64, f64)>,
+}
+
+/// Converts the identifier of an effect in model files to its name in reports, with hyphens for underscores.
+pub(crate) fn display_name(identifier: &str) -> String {
+    identifier.replace('_', "-")
+}
+
+/// Converts the name of an effect in reports to its identifier in model files, with underscores for hyphens.
+pub fn identifier(display_name: &str) -> String {
+    display_name.replace('-', "_")
+}
+
+impl Candidate {
+    pub fn new(model: &Model, layout: &Layout, effect: &AppliedEffect) -> Self {
+        let coefficients = effect.coefficients.iter().map(|own| {
+            let constant = &model.coefficients[own.index];
+            CandidateParameter {
+                name: constant.name.clone(),
+                id: layout.coefficient(own.index),
+                unit: constant.unit_text.clone(),
+                null_value: own.null_value,
+                smallest_effect_of_interest: own.smallest_effect_of_interest,
+                bounds: constant.bounds,
+            }
+        });
+        let states = effect.states.iter().map(|own| {
+            let state = &model.states[own.index];
+            CandidateParameter {
+                name: state.name.clone(),
+                id: StateId::new(own.index),
+                unit: state.unit_text.clone(),
+                null_value: own.null_value,
+                smallest_effect_of_interest: own.smallest_effect_of_interest,
+                bounds: None,
+            }
+        });
+        Self {
+            name: display_name(&effect.name),
+            doc: effect.doc.clone(),
+            senses: [1.0, -1.0].map(|departure| effect.sentence(departure).to_owned()),
+            site: effect.site.clone(),
+            variables: effect.variables.clone(),
+            coefficients: coefficients.collect(),
+            states: states.collect(),
+        }
+    }
+
+    /// Sentence on the effect if its first coefficient departs from its null value by `departure`.
+    pub fn sentence(&self, departure: f64) -> &str {
+        match departure {
+            d if d > 0.0 => &self.senses[0],
+            d if d < 0.0 => &self.senses[1],
+            _ => &self.doc,
+        }
+    }
+
+    /// Whether a state with its own value for each flight represents the effect.
+    pub fn is_per_flight(&self) -> bool {
+        !self.states.is_empty()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -125,6 +210,20 @@ mod tests {
             for state in &candidate.states {
                 assert_eq!(layout.state(&state.name), Some(state.id));
             }
+        }
+    }
+
+    #[test]
+    fn the_sentence_of_an_effect_follows_its_sign() {
+        for (name, above, below) in [
+            ("stall", "stops growing", "steepens"),
+            ("clock_rate", "runs fast", "runs slow"),
+        ] {
+            let model = model_spec::load::load("disc", &[name]).unwrap();
+            let effect = &model.effects[0];
+            assert!(effect.sentence(1.0).contains(above), "{name}");
+            assert!(effect.sentence(-1.0).contains(below), "{name}");
+            assert_eq!(effect.sentence(0.0), effect.doc);
         }
     }
 }

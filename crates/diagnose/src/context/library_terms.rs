@@ -1,27 +1,24 @@
-//! The terms of a term library in a model: each product of variables on each load channel.
-//!
-//! A term is tested without compiling a model that contains it: at its null value, the sensitivity to its coefficient
-//! is the sensitivity to its load coefficient, times the product of its variables along the trajectory.
+//! The terms of a term library in a model: each product of variables on each load channel. A term is tested without a
+//! model that contains it: at its null value, its sensitivity is that to the load coefficient, times its product.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
-use flight::BoundModel;
+use flight::{BoundModel, ModelRhs};
 use model_spec::compose::EffectTree;
 use model_spec::index::IndexVec;
 use model_spec::layout::{Layout, ParamId, QuantityId};
 use model_spec::term_library::{ChannelId, Term, TermLibrary, VariableId};
 use ode::DifferentiableRhs;
 
-use super::basis_load::BasisLoads;
-use super::ids::TermId;
+use super::columns::TermId;
 
 /// All terms of a term library, with the model's indices of their load coefficients and variables.
 #[derive(Clone, Debug)]
 pub(crate) struct LibraryTerms {
     /// The term library: variables, products of their powers, and the quantities to which the products can be added.
     library: Arc<TermLibrary>,
-    /// The terms, ordered by load channel, the force or moment component to which they contribute: all products of
-    /// variables for the first component, then all products for the second, and so on.
+    /// The terms by load channel: all products for the first, then all for the second, and so on.
     pub terms: IndexVec<TermId, Term>,
     /// For each load channel: index of the parameter that scales the load in the model.
     pub loads: IndexVec<ChannelId, ParamId>,
@@ -30,8 +27,7 @@ pub(crate) struct LibraryTerms {
 }
 
 impl LibraryTerms {
-    /// Creates the terms of the library `library` for the model with the index layout `layout`; `None` if the model
-    /// lacks a load coefficient or a variable of the library.
+    /// Terms of `library` for a model; `None` if it lacks a load coefficient or a variable.
     pub fn new(library: Arc<TermLibrary>, layout: &Layout) -> Option<Self> {
         let loads = library.channels.iter();
         let loads = loads.map(|channel| layout.parameter(&channel.coefficient));
@@ -45,8 +41,7 @@ impl LibraryTerms {
         })
     }
 
-    /// Equations of motion under the conditions of one flight, extended by one parameter for the coefficient of each
-    /// library term, with indices from `first` on.
+    /// Equations of motion with one more parameter for each term, with indices from `first` on.
     pub fn motion<'a>(
         &'a self,
         conditions: &'a BoundModel<'a>,
@@ -74,8 +69,6 @@ impl LibraryTerms {
         )
     }
 
-    /// Factors of the product of variables of a library term: pairs of the index of a variable in the library and the
-    /// exponent of the variable.
     fn factors(&self, term: Term) -> Vec<(usize, i32)> {
         let factors = self.library.factors(term).iter();
         factors
@@ -83,8 +76,6 @@ impl LibraryTerms {
             .collect()
     }
 
-    /// The load channels of the library, in the library's order. Each is returned with its site: the name of the load
-    /// that is changed, such as lift.
     pub fn sites(&self) -> impl Iterator<Item = (ChannelId, &str)> {
         let channels = self.library.channels.iter_enumerated();
         channels.map(|(id, channel)| (id, channel.site.as_str()))
@@ -95,7 +86,6 @@ impl LibraryTerms {
         &self.library.channels[self.terms[term].channel].site
     }
 
-    /// Formula of the product of variables of a library term, in the model language.
     pub fn formula(&self, term: TermId) -> String {
         self.library.formula(self.terms[term])
     }
@@ -105,9 +95,86 @@ impl LibraryTerms {
         self.library.name(self.terms[term])
     }
 
-    /// Creates the effect that adds a library term with one coefficient to the model; `doc` is the doc comment of the
-    /// effect.
+    /// The effect that adds a term with one coefficient to the model; `doc` is its doc comment.
     pub fn effect(&self, term: TermId, doc: &str) -> EffectTree {
         self.library.effect(self.terms[term], doc)
+    }
+}
+
+// Loads multiplied by basis functions of time and state, and the sensitivities to their coefficients.
+
+/// Equations of motion with one more parameter for each basis function: the coefficient `c` of a load `c · basis(t, x)
+/// · load`. At `c = 0`, the derivative by `c` is that by the coefficient of `load`, times `basis(t, x)`.
+pub(crate) struct BasisLoads<'a, B> {
+    motion: ModelRhs<'a>,
+    pattern: Vec<(usize, usize)>,
+    /// For each further entry of the parameter Jacobian: position in `pattern` of the derivative by the load
+    /// coefficient, and the index of its basis function.
+    sources: Vec<(usize, usize)>,
+    own_entries: usize,
+    basis: B,
+    values: Vec<f64>,
+}
+
+impl<'a, B: FnMut(f64, &[f64], &mut [f64])> BasisLoads<'a, B> {
+    /// Adds one parameter for each load coefficient in `loads`, with indices from `first` on. `basis` writes one value
+    /// for each, from time (s) and state.
+    pub fn new(conditions: &'a BoundModel<'a>, loads: &[ParamId], first: usize, basis: B) -> Self {
+        let motion = conditions.rhs();
+        let mut pattern = motion.parameter_jacobian_pattern().to_vec();
+        let own_entries = pattern.len();
+        let mut sources = Vec::new();
+        for (index, load) in loads.iter().enumerate() {
+            for entry in 0..own_entries {
+                let (row, column) = pattern[entry];
+                if column == load.index() {
+                    pattern.push((row, first + index));
+                    sources.push((entry, index));
+                }
+            }
+        }
+        Self {
+            motion,
+            pattern,
+            sources,
+            own_entries,
+            basis,
+            values: vec![0.0; loads.len()],
+        }
+    }
+}
+
+impl<B: FnMut(f64, &[f64], &mut [f64])> DifferentiableRhs for BasisLoads<'_, B> {
+    fn states(&self) -> usize {
+        self.motion.states()
+    }
+
+    fn jacobian_pattern(&self) -> &[(usize, usize)] {
+        self.motion.jacobian_pattern()
+    }
+
+    fn parameter_jacobian_pattern(&self) -> &[(usize, usize)] {
+        &self.pattern
+    }
+
+    fn derivative_with_jacobians(
+        &mut self,
+        t: f64,
+        x: &[f64],
+        dx: &mut [f64],
+        by_state: &mut [f64],
+        by_constant: &mut [f64],
+    ) {
+        let (own, basis) = by_constant.split_at_mut(self.own_entries);
+        self.motion
+            .derivative_with_jacobians(t, x, dx, by_state, own);
+        (self.basis)(t, x, &mut self.values);
+        for (to, &(entry, index)) in basis.iter_mut().zip(&self.sources) {
+            *to = own[entry] * self.values[index];
+        }
+    }
+
+    fn state_name(&self, state: usize) -> Cow<'_, str> {
+        self.motion.state_name(state)
     }
 }

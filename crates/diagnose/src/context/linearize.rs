@@ -1,7 +1,8 @@
 //! Normal equations and residuals of the flights, with derivatives by all columns of the score-test model.
 
-use flight::BoundModel;
-use flight::parallel;
+use std::sync::Mutex;
+
+use flight::{BoundModel, parallel};
 use identify::{
     FitError, FitProblem, FlightError, GlobalId, Iterate, LocalId, Loss, NoiseModel, NormalBlock,
     Observations, PointResidual, Unknowns, each_residual, linearise, linearise_with,
@@ -12,14 +13,9 @@ use ode::DifferentiableRhs;
 
 use super::library_terms::LibraryTerms;
 use super::score_test_model::ScoreTestModel;
-use super::trajectory_cache::LinearizationPoint;
 
 impl ScoreTestModel<'_> {
-    /// Normal equations of every flight for its local parameters (initial state) and the global parameters, with
-    /// residuals whitened by the noise model `noise`.
-    ///
-    /// # Errors
-    /// [`FitError::Flight`] if a trajectory cannot be integrated; [`FitError::Interrupted`] if the caller cancelled.
+    /// Normal equations of every flight for local and global parameters, whitened by `noise`.
     pub fn normal_equations(
         &self,
         problem: &FitProblem,
@@ -42,11 +38,7 @@ impl ScoreTestModel<'_> {
         })
     }
 
-    /// Normal equations of every flight for its local parameters (initial state), the global parameters and the
-    /// coefficients of the library terms, with residuals whitened by the noise model `noise`.
-    ///
-    /// # Errors
-    /// [`FitError::Flight`] if a trajectory cannot be integrated; [`FitError::Interrupted`] if the caller cancelled.
+    /// Normal equations of every flight for local and global parameters and library terms, whitened by `noise`.
     pub fn normal_equations_with_terms(
         &self,
         at: LinearizationPoint<'_>,
@@ -82,12 +74,8 @@ impl ScoreTestModel<'_> {
         })
     }
 
-    /// Calls `each` with every residual of a flight, predicted − measured, in m and not whitened, and the derivatives
-    /// of this residual with respect to all unknowns. Their order is: tangent directions of the flight's initial state,
-    /// global parameters, coefficients of the library terms.
-    ///
-    /// # Errors
-    /// [`FitError::Flight`] if the trajectory cannot be integrated.
+    /// Calls `each` with every residual of a flight, predicted − measured, m, not whitened, and its derivatives by
+    /// initial state, global parameters and library terms.
     pub fn each_residual(
         &self,
         at: LinearizationPoint<'_>,
@@ -123,8 +111,7 @@ impl ScoreTestModel<'_> {
         block.select(&locals.collect::<Vec<_>>(), &globals.collect::<Vec<_>>())
     }
 
-    /// Removes the flight with the file name `file` from the model and from `iterate`, so that no test uses it; returns
-    /// whether the flight was found.
+    /// Removes a flight from the model and from `iterate`; returns whether it was found.
     pub fn set_aside(&mut self, file: &str, iterate: &mut Iterate) -> bool {
         let Some(flight) = self.flights.iter().position(|flight| flight.file == file) else {
             return false;
@@ -134,8 +121,6 @@ impl ScoreTestModel<'_> {
         true
     }
 
-    /// Converts `reason`, the error of the flight with index `flight`, to a fit error that names the file of the
-    /// flight.
     pub fn flight_error(&self, flight: usize, reason: FlightError) -> FitError {
         FitError::Flight {
             file: self.flights[flight].file.clone(),
@@ -159,8 +144,7 @@ impl ScoreTestModel<'_> {
         globals.map(|global| global.param).collect()
     }
 
-    /// Equations of motion extended by the library terms, and the index, in these equations, of the parameter of each
-    /// global column of the normal equations.
+    /// Equations of motion with the library terms, and the parameter of each global column.
     fn motion_with_terms<'c>(
         &self,
         conditions: &'c BoundModel<'c>,
@@ -179,4 +163,115 @@ fn conditions<'a>(
     global: &DVector<f64>,
 ) -> BoundModel<'a> {
     problem.body.bind(observations.parameters(problem, global))
+}
+
+// Cache of trajectories with sensitivities, integrated once for each linearization point.
+
+/// Maximum size of one cache, bytes; other trajectories are integrated at each use.
+const MAX_CACHE_BYTES: usize = 128 << 20;
+
+/// States and sensitivities of a flight in the layout of `identify::linearise_with`; `None` until computed.
+pub(crate) type CachedTrajectory = Option<Vec<f64>>;
+
+/// Cache of the trajectories of all flights at one linearization point, with library terms.
+#[derive(Debug)]
+pub(crate) struct TrajectoryCache {
+    /// One cache slot for each flight, by its index; the vector is empty if the cache is disabled.
+    slots: Vec<Mutex<CachedTrajectory>>,
+}
+
+/// An estimation problem, values of all its unknowns, and a trajectory cache.
+#[derive(Clone, Copy)]
+pub(crate) struct LinearizationPoint<'p> {
+    pub problem: &'p FitProblem,
+    /// Values of all unknowns of the estimation problem: global parameters and initial states of the flights.
+    pub iterate: &'p Iterate,
+    pub cache: &'p TrajectoryCache,
+}
+
+impl TrajectoryCache {
+    pub const DISABLED: Self = Self { slots: Vec::new() };
+
+    pub fn for_flights(flights: usize) -> Self {
+        Self {
+            slots: (0..flights).map(|_| Mutex::new(None)).collect(),
+        }
+    }
+
+    /// Whether the cache is disabled, that is, stores no trajectories.
+    pub fn is_disabled(&self) -> bool {
+        self.slots.is_empty()
+    }
+
+    /// Calls `work` with the cached trajectory of a flight, which it may write; stored up to [`MAX_CACHE_BYTES`].
+    pub fn with_flight<R>(
+        &self,
+        flight: usize,
+        work: impl FnOnce(&mut CachedTrajectory) -> R,
+    ) -> R {
+        let Some(slot) = self.slots.get(flight) else {
+            return work(&mut None);
+        };
+        let mut slot = slot
+            .lock()
+            .unwrap_or_else(std::sync::PoisonError::into_inner);
+        let result = work(&mut slot);
+        // Trajectories have similar lengths, so the size of this one estimates the size of those stored before.
+        let bytes = slot
+            .as_ref()
+            .map_or(0, |values| size_of_val(values.as_slice()));
+        if (flight + 1).saturating_mul(bytes) > MAX_CACHE_BYTES {
+            *slot = None;
+        }
+        result
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::test_support::fixture;
+    use identify::{NoiseModel, NormalBlock};
+
+    #[test]
+    fn a_cached_trajectory_gives_the_same_equations_as_a_new_integration() {
+        let fixture = fixture();
+        let model = &fixture.model;
+        let evaluate = |cache: &TrajectoryCache, noise: &NoiseModel| {
+            let at = LinearizationPoint {
+                problem: &model.problem,
+                iterate: &fixture.iterate,
+                cache,
+            };
+            model.normal_equations_with_terms(at, noise).unwrap()
+        };
+        let (one, other) = (fixture.fit.noise(), NoiseModel::white(0.01, 0.01));
+        let cache = TrajectoryCache::for_flights(model.flights.len());
+        let none = TrajectoryCache::DISABLED;
+        assert_eq!(evaluate(&cache, one), evaluate(&none, one));
+        let is_stored = |slot: &Mutex<CachedTrajectory>| slot.lock().unwrap().is_some();
+        assert!(cache.slots.iter().all(is_stored));
+        assert_eq!(evaluate(&cache, &other), evaluate(&none, &other));
+        // Columns of the terms follow those of the global parameters.
+        let with_terms = evaluate(&cache, one);
+        let globals = fixture.iterate.global.len();
+        assert!(with_terms[0].global.nrows() > globals);
+        let without: Vec<NormalBlock> = with_terms
+            .iter()
+            .map(|block| model.without_terms(block))
+            .collect();
+        let direct = model.normal_equations(&model.problem, &fixture.iterate, one);
+        assert_eq!(without, direct.unwrap());
+    }
+
+    #[test]
+    fn trajectories_beyond_the_limit_are_not_stored() {
+        let cache = TrajectoryCache::for_flights(2);
+        let half = MAX_CACHE_BYTES / 8 - 1;
+        for flight in [0, 1] {
+            cache.with_flight(flight, |stored| *stored = Some(vec![0.0; half]));
+        }
+        assert!(cache.with_flight(0, |stored| stored.is_some()));
+        assert!(cache.with_flight(1, |stored| stored.is_none()));
+    }
 }

@@ -3,7 +3,7 @@
 use identify::FitOptions;
 use model_spec::model::Model;
 
-use super::candidates::identifier;
+use super::encompassing::identifier;
 
 /// Options of a diagnosis; its dataset and model are passed separately.
 ///
@@ -18,16 +18,13 @@ use super::candidates::identifier;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct DiagnosisOptions<'a> {
-    /// Name of the dataset, as shown in the report and in the doc comments of the effects that a diagnosis creates from
-    /// library terms.
+    /// Name of the dataset in the report and in the doc comments of created effects.
     pub dataset: &'a str,
     /// Names of effects that the diagnosis does not consider as candidates for a missing effect.
     pub without: &'a [String],
-    /// Options of every fit in the diagnosis. The number of threads, the progress callback and the cancellation apply
-    /// to the whole diagnosis.
+    /// Options of every fit; threads, progress and cancellation apply to the whole diagnosis.
     pub fit: FitOptions<'a>,
-    /// Probability that any candidate effect is detected although the model is correct, familywise over all candidates;
-    /// default 0.004.
+    /// Familywise probability that a candidate is detected although the model is correct; default 0.004.
     pub alpha_detect: f64,
     /// Probability that the correct explanation is rejected, familywise over all tests; default 0.002.
     pub alpha_reject: f64,
@@ -48,8 +45,7 @@ impl Default for DiagnosisOptions<'_> {
     }
 }
 
-/// Ranges (minimum, maximum) of launch conditions that a thrower can achieve; also height of release, observed duration
-/// and sampling rate of the simulated throws.
+/// Ranges (minimum, maximum) of launch conditions that a thrower can achieve, and how the throws are observed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThrowRanges {
     /// Speed of the body at release, m/s.
@@ -58,8 +54,7 @@ pub struct ThrowRanges {
     pub launch: (f64, f64),
     /// Nose angle: angle of attack at release, positive nose up, rad.
     pub nose: (f64, f64),
-    /// Hyzer angle: tilt of the body about the velocity, rad; positive if the left edge, seen from behind, is the lower
-    /// one.
+    /// Hyzer angle: tilt about the velocity, rad; positive if the left edge, from behind, is lower.
     pub hyzer: (f64, f64),
     /// Absolute spin rate about the axis of symmetry, rad/s; throws with either sense of rotation are drawn.
     pub spin: (f64, f64),
@@ -92,8 +87,7 @@ impl Default for ThrowRanges {
 /// Reason why the options of a diagnosis are invalid.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum OptionsError {
-    /// A name in the list `without` of excluded effects is neither a built-in effect nor an effect in the model's own
-    /// file.
+    /// A name in `without` is neither a built-in effect nor one in the model's file.
     #[error("there is no effect `{name}`{}", nearest.as_ref().map(|near| format!("; did you mean `{near}`?")).unwrap_or_default())]
     UnknownEffect {
         /// The unknown name, as given in the options.
@@ -109,8 +103,7 @@ pub enum OptionsError {
         /// Invalid value of the option.
         value: f64,
     },
-    /// A range of launch conditions is empty or not finite; or the number of headings, the duration or the sampling
-    /// rate is not positive or too large.
+    /// A range is empty or not finite, or a number not positive or too large.
     #[error("the throws have no usable {name}")]
     ThrowRange {
         /// Name of the invalid field of [`ThrowRanges`].
@@ -119,8 +112,7 @@ pub enum OptionsError {
 }
 
 impl DiagnosisOptions<'_> {
-    /// Checks that every effect named in `without` is built in or defined in the model's file, and that all numeric
-    /// options are in their valid ranges.
+    /// Checks the names in `without` and the numeric options.
     ///
     /// # Errors
     /// [`OptionsError`] of the first invalid option.

@@ -1,42 +1,34 @@
-//! The score-test model: the encompassing model with every candidate at its null value, and the observations of the
-//! fitted flights.
+//! The score-test model: the encompassing model at the null values, and the observations of the fitted flights.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use codegen::Layout;
-use dataset::{Dataset, Role};
 use flight::CompiledModel;
 use identify::{Fit, FitError, FitOptions, FitProblem, FlightId, Iterate, LocalId, Observations};
 use model_spec::index::IndexVec;
 use model_spec::layout::{ParamId, StateId};
 use nalgebra::DVector;
 
-use super::candidates::{Candidate, CandidateParameter};
-use super::encompassing::EncompassingModel;
-use super::ids::{CandidateId, ColumnId, TermId};
+use super::columns::{CandidateId, ColumnId, TermId};
+use super::encompassing::{Candidate, CandidateParameter, EncompassingModel};
 use super::library_terms::LibraryTerms;
 use super::{Context, Partition};
+use dataset::{Dataset, Role};
 
-/// Model with all candidate effects (encompassing model), its estimation problem, and the observations of the fitted
-/// flights.
+/// The encompassing model, its estimation problem, and the observations of the fitted flights.
 pub(crate) struct ScoreTestModel<'a> {
     /// Inputs of the diagnosis: model under test, dataset and options.
     pub context: Context<'a>,
     encompassing: EncompassingModel,
-    /// The estimation problem with every candidate at its null value. Its global parameters are those of the model
-    /// under test and the candidates' coefficients.
+    /// Estimation problem at the null values, with the parameters of the model under test and the candidates.
     pub problem: FitProblem,
-    /// For each candidate effect: columns of the normal equations that belong to its coefficients, in the order of
-    /// these coefficients.
     columns: IndexVec<CandidateId, Vec<ColumnId>>,
     /// Columns of the normal equations that belong to the global parameters of the model under test.
     pub base: Vec<ColumnId>,
-    /// Terms of the term library; `None` if no library is compatible with the model. In the normal equations, the
-    /// columns of the terms' coefficients follow those of the global parameters.
+    /// Terms of the term library, whose columns follow those of the global parameters.
     pub terms: Option<LibraryTerms>,
-    /// Observations of the fitted flights. Every state without a known initial value, including the states of
-    /// candidates, is an unknown of the flight's initial state.
+    /// Observations of the fitted flights; states of candidates are unknowns of their initial states.
     pub flights: Vec<Observations>,
     /// Number of least-squares steps taken so far, over all refits (fits of the model with some candidate effects).
     steps: AtomicUsize,
@@ -46,11 +38,7 @@ pub(crate) struct ScoreTestModel<'a> {
 const MAX_STEPS: usize = 250;
 
 impl<'a> ScoreTestModel<'a> {
-    /// Creates the score-test model from the encompassing model and the flights that were used in `fit`. Also returns
-    /// the values fitted in `fit`, as unknowns of the score-test model, with candidates at their null values.
-    ///
-    /// # Errors
-    /// [`FitError`] if the flights cannot be used with the encompassing model.
+    /// The score-test model for the flights of `fit`, and the values of the fit as its unknowns.
     pub fn new(
         encompassing: EncompassingModel,
         context: Context<'a>,
@@ -90,8 +78,7 @@ impl<'a> ScoreTestModel<'a> {
         Ok((model, iterate))
     }
 
-    /// Number of columns of the normal equations that belong to global parameters. The columns of the library terms'
-    /// coefficients follow them.
+    /// Number of columns of global parameters; those of library terms follow.
     pub fn global_columns(&self) -> usize {
         self.problem.globals.len()
     }
@@ -101,18 +88,15 @@ impl<'a> ScoreTestModel<'a> {
         ColumnId::new(self.global_columns() + term.index())
     }
 
-    /// All candidate effects with their indices, in ascending order of the index.
     pub fn candidates(&self) -> impl ExactSizeIterator<Item = (CandidateId, &Candidate)> {
         self.encompassing.candidates.iter_enumerated()
     }
 
-    /// The candidate effect with index `id`.
     pub fn candidate(&self, id: CandidateId) -> &Candidate {
         &self.encompassing.candidates[id]
     }
 
-    /// Whether the search for missing effects must end, because its deadline has passed or its refits have taken the
-    /// maximum number of least-squares steps.
+    /// Whether the search must end: past its deadline, or after the maximum number of steps.
     pub fn is_exhausted(&self) -> bool {
         self.context.is_out_of_time() || self.steps.load(Ordering::Relaxed) >= MAX_STEPS
     }
@@ -122,27 +106,21 @@ impl<'a> ScoreTestModel<'a> {
         self.steps.fetch_add(steps, Ordering::Relaxed);
     }
 
-    /// Number of threads for computations over flights.
     pub fn threads(&self) -> usize {
         self.context.options.fit.threads()
     }
 
-    /// Columns of the normal equations that belong to the coefficients of a candidate effect, in the order of these
-    /// coefficients.
     pub fn columns_of(&self, id: CandidateId) -> &[ColumnId] {
         &self.columns[id]
     }
 
-    /// Name of the global parameter to which a column of the normal equations belongs; `None` for the column of a
-    /// library term.
+    /// Name of the global parameter of a column; `None` for a library term.
     pub fn column_name(&self, column: ColumnId) -> Option<&str> {
         let global = self.problem.globals.get(column.index())?;
         Some(global.name.as_str())
     }
 
-    /// Columns of the normal equations that belong to nuisance parameters, in ascending order. Nuisance parameters are
-    /// those of the model under test and of the candidates in `conditioned_on`, which are included in the null
-    /// hypothesis.
+    /// Nuisance columns, ascending: of the model under test and the candidates in `conditioned_on`.
     pub fn nuisance_columns(&self, conditioned_on: &[CandidateId]) -> Vec<ColumnId> {
         let mut columns = self.base.clone();
         columns.extend(conditioned_on.iter().flat_map(|&id| &self.columns[id]));
@@ -150,8 +128,7 @@ impl<'a> ScoreTestModel<'a> {
         columns
     }
 
-    /// Number of unknowns that the candidates `effects` add to the fit: one for each coefficient, and for each state
-    /// one per flight.
+    /// Number of unknowns that `effects` add: one per coefficient, and one per state and flight.
     pub fn unknowns_of(&self, effects: &[CandidateId]) -> usize {
         let each = effects.iter().map(|&id| {
             self.columns[id].len() + self.candidate(id).states.len() * self.flights.len()
@@ -159,8 +136,6 @@ impl<'a> ScoreTestModel<'a> {
         each.sum()
     }
 
-    /// Indices of the states that are fixed at their null values: the states of all candidates except those in
-    /// `conditioned_on`.
     pub fn null_states(&self, conditioned_on: &[CandidateId]) -> Vec<StateId> {
         self.candidates()
             .filter(|(id, _)| !conditioned_on.contains(id))
@@ -168,8 +143,7 @@ impl<'a> ScoreTestModel<'a> {
             .collect()
     }
 
-    /// Splits the tangent directions of a flight's initial state into two lists: directions of states added by
-    /// candidates outside `conditioned_on`, which are at their null values, and all other directions.
+    /// Directions of a flight's initial state: of candidates' states at their null values, and all others.
     pub fn local_partition(
         &self,
         flight: usize,
@@ -186,8 +160,7 @@ impl<'a> ScoreTestModel<'a> {
             .partition(is_null)
     }
 
-    /// Estimation problem in which, of all candidates, only `effects` are estimated; all others are constants at
-    /// their null values. Its derivatives are cheaper than those of the encompassing model.
+    /// Estimation problem in which other candidates than `effects` are constants; its derivatives are cheaper.
     pub fn problem_with(&self, effects: &[CandidateId]) -> FitProblem {
         let fixed = fixed_parameters(&self.encompassing, effects);
         FitProblem {
@@ -196,8 +169,7 @@ impl<'a> ScoreTestModel<'a> {
         }
     }
 
-    /// Estimation problem in which, of all candidates, only `effects` are estimated, and only the global parameters of
-    /// `columns` are unknowns. The compiled model has no derivatives with respect to other parameters.
+    /// As [`problem_with`](Self::problem_with), with the parameters of `columns` alone as unknowns.
     pub fn refit_problem(&self, effects: &[CandidateId], columns: &[ColumnId]) -> FitProblem {
         let fixed = fixed_parameters(&self.encompassing, effects);
         let globals = columns
@@ -213,8 +185,7 @@ impl<'a> ScoreTestModel<'a> {
         }
     }
 
-    /// Copy of an iterate (values of all unknowns) with the coefficients and states of the candidate effect `dropped`
-    /// set to the null values, at which the effect vanishes.
+    /// Copy of an iterate with the candidate `dropped` at its null value.
     pub fn at_null_value(&self, iterate: &Iterate, dropped: CandidateId) -> Iterate {
         let candidate = self.candidate(dropped);
         let mut iterate = iterate.clone();
@@ -229,8 +200,7 @@ impl<'a> ScoreTestModel<'a> {
         iterate
     }
 
-    /// Converts the result of `fit`, a fit of the model under test with some candidate effects, to an iterate in the
-    /// unknowns of this model. `None` if `fit` used other flights than this model.
+    /// The result of `fit` as an iterate of this model; `None` if it used other flights.
     pub fn iterate_of(&self, fit: &Fit) -> Option<Iterate> {
         let (flights, local) = fitted_flights(&self.problem, self.context.dataset, fit).ok()?;
         let global = fitted_globals(&self.problem, fit);
@@ -238,23 +208,20 @@ impl<'a> ScoreTestModel<'a> {
             .then_some(Iterate { global, local })
     }
 
-    /// Whether `flights` are the flights of this model, in the same order. Sums of squares of different sets of
-    /// flights are not comparable.
+    /// Whether `flights` are those of this model; sums of squares are then comparable.
     pub fn has_same_flights(&self, flights: &[Observations]) -> bool {
         let own = self.flights.iter().map(|flight| &flight.file);
         own.eq(flights.iter().map(|flight| &flight.file))
     }
 
-    /// Number of measured coordinates in all fitted flights: 3 for each measured position. At least 2, also if there
-    /// are fewer.
+    /// Number of measured coordinates in all fitted flights, at least 2.
     pub fn coordinates(&self) -> usize {
         let points = |flight: &Observations| flight.measured.iter().flatten().count();
         (3 * self.flights.iter().map(points).sum::<usize>()).max(2)
     }
 }
 
-/// Estimation problem of the encompassing model, with the options of the fit. The coefficients of the loads of the term
-/// library are fixed at 0.
+/// Estimation problem of the encompassing model; loads of the term library are fixed at 0.
 fn encompassing_problem(
     encompassing: &EncompassingModel,
     context: Context<'_>,
@@ -279,8 +246,7 @@ fn encompassing_problem(
     Ok(problem)
 }
 
-/// Indices and constant values of the parameters that are not estimated: those of candidates outside `on`, at their
-/// null values, and the coefficients of the loads of the term library, at 0.
+/// Parameters that are not estimated, at their null values: of candidates outside `on`, and loads of the library.
 fn fixed_parameters(encompassing: &EncompassingModel, on: &[CandidateId]) -> Vec<(usize, f64)> {
     let layout = Layout::new(&encompassing.model);
     let null = encompassing.candidates.iter_enumerated();
@@ -294,8 +260,7 @@ fn fixed_parameters(encompassing: &EncompassingModel, on: &[CandidateId]) -> Vec
     fixed
 }
 
-/// Values of the global parameters of `problem`, which includes all candidate effects, at a fit; parameters that the
-/// fit lacks have their null values.
+/// Global parameters of `problem` at a fit; those that the fit lacks at their null values.
 fn fitted_globals(problem: &FitProblem, fit: &Fit) -> DVector<f64> {
     let before = &fit.problem().globals;
     let values = problem.globals.iter().map(|global| {
@@ -305,8 +270,6 @@ fn fitted_globals(problem: &FitProblem, fit: &Fit) -> DVector<f64> {
     DVector::from_iterator(problem.globals.len(), values)
 }
 
-/// Observations and initial states of the fitted flights, extended by the states that the encompassing model adds, at
-/// their null values.
 fn fitted_flights(
     problem: &FitProblem,
     dataset: &Dataset,

@@ -7,13 +7,14 @@ use crate::context::{Context, ScoreTestModel};
 use crate::error::{DiagnosisError, if_possible};
 use crate::extension::ExtendedModel;
 use crate::noise::random_walk_loads;
-use crate::offer::{ChosenExtension, measure};
+use crate::offer::measure;
 use crate::optimal_design::proposed_throw;
 use crate::report::{self, Consensus, Report};
 use crate::selection::{
     FittedTerms, Search, StepwiseModel, Weights, are_alternative, select_by_bic,
 };
-use crate::validation::{Validated, predictive_terms};
+use crate::validation::ChosenExtension;
+use crate::validation::predictive_terms;
 use flight::parallel::join;
 use identify::LackOfFit;
 
@@ -22,13 +23,11 @@ use super::{Diagnosis, Discordant};
 /// A hypothesis of one effect that adds at most this number of unknowns is accepted without comparison by BIC.
 pub(super) const FREE_UNKNOWNS: usize = 6;
 
-/// State of a diagnosis in which explanations (hypotheses about the effects that the model lacks) are found but not yet
-/// validated.
+/// State of a diagnosis whose explanations are found, but not validated.
 pub(super) struct Analysis<'a> {
     pub(super) clock: Clock,
     pub(super) before: Fit,
-    /// Lack-of-fit test of the residuals of the model under test; `None` if the residuals are too few to separate noise
-    /// from smooth motion.
+    /// Lack-of-fit test of the model under test; `None` if the residuals are too few.
     pub(super) residuals: Option<LackOfFit>,
     pub(super) model: ScoreTestModel<'a>,
     /// Parameter values and initial states of the fit of the model under test, as unknowns of the score-test model.
@@ -37,13 +36,10 @@ pub(super) struct Analysis<'a> {
     pub(super) stepwise: Option<StepwiseModel>,
     pub(super) consensus: Option<Consensus>,
     pub(super) discordant: Option<Discordant>,
-    /// Messages on limitations of the result, for the report.
     pub(super) notes: Vec<String>,
 }
 
-/// Searches for missing effects. A flight is removed from the score-test model if its samples do not determine its
-/// initial state, or its trajectory cannot be integrated. Its file name is then added to `set_aside`, and the search
-/// starts again with the other flights.
+/// Searches for missing effects. Flights that the tests cannot use are removed from the model and named in `set_aside`.
 pub(super) fn search_testable(
     model: &mut ScoreTestModel<'_>,
     base: &mut Iterate,
@@ -64,8 +60,7 @@ pub(super) fn search_testable(
 }
 
 impl<'a> Analysis<'a> {
-    /// Creates the state of a diagnosis: tests all candidate effects at the fit of the model under test, and searches
-    /// for explanations, hypotheses about the effects that the model lacks.
+    /// Tests all candidates at the fit of the model under test, and searches for explanations.
     pub(super) fn new(context: Context<'a>, base: BaseFit) -> Result<Self, DiagnosisError> {
         let options = context.options;
         let BaseFit {
@@ -85,12 +80,11 @@ impl<'a> Analysis<'a> {
         let (mut search, residuals) = (search?, if_possible(residuals)?.flatten());
         let unexplained = residuals
             .as_ref()
-            .filter(|residuals| residuals.p_value < options.alpha_detect);
+            .filter(|residuals| residuals.fails(options.alpha_detect));
         if let Some(residuals) = unexplained
             && !search.is_significant()
         {
-            // The residual noise of the misfitting model is too large for the tests; they are repeated with the noise
-            // floor.
+            // Misfit inflates the noise too much for the tests; they are repeated with the noise floor.
             search = Search::new(&mut model, &base, Weights::Known(&residuals.noise))?;
         }
         let mut analysis = Self {
@@ -134,8 +128,7 @@ impl<'a> Analysis<'a> {
         self.search.accepted = select_by_bic(&self.model, accepted, stepwise, free);
     }
 
-    /// The fitted model with library terms; `None` unless there are accepted hypotheses to which the terms are an
-    /// alternative by BIC (see [`are_alternative`]).
+    /// The model with library terms if it is an alternative to the accepted hypotheses by BIC.
     pub(super) fn alternative_terms(&self) -> Option<&FittedTerms> {
         let hypotheses = &self.search.accepted;
         let terms = self.stepwise.as_ref().filter(|_| !hypotheses.is_empty());
@@ -148,8 +141,7 @@ impl<'a> Analysis<'a> {
         stepwise.is_some_and(|stepwise| stepwise.is_adequate)
     }
 
-    /// Validates the explanations (hypotheses about the effects that the model lacks), extends the model by the effects
-    /// of the best one, and completes the report.
+    /// Validates the explanations, extends the model by the best one, and completes the report.
     pub(super) fn finish<R: Send>(
         mut self,
         on_extension: &(impl Fn(&ExtendedModel) -> R + Sync),
@@ -221,14 +213,11 @@ impl<'a> Analysis<'a> {
         Ok((diagnosis, made))
     }
 
-    /// Validates the best explanation (hypothesis about missing effects) by its out-of-sample gain if it is
-    /// overflexible: if it has more than two effects, or an effect with a separate value for each flight. Returns the
-    /// validated explanation if it improves predictions. Otherwise drops all overflexible explanations and returns the
-    /// reason as the second value. Both values are `None` if the best explanation is not overflexible, or the deadline
-    /// has passed.
+    /// Validates the best explanation by its out-of-sample gain if it is overflexible. Returns it if it improves
+    /// predictions; otherwise drops all overflexible ones and returns the reason.
     fn validate_overflexible(
         &mut self,
-    ) -> Result<(Option<Validated>, Option<String>), DiagnosisError> {
+    ) -> Result<(Option<ChosenExtension>, Option<String>), DiagnosisError> {
         let model = &self.model;
         let best = self.search.accepted.first();
         let Some(best) = best.filter(|best| best.is_overflexible(model)) else {
@@ -238,10 +227,12 @@ impl<'a> Analysis<'a> {
         if model.context.is_out_of_time() {
             return Ok((None, None));
         }
-        let validated = Validated::new(model, best, &self.before, noise);
+        let validated = ChosenExtension::validated(model, best, &self.before, noise);
         let validated = if_possible(validated)?;
         let refused = match validated {
-            Some(validated) if validated.is_accepted() => return Ok((Some(validated), None)),
+            Some(validated) if validated.improves_predictions() => {
+                return Ok((Some(validated), None));
+            }
             Some(validated) => Some(report::refused(&validated)),
             None => None,
         };
@@ -252,40 +243,30 @@ impl<'a> Analysis<'a> {
         Ok((None, refused))
     }
 
-    /// Chooses the effects by which the model is extended: those of the best explanation (accepted hypothesis) or,
-    /// without an explanation, the selected library terms. The terms are also added to the report. `None` if there is
-    /// neither, or if the extended model is not yet fitted and the deadline has passed.
+    /// Chooses the effects by which the model is extended: those of the best explanation, or else the selected library
+    /// terms, which are added to the report.
     fn choose(
         &mut self,
-        validated: Option<Validated>,
+        validated: Option<ChosenExtension>,
         report: &mut Report,
     ) -> Result<Option<ChosenExtension>, DiagnosisError> {
         let context = self.model.context;
-        if let Some(validated) = validated {
-            return Ok(Some(ChosenExtension {
-                extension: validated.extension,
-                fit: Some(validated.fit),
-                gain: validated.gain,
-                chi2_decrease: 0.0,
-            }));
+        if validated.is_some() {
+            return Ok(validated);
         }
         if let Some(best) = self.search.accepted.first() {
             if context.is_out_of_time() {
                 return Ok(None);
             }
-            return Ok(Some(ChosenExtension {
-                extension: best.extension(&self.model)?,
-                fit: None,
-                gain: None,
-                chi2_decrease: 0.0,
-            }));
+            let extension = best.extension(&self.model)?;
+            return Ok(Some(ChosenExtension::unfitted(extension)));
         }
         let (model, search) = (&self.model, &self.search);
-        let (Some(mut stepwise), Some(terms)) = (self.stepwise.take(), &model.terms) else {
+        let Some(mut stepwise) = self.stepwise.take() else {
             return Ok(None);
         };
         let count = predictive_terms(context, &stepwise, search.noise.overall())?;
-        stepwise.keep_first(count, terms);
+        stepwise.keep_first(count);
         let histories = match context.is_out_of_time() {
             true => Vec::new(),
             false => random_walk_loads(model, &self.base, &search.noise),
@@ -294,10 +275,9 @@ impl<'a> Analysis<'a> {
         report.unattributed = Some(found);
         let chi2_decrease = (search.at_base.squares - stepwise.squares).max(0.0);
         Ok(stepwise.fitted.pop().map(|last| ChosenExtension {
-            extension: last.extension,
             fit: Some(last.fit),
-            gain: None,
             chi2_decrease,
+            ..ChosenExtension::unfitted(last.extension)
         }))
     }
 }
@@ -326,7 +306,7 @@ mod tests {
         let pair = model.fit_hypothesis(&effects, &analysis.base, &search.noise);
         let terms = StepwiseModel::select(model, search, &analysis.before, None);
         let mut terms = terms.unwrap().unwrap();
-        terms.keep_first(2, model.terms.as_ref().unwrap());
+        terms.keep_first(2);
         analysis.search.accepted = Vec::from_iter(pair);
         analysis.stepwise = Some(terms);
         analysis

@@ -9,9 +9,8 @@ use crate::report::Consensus;
 use crate::selection::{MAX_EFFECTS, MAX_SELECTED, StepwiseModel};
 
 impl Analysis<'_> {
-    /// Searches for explanations of the misfit if no single candidate effect is adequate: several candidates together,
-    /// library terms, or effects on which the flights agree. Library terms replace candidates if they explain as much
-    /// with fewer unknowns.
+    /// Searches for several candidates together, library terms, or effects on which the flights agree. Terms replace
+    /// candidates if they explain as much with fewer unknowns.
     pub(super) fn search_beyond_single_effects(&mut self) -> Result<(), DiagnosisError> {
         let few = |effects: &[_]| self.model.unknowns_of(effects) <= FREE_UNKNOWNS;
         let singles = &self.search.rejected;
@@ -44,11 +43,9 @@ impl Analysis<'_> {
         Ok(())
     }
 
-    /// Adds library terms to the stepwise regression, as alternatives to the hypotheses. If a hypothesis is accepted,
-    /// the number of terms remains below the number of its unknowns. It may reach this number if all effects of the
-    /// hypothesis change the same load, because they may then approximate a law of this load that is not in the
-    /// catalogue. Otherwise up to `most` terms are selected, but none is added if the next term is expected to explain
-    /// much less than the best rejected hypothesis.
+    /// Adds library terms as alternatives: fewer than the unknowns of an accepted hypothesis, or as many if its effects
+    /// change one load, which may approximate a law outside the catalogue; otherwise up to `most`, if the next is
+    /// expected to explain about as much as the best rejected hypothesis.
     fn extend_terms(&mut self, most: usize) -> Result<(), DiagnosisError> {
         let (search, Some(stepwise)) = (&self.search, &mut self.stepwise) else {
             return Ok(());
@@ -72,8 +69,7 @@ impl Analysis<'_> {
         stepwise.extend(&self.model, search, &self.before, most)
     }
 
-    /// Selects library terms with the candidate effects `effects` included in the model. If terms were already selected
-    /// without these effects, the better of the two selections is stored, as determined by [`StepwiseModel::better`].
+    /// Selects library terms beside the candidates `effects`; the better of this and the present selection is kept.
     fn search_terms_beside(&mut self, effects: &[CandidateId]) -> Result<(), DiagnosisError> {
         let (model, search) = (&self.model, &self.search);
         let Some(single) = model.fit_hypothesis(effects, &self.base, &search.noise) else {
@@ -84,8 +80,7 @@ impl Analysis<'_> {
         Ok(())
     }
 
-    /// Searches for hypotheses whose effect has the same sign in most flights, and stores them as accepted. Also stores
-    /// the discordant flights, in which the effect has the opposite sign.
+    /// Accepts hypotheses whose effect has the same sign in most flights, and stores the discordant flights.
     fn search_consensus(&mut self) -> Result<(), DiagnosisError> {
         let found = consensus(&self.model, &self.search, &self.base)?;
         let Some(found) = found else {

@@ -1,37 +1,26 @@
 //! Noise estimate from the residuals after removing all significant effects, to first order.
 
 use flight::parallel;
-use identify::NormalBlock;
-use identify::outliers::{group_scales, judged_scales, local_residuals, outlier_mask};
-use identify::{FitError, NoiseModel, PointResidual, Residuals, eliminate};
+use identify::{FitError, NoiseModel, NormalBlock, PointResidual, Residuals, eliminate, outliers};
 use nalgebra::DVector;
 
 use crate::context::{CandidateId, LinearizationPoint, ScoreTestModel};
 use crate::error::DiagnosisError;
 use crate::score_test::{ScoreTests, keep_directions};
 
-/// Minimum score, in standard deviations, of a principal direction of the tested parameters at which the contribution
-/// of this direction is removed from the residuals. Removing directions with a smaller score would bias the estimated
+/// Minimum score, in standard deviations, of a direction whose contribution is removed; removing more would bias the
 /// variance low and distort the autocorrelation.
 const MIN_SCORE: f64 = 4.0;
 
-/// Maximum log p-value, in the score test of a candidate effect with states, at which these states are estimated along
-/// with the other parameters before the noise is estimated.
+/// Maximum log p-value of a candidate whose states are estimated before the noise.
 const MAX_LN_P_OF_STATES: f64 = -14.0;
 
-/// Damping added to JᵀJ, the normal matrix of a flight's local parameters, when these parameters are eliminated;
-/// relative to the diagonal of JᵀJ.
+/// Relative damping of the elimination of local parameters.
 const DAMPING: f64 = 1e-12;
 
 impl ScoreTestModel<'_> {
-    /// Estimates the noise of the residuals and marks outliers. The residuals are first corrected by one linearized
-    /// step: the nuisance parameters are re-estimated, and significant contributions of candidate effects and library
-    /// terms are removed. Nuisance parameters include those of the candidates in `conditioned_on`. `noise` is the noise
-    /// model that weights the residuals.
-    ///
-    /// # Errors
-    /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated; [`DiagnosisError::UndeterminedInitialState`] if
-    /// the samples of a flight do not determine its initial state.
+    /// Estimates the noise and marks outliers after one linearized step: nuisance parameters, with those of
+    /// `conditioned_on`, are re-estimated, and significant candidates and terms removed. `noise` weights the residuals.
     pub fn estimate_noise(
         &mut self,
         at: LinearizationPoint<'_>,
@@ -57,11 +46,14 @@ impl ScoreTestModel<'_> {
         let remaining: Vec<Residuals> = remaining.into_iter().collect::<Result<_, FitError>>()?;
         let locals: usize = local_steps.iter().map(DVector::len).sum();
         let unknowns = directions + tests.partition.nuisance.len() + locals;
-        Ok(self.noise_of(&remaining, unknowns, noise.interval))
+        let residuals: Vec<_> = remaining.iter().map(|flight| &flight[..]).collect();
+        let (after, threads) = ((unknowns, noise.interval), self.threads());
+        let (problem, flights) = (&self.problem, &mut self.flights);
+        let (noise, _) = outliers::estimate_noise(problem, flights, &residuals, after, threads);
+        Ok(noise)
     }
 
-    /// The candidates in `conditioned_on`, followed by the significant candidate effects that are represented by a
-    /// state with one value for each flight.
+    /// The candidates in `conditioned_on`, followed by significant ones with one value for each flight.
     fn with_significant_states(
         &self,
         tests: &ScoreTests,
@@ -78,8 +70,7 @@ impl ScoreTestModel<'_> {
         with
     }
 
-    /// Step of a flight's local parameters for a given step of the global parameters, by back-substitution. The step is
-    /// 0 for the states of candidates that are not in `with`.
+    /// Step of a flight's local parameters for a step of the global ones; 0 for states of candidates outside `with`.
     fn local_step(
         &self,
         flight: usize,
@@ -102,8 +93,7 @@ impl ScoreTestModel<'_> {
         Ok(step)
     }
 
-    /// Residuals, m, of a flight, by linearization at the point `at`, after the step `global_step` of the global
-    /// parameters and the step `local_step` of the flight's local parameters.
+    /// Residuals, m, of a flight after the steps of global and local parameters, by linearization.
     fn residuals_after_step(
         &self,
         at: LinearizationPoint<'_>,
@@ -127,32 +117,6 @@ impl ScoreTestModel<'_> {
             remaining[point.channel][point.sample] = Some(after);
         })?;
         Ok(remaining)
-    }
-
-    /// Marks outliers among the residuals and estimates the noise of the inliers. `unknowns` is the number of
-    /// parameters fitted to the residuals, and `interval` the sampling interval, s.
-    fn noise_of(&mut self, residuals: &[Residuals], unknowns: usize, interval: f64) -> NoiseModel {
-        let pairs = self.flights.iter().zip(residuals);
-        let local: Vec<_> = pairs
-            .map(|(observations, residuals)| local_residuals(&observations.times, residuals))
-            .collect();
-        let group_of = self.problem.noise_groups();
-        let scales = local.iter().map(|local| group_scales(local, &group_of));
-        let scales: Vec<Vec<[f64; 3]>> = scales.collect();
-        let mut sums = self.problem.no_moments();
-        let scales = judged_scales(&scales);
-        for (index, observations) in self.flights.iter_mut().enumerate() {
-            observations.outlier = outlier_mask(&local[index], &scales[index], &group_of);
-            for (channel, series) in residuals[index].iter().enumerate() {
-                let good = series.iter().enumerate().map(|(sample, residual)| {
-                    let place = sample * observations.channels + channel;
-                    residual.filter(|_| !observations.outlier[place])
-                });
-                let good: Vec<Option<[f64; 3]>> = good.collect();
-                sums[group_of[channel]].add(&observations.times, &good, interval);
-            }
-        }
-        self.problem.noise_of(&sums, unknowns, interval)
     }
 }
 

@@ -1,8 +1,6 @@
-//! Unexplained loads over time: a random walk for each flight and load channel, estimated by empirical Bayes.
-//!
-//! A load history is piecewise linear between knots. The variances of its first value and of its increments are
-//! estimated by expectation maximization from all flights together. The load coefficient of a channel without evidence
-//! of a load remains at 0.
+//! Unexplained loads over time: a random walk for each flight and load channel, piecewise linear between knots. The
+//! variances of its first value and of its increments are estimated by expectation maximization from all flights; a
+//! channel without evidence remains at 0.
 
 use flight::parallel;
 use identify::{Iterate, Loss, NoiseModel, linearise_with, pseudo_inverse};
@@ -14,26 +12,17 @@ use serde::{Deserialize, Serialize};
 use crate::context::{BasisLoads, LibraryTerms, ScoreTestModel};
 use crate::score_test::{eliminate_locals, keep_directions};
 
-/// Maximum time between the knots of the time history of a missing load, s; exceeded only if a flight would need more
-/// than [`MAX_KNOTS`] knots.
-const KNOT_INTERVAL: f64 = 0.2;
-
-/// Maximum number of knots of the time history of one missing load in one flight.
-const MAX_KNOTS: usize = 9;
+/// Maximum time between the knots of a time history, s, exceeded only beyond the maximum number of knots.
+const KNOTS: (f64, usize) = (0.2, 9);
 
 /// Maximum number of flights for which time histories of missing loads are estimated; further flights are ignored.
 const MAX_FLIGHTS: usize = 12;
 
-/// Initial value, in the expectation maximization, of two standard deviations of the random walk of a load: that of its
-/// dimensionless coefficient at the first knot, and that of the increments of the coefficient between knots.
 const INITIAL_SIGMA: f64 = 0.03;
 
-/// Number of iterations of the expectation maximization that estimates the standard deviations of the load
-/// coefficients' random walks.
 const EM_ITERATIONS: usize = 40;
 
-/// Minimum standard deviation of the first value and of the increments of the random walk of a load coefficient, which
-/// is dimensionless; prevents division by 0.
+/// Minimum standard deviation, which prevents division by 0.
 const MIN_SIGMA: f64 = 1e-7;
 
 /// Time history, in one flight, of the coefficient of a load that the model lacks.
@@ -43,16 +32,14 @@ pub struct LoadHistory {
     pub file: String,
     /// Times of the knots at which the load coefficient is estimated, s after the first sample.
     pub t: Vec<f64>,
-    /// Estimated dimensionless coefficient of the missing load at each knot; near 0 at times at which the loads of the
-    /// model are complete.
+    /// Dimensionless coefficient at each knot; near 0 where the loads of the model are complete.
     pub value: Vec<f64>,
     /// Standard errors of `value`, one for each knot.
     pub std_error: Vec<f64>,
 }
 
-/// Estimated time histories of missing loads: one list for each load channel of the term library, in the order of the
-/// library. A list contains at most one history for each of the first [`MAX_FLIGHTS`] flights. Empty if no library is
-/// compatible with the model.
+/// Time histories of missing loads by channel of the term library, for at most [`MAX_FLIGHTS`] flights each; empty
+/// without a library.
 pub(crate) fn random_walk_loads(
     model: &ScoreTestModel<'_>,
     at: &Iterate,
@@ -90,8 +77,7 @@ pub(crate) fn random_walk_loads(
     histories
 }
 
-/// Standard deviations of the random walk that describes the load coefficient of one load channel: of the coefficient's
-/// value at the first knot, and of its increments between knots.
+/// Standard deviations of a channel's random walk.
 #[derive(Clone, Copy, Debug)]
 struct WalkSigma {
     first: f64,
@@ -105,8 +91,7 @@ impl WalkSigma {
     };
 }
 
-/// Sum of the expected squares of first values, or of increments, of a random walk, and number of summands. The ratio
-/// of the two is the variance.
+/// Sum of expected squares, and their number.
 #[derive(Clone, Copy, Debug, Default)]
 struct SquareSum {
     squares: f64,
@@ -189,8 +174,6 @@ impl FlightLoads {
         })
     }
 
-    /// Posterior mean and covariance of the coefficients of missing loads at the knots, given the random walks'
-    /// standard deviations; `None` if the posterior information matrix cannot be inverted.
     fn posterior(&self, sigmas: &[WalkSigma]) -> Option<(DVector<f64>, DMatrix<f64>)> {
         let mut matrix = self.information.clone();
         let knots = self.knots.len();
@@ -209,8 +192,6 @@ impl FlightLoads {
         Some((-(&covariance * &self.gradient), covariance))
     }
 
-    /// For the random walk of each load channel, adds to `sums` the expected squares of the first value and of the
-    /// increments between knots, computed from their posterior mean and covariance.
     fn add_expected_squares(
         &self,
         (mean, covariance): (&DVector<f64>, &DMatrix<f64>),
@@ -231,7 +212,7 @@ impl FlightLoads {
 
 /// Evenly spaced knot times, from 0 to `end`, s, of the time history of a missing load; at least 2.
 fn knots(end: f64) -> Vec<f64> {
-    let count = ((end / KNOT_INTERVAL).ceil() as usize + 1).clamp(2, MAX_KNOTS);
+    let count = ((end / KNOTS.0).ceil() as usize + 1).clamp(2, KNOTS.1);
     let knot = |k: usize| end * k as f64 / (count - 1) as f64;
     (0..count).map(knot).collect()
 }

@@ -6,24 +6,19 @@ use model_spec::model::{Model, Shape};
 use model_spec::sort_by_number;
 use serde::{Deserialize, Serialize};
 
-/// Number of equal intervals into which the abscissa of a curve (angle of attack or speed) is divided.
-const INTERVALS: usize = 24;
-
-/// Minimum number of samples in an interval of the abscissa for the curve to have a point in this interval.
-const MIN_SAMPLES: usize = 4;
+/// Number of equal intervals of the abscissa of a curve (angle of attack or speed), and of samples in one for a point.
+const GRID: (usize, usize) = (24, 4);
 
 /// Quantiles of the abscissa (angle of attack or speed) over all samples; a curve is computed between these two.
 const QUANTILES: (f64, f64) = (0.005, 0.995);
 
-/// Names of the auxiliary variables that can be the abscissa of a coefficient's curve: angle of attack, speed. The
-/// first that the model contains is used.
+/// Names of abscissae: angle of attack, speed; the first that the model has is used.
 const ABSCISSAE: [&str; 2] = ["alpha", "V"];
 
 /// Prefix of the names of auxiliary variables that are aerodynamic coefficients, such as `C_D`.
 const COEFFICIENT_PREFIX: &str = "C_";
 
-/// A coefficient of the model as a function of the abscissa, the angle of attack or the speed, without and with the
-/// extension. Each value is the median of the samples within one interval of the abscissa.
+/// A coefficient over angle of attack or speed, without and with the extension: medians within intervals.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CoefficientCurve {
     /// Name of the coefficient, such as `C_D`.
@@ -42,8 +37,7 @@ pub struct CoefficientCurve {
     pub support: Vec<usize>,
 }
 
-/// Computes the curve of every scalar auxiliary variable whose name begins with `C_`, over the angle of attack or, if
-/// the model lacks it, the speed.
+/// Curves of every scalar auxiliary variable whose name begins with `C_`.
 pub(crate) fn curves(
     model: &Model,
     before: &[FlightEvidence],
@@ -78,19 +72,15 @@ pub(crate) fn curves(
         .collect()
 }
 
-/// Medians of a coefficient in one interval of the abscissa in the models without and with the added effects, and
-/// number of samples of the model without them in this interval.
+/// Medians in one interval without and with the added effects.
 struct Interval {
-    /// Centre of the interval, in the unit of the abscissa.
     centre: f64,
     before: f64,
     after: f64,
     support: usize,
 }
 
-/// Intervals of the abscissa that contain enough samples, with the medians in each interval; `None` if all abscissae
-/// are equal or there are no samples. The arguments are samples (abscissa, value) of the models without and with the
-/// added effects.
+/// Intervals with enough samples (abscissa, value); `None` without samples or if all abscissae are equal.
 fn medians(mut before: Vec<(f64, f64)>, mut after: Vec<(f64, f64)>) -> Option<Vec<Interval>> {
     if before.is_empty() || after.is_empty() {
         return None;
@@ -98,11 +88,11 @@ fn medians(mut before: Vec<(f64, f64)>, mut after: Vec<(f64, f64)>) -> Option<Ve
     sort_by_number(&mut before, |point| point.0);
     sort_by_number(&mut after, |point| point.0);
     let all: Vec<f64> = before.iter().map(|point| point.0).collect();
-    let mut intervals = intervals(&all, INTERVALS).peekable();
+    let mut intervals = intervals(&all, GRID.0).peekable();
     intervals.peek()?;
     let intervals = intervals.filter_map(|(from, step)| {
         let (mut was, mut is) = (within(&before, from, step), within(&after, from, step));
-        let are_enough = was.len() >= MIN_SAMPLES && is.len() >= MIN_SAMPLES;
+        let are_enough = was.len() >= GRID.1 && is.len() >= GRID.1;
         are_enough.then(|| Interval {
             centre: from + step / 2.0,
             support: was.len(),
@@ -113,8 +103,8 @@ fn medians(mut before: Vec<(f64, f64)>, mut after: Vec<(f64, f64)>) -> Option<Ve
     Some(intervals.collect())
 }
 
-/// Divides the range between the 0.5 % and the 99.5 % quantile of ascending values into `number` equal intervals, each
-/// with its start and its length; none if the quantiles are equal.
+/// Divides the range between the 0.5 % and the 99.5 % quantile of ascending values into equal intervals (start,
+/// length).
 #[doc(hidden)]
 pub fn intervals(ascending: &[f64], number: usize) -> impl Iterator<Item = (f64, f64)> {
     let last = ascending.len().saturating_sub(1) as f64;
@@ -130,16 +120,14 @@ pub fn intervals(ascending: &[f64], number: usize) -> impl Iterator<Item = (f64,
     })
 }
 
-/// Second entries of those pairs in `points` whose first entry, the abscissa, lies in [`from`, `from + width`). The
-/// pairs are sorted by abscissa.
+/// Values whose abscissa is in [`from`, `from + width`); `points` are sorted.
 fn within(points: &[(f64, f64)], from: f64, width: f64) -> Vec<f64> {
     let first = points.partition_point(|p| p.0 < from);
     let last = points.partition_point(|p| p.0 < from + width);
     points[first..last].iter().map(|p| p.1).collect()
 }
 
-/// Pairs of the values of two model quantities, first `over`, then `quantity`, at all samples of the flights at which
-/// both values are finite.
+/// Pairs (`over`, `quantity`) at all samples where both are finite.
 fn points(quantity: &str, over: &str, flights: &[FlightEvidence]) -> Vec<(f64, f64)> {
     let mut points = Vec::new();
     for flight in flights {
@@ -166,7 +154,7 @@ mod tests {
         let mut before = line(1.0);
         before[1200].1 = 1e6;
         let values = medians(before, line(2.0)).unwrap();
-        assert_eq!(values.len(), INTERVALS);
+        assert_eq!(values.len(), GRID.0);
         for value in &values {
             let x = value.centre;
             assert!((value.before - x).abs() < 1e-3 && (value.after - 2.0 * x).abs() < 2e-3);

@@ -8,8 +8,7 @@ use crate::context::display_name;
 use crate::extension::ExtendedModel;
 use crate::selection::{FittedTerms, Search};
 
-/// Adds the library terms `terms` to the report as a further explanation of the lack of fit. The data do not
-/// distinguish it from the other explanations.
+/// Adds `terms` as a further explanation that the data do not distinguish from the others.
 pub(crate) fn add_alternative(report: &mut Report, terms: &FittedTerms, search: &Search) {
     let chi2_decrease = (search.at_base.squares - terms.squares).max(0.0);
     let mut explanation = explanation(&terms.extension, &terms.fit, chi2_decrease);
@@ -20,8 +19,7 @@ pub(crate) fn add_alternative(report: &mut Report, terms: &FittedTerms, search: 
     report.verdict = verdict(true, &report.explanations);
 }
 
-/// Adds the fit of the extended model to the report. If the report contains no explanation (`explanations`) yet, the
-/// effects created from library terms are added as an explanation; `chi2_decrease` is their decrease of χ².
+/// Adds the fit of the extended model; without an explanation, its effects become one, with `chi2_decrease`.
 pub(crate) fn add_extension(
     report: &mut Report,
     (extension, chi2_decrease): (&ExtendedModel, f64),
@@ -40,8 +38,6 @@ pub(crate) fn add_extension(
     }
 }
 
-/// Explanation of the lack of fit by the effects of an extended model. The fraction of the excess χ² that it explains
-/// is not computed.
 fn explanation(extension: &ExtendedModel, fit: &Fit, chi2_decrease: f64) -> Explanation {
     Explanation {
         effects: extension_effects(extension, fit),
@@ -52,7 +48,6 @@ fn explanation(extension: &ExtendedModel, fit: &Fit, chi2_decrease: f64) -> Expl
     }
 }
 
-/// Effects by which a model was extended, with estimates of their coefficients from the fit of the extended model.
 fn extension_effects(extension: &ExtendedModel, after: &Fit) -> Vec<ExplanationEffect> {
     let effects = extension.model.effects.iter();
     let added = effects.filter(|effect| extension.effects.contains(&effect.name));
@@ -81,9 +76,8 @@ fn extension_effects(extension: &ExtendedModel, after: &Fit) -> Vec<ExplanationE
     effects.collect()
 }
 
-/// Replaces standard errors in the report by cluster-robust (by flight) standard errors where these are larger, because
-/// misfit that the added effects do not explain is correlated within a flight. Also replaces the estimates of the first
-/// explanation (`explanations`) by those of `after`, the fit of the extended model.
+/// Uses cluster-robust standard errors where they are larger, as remaining misfit is correlated within a flight, and
+/// the estimates of `after` in the first explanation.
 pub(crate) fn use_clustered_errors(report: &mut Report, after: &Fit) {
     let fitted = |name: &str| {
         let found = after.report.coefficients.get(name)?;
@@ -105,8 +99,7 @@ pub(crate) fn use_clustered_errors(report: &mut Report, after: &Fit) {
     }
 }
 
-/// Adds a note on the held-out flights that are predicted without the added effects. `flights` contains the indices of
-/// these flights in the dataset.
+/// Notes the held-out flights (dataset indices) that are predicted without the added effects.
 pub(crate) fn note_not_applied(report: &mut Report, flights: &[usize]) {
     if flights.is_empty() {
         return;

@@ -3,7 +3,6 @@
 mod curves;
 mod extension;
 mod narrative;
-mod reliability;
 mod report_builder;
 mod residuals;
 mod types;

@@ -7,10 +7,9 @@ use super::types::{
     Consensus, Estimate, Explanation, ExplanationEffect, LoadChannel, Report, Verdict,
 };
 use crate::selection::{StepwiseModel, StepwiseTerm};
-use crate::validation::{PredictiveGain, Validated};
+use crate::validation::{ChosenExtension, PredictiveGain};
 
-/// Minimum bias of a coefficient caused by the missing effect, in standard errors of the coefficient, for the summary
-/// of the report to name the coefficient.
+/// Minimum bias of a coefficient that the summary names, standard errors.
 const MIN_BIAS: f64 = 3.0;
 
 impl Report {
@@ -43,8 +42,7 @@ impl Report {
         }
     }
 
-    /// Sentences on the reduction of the prediction error by the effects added to the model, or the reason why it was
-    /// not measured.
+    /// Sentences on the reduction of the prediction error, or why it was not measured.
     pub fn gain_sentences(&self) -> String {
         match (&self.predictive_gain, &self.extended_model) {
             (Some(gain), _) => gain.sentences(),
@@ -82,7 +80,6 @@ impl Explanation {
         }
     }
 
-    /// Sentences on the effects of the explanation and their estimates.
     fn sentences(&self) -> String {
         let effects = self.effects.iter().map(|effect| {
             let estimates = effect.estimates.iter();
@@ -184,8 +181,6 @@ impl PredictiveGain {
     }
 }
 
-/// Summary text of the report, one paragraph: the verdict, the agreement of the flights, the gain in prediction error,
-/// and the coefficients that the missing effect biased.
 pub(crate) fn summary(report: &Report) -> String {
     let mut text = report.verdict_sentence() + &details(report);
     if let Some(consensus) = &report.consensus {
@@ -237,8 +232,7 @@ fn details(report: &Report) -> String {
     }
 }
 
-/// If there are two explanations, and the second consists of all effects of the first and one more effect: name of this
-/// further effect; otherwise `None`.
+/// The one effect by which the second of two explanations exceeds the first.
 fn undecided(explanations: &[Explanation]) -> Option<&str> {
     let [first, second] = explanations else {
         return None;
@@ -299,9 +293,8 @@ fn omitted_variable_bias(report: &Report) -> String {
         biased.join(", ")
     )
 }
-/// Sentence that explains why a hypothesis is not accepted although it leaves only noise in the residuals: it can fit
-/// almost any data and does not improve out-of-sample predictions.
-pub(crate) fn refused(validated: &Validated) -> String {
+/// Why a hypothesis that leaves only noise is not accepted: it does not improve predictions.
+pub(crate) fn refused(validated: &ChosenExtension) -> String {
     let names = validated.extension.effects.join(" with ");
     let errors = validated.gain.as_ref().map_or_else(String::new, |gain| {
         let (before, after) = (gain.rms_before_m, gain.rms_after_m);
@@ -318,10 +311,10 @@ pub(crate) fn refused(validated: &Validated) -> String {
     )
 }
 
-/// Sentences on a lack of fit that no candidate effect explains: the loads in which it lies, and the library terms that
-/// `model` selected.
+/// Sentences on a lack of fit that no candidate explains.
 pub(crate) fn unattributed(model: &StepwiseModel, channels: &[LoadChannel]) -> String {
-    let selected: Vec<&StepwiseTerm> = model.terms.iter().filter(|term| term.selected).collect();
+    let terms = model.terms();
+    let selected: Vec<&StepwiseTerm> = terms.iter().filter(|term| term.selected).collect();
     let most = channels
         .iter()
         .max_by(|a, b| a.explained_fraction.total_cmp(&b.explained_fraction));
@@ -334,7 +327,7 @@ pub(crate) fn unattributed(model: &StepwiseModel, channels: &[LoadChannel]) -> S
         );
     }
     if selected.is_empty() {
-        let greatest = model.terms.first().map_or(0.0, |term| term.score_chi2);
+        let greatest = terms.first().map_or(0.0, |term| term.score_chi2);
         return format!(
             "No product of angle of attack, spin, speed, rates, height and time on one of the loads is significant (greatest score \
              \u{3c7}\u{b2} {greatest:.1})."

@@ -17,8 +17,7 @@ use crate::score_test::{MIN_TOLERANCE, ScoreTest, ln_p_to_z};
 use crate::selection::{Hypothesis, Search, StepwiseModel};
 use identify::LackOfFit;
 
-/// Builds the report of a diagnosis from the result of the search for missing effects. The fields on the extended model
-/// and its fit remain empty; they are set later.
+/// Builds the report of a search; what concerns the extended model is set later.
 pub(crate) fn build_report(
     (before, residuals): (&Fit, Option<&LackOfFit>),
     model: &ScoreTestModel<'_>,
@@ -35,7 +34,7 @@ pub(crate) fn build_report(
             .for_each(|explanation| add_share(explanation, residuals));
     }
     let alpha = context.options.alpha_detect;
-    let is_noise = residuals.is_none_or(|residuals| residuals.p_value >= alpha);
+    let is_noise = !residuals.is_some_and(|residuals| residuals.fails(alpha));
     let detect = search.at_base.thresholds.detect;
     let (not_identifiable, minimum_detectable_effects) =
         detectable(model, &search.at_base.tests, detect);
@@ -84,8 +83,6 @@ pub(crate) fn build_report(
     report
 }
 
-/// Derives the outcome of the diagnosis (verdict) from `explanations`, the accepted explanations of the lack of fit.
-/// `is_significant` states whether a candidate effect or the lack of fit of the model under test is significant.
 pub(super) fn verdict(is_significant: bool, explanations: &[Explanation]) -> Verdict {
     let is_negligible =
         |explanation: &Explanation| explanation.effects.iter().all(|effect| effect.negligible);
@@ -98,9 +95,7 @@ pub(super) fn verdict(is_significant: bool, explanations: &[Explanation]) -> Ver
     }
 }
 
-/// Sets the fields `explained` and `remaining_rms_m` of `explanation`, an explanation of the misfit. `explained` is the
-/// fraction of the excess χ² that it accounts for. `remaining_rms_m` is the root mean square, m, of the residuals in
-/// excess of the noise in the model that includes its effects.
+/// Sets the fraction of the excess χ² that `explanation` accounts for, and the rms residual that it leaves.
 pub(super) fn add_share(explanation: &mut Explanation, residuals: &LackOfFit) {
     let share = explanation.chi2_decrease / residuals.excess_chi2.max(f64::MIN_POSITIVE);
     explanation.explained_fraction = share.clamp(0.0, 1.0);
@@ -141,8 +136,6 @@ fn flight_before(flight: &FlightReport) -> FlightGain {
     }
 }
 
-/// Estimates of all coefficients in `fit`, by name. If the fit of the model without the added effects is given as
-/// `before`, each coefficient also contains its value in that fit.
 pub(super) fn coefficients(fit: &Fit, before: Option<&Fit>) -> BTreeMap<String, Coefficient> {
     let each = fit.report.coefficients.iter().map(|(name, c)| {
         let earlier = before.and_then(|before| before.report.coefficients.get(name));
@@ -290,8 +283,7 @@ fn explanation(
     }
 }
 
-/// Section of the report on a lack of fit that no candidate explains. `histories` are the estimated additional forces
-/// and moments over time: one list for each component that the term library distinguishes, with one entry per flight.
+/// Section on a lack of fit that no candidate explains; `histories` by load channel and flight.
 pub(crate) fn unattributed_report(
     model: &ScoreTestModel<'_>,
     search: &Search,
@@ -302,7 +294,7 @@ pub(crate) fn unattributed_report(
     Unattributed {
         description: narrative::unattributed(stepwise, &channels),
         channels,
-        terms: stepwise.terms.clone(),
+        terms: stepwise.terms(),
     }
 }
 

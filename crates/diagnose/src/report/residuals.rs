@@ -1,21 +1,19 @@
-//! The lack-of-fit test in the report, and its description as text.
+//! The lack-of-fit test in the report, what withdraws a verdict, and whether a diagnosis is reliable.
 
-use super::types::{Explanation, Report, Unattributed, Verdict};
+use identify::numbers::{percent, quantity, significant};
+use identify::{Fit, LackOfFit, SmoothMisfit, convergence_caution, exclusion_caution};
+
+use super::types::{Explanation, Report, Unattributed, Verdict, Verified};
 use crate::context::display_name;
 use crate::extension::ExtendedModel;
-use identify::numbers::{percent, quantity, significant};
-use identify::{LackOfFit, SmoothMisfit};
 
 /// Maximum number of flights whose largest smooth deviation is described in the report's text on the lack of fit.
 const MAX_DEPARTURES: usize = 3;
 
-/// Fraction of the misfit that an explanation must account for, if the flights do not agree on it and the residuals
-/// are not noise with it: a cause that leaves more is at best the nearest of the catalogue.
+/// Fraction of the misfit that an explanation must account for if residuals remain and the flights do not agree on it.
 const MIN_EXPLAINED: f64 = 0.9;
 
-/// Replaces the lack-of-fit test in the report by `residuals`, the test of the extended model; `None` leaves the report
-/// unchanged. Also updates, for the first explanation (`explanations`), the fraction of the misfit beyond noise that it
-/// explains, and the RMS residual in excess of the noise that remains.
+/// Replaces the lack-of-fit test by that of the extended model, and the share of the first explanation.
 pub(crate) fn add_residuals(report: &mut Report, residuals: Option<LackOfFit>) {
     if let (Some(before), Some(after)) = (&report.lack_of_fit, &residuals)
         && let Some(first) = report.explanations.first_mut()
@@ -27,14 +25,13 @@ pub(crate) fn add_residuals(report: &mut Report, residuals: Option<LackOfFit>) {
     report.lack_of_fit = residuals.or(report.lack_of_fit.take());
 }
 
-/// Clears the list of smooth deviations in the report if the lack-of-fit test passes. Otherwise adds a description of
-/// the largest deviations to the report.
+/// Describes the largest deviations where the test fails; else clears their list.
 pub(crate) fn describe_departures(report: &mut Report) {
     let alpha = report.threshold.alpha;
     let Some(found) = &mut report.lack_of_fit else {
         return;
     };
-    if found.p_value >= alpha {
+    if !found.fails(alpha) {
         found.largest_misfits.clear();
         return;
     }
@@ -82,8 +79,7 @@ pub(crate) fn withdraw_by_excess(report: &mut Report, excess: Option<&String>) {
     )));
 }
 
-/// Withdraws the verdict that an effect is missing where the data contradict what the user states: the effect may stand
-/// in for a wrong prior or a wrong held value, or for a filter of the tracks.
+/// Withdraws the verdict where the data contradict what the user states: the effect may stand in for it.
 pub(crate) fn withdraw_by_conflicts(report: &mut Report, conflicts: &[String]) {
     if conflicts.is_empty() || !matches!(report.verdict, Verdict::Identified | Verdict::Ambiguous) {
         return;
@@ -124,15 +120,12 @@ fn departure(found: &SmoothMisfit) -> String {
     format!("{file}, {coordinate} by {sign}{size} at {from_s:.2} to {to_s:.2} s")
 }
 
-/// Joins the display names of the effects with the identifiers `effects`, such as `spin-decay with wind`. Display names
-/// have hyphens instead of underscores.
 pub(crate) fn display_names(effects: &[String]) -> String {
     let names: Vec<String> = effects.iter().map(|name| display_name(name)).collect();
     names.join(" with ")
 }
 
-/// Adds a note to the report that the extended model is not proposed, because it predicts other flights worse than the
-/// model under test.
+/// Notes that the extended model is not proposed, as it predicts worse.
 pub(crate) fn note_not_offered(report: &mut Report, extension: &ExtendedModel) {
     let names = display_names(&extension.effects);
     report.notes.push(format!(
@@ -140,8 +133,6 @@ pub(crate) fn note_not_offered(report: &mut Report, extension: &ExtendedModel) {
     ));
 }
 
-/// Marks the report as incomplete and adds a note with the reason: the deadline if `is_out_of_time`, otherwise the
-/// maximum number of least-squares steps.
 pub(crate) fn note_incomplete(report: &mut Report, is_out_of_time: bool) {
     report.complete = false;
     let why = match is_out_of_time {
@@ -151,4 +142,39 @@ pub(crate) fn note_incomplete(report: &mut Report, is_out_of_time: bool) {
     report.notes.push(format!(
         "the search was not completed, since {why}: this is the best answer until then"
     ));
+}
+
+// Assessment whether a diagnosis is reliable, with the reasons if it is not.
+
+impl Report {
+    /// Assesses whether the diagnosis is reliable. Large residuals of the model under test do not count: their cause is
+    /// sought.
+    pub(crate) fn assess(&mut self, before: &Fit, after: Option<&Fit>, verified: Option<Verified>) {
+        let (fit, name) = match after {
+            Some(fit) => (fit, "the fit of the extended model"),
+            None => (before, "the fit of the model"),
+        };
+        let is_refuted = verified.as_ref().is_some_and(|verified| !verified.holds);
+        let caution = |applies: bool, text: &str| applies.then(|| text.to_owned());
+        let cautions = [
+            convergence_caution(&fit.report, name),
+            caution(!self.complete, "the search was not completed"),
+            exclusion_caution(&before.report),
+            caution(is_refuted, "the extended model fails an independent check"),
+            caution(
+                self.lack_remains(),
+                "the residuals are not noise with what was found either: it is at best a part of what is missing",
+            ),
+        ];
+        self.cautions = cautions.into_iter().flatten().collect();
+        self.reliable = self.cautions.is_empty();
+        self.verified = verified;
+    }
+
+    /// Whether the diagnosis states what is missing, and the residuals with it are not noise.
+    fn lack_remains(&self) -> bool {
+        let is_stated = matches!(self.verdict, Verdict::Identified | Verdict::Ambiguous);
+        let test = self.lack_of_fit.as_ref();
+        is_stated && test.is_some_and(|test| test.fails(self.threshold.alpha))
+    }
 }

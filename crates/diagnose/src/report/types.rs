@@ -25,8 +25,7 @@ pub struct Report {
     pub model: String,
     /// Names of the effects that were switched on in the model under test.
     pub effects: Vec<String>,
-    /// Whether the result is reliable: the fits converged, the search was completed, few flights are excluded, and no
-    /// check refuted the extended model.
+    /// Whether the result is reliable: no reason in `cautions`.
     pub reliable: bool,
     /// Reasons why the result is not reliable; empty if it is.
     pub cautions: Vec<String>,
@@ -38,22 +37,19 @@ pub struct Report {
     pub explanations: Vec<Explanation>,
     /// Measurement noise by kind of sensor, as in [`FitReport::noise`](identify::FitReport::noise).
     pub noise: BTreeMap<String, NoiseReport>,
-    /// Reduction of the out-of-sample prediction error by the effects added to the model; `None` if the model is not
-    /// extended or no flight can be predicted.
+    /// Reduction of the out-of-sample prediction error; `None` if nothing is added or predicted.
     pub predictive_gain: Option<PredictiveGain>,
     /// Coefficients by name: those of the extended model, or of the model under test if it is not extended.
     pub coefficients: BTreeMap<String, Coefficient>,
     /// Candidate effects that these flights cannot identify.
     pub not_identifiable: Vec<NotIdentifiable>,
-    /// Minimum detectable sizes of the coefficients of those candidate effects that the flights can identify, for power
-    /// 0.9.
+    /// Minimum detectable sizes of identifiable coefficients, for power 0.9.
     pub minimum_detectable_effects: Vec<MinDetectableEffect>,
     /// Throw that would best distinguish the accepted explanations (`explanations`); `None` if fewer than two are accepted.
     pub proposed_throw: Option<ProposedThrow>,
     /// File name of the extended model, in the folder of the report; `None` if the model is not extended.
     pub extended_model: Option<String>,
-    /// Computing time, s, by stage (`fit` and `search`): time from the start of the diagnosis to the end of the stage.
-    /// `total` is the time of the whole diagnosis.
+    /// Computing time, s, from the start to the end of `fit`, `search` and `total`.
     pub seconds: BTreeMap<String, f64>,
     /// Score test of each candidate effect, smallest p-value first.
     pub tests: Vec<CandidateTest>,
@@ -65,24 +61,19 @@ pub struct Report {
     pub data_faults: Vec<DataFault>,
     /// Residuals of each flight without and with the effects added to the model, in the order of the dataset.
     pub flights: Vec<FlightGain>,
-    /// Coefficients of the model over angle of attack or speed, without and with the added effects; empty if the model
-    /// is not extended.
+    /// Coefficients over angle of attack or speed, without and with the added effects.
     pub curves: Vec<CoefficientCurve>,
     /// Lack of fit that no candidate effect explains; `None` if there is none.
     pub unattributed: Option<Unattributed>,
-    /// Agreement of the flights on the explanations in `explanations`; `None` if these explain the entire misfit of every
-    /// flight.
+    /// Agreement of the flights on the explanations; `None` if these explain the entire misfit of every flight.
     pub consensus: Option<Consensus>,
-    /// Lack-of-fit test of the residuals of the final model; `None` if the residuals are too few to separate noise
-    /// from smooth motion. The verdict [`Verdict::Adequate`] requires that this test is absent or not significant.
+    /// Lack-of-fit test of the final model. [`Verdict::Adequate`] requires that it is absent or not significant.
     pub lack_of_fit: Option<LackOfFit>,
-    /// Result of verifying the extended model: the result of each check, and whether any of them refuted the model.
-    /// `None` if it was not verified.
+    /// Result of verifying the extended model; `None` if it was not.
     pub verified: Option<Verified>,
     /// Whether every fit of the diagnosis converged.
     pub converged: bool,
-    /// Whether the search was completed. If false, the deadline or the maximum number of least-squares steps was
-    /// reached, and the report contains the best result until then.
+    /// Whether the search was completed, before the deadline and the maximum number of steps.
     pub complete: bool,
     /// Messages on limitations of the result.
     pub notes: Vec<String>,
@@ -107,8 +98,7 @@ pub enum Verdict {
     Ambiguous,
     /// There is a significant lack of fit, and no candidate effect explains it.
     Unattributed,
-    /// Every accepted explanation is significant but negligible: all estimates are below the smallest effect size of
-    /// interest.
+    /// Every accepted explanation is below the smallest effect size of interest.
     Negligible,
 }
 
@@ -117,18 +107,13 @@ pub enum Verdict {
 pub struct Explanation {
     /// The effects that the model lacks according to this explanation.
     pub effects: Vec<ExplanationEffect>,
-    /// Decrease of the weighted sum of squares, χ², when the effects of this explanation are added to the model under
-    /// test.
+    /// Decrease of the weighted sum of squares, χ², by the effects.
     pub chi2_decrease: f64,
-    /// Fraction, 0 … 1, of the excess χ² that this explanation accounts for; 0 if there is no lack-of-fit test. The
-    /// excess χ² is that of this test: the sum of squares that splines remove from the residuals of the model under
-    /// test, divided by the noise variance, minus the expectation of this ratio for pure noise.
+    /// Fraction of the excess χ² of the lack-of-fit test, 0 … 1, that it accounts for; 0 without a test.
     pub explained_fraction: f64,
-    /// Root mean square of the residuals in excess of the noise, m, of the model that includes the effects of this
-    /// explanation.
+    /// Root mean square of the residuals in excess of the noise with the effects, m.
     pub remaining_rms_m: f64,
-    /// The most significant candidate effect outside this explanation, tested with the effects of this explanation
-    /// included in the model; `None` if no such candidate can be tested.
+    /// Most significant further candidate, with the effects included; `None` if none can be tested.
     pub strongest_remaining: Option<RemainingEffect>,
 }
 
@@ -146,23 +131,17 @@ pub struct RemainingEffect {
 pub struct ExplanationEffect {
     /// Display name, with hyphens, of the candidate effect or of the effect created from library terms.
     pub name: String,
-    /// Description of the effect. For a candidate effect, the text depends on whether the estimate of its first
-    /// coefficient is above or below the null value; for an effect created from library terms, it is the doc comment in
-    /// the model language.
+    /// Description of the effect, by the sign of its first coefficient; of a created effect, its doc comment.
     pub description: String,
     /// Site of the effect: the load or the equation of the model that it changes.
     pub site: String,
     /// Names of the variables on which the effect depends.
     pub variables: Vec<String>,
-    /// Estimates of the effect's coefficients and states, by name. A state has one value for each flight; its estimate
-    /// is the root mean square, over the flights, of the difference between this value and the value at which the
-    /// effect vanishes.
+    /// Estimates of coefficients and states by name; that of a state is the rms over the flights of its departure.
     pub estimates: BTreeMap<String, Estimate>,
-    /// Score statistic of the effect, χ², tested at the fit of the model under test; 0 for an effect created from
-    /// library terms.
+    /// Score statistic at the fit of the model under test, χ²; 0 for a created effect.
     pub score_chi2: f64,
-    /// Whether every estimate of the effect differs from its null value by less than the smallest effect size of
-    /// interest.
+    /// Whether every estimate is below its smallest effect size of interest.
     pub negligible: bool,
 }
 
@@ -175,8 +154,7 @@ pub struct Estimate {
     pub std_error: f64,
     /// SI unit of the value, as text.
     pub unit: String,
-    /// Smallest effect size of interest, SI: a smaller difference from the null value is negligible. `None` if the
-    /// effect declares none.
+    /// Smallest effect size of interest, SI; `None` if the effect declares none.
     pub smallest_effect_of_interest: Option<f64>,
 }
 
@@ -189,8 +167,7 @@ pub struct Coefficient {
     pub std_error: f64,
     /// SI unit of the coefficient, as text.
     pub unit: String,
-    /// Fitted value without the added effects, SI; `None` if the model is not extended or an added effect introduces
-    /// the coefficient.
+    /// Value without the added effects, SI; `None` if not extended, or of an added effect.
     pub before: Option<f64>,
 }
 
@@ -213,8 +190,7 @@ pub struct CandidateTest {
     pub z: f64,
     /// Whether the p-value is below the familywise threshold.
     pub significant: bool,
-    /// Tolerance 1 − R² of the best determined direction of the effect's coefficients: the fraction of its squared
-    /// sensitivity that the nuisance parameters do not explain.
+    /// Tolerance 1 − R² of the best determined direction: its part that nuisance parameters do not explain.
     pub tolerance: f64,
     /// One-step estimates of the effect's coefficients by name, with all other candidates at their null value.
     pub one_step_estimates: BTreeMap<String, Estimate>,
@@ -252,13 +228,11 @@ pub struct FlightGain {
     pub outcome: FlightOutcome,
     /// Root mean square residual of one coordinate without the added effects, m; `None` if the flight was excluded.
     pub rms_before_m: Option<f64>,
-    /// Root mean square residual of one coordinate with the added effects, m; `None` if the flight was excluded or the
-    /// model is not extended.
+    /// The same with the added effects; `None` if excluded or not extended.
     pub rms_after_m: Option<f64>,
 }
 
-/// Lack of fit that no candidate effect explains, with the loads and library terms whose addition to the model would
-/// reduce the lack of fit.
+/// Lack of fit that no candidate explains, with loads and library terms that would reduce it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Unattributed {
     /// Sentences that state in which load channels the lack of fit lies.
@@ -280,21 +254,16 @@ impl Unattributed {
     }
 }
 
-/// Agreement of the flights on the accepted explanations. Reported if the explanations leave part of the misfit
-/// unexplained, which differs from flight to flight, or if discordant flights are excluded.
+/// Agreement of the flights on explanations that leave misfit, or without discordant flights.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Consensus {
-    /// Number of fitted flights on whose agreement the explanations are based; flights that contradict these are not
-    /// counted.
+    /// Number of fitted flights that agree, without discordant ones.
     pub flights: usize,
-    /// Fraction, 0 … 1, of the excess χ² that the first explanation accounts for; `None` if the explanations account
-    /// for the entire misfit of the concordant flights.
+    /// Fraction of the excess χ², 0 … 1, of the first explanation; `None` if it accounts for all.
     pub explained_fraction: Option<f64>,
-    /// p-value of the sign-flip test of whether the flights agree on an effect, familywise over all candidate effects
-    /// and library terms.
+    /// Familywise p-value of the sign-flip test.
     pub p_value: f64,
-    /// File names of the discordant fitted flights: they contradict the explanations and are excluded from all other
-    /// results of the report.
+    /// Files of the fitted flights that contradict the explanations and are excluded.
     pub discordant: Vec<String>,
 }
 
@@ -303,8 +272,7 @@ pub struct Consensus {
 pub struct LoadChannel {
     /// Name of the load in which the force or moment is missing: lift, drag, side, roll, pitch or spin.
     pub site: String,
-    /// Ratio of the χ² decrease by the library terms of this load alone to the decrease by the terms of all loads, 0 …
-    /// 1.
+    /// χ² decrease by the terms of this load over that by all, 0 … 1.
     pub explained_fraction: f64,
     /// Time history, in each flight, of the coefficient of the missing load.
     pub histories: Vec<LoadHistory>,

@@ -16,26 +16,21 @@ pub(crate) struct GlobalEquations {
     pub gradient: DVector<f64>,
 }
 
-/// Normal equations of the global unknowns after eliminating, in each flight, the local parameters and also the states
-/// of one tested candidate effect.
+/// Normal equations after also eliminating the states of one tested candidate.
 #[derive(Clone, Debug)]
 pub(super) struct PerFlightCandidate {
     pub equations: GlobalEquations,
-    /// Decrease of the weighted sum of squares by fitting the states of the candidate effect with the global parameters
-    /// fixed.
     pub decrease: f64,
     /// Number of the states of the candidate effect, over all flights, that the samples determine.
     pub degrees_of_freedom: usize,
 }
 
-/// Normal equations of the global unknowns (parameters and library-term coefficients), summed over all flights, with
-/// the local parameters (initial states) eliminated.
+/// Normal equations of the global unknowns, summed over the flights, local parameters eliminated.
 #[derive(Clone, Debug)]
 pub(super) struct LocalElimination {
     /// Normal equations under the null hypothesis: the states of all tested candidates are fixed at their null values.
     pub null: GlobalEquations,
-    /// For each tested candidate effect with one value for each flight: normal equations in which the states of this
-    /// candidate are estimated; `None` for all other candidates.
+    /// For each tested candidate with states: normal equations in which these are estimated.
     pub candidates: IndexVec<CandidateId, Option<PerFlightCandidate>>,
 }
 
@@ -47,8 +42,7 @@ impl GlobalEquations {
         }
     }
 
-    /// Returns the sum of these normal equations and the contributions of the Gaussian priors of the global parameters,
-    /// linearized at the parameter values `values`.
+    /// Adds the priors of the global parameters, linearized at `values`.
     pub fn with_priors(&self, model: &ScoreTestModel<'_>, values: &DVector<f64>) -> Self {
         let mut sum = self.clone();
         for (i, global) in model.problem.globals.iter().enumerate() {
@@ -63,9 +57,6 @@ impl GlobalEquations {
 
 impl LocalElimination {
     /// Eliminates the local parameters of every flight, including the states of the candidates in `conditioned_on`.
-    ///
-    /// # Errors
-    /// [`DiagnosisError::UndeterminedInitialState`] if the samples of a flight do not determine its initial state.
     pub fn new(
         model: &ScoreTestModel<'_>,
         blocks: &[NormalBlock],
@@ -98,8 +89,7 @@ impl LocalElimination {
         conditioned_on: &[CandidateId],
     ) -> Result<(), DiagnosisError> {
         let (null, local) = model.local_partition(flight, conditioned_on);
-        // States at their null value are placed before the global columns while the other local parameters are
-        // eliminated.
+        // States at their null value are put before the global columns while the others are eliminated.
         let promoted = promote_directions(block, &local, &null);
         let reduced = eliminate_locals(model, flight, &promoted)?;
         let (first, size) = (null.len(), self.null.gradient.len());
@@ -122,8 +112,7 @@ impl LocalElimination {
 }
 
 impl PerFlightCandidate {
-    /// Adds the normal equations `reduced` of one flight, after eliminating the candidate's states. `states` are the
-    /// rows of these states in `reduced`; `first` is the index of the first global column of `reduced`.
+    /// Adds one flight. `states` are the candidate's rows in `reduced`, whose first global column is `first`.
     fn add(&mut self, reduced: &GlobalEquations, states: &[LocalId], first: usize) {
         let size = self.equations.gradient.len();
         let globals: Vec<LocalId> = (first..first + size).map(LocalId::new).collect();
@@ -154,9 +143,6 @@ impl PerFlightCandidate {
 }
 
 /// Schur complement of one flight's normal equations, with all local parameters eliminated.
-///
-/// # Errors
-/// [`DiagnosisError::UndeterminedInitialState`] if the samples of the flight do not determine its initial state.
 pub(crate) fn eliminate_locals(
     model: &ScoreTestModel<'_>,
     flight: usize,
@@ -173,42 +159,35 @@ pub(crate) fn eliminate_locals(
     })
 }
 
-/// Restricts the normal equations of one flight to the tangent directions of its initial state that are listed in
-/// `local`; the unknowns of all other directions remain fixed.
+/// Restricts normal equations to the directions in `local`; the others remain fixed.
 pub(crate) fn keep_directions(block: &NormalBlock, local: &[LocalId]) -> NormalBlock {
     promote_directions(block, local, &[])
 }
 
-/// Restricts the normal equations of one flight to the tangent directions of its initial state that are listed in
-/// `local` and `promoted`. The directions in `promoted` become global columns, in front of all other global columns.
+/// Restricts normal equations to `local` and `promoted`, which become the first global columns.
 fn promote_directions(block: &NormalBlock, local: &[LocalId], promoted: &[LocalId]) -> NormalBlock {
-    let (first, size) = (promoted.len(), block.global.nrows());
-    let at = |id: LocalId| id.index();
-    let cross = DMatrix::from_fn(local.len(), first + size, |i, j| {
-        match j.checked_sub(first) {
-            None => block.local[(at(local[i]), at(promoted[j]))],
-            Some(j) => block.cross[(at(local[i]), j)],
-        }
-    });
-    let global = DMatrix::from_fn(first + size, first + size, |i, j| {
-        match (i.checked_sub(first), j.checked_sub(first)) {
-            (None, None) => block.local[(at(promoted[i]), at(promoted[j]))],
-            (None, Some(j)) => block.cross[(at(promoted[i]), j)],
-            (Some(i), None) => block.cross[(at(promoted[j]), i)],
-            (Some(i), Some(j)) => block.global[(i, j)],
-        }
-    });
+    let (locals, globals) = (block.local.nrows(), block.global.nrows());
+    let at = |i: usize, j: usize| match (i.checked_sub(locals), j.checked_sub(locals)) {
+        (None, None) => block.local[(i, j)],
+        (None, Some(j)) => block.cross[(i, j)],
+        (Some(i), None) => block.cross[(j, i)],
+        (Some(i), Some(j)) => block.global[(i, j)],
+    };
+    let gradient = |i: usize| match i.checked_sub(locals) {
+        None => block.local_gradient[i],
+        Some(i) => block.global_gradient[i],
+    };
+    let indices = |ids: &[LocalId]| ids.iter().map(|id| id.index()).collect::<Vec<_>>();
+    let (local, mut global) = (indices(local), indices(promoted));
+    global.extend(locals..locals + globals);
+    let (l, g) = (local.len(), global.len());
     NormalBlock {
-        local: select(&block.local, local, local),
-        cross,
-        global,
-        local_gradient: select_vector(&block.local_gradient, local),
-        global_gradient: DVector::from_fn(first + size, |i, _| match i.checked_sub(first) {
-            None => block.local_gradient[at(promoted[i])],
-            Some(i) => block.global_gradient[i],
-        }),
-        squares: block.squares,
-        count: block.count,
+        local: DMatrix::from_fn(l, l, |i, j| at(local[i], local[j])),
+        cross: DMatrix::from_fn(l, g, |i, j| at(local[i], global[j])),
+        global: DMatrix::from_fn(g, g, |i, j| at(global[i], global[j])),
+        local_gradient: DVector::from_fn(l, |i, _| gradient(local[i])),
+        global_gradient: DVector::from_fn(g, |i, _| gradient(global[i])),
+        ..*block
     }
 }
 

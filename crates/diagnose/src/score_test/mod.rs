@@ -1,9 +1,8 @@
 //! Score (Lagrange multiplier) tests of all candidate effects and library terms, without a refit.
 
+mod effective_score;
 mod local_elimination;
 mod null_distribution;
-mod one_step;
-mod schur;
 mod score_tests;
 
 pub(crate) use local_elimination::{eliminate_locals, keep_directions};

@@ -9,8 +9,7 @@ use statrs::function::gamma::ln_gamma;
 /// Maximum number of terms of the series and the continued fraction of the incomplete gamma function.
 const MAX_TERMS: usize = 500;
 
-/// Log survival function of the χ² distribution: ln P(χ²(degrees_of_freedom) > statistic). The logarithm is used because strong
-/// effects have p-values below the range of `f64`.
+/// ln P(χ²(degrees_of_freedom) > statistic); strong effects have p-values below the range of `f64`.
 pub(crate) fn chi2_ln_sf(statistic: f64, degrees_of_freedom: usize) -> f64 {
     let (a, x) = (degrees_of_freedom as f64 / 2.0, statistic / 2.0);
     if degrees_of_freedom == 0 || x <= 0.0 {
@@ -71,20 +70,14 @@ pub(crate) fn ln_p_to_z(ln_p_value: f64) -> f64 {
     (low + high) / 2.0
 }
 
-/// Number of Monte Carlo draws of the smallest p-value of all tests, from which the familywise thresholds are computed.
-const DRAWS: usize = 2000;
+/// Number of draws of the smallest p-value of all tests, and the familywise level that is simulated; other thresholds are
+/// extrapolated.
+const SIMULATED: (usize, f64) = (2000, 0.05);
 
-/// Familywise level at which the quantile of the smallest p-value is simulated; thresholds at other levels are
-/// extrapolated from it.
-const SIMULATED_LEVEL: f64 = 0.05;
-
-/// Familywise min-P thresholds (Westfall and Young 1993). For each of `levels`: the log p-value below which the
-/// smallest p-value of all tests falls with a probability of that level under the null hypothesis.
-///
-/// Each of `whitenings` is one test: a matrix that maps scores with covariance `covariance` to independent standard
-/// normal variables, whose sum of squares is the statistic. There are `independent` additional tests of one degree of
-/// freedom, independent of all others. Thresholds at levels other than 5 % are extrapolated in proportion to the level,
-/// as for independent tests.
+/// Familywise min-P thresholds (Westfall and Young 1993): the log p-value below which the smallest of all tests falls
+/// with each probability in `levels`. Each of `whitenings` maps scores with covariance `covariance` to independent
+/// normal variables of one test; `independent` further tests have one degree of freedom. Other levels than 5 % are
+/// extrapolated in proportion, as for independent tests.
 pub(crate) fn minp_thresholds(
     covariance: &DMatrix<f64>,
     whitenings: &[DMatrix<f64>],
@@ -96,9 +89,9 @@ pub(crate) fn minp_thresholds(
     let mut normal = || -> f64 { StandardNormal.sample(&mut random) };
     let size = covariance.nrows();
     let all = stacked(whitenings, size) * square_root(covariance);
-    let drawn = all * DMatrix::from_fn(size, DRAWS, |_, _| normal());
+    let drawn = all * DMatrix::from_fn(size, SIMULATED.0, |_, _| normal());
     let dofs: Vec<usize> = whitenings.iter().map(DMatrix::nrows).collect();
-    let mut least: Vec<f64> = (0..DRAWS)
+    let mut least: Vec<f64> = (0..SIMULATED.0)
         .map(|draw| {
             let least = least_ln_p(&dofs, drawn.column(draw).as_slice());
             let others = (0..independent).map(|_| chi2_ln_sf(normal().powi(2), 1));
@@ -106,8 +99,8 @@ pub(crate) fn minp_thresholds(
         })
         .collect();
     least.sort_by(f64::total_cmp);
-    let simulated = least[(SIMULATED_LEVEL * DRAWS as f64) as usize];
-    let threshold = |level: &f64| simulated + (level / SIMULATED_LEVEL).ln();
+    let simulated = least[(SIMULATED.1 * SIMULATED.0 as f64) as usize];
+    let threshold = |level: &f64| simulated + (level / SIMULATED.1).ln();
     levels.iter().map(threshold).collect()
 }
 
@@ -135,8 +128,7 @@ fn square_root(covariance: &DMatrix<f64>) -> DMatrix<f64> {
     root
 }
 
-/// Smallest log p-value of several χ² tests with degrees of freedom `dofs`. `normal` contains the whitened scores of
-/// the first test, then those of the second, and so on.
+/// Smallest log p-value of χ² tests with degrees of freedom `dofs`, whose whitened scores are in `normal`.
 fn least_ln_p(dofs: &[usize], normal: &[f64]) -> f64 {
     // Among tests with equal degrees of freedom, the largest statistic has the smallest p-value.
     let mut greatest: Vec<f64> = vec![0.0; 1 + dofs.iter().copied().max().unwrap_or(0)];

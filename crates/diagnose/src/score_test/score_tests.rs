@@ -4,23 +4,21 @@ use identify::{NormalBlock, pseudo_inverse};
 use model_spec::index::{Idx, IndexVec};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
+use super::effective_score::{EffectiveScore, inverse_sqrt};
 use super::local_elimination::{GlobalEquations, LocalElimination, PerFlightCandidate};
 use super::null_distribution::{chi2_ln_sf, minp_thresholds};
-use super::schur::{EffectiveScore, inverse_sqrt};
 use crate::context::{
     CandidateId, ColumnId, Partition, ScoreTestModel, TermId, select, select_vector,
 };
 use crate::error::DiagnosisError;
 
-/// Minimum tolerance 1 − R² of a tested direction, where R² is the fraction of its squared sensitivity that the
-/// nuisance parameters explain. Below this tolerance, integration errors dominate and the direction is not tested.
+/// Minimum tolerance 1 − R² of a tested direction; below, integration errors dominate.
 pub(crate) const MIN_TOLERANCE: f64 = 1e-8;
 
 /// Seed of the simulated null distribution from which the familywise significance thresholds are computed.
 const THRESHOLD_SEED: u64 = 1;
 
-/// Score tests of candidate effects and library terms. The parameters of the model under test, and of candidates that
-/// are included in the null hypothesis, are nuisance parameters.
+/// Score tests of candidates and library terms, given the nuisance parameters of the null hypothesis.
 #[derive(Clone, Debug)]
 pub(crate) struct ScoreTests {
     /// Test of each candidate effect; `None` if the parameters of the candidate are nuisance parameters.
@@ -29,30 +27,22 @@ pub(crate) struct ScoreTests {
     pub terms: IndexVec<TermId, ScoreTest>,
     /// Partition of the columns of the normal equations into nuisance and tested columns.
     pub partition: Partition,
-    /// Effective information of the tested unknowns, with rows and columns multiplied by the factors in `scale`.
-    /// Without the projection of the nuisance parameters, the diagonal would be 1.
+    /// Effective information of the tested unknowns, scaled: its diagonal would be 1 without nuisance.
     pub information: DMatrix<f64>,
     /// Effective scores of the tested unknowns, each multiplied by its entry in `scale`.
     pub score: DVector<f64>,
-    /// Factor by which the Jacobian column of each tested unknown is multiplied, so that its norm is 1 after
-    /// eliminating the local parameters.
+    /// Factor of each tested unknown's column, to norm 1 after eliminating the local parameters.
     pub scale: Vec<f64>,
-    /// Coefficients of the projection of the Jacobian columns of the tested unknowns on those of the nuisance
-    /// parameters: one row for each nuisance parameter, one column for each tested unknown, in the order of
-    /// `partition`. Each column is multiplied by the unknown's entry in `scale`.
+    /// Coefficients of the projection of tested columns, scaled, on nuisance columns (rows).
     pub nuisance_projection: DMatrix<f64>,
-    /// Information matrix of the nuisance parameters, in the order of `partition`, after eliminating the local
-    /// parameters. Includes the priors; `scale` is not applied.
+    /// Information of the nuisance parameters with the priors, not scaled.
     pub nuisance_information: DMatrix<f64>,
-    /// For each tested unknown: squared norm of its Jacobian column before and after elimination of the local
-    /// parameters.
+    /// Squared norm of each tested column before and after elimination of the local parameters.
     pub norms: Vec<ColumnNorms>,
     pub(super) nuisance_step: DVector<f64>,
-    /// For each test with at least one degree of freedom: matrix that maps the effective scores of all tested columns
-    /// to independent standard normal variables; one matrix column for each tested column.
+    /// For each test: matrix that maps the scores of all tested columns to independent normal variables.
     whitenings: Vec<DMatrix<f64>>,
-    /// Number of tests of candidate effects that are represented by states with one value for each flight. These states
-    /// have no column in the normal equations of the global parameters.
+    /// Number of tests of candidates with states, which have no global column.
     state_tests: usize,
 }
 
@@ -61,36 +51,27 @@ pub(crate) struct ScoreTests {
 pub(crate) struct ColumnNorms {
     /// Squared norm of the column before the elimination, over all flights.
     pub total: f64,
-    /// Squared norm of the column of the whitened Jacobian after projection orthogonal to the derivatives with respect
-    /// to each flight's initial state, plus the precision 1/σ² of the parameter's prior if it has one.
+    /// Squared norm beyond the initial states, plus the precision 1/σ² of a prior.
     pub locals_eliminated: f64,
 }
 
 /// Score test of one candidate effect or library term.
 #[derive(Clone, Debug)]
 pub(crate) struct ScoreTest {
-    /// Score statistic: the decrease of the weighted sum of squares that a refit would give, to second order.
-    /// Distributed as χ² with `degrees_of_freedom` degrees of freedom under the null hypothesis.
+    /// Decrease of χ² that a refit would give, to second order.
     pub score_chi2: f64,
-    /// Degrees of freedom: number of principal directions of the tested columns whose tolerance 1 − R² exceeds
-    /// [`MIN_TOLERANCE`]. R² is the fraction of a direction's squared sensitivity that the nuisance parameters explain.
+    /// Number of principal directions whose tolerance exceeds [`MIN_TOLERANCE`].
     pub degrees_of_freedom: usize,
-    /// Natural logarithm of the p-value.
     pub ln_p_value: f64,
-    /// One-step estimates of the coefficients, with all other candidate effects at their null value; empty for a
-    /// candidate that is represented by states.
+    /// One-step estimates with all other candidates at their null value; empty for states.
     pub one_step_estimates: Vec<OneStepEstimate>,
-    /// Tolerance 1 − R² of the best determined direction: the fraction of its squared sensitivity that the nuisance
-    /// parameters do not explain.
     pub tolerance: f64,
 }
 
 /// One-step estimate of a coefficient, without a refit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct OneStepEstimate {
-    /// Column of the coefficient in the normal equations.
     pub column: ColumnId,
-    /// Estimated value of the coefficient, SI.
     pub value: f64,
     /// Standard error of the value, SI; infinite if the flights do not determine the value.
     pub std_error: f64,
@@ -108,13 +89,8 @@ impl ScoreTest {
 }
 
 impl ScoreTests {
-    /// Computes the score tests at the linearization point of the normal equations `blocks`, one block for each flight.
-    /// `global` are the values of the global parameters at this point. The parameters of the candidate effects in
-    /// `conditioned_on` are nuisance parameters and not tested.
-    ///
-    /// # Errors
-    /// [`DiagnosisError::UndeterminedInitialState`] if the samples of a flight do not determine its initial state;
-    /// [`DiagnosisError::SingularInformation`] if the information of the nuisance parameters cannot be inverted.
+    /// Score tests at the linearization point `global` of the normal equations, given the candidates in
+    /// `conditioned_on`.
     pub fn new(
         model: &ScoreTestModel<'_>,
         blocks: &[NormalBlock],
@@ -193,8 +169,7 @@ impl ScoreTests {
         })
     }
 
-    /// Joint score test of the coefficients with the columns `own` of the normal equations. `values` are the values of
-    /// all global parameters and term coefficients at the linearization point.
+    /// Joint score test of the columns `own`; `values` are those of all global columns.
     fn test_columns(&mut self, own: &[ColumnId], values: &DVector<f64>) -> ScoreTest {
         let tested = self.partition.tested.iter().enumerate();
         let at: Vec<usize> = tested
@@ -252,8 +227,7 @@ impl ScoreTests {
         test
     }
 
-    /// Familywise thresholds: for each of `levels`, the log p-value below which the smallest p-value of all tests falls
-    /// with a probability of that level under the null hypothesis.
+    /// Familywise thresholds of the log p-value at `levels`.
     pub fn thresholds<const N: usize>(&self, levels: [f64; N]) -> [f64; N] {
         let (whitenings, others) = (&self.whitenings, self.state_tests);
         let found = minp_thresholds(
@@ -277,8 +251,7 @@ impl ScoreTests {
         least_p(each.filter_map(|(id, test)| Some((id, test.as_ref()?))))
     }
 
-    /// Decrease of the weighted sum of squares, to second order, by jointly fitting the coefficients of all tested
-    /// columns for which `wanted` returns true, together with the nuisance parameters.
+    /// Decrease of χ², to second order, by the tested columns for which `wanted` holds.
     pub fn joint_statistic(&self, wanted: impl Fn(ColumnId) -> bool) -> f64 {
         let tested = self.partition.tested.iter().enumerate();
         let at = tested.filter(|(_, column)| wanted(**column));
@@ -304,9 +277,7 @@ impl ScoreTests {
         })
     }
 
-    /// Returns a function that maps a column of the normal equations to the standard error, SI, of the nuisance
-    /// parameter to which the column belongs; 0 for columns of tested parameters. Unknowns of effects that are included
-    /// in the null hypothesis are nuisance parameters.
+    /// Standard error, SI, of the nuisance parameter of a column; 0 for tested ones.
     pub fn nuisance_std_errors(&self) -> impl Fn(ColumnId) -> f64 {
         let covariance = pseudo_inverse(&self.nuisance_information);
         move |column| {
@@ -316,12 +287,40 @@ impl ScoreTests {
             variance.unwrap_or(0.0).max(0.0).sqrt()
         }
     }
+
+    /// Gauss–Newton step along the eigenvectors of the effective information whose score exceeds `limit` standard
+    /// deviations, with nuisance parameters re-estimated, and the number of these eigenvectors.
+    pub fn one_step_along_significant(&self, limit: f64) -> (DVector<f64>, usize) {
+        let tested = &self.partition.tested;
+        let mut along = DVector::zeros(tested.len());
+        let mut directions = 0;
+        if !tested.is_empty() {
+            let eigen = SymmetricEigen::new(self.information.clone());
+            let vectors = eigen.eigenvectors.column_iter();
+            for (value, vector) in eigen.eigenvalues.iter().zip(vectors) {
+                if *value > MIN_TOLERANCE {
+                    let score = vector.dot(&self.score) / value.sqrt();
+                    if score.abs() > limit {
+                        along.axpy(score / value.sqrt(), &vector, 1.0);
+                        directions += 1;
+                    }
+                }
+            }
+        }
+        let nuisance = &self.nuisance_step - &self.nuisance_projection * &along;
+        let mut step = DVector::zeros(tested.len() + nuisance.len());
+        for (column, value) in self.partition.nuisance.iter().zip(nuisance.iter()) {
+            step[column.index()] = *value;
+        }
+        for ((column, value), scale) in tested.iter().zip(along.iter()).zip(&self.scale) {
+            step[column.index()] = value * scale;
+        }
+        (step, directions)
+    }
 }
 
 impl PerFlightCandidate {
-    /// Test of the candidate effect's states, one value for each flight. `nuisance_decrease` is the decrease of the sum
-    /// of squares by the nuisance parameters with the states estimated, minus the decrease with the states at their
-    /// null values.
+    /// Test of a candidate's states; `nuisance_decrease` is the further decrease by nuisance parameters.
     fn test(&self, nuisance_decrease: f64) -> ScoreTest {
         let statistic = (self.decrease + nuisance_decrease).max(0.0);
         ScoreTest {
@@ -334,8 +333,7 @@ impl PerFlightCandidate {
     }
 }
 
-/// Decrease of the weighted sum of squares, to second order, by fitting the unknowns that belong to `columns` of the
-/// normal equations; all other unknowns remain fixed.
+/// Decrease of χ², to second order, by the unknowns of `columns`.
 fn decrease(equations: &GlobalEquations, columns: &[ColumnId]) -> f64 {
     let gradient = select_vector(&equations.gradient, columns);
     let matrix = select(&equations.matrix, columns, columns);
@@ -405,5 +403,20 @@ mod tests {
         let [threshold] = tests.thresholds([0.002]);
         let (_, strongest) = tests.strongest_candidate().unwrap();
         assert!(strongest.ln_p_value > threshold, "{strongest:?}");
+    }
+
+    #[test]
+    fn only_significant_directions_are_stepped_along() {
+        let fixture = fixture();
+        let model = &fixture.model;
+        let noise = fixture.fit.noise();
+        let blocks = model.normal_equations(&model.problem, &fixture.iterate, noise);
+        let blocks = blocks.unwrap();
+        let tests = ScoreTests::new(model, &blocks, &[], &fixture.iterate.global).unwrap();
+        let (_, none) = tests.one_step_along_significant(f64::INFINITY);
+        let (step, few) = tests.one_step_along_significant(4.0);
+        let (_, all) = tests.one_step_along_significant(0.0);
+        assert!(none == 0 && 0 < few && few < all, "{few} of {all}");
+        assert_eq!(step.len(), model.global_columns());
     }
 }

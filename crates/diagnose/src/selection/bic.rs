@@ -4,19 +4,15 @@ use super::hypothesis::Hypothesis;
 use super::stepwise_terms::StepwiseModel;
 use crate::context::ScoreTestModel;
 
-/// Maximum amount by which the BIC of a hypothesis may exceed the smallest BIC for the hypothesis to be retained: the
-/// smallest of all hypotheses and of the model with library terms.
+/// Maximum difference from the smallest BIC of a hypothesis that is retained.
 const MAX_BIC_DIFFERENCE: f64 = 12.0;
 
-/// Maximum amount by which the BIC of the model with library terms may be below the smallest BIC of the hypotheses
-/// while the hypotheses are still preferred.
+/// Amount by which the BIC of library terms must be smaller to replace the hypotheses.
 const TERM_BIC_MARGIN: f64 = 1.0;
 
-/// Returns the hypotheses whose BIC exceeds the smallest by less than [`MAX_BIC_DIFFERENCE`], and all hypotheses with
-/// at most `free` unknowns, without changing their order. The library terms in `terms` take part in the comparison if
-/// they are adequate (no other term or candidate effect remains significant). If their BIC is smaller than that of
-/// every hypothesis by more than [`TERM_BIC_MARGIN`], the result is empty. Unknowns are penalized because several
-/// effects together, or an effect with a separate value for each flight, can fit almost any data.
+/// Hypotheses near the smallest BIC, and those with at most `free` unknowns. If adequate library terms are better than
+/// all by [`TERM_BIC_MARGIN`], none. Unknowns are penalized, as several effects, or one with a value for each flight,
+/// can fit almost any data.
 pub(crate) fn select_by_bic(
     model: &ScoreTestModel<'_>,
     hypotheses: Vec<Hypothesis>,
@@ -34,9 +30,8 @@ pub(crate) fn select_by_bic(
     each.filter(|(_, keep)| *keep).map(|(h, _)| h).collect()
 }
 
-/// Whether the library terms `terms` are an alternative to `hypotheses`. They are if every hypothesis combines several
-/// effects, no other term or candidate effect remains significant with the terms, and their BIC exceeds the smallest of
-/// the hypotheses by less than [`MAX_BIC_DIFFERENCE`].
+/// Whether `terms` are an alternative: every hypothesis combines several effects, the terms are adequate, and their BIC
+/// is near the smallest.
 pub(crate) fn are_alternative(
     model: &ScoreTestModel<'_>,
     hypotheses: &[Hypothesis],
@@ -64,10 +59,7 @@ fn bic_of_terms(model: &ScoreTestModel<'_>, terms: &StepwiseModel) -> f64 {
     bic(model, terms.squares, terms.unknowns())
 }
 
-/// Returns for each hypothesis, given by (BIC, number of unknowns), whether it is retained. No hypothesis is retained
-/// if the BIC of the library terms, `of_terms`, is smaller than the BIC of every hypothesis by more than
-/// [`TERM_BIC_MARGIN`]. Otherwise a hypothesis is retained if it has at most `free` unknowns, or its BIC exceeds the
-/// smallest of the hypotheses and the library terms by less than [`MAX_BIC_DIFFERENCE`].
+/// Whether each hypothesis (BIC, number of unknowns) is retained, given the BIC of library terms.
 fn near_least(scored: &[(f64, usize)], of_terms: f64, free: usize) -> Vec<bool> {
     let least = scored.iter().map(|s| s.0).fold(f64::INFINITY, f64::min);
     if of_terms < least - TERM_BIC_MARGIN {

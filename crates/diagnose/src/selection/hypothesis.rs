@@ -2,7 +2,6 @@
 
 use identify::{FitProblem, Iterate, NoiseModel};
 
-use super::thresholds::Thresholds;
 use crate::context::{CandidateId, LinearizationPoint, Refitted, ScoreTestModel, TrajectoryCache};
 use crate::error::DiagnosisError;
 use crate::score_test::ScoreTests;
@@ -10,27 +9,28 @@ use crate::score_test::ScoreTests;
 /// Maximum number of effects of a hypothesis that is accepted without improving out-of-sample predictions.
 const MAX_EFFECTS_UNVALIDATED: usize = 2;
 
+/// Thresholds of log p-values, below which the smallest falls with its familywise level by chance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Thresholds {
+    /// Of a candidate or term at the fit of the model under test: a model error is detected.
+    pub detect: f64,
+    /// Of a further candidate or term, given a hypothesis: it is rejected.
+    pub reject: f64,
+}
+
 /// Assumption that the model lacks one or several candidate effects, fitted together with the model under test.
 pub(crate) struct Hypothesis {
-    /// The candidate effects that the hypothesis adds to the model under test.
     pub effects: Vec<CandidateId>,
-    /// Estimation problem in which the candidate effects of this hypothesis are estimated.
     pub problem: FitProblem,
-    /// Fitted values of all unknowns of `problem`.
     pub iterate: Iterate,
-    /// Weighted sum of squares of the residuals at the fitted values.
     pub squares: f64,
-    /// Score tests of all candidates outside this hypothesis, with the effects of this hypothesis as nuisance
-    /// parameters.
     pub tests: ScoreTests,
-    /// False if the fit reached the maximum number of steps, or was abandoned because it progressed slowly at a large
-    /// misfit; true otherwise.
+    /// False if the fit reached its maximum number of steps or was abandoned.
     pub is_finished: bool,
     cache: TrajectoryCache,
 }
 
 impl Hypothesis {
-    /// Linearization point of the normal equations at the fitted values of this hypothesis.
     pub fn linearization_point(&self) -> LinearizationPoint<'_> {
         LinearizationPoint {
             problem: &self.problem,
@@ -39,8 +39,6 @@ impl Hypothesis {
         }
     }
 
-    /// The candidate effect with the smallest p-value once this hypothesis is included, and its log p-value; `None` if
-    /// no candidate can be tested.
     pub fn strongest_remaining(&self) -> Option<(CandidateId, f64)> {
         let strongest = self.tests.strongest_candidate();
         strongest.map(|(id, test)| (id, test.ln_p_value))
@@ -53,9 +51,8 @@ impl Hypothesis {
         self.effects.len() > 1 && sites.all(|site| Some(site) == first)
     }
 
-    /// Whether the hypothesis can fit almost any data: an effect has one value for each flight, or there are more than
-    /// [`MAX_EFFECTS_UNVALIDATED`] effects. Such a hypothesis is accepted only if it improves out-of-sample
-    /// predictions.
+    /// Whether the hypothesis can fit almost any data, and is accepted only if it improves predictions: more than
+    /// [`MAX_EFFECTS_UNVALIDATED`] effects, or one with a value for each flight.
     pub fn is_overflexible(&self, model: &ScoreTestModel<'_>) -> bool {
         let mut effects = self.effects.iter();
         self.effects.len() > MAX_EFFECTS_UNVALIDATED
@@ -64,8 +61,7 @@ impl Hypothesis {
 }
 
 impl ScoreTestModel<'_> {
-    /// Fits the candidate effects `effects` together with the model under test, with `from` as initial values of the
-    /// unknowns; `None` if the fit or the score tests fail.
+    /// Fits `effects` together with the model under test, from `from`; `None` if the fit or the tests fail.
     pub fn fit_hypothesis(
         &self,
         effects: &[CandidateId],
@@ -75,8 +71,7 @@ impl ScoreTestModel<'_> {
         self.fit_hypothesis_cached(effects, from, noise, TrajectoryCache::DISABLED)
     }
 
-    /// Fits the candidate effects `effects` together with the model under test, with `from` as initial values of the
-    /// unknowns. Stores the trajectories at the fitted values in `cache`. `None` if the fit or the score tests fail.
+    /// [`fit_hypothesis`](Self::fit_hypothesis) that stores trajectories in `cache`.
     pub fn fit_hypothesis_cached(
         &self,
         effects: &[CandidateId],
@@ -115,11 +110,7 @@ impl ScoreTestModel<'_> {
         })
     }
 
-    /// Score tests of the library terms and of all candidates outside the hypothesis, with the effects of the
-    /// hypothesis as nuisance parameters.
-    ///
-    /// # Errors
-    /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated.
+    /// Score tests of the library terms and other candidates, given the hypothesis.
     pub fn tests_given(
         &self,
         hypothesis: &Hypothesis,
@@ -130,11 +121,7 @@ impl ScoreTestModel<'_> {
         ScoreTests::new(self, &blocks, &hypothesis.effects, &at.iterate.global)
     }
 
-    /// Whether a hypothesis is adequate: no candidate and no library term remains significant once the effects of the
-    /// hypothesis are included.
-    ///
-    /// # Errors
-    /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated.
+    /// Whether no candidate and no library term remains significant, given the hypothesis.
     pub fn is_adequate(
         &self,
         hypothesis: &Hypothesis,
@@ -153,7 +140,7 @@ impl ScoreTestModel<'_> {
 
 #[cfg(test)]
 mod tests {
-    use crate::selection::thresholds::Thresholds;
+    use super::*;
     use crate::test_support::fixture;
 
     #[test]

@@ -1,11 +1,9 @@
-//! Specification search by forward selection and backward elimination: hypotheses after which no significant effect
-//! remains.
+//! Specification search by forward selection and backward elimination.
 
 mod bic;
 mod hypothesis;
 mod search;
 mod stepwise_terms;
-mod thresholds;
 
 pub(crate) use bic::{are_alternative, select_by_bic};
 pub(crate) use hypothesis::Hypothesis;

@@ -3,20 +3,14 @@
 use identify::{Iterate, NoiseModel, fit};
 use model_spec::sort_by_number;
 
-use super::hypothesis::Hypothesis;
-use super::thresholds::Thresholds;
+use super::hypothesis::{Hypothesis, Thresholds};
 use crate::context::{CandidateId, LinearizationPoint, ScoreTestModel, TrajectoryCache};
 use crate::error::{DiagnosisError, if_possible};
 use crate::score_test::{ScoreTest, ScoreTests};
 
-/// A hypothesis is fitted only if its sum of squares, χ², expected from linearization exceeds the smallest expected sum
-/// of all hypotheses by less than a margin: this amount plus an allowance, [`CHI2_MARGIN_RELATIVE`], for linearization
-/// error.
-const CHI2_MARGIN: f64 = 30.0;
-
-/// Allowance for linearization error that is added to the margin [`CHI2_MARGIN`], as a fraction of the decrease of the
-/// sum of squares, χ², from the model that is to be extended to its best extension.
-const CHI2_MARGIN_RELATIVE: f64 = 0.25;
+/// Margin of χ² above the smallest expected one within which a hypothesis is fitted, and further one for linearization
+/// error, as a fraction of the decrease by the best extension.
+const MARGIN: (f64, f64) = (30.0, 0.25);
 
 /// Maximum number of hypotheses fitted in one round of the search; all of them have the same number of effects.
 const MAX_REFITS: usize = 6;
@@ -24,27 +18,23 @@ const MAX_REFITS: usize = 6;
 /// Maximum number of missing effects in one hypothesis.
 pub(crate) const MAX_EFFECTS: usize = 3;
 
-/// Maximum difference at which two noise estimates count as equal: relative for standard deviations, absolute for
-/// autocorrelations.
+/// Maximum difference of equal noise estimates: relative for standard deviations, absolute for autocorrelations.
 const NOISE_TOLERANCE: f64 = 0.05;
 
 /// Maximum number of rejected hypotheses that the search extends by one further effect.
 const MAX_PARENTS: usize = 3;
 
-/// Familywise p-value below which the strongest candidate outside the accepted hypothesis is also reported, because the
-/// flights do not decide whether the model lacks this candidate too.
+/// Familywise p-value below which the strongest further candidate is reported, too.
 const ALPHA_UNDECIDED: f64 = 0.05;
 
 /// State of the search for hypotheses, each a combination of candidate effects that the model under test may lack.
 pub(crate) struct Search {
-    /// Noise model with which residuals are weighted.
     pub noise: NoiseModel,
     /// Score tests of all candidate effects and library terms at the fit of the model under test.
     pub at_base: TestsAtPoint,
     /// Model confidence set: hypotheses that are not rejected, best fit first.
     pub accepted: Vec<Hypothesis>,
-    /// Hypotheses of the most recent search round in which no hypothesis was adequate (left no candidate effect and no
-    /// library term significant), best fit first.
+    /// Hypotheses of the last round without an adequate one, best fit first.
     pub rejected: Vec<Hypothesis>,
 }
 
@@ -53,7 +43,6 @@ pub(crate) struct TestsAtPoint {
     pub tests: ScoreTests,
     /// Familywise thresholds of log p-values, for detection and rejection.
     pub thresholds: Thresholds,
-    /// Weighted sum of squares of the residuals at the linearization point.
     pub squares: f64,
 }
 
@@ -67,11 +56,7 @@ pub(crate) enum Weights<'n> {
 }
 
 impl ScoreTestModel<'_> {
-    /// Score tests of all candidate effects and library terms at the linearization point `at`. Only the parameters of
-    /// the model under test are nuisance parameters.
-    ///
-    /// # Errors
-    /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated.
+    /// Score tests of all candidates and library terms at `at`.
     pub fn tests_at(
         &self,
         at: LinearizationPoint<'_>,
@@ -90,11 +75,7 @@ impl ScoreTestModel<'_> {
 }
 
 impl Search {
-    /// Tests all candidate effects at the fit of the model under test. Then fits each of the strongest candidates
-    /// separately, as a hypothesis of one effect.
-    ///
-    /// # Errors
-    /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated, or the caller cancelled.
+    /// Tests all candidates at the fit of the model under test, and fits the strongest as single effects.
     pub fn new(
         model: &mut ScoreTestModel<'_>,
         base: &Iterate,
@@ -136,16 +117,13 @@ impl Search {
         ln_p_value(candidate).min(ln_p_value(term)) < self.at_base.thresholds.detect
     }
 
-    /// Whether the sum of squares `expected` from linearization is below `fitted`, or exceeds it by less than a margin.
-    /// The margin is [`CHI2_MARGIN`] plus the fraction [`CHI2_MARGIN_RELATIVE`] of the decrease from the fit of the
-    /// model under test to `fitted`.
+    /// Whether an `expected` χ² is below `fitted`, or above it by less than the margin.
     pub fn is_near(&self, expected: f64, fitted: f64) -> bool {
-        expected < fitted + CHI2_MARGIN + CHI2_MARGIN_RELATIVE * (self.at_base.squares - fitted)
+        expected < fitted + MARGIN.0 + MARGIN.1 * (self.at_base.squares - fitted)
     }
 
-    /// Fits the model under test with each of the strongest candidate effects separately. The noise is estimated again
-    /// with the first candidate included; if the estimate changes, all tests are repeated with the new noise. Returns
-    /// no hypothesis if no candidate or library term is significant in the repeated tests.
+    /// Fits the strongest candidates one by one. The noise is estimated again with the first; if it changes, all tests
+    /// are repeated. None if nothing is significant in these.
     fn fit_single_effects(
         &mut self,
         model: &mut ScoreTestModel<'_>,
@@ -187,8 +165,7 @@ impl Search {
         Ok(fitted)
     }
 
-    /// Fits a hypothesis again, with initial values estimated from the samples, because its refit from the fit of the
-    /// model under test did not converge. Returns the fit with the smaller sum of squares.
+    /// Fits a hypothesis that did not converge from the samples; the better fit is returned.
     fn fitted_from_scratch(
         &self,
         model: &ScoreTestModel<'_>,
@@ -209,8 +186,7 @@ impl Search {
         Ok(again.unwrap_or(hypothesis))
     }
 
-    /// Estimates the noise with the hypothesis `given` included. If the estimate differs from the stored noise model,
-    /// stores the estimate, repeats all tests with it, and returns true; otherwise returns false.
+    /// Estimates the noise with `given` included. If it differs, repeats all tests and returns true.
     fn refine_noise(
         &mut self,
         model: &mut ScoreTestModel<'_>,
@@ -227,9 +203,7 @@ impl Search {
         Ok(true)
     }
 
-    /// Stores the adequate hypotheses of `fitted`, which leave no candidate effect and no library term significant, in
-    /// `self.accepted`; if none is adequate, stores all of them in `self.rejected`. The stored hypotheses are sorted by
-    /// the sum of squares, in ascending order.
+    /// Stores the adequate ones of `fitted` as accepted; if none is, all as rejected; by ascending χ².
     fn classify(
         &mut self,
         model: &ScoreTestModel<'_>,
@@ -253,11 +227,7 @@ impl Search {
         Ok(())
     }
 
-    /// Forward selection: extends the best rejected hypotheses by one effect, followed by backward elimination. A
-    /// hypothesis with one effect more than [`MAX_EFFECTS`] is accepted only if another effect becomes unnecessary.
-    ///
-    /// # Errors
-    /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated, or the caller cancelled.
+    /// Forward selection by one effect, then backward elimination; more than [`MAX_EFFECTS`] must become fewer.
     pub fn add_effect(&mut self, model: &ScoreTestModel<'_>) -> Result<(), DiagnosisError> {
         let Some(count) = self.rejected.first().map(|h| h.effects.len() + 1) else {
             return Ok(());
@@ -286,12 +256,8 @@ impl Search {
         Ok(())
     }
 
-    /// Considers the strongest remaining candidate if exactly one hypothesis is accepted. If the candidate's p-value
-    /// times the number of candidates is below [`ALPHA_UNDECIDED`], the hypothesis extended by it is also accepted,
-    /// because the flights do not decide whether the model lacks it too.
-    ///
-    /// # Errors
-    /// [`DiagnosisError::Fit`] if the caller cancelled.
+    /// If one hypothesis is accepted and the strongest further candidate is near significance, accepts the hypothesis
+    /// with it, too: the flights do not decide.
     pub fn add_undecided(&mut self, model: &ScoreTestModel<'_>) -> Result<(), DiagnosisError> {
         let [best] = &self.accepted[..] else {
             return Ok(());
@@ -313,8 +279,7 @@ impl Search {
         Ok(())
     }
 
-    /// Backward elimination: adequate hypotheses with one effect fewer than the accepted ones, best fit first; `None`
-    /// if every effect is needed.
+    /// Adequate hypotheses with one effect fewer than the accepted ones; `None` if every effect is needed.
     fn prune(&self, model: &ScoreTestModel<'_>) -> Result<Option<Vec<Hypothesis>>, DiagnosisError> {
         let mut fewer: Vec<Hypothesis> = Vec::new();
         for hypothesis in self.accepted.iter().filter(|h| h.effects.len() > 1) {
@@ -348,9 +313,7 @@ fn penalized(test: &ScoreTest) -> f64 {
     test.score_chi2 - 2.0 * test.degrees_of_freedom as f64
 }
 
-/// Hypotheses of a single candidate effect that are worth fitting, in descending order of the penalized score statistic
-/// (score statistic minus 2 for each degree of freedom); at most [`MAX_REFITS`]. Omits effects whose value is below the
-/// largest by [`CHI2_MARGIN`] plus the fraction [`CHI2_MARGIN_RELATIVE`] of the largest, or more.
+/// Single effects that are worth fitting: the largest penalized statistics, within the margin; at most [`MAX_REFITS`].
 fn strongest_singles(tests: &ScoreTests) -> Vec<Vec<CandidateId>> {
     let each = tests.candidates.iter_enumerated();
     let mut decreases: Vec<(CandidateId, f64)> = each
@@ -362,14 +325,12 @@ fn strongest_singles(tests: &ScoreTests) -> Vec<Vec<CandidateId>> {
     let best = decreases.first().map_or(0.0, |first| first.1);
     let near = decreases
         .into_iter()
-        .filter(|(_, decrease)| *decrease > best - CHI2_MARGIN - CHI2_MARGIN_RELATIVE * best);
+        .filter(|(_, decrease)| *decrease > best - MARGIN.0 - MARGIN.1 * best);
     near.take(MAX_REFITS).map(|(id, _)| vec![id]).collect()
 }
 
-/// Extensions, worth fitting, of the best rejected hypotheses by one effect to `count` effects, in ascending order of
-/// the expected sum of squares; at most [`MAX_REFITS`]. Each is a pair: the effects, and the index in `rejected` of the
-/// hypothesis that is extended. Omits extensions whose sum exceeds the smallest by [`CHI2_MARGIN`] plus the fraction
-/// [`CHI2_MARGIN_RELATIVE`] of the decrease from `rejected[0]` to the smallest, or more.
+/// Extensions of rejected hypotheses to `count` effects that are worth fitting, each with the index of its parent: the
+/// smallest expected χ², within the margin; at most [`MAX_REFITS`].
 fn strongest_additions(rejected: &[Hypothesis], count: usize) -> Vec<(Vec<CandidateId>, usize)> {
     let mut all: Vec<(Vec<CandidateId>, usize, f64)> = Vec::new();
     for (parent, hypothesis) in rejected.iter().enumerate().take(MAX_PARENTS) {
@@ -396,7 +357,7 @@ fn strongest_additions(rejected: &[Hypothesis], count: usize) -> Vec<(Vec<Candid
     let decrease = rejected.first().map_or(0.0, |best| best.squares) - least;
     let near = all
         .into_iter()
-        .filter(|(.., expected)| *expected < least + CHI2_MARGIN + CHI2_MARGIN_RELATIVE * decrease);
+        .filter(|(.., expected)| *expected < least + MARGIN.0 + MARGIN.1 * decrease);
     near.take(MAX_REFITS)
         .map(|(effects, parent, _)| (effects, parent))
         .collect()

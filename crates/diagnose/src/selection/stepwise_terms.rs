@@ -20,8 +20,7 @@ use identify::numbers::significant;
 /// Maximum number of library terms selected by the stepwise regression.
 pub(crate) const MAX_SELECTED: usize = 4;
 
-/// Maximum number of library terms listed in the report: those with the largest score statistics. Selected terms are
-/// listed in addition.
+/// Maximum number of terms listed in the report, beside the selected ones.
 const MAX_REPORTED: usize = 12;
 
 /// Score test of one library term, as listed in a report.
@@ -49,20 +48,17 @@ pub(crate) struct StepwiseModel {
     pub effects: Vec<String>,
     /// Number of unknowns that the candidate effects of this model add, over all flights.
     effect_unknowns: usize,
-    /// The selected library terms, in the order of their selection.
     selected: Vec<TermId>,
     /// Library terms listed in the report: those with the largest score statistics, and the selected ones.
-    pub terms: Vec<StepwiseTerm>,
+    listed: Vec<TermId>,
     /// Score test of each library term in the model without any selected term.
     first: IndexVec<TermId, StepwiseTerm>,
     /// Models extended by the first selected library term, by the first two terms, and so on, with their fits.
     pub fitted: Vec<FittedTerms>,
-    /// Weighted sum of squares of the residuals of the model with the selected terms; the weights follow from the noise
-    /// that the search estimated.
+    /// Weighted sum of squares with the selected terms, by the noise of the search.
     pub squares: f64,
     /// Whether no candidate effect and no other library term is significant once the selected terms are included.
     pub is_adequate: bool,
-    /// Whether any library term is significant in the model without selected terms.
     pub has_significant_term: bool,
     /// The library term to be selected next, and its score statistic; `None` if no further term is to be selected.
     next: Option<(TermId, f64)>,
@@ -70,27 +66,28 @@ pub(crate) struct StepwiseModel {
 
 /// The model extended by some library terms, with its fit.
 pub(crate) struct FittedTerms {
-    /// The model under test, extended by the library terms.
     pub extension: ExtendedModel,
-    /// Fit of the extended model.
     pub fit: Fit,
     /// Weighted sum of squares of the residuals of `fit`; the weights follow from the noise that the search estimated.
     pub squares: f64,
 }
 
 impl StepwiseModel {
-    /// Keeps only the first `count` selected library terms; the removed terms are reported as not selected.
-    pub fn keep_first(&mut self, count: usize, terms: &LibraryTerms) {
+    /// The terms listed in the report.
+    pub fn terms(&self) -> Vec<StepwiseTerm> {
+        let each = self.listed.iter().map(|id| StepwiseTerm {
+            selected: self.selected.contains(id),
+            ..self.first[*id].clone()
+        });
+        each.collect()
+    }
+
+    /// Keeps only the first `count` selected library terms.
+    pub fn keep_first(&mut self, count: usize) {
         if count >= self.selected.len() {
             return;
         }
-        for dropped in self.selected.drain(count..) {
-            let name = terms.name(dropped);
-            let mut reported = self.terms.iter_mut();
-            if let Some(reported) = reported.find(|reported| reported.name == name) {
-                reported.selected = false;
-            }
-        }
+        self.selected.truncate(count);
         self.fitted.truncate(count);
         self.squares = self.fitted.last().map_or(self.squares, |last| last.squares);
         self.is_adequate = false;
@@ -101,8 +98,7 @@ impl StepwiseModel {
         self.selected.len() + self.effect_unknowns
     }
 
-    /// Returns the better of two models with selected library terms: the one that leaves nothing significant or, if
-    /// both or neither do, the one with the smaller sum of squares. `None` if both arguments are `None`.
+    /// The better of two selections: an adequate one, or else the smaller sum of squares.
     pub fn better(one: Option<Self>, other: Option<Self>) -> Option<Self> {
         let rank = |model: &Self| (!model.is_adequate, model.squares);
         match (one, other) {
@@ -119,11 +115,7 @@ struct Step {
 }
 
 impl StepwiseModel {
-    /// Starts the regression without a selected term. The effects of the rejected hypothesis `beside`, if given, are
-    /// included in the model. `None` if no term library is compatible with the model.
-    ///
-    /// # Errors
-    /// [`DiagnosisError::Fit`] if the caller cancelled.
+    /// Starts without a selected term, beside the effects of `beside`; `None` without a library.
     pub fn start(
         model: &ScoreTestModel<'_>,
         search: &Search,
@@ -150,8 +142,10 @@ impl StepwiseModel {
             effects: names.collect(),
             effect_unknowns: model.unknowns_of(effects),
             selected: Vec::new(),
-            terms: strongest_terms(terms, first),
-            first: reported(terms, first),
+            listed: strongest_terms(first),
+            first: (first.terms.iter_enumerated())
+                .map(|(id, test)| StepwiseTerm::new(terms, id, test))
+                .collect(),
             fitted: Vec::new(),
             squares: beside.map_or(search.at_base.squares, |given| given.squares),
             is_adequate: false,
@@ -160,12 +154,7 @@ impl StepwiseModel {
         }))
     }
 
-    /// Starts the regression without a selected term, with the effects of the rejected hypothesis `beside`, if given,
-    /// included in the model. Then selects up to [`MAX_SELECTED`] library terms. `None` if no term library is
-    /// compatible with the model.
-    ///
-    /// # Errors
-    /// [`DiagnosisError::Fit`] if the caller cancelled.
+    /// [`start`](Self::start), then selects up to [`MAX_SELECTED`] terms.
     pub fn select(
         model: &ScoreTestModel<'_>,
         search: &Search,
@@ -179,13 +168,8 @@ impl StepwiseModel {
         Ok(found)
     }
 
-    /// Selects the most significant remaining library term and fits the model again, repeatedly. Stops if `most` terms
-    /// are selected, no effect or term remains significant, no term decreases the sum of squares, or the remaining
-    /// terms cannot be expected to explain as much as an accepted hypothesis. `before` is the fit of the model under
-    /// test.
-    ///
-    /// # Errors
-    /// [`DiagnosisError::Fit`] if the caller cancelled.
+    /// Selects the most significant term and fits again, up to `most` terms, while something is significant, a term
+    /// decreases χ², and the rest can be expected to explain as much as an accepted hypothesis.
     pub fn extend(
         &mut self,
         model: &ScoreTestModel<'_>,
@@ -196,8 +180,7 @@ impl StepwiseModel {
         let reject = search.at_base.thresholds.reject;
         while let Some((term, statistic)) = self.next.filter(|_| self.selected.len() < most) {
             model.context.check_cancelled()?;
-            // The remaining terms, each assumed as strong as the next, must be able to explain as much as the
-            // accepted hypothesis.
+            // The remaining terms, each as strong as the next, must be able to explain as much.
             let following = (most - self.selected.len()) as f64;
             let promised = self.squares - following * statistic;
             let accepted = search.accepted.first();
@@ -226,33 +209,21 @@ impl StepwiseModel {
             self.squares = fitted.squares;
             self.fitted.push(fitted);
             self.selected = selected;
-            self.report_selected(term);
+            if !self.listed.contains(&term) {
+                self.listed.push(term);
+            }
         }
         Ok(())
     }
 
-    fn report_selected(&mut self, term: TermId) {
-        let first = &self.first[term];
-        let mut reported = self.terms.iter_mut();
-        match reported.find(|reported| reported.name == first.name) {
-            Some(reported) => reported.selected = true,
-            None => self.terms.push(StepwiseTerm {
-                selected: true,
-                ..first.clone()
-            }),
-        }
-    }
-
-    /// Sum of squares expected after selecting the next term, from linearization; `None` if no further term is to be
-    /// selected.
+    /// Sum of squares expected after the next term, by linearization.
     pub fn expected_squares(&self) -> Option<f64> {
         self.next.map(|(_, statistic)| self.squares - statistic)
     }
 }
 
-/// Creates effects from the selected terms, fits the model extended by them, and computes the score tests at the fit.
-/// `None` if the model cannot be composed, or the fit used other flights than `model`. The fit starts at `before`; if
-/// it does not converge, the model is also fitted from initial values estimated from the samples.
+/// Fits the model with the selected terms, from `before`, and if that does not arrive, from the samples. `None` if it
+/// cannot be composed or used other flights.
 fn fit_terms(
     model: &ScoreTestModel<'_>,
     search: &Search,
@@ -265,9 +236,9 @@ fn fit_terms(
     let context = model.context;
     let options = context.options;
     let effect = |&term: &TermId| {
-        let name = terms.name(term);
-        let reported = stepwise.terms.iter().find(|t| t.name == name);
-        let doc = evidence(options.dataset, model.flights.len(), reported);
+        let is_listed = stepwise.listed.contains(&term);
+        let listed = is_listed.then(|| &stepwise.first[term]);
+        let doc = evidence(options.dataset, model.flights.len(), listed);
         terms.effect(term, &doc)
     };
     let effects: Vec<EffectTree> = selected.iter().map(effect).collect();
@@ -288,8 +259,7 @@ fn fit_terms(
     Ok(both.min_by(|a, b| a.fitted.squares.total_cmp(&b.fitted.squares)))
 }
 
-/// Computes the score tests at `fit`, the fit of the extended model `extension`. Returns the extended model, its fit
-/// and the tests; `None` if the fit used other flights than `model`.
+/// Score tests at a fit of `extension`; `None` if it used other flights.
 fn step(
     model: &ScoreTestModel<'_>,
     search: &Search,
@@ -324,31 +294,20 @@ fn step(
     }))
 }
 
-/// The library term with the smallest p-value, and its score statistic. `None` if the log p-value is not below
-/// `reject`, or the term is already in `selected`.
 fn next_term(tests: &ScoreTests, reject: f64, selected: &[TermId]) -> Option<(TermId, f64)> {
     let (term, test) = tests.strongest_term()?;
     (test.ln_p_value < reject && !selected.contains(&term)).then_some((term, test.score_chi2))
 }
 
-/// Results of the score tests of all library terms, in the form in which the report lists them.
-fn reported(terms: &LibraryTerms, tests: &ScoreTests) -> IndexVec<TermId, StepwiseTerm> {
-    let each = tests.terms.iter_enumerated();
-    each.map(|(id, test)| StepwiseTerm::new(terms, id, test))
-        .collect()
-}
-
 /// The library terms with the largest score statistics, in descending order; at most [`MAX_REPORTED`].
-fn strongest_terms(terms: &LibraryTerms, tests: &ScoreTests) -> Vec<StepwiseTerm> {
+fn strongest_terms(tests: &ScoreTests) -> Vec<TermId> {
     let each = tests.terms.iter_enumerated();
     let mut order: Vec<(TermId, &ScoreTest)> = each
         .filter(|(_, test)| test.degrees_of_freedom > 0)
         .collect();
     sort_by_number(&mut order, |term| -term.1.score_chi2);
     order.truncate(MAX_REPORTED);
-    let each = order.into_iter();
-    each.map(|(id, test)| StepwiseTerm::new(terms, id, test))
-        .collect()
+    order.into_iter().map(|(id, _)| id).collect()
 }
 
 impl StepwiseTerm {
@@ -366,8 +325,7 @@ impl StepwiseTerm {
     }
 }
 
-/// Doc comment of the effect created from a library term. It names the dataset and the number of flights in which the
-/// term was found; score statistic and estimate are added if `term` is given.
+/// Doc comment of a created effect: dataset, number of flights, statistic and estimate.
 fn evidence(dataset: &str, flights: usize, term: Option<&StepwiseTerm>) -> String {
     let test = term.map_or_else(String::new, |term| {
         format!(
@@ -418,13 +376,13 @@ mod tests {
             .normal_equations_with_terms(at, fixture.fit.noise())
             .unwrap();
         let tests = ScoreTests::new(model, &blocks, &[], &fixture.iterate.global).unwrap();
-        let terms = model.terms.as_ref().unwrap();
-        let reported = strongest_terms(terms, &tests);
+        let reported = strongest_terms(&tests);
         assert_eq!(reported.len(), MAX_REPORTED);
-        assert!(reported.is_sorted_by(|a, b| a.score_chi2 >= b.score_chi2));
+        let score_chi2 = |id: TermId| tests.terms[id].score_chi2;
+        assert!(reported.is_sorted_by(|a, b| score_chi2(*a) >= score_chi2(*b)));
         let (next, statistic) = next_term(&tests, -20.0, &[]).unwrap();
-        assert_eq!(statistic, reported[0].score_chi2);
-        assert_eq!(terms.name(next), reported[0].name);
+        assert_eq!(statistic, score_chi2(reported[0]));
+        assert_eq!(next, reported[0]);
         assert_eq!(next_term(&tests, -20.0, &[next]), None);
         assert_eq!(next_term(&tests, -1e9, &[]), None);
     }

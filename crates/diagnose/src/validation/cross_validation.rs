@@ -1,24 +1,20 @@
-//! 2-fold cross-validation over flights.
+//! Out-of-sample gain of extended models, by 2-fold cross-validation over flights or on held-out ones.
 
-use dataset::{Dataset, Role};
 use flight::parallel;
-use identify::{Fit, FitError, FitOptions, fit};
+use identify::{CONDITIONING_FRACTION, Fit, FitError, FitOptions, FlightId, Moments, fit};
 use model_spec::model::Model;
 
-use super::discordant_beginning::ApplyTo;
 use super::predictive_gain::{Predictions, PredictiveGain, held_out_gain, predictions, summarize};
-use crate::context::Context;
+use crate::context::{Context, ScoreTestModel, identifier};
+use crate::error::{DiagnosisError, if_possible};
+use crate::extension::ExtendedModel;
+use crate::selection::{Hypothesis, StepwiseModel};
+use dataset::{Dataset, Role};
 
-/// Number of folds of the cross-validation. With 2 folds, each half of the flights is predicted by a fit to the other
-/// half.
 const FOLDS: usize = 2;
 
-/// Out-of-sample gain of the second model over the first by cross-validation: each fold of the flights is predicted by
-/// a fit of the other folds. A fold that cannot be fitted is skipped. `None` if there are fewer than two flights, or no
-/// flight can be predicted.
-///
-/// # Errors
-/// [`FitError::Interrupted`] if the caller cancelled.
+/// Gain of the second model over the first: each fold is predicted by a fit of the others. `None` for fewer than two
+/// flights, or if none is predicted.
 pub(crate) fn cross_validate(
     models: [&Model; 2],
     dataset: &Dataset,
@@ -58,12 +54,8 @@ pub(crate) fn cross_validate(
     Ok(summarize(all, noise_m, false))
 }
 
-/// Out-of-sample gain of the second model over the first, each given with its fit to the flights of the diagnosis: on
-/// the held-out flights if the dataset declares some, otherwise by cross-validation. `noise_m` is the standard
-/// deviation of the noise of one coordinate, m.
-///
-/// # Errors
-/// [`FitError::Interrupted`] if the caller cancelled.
+/// Gain of the second model over the first, each with its fit: on held-out flights of the dataset, or else by
+/// cross-validation. `noise_m` is that of a coordinate, m.
 pub(super) fn out_of_sample_gain(
     context: Context<'_>,
     [before, after]: [(&Model, &Fit); 2],
@@ -78,8 +70,7 @@ pub(super) fn out_of_sample_gain(
     cross_validate(models, context.dataset, options, all, noise_m)
 }
 
-/// Copy of the dataset in which every [`FOLDS`]th flight, from index `fold` on, is held out and all others are
-/// fitted.
+/// Copy in which every [`FOLDS`]th flight from `fold` on is held out.
 fn with_fold_held_out(dataset: &Dataset, fold: usize) -> Dataset {
     let mut split = dataset.clone();
     for (index, flight) in split.flights.iter_mut().enumerate() {
@@ -89,6 +80,158 @@ fn with_fold_held_out(dataset: &Dataset, fold: usize) -> Dataset {
         };
     }
     split
+}
+
+// Number of library terms that improve out-of-sample predictions.
+
+/// Number of selected terms that are retained: the first, and each further one that reduces the out-of-sample error by
+/// more than the standard error.
+pub(crate) fn predictive_terms(
+    context: Context<'_>,
+    stepwise: &StepwiseModel,
+    noise_m: f64,
+) -> Result<usize, DiagnosisError> {
+    let mut count = stepwise.fitted.len().min(1);
+    for pair in stepwise.fitted.windows(2) {
+        if context.is_out_of_time() {
+            break;
+        }
+        let models = [&pair[0], &pair[1]].map(|terms| (&terms.extension.model, &terms.fit));
+        let gain = if_possible(out_of_sample_gain(context, models, noise_m))?.flatten();
+        if !gain.is_some_and(|gain| gain.is_improvement()) {
+            break;
+        }
+        count += 1;
+    }
+    Ok(count)
+}
+
+// Validation of overflexible hypotheses, which fit misfits of any origin: a true one also improves predictions.
+
+/// Model extended by the effects that the diagnosis chose, before its fit and out-of-sample gain are completed.
+pub(crate) struct ChosenExtension {
+    pub extension: ExtendedModel,
+    /// Fit of the extended model; `None` if not yet fitted.
+    pub fit: Option<Fit>,
+    /// Out-of-sample gain; `None` if not yet measured, or no flight can be predicted.
+    pub gain: Option<PredictiveGain>,
+    /// Decrease of the weighted sum of squares, χ², by effects created from library terms; 0 for other effects.
+    pub chi2_decrease: f64,
+}
+
+impl ChosenExtension {
+    pub fn unfitted(extension: ExtendedModel) -> Self {
+        Self {
+            extension,
+            fit: None,
+            gain: None,
+            chi2_decrease: 0.0,
+        }
+    }
+
+    /// Fits the model extended by the effects of a hypothesis and measures its out-of-sample gain.
+    pub fn validated(
+        model: &ScoreTestModel<'_>,
+        hypothesis: &Hypothesis,
+        before: &Fit,
+        noise_m: f64,
+    ) -> Result<Self, DiagnosisError> {
+        let context = model.context;
+        let extension = hypothesis.extension(model)?;
+        let fit = fit(&extension.model, context.dataset, &context.options.fit)?;
+        let models = [(context.model, before), (&extension.model, &fit)];
+        let gain = out_of_sample_gain(context, models, noise_m)?;
+        Ok(Self {
+            fit: Some(fit),
+            gain,
+            ..Self::unfitted(extension)
+        })
+    }
+
+    /// Whether predictions improve by more than the standard error, or none can be made.
+    pub fn improves_predictions(&self) -> bool {
+        let gain = self.gain.as_ref();
+        gain.is_none_or(PredictiveGain::is_improvement)
+    }
+}
+
+impl Hypothesis {
+    pub fn extension(&self, model: &ScoreTestModel<'_>) -> Result<ExtendedModel, DiagnosisError> {
+        let effects = self.effects.iter();
+        let names = effects.map(|&id| identifier(&model.candidate(id).name));
+        let names: Vec<String> = names.collect();
+        Ok(ExtendedModel::new(model.context.model, &names, &[])?)
+    }
+}
+
+// Held-out flights whose conditioning segment, the first 30 % of the samples, contradicts an extension.
+
+/// Increase of the χ² of a conditioning segment above which its flight contradicts the effects.
+const MAX_CHI2_INCREASE: f64 = 10.0;
+
+/// Rule that selects the held-out flights that are predicted with the extension.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ApplyTo {
+    /// All held-out flights are predicted with the extension.
+    AllFlights,
+    /// Those whose conditioning segment does not contradict the extension.
+    ConcordantFlights,
+}
+
+impl ApplyTo {
+    /// Held-out flights (dataset indices) to which the extension is not applied.
+    pub fn exceptions(self, before: &Fit, after: &Fit) -> Vec<usize> {
+        match self {
+            ApplyTo::AllFlights => Vec::new(),
+            ApplyTo::ConcordantFlights => contradicted(before, after),
+        }
+    }
+}
+
+/// Sums over the residuals of the positions in the conditioning segment of a flight; `None` if it was not used.
+fn segment(fit: &Fit, flight: usize) -> Option<Moments> {
+    let evidence = fit.evidence(FlightId::new(flight))?;
+    let samples = (evidence.times.len() as f64 * CONDITIONING_FRACTION).ceil() as usize;
+    let mut sums = Moments::default();
+    for marker in 0..evidence.markers.len() {
+        let residuals =
+            (0..samples.min(evidence.times.len())).map(|k| evidence.residual(k, marker));
+        sums.add(
+            &evidence.times,
+            &residuals.collect::<Vec<_>>(),
+            f64::INFINITY,
+        );
+    }
+    Some(sums)
+}
+
+fn contradicted(before: &Fit, after: &Fit) -> Vec<usize> {
+    let flights = before.report.flights.iter().enumerate();
+    let held_out = flights.filter(|(_, flight)| flight.role == Role::HeldOut);
+    let segments = held_out.filter_map(|(flight, _)| {
+        Some((flight, segment(before, flight)?, segment(after, flight)?))
+    });
+    worse(&segments.collect::<Vec<_>>())
+}
+
+/// Flights whose χ² increases by more than [`MAX_CHI2_INCREASE`]; each tuple has the index and the squares without and
+/// with the effects. The noise is that of the smaller squares over all flights.
+fn worse(segments: &[(usize, Moments, Moments)]) -> Vec<usize> {
+    let mut noise = Moments::default();
+    let total = |sums: &Moments| sums.squares.iter().sum::<f64>();
+    for (_, before, after) in segments {
+        let is_less = total(after) < total(before);
+        noise.join(if is_less { after } else { before });
+    }
+    let increase = |before: &Moments, after: &Moments| -> f64 {
+        let variance = |axis: usize| noise.squares[axis] / noise.count.max(1) as f64;
+        let along = |axis: usize| (after.squares[axis] - before.squares[axis]) / variance(axis);
+        (0..3).map(along).sum()
+    };
+    let each = segments.iter();
+    each.filter(|(_, before, after)| increase(before, after) > MAX_CHI2_INCREASE)
+        .map(|(flight, ..)| *flight)
+        .collect()
 }
 
 #[cfg(test)]
@@ -123,5 +266,22 @@ mod tests {
         let one = mystery(1);
         let none = cross_validate(models, &one, &options, ApplyTo::AllFlights, 0.0015);
         assert_eq!(none.unwrap(), None);
+    }
+
+    #[test]
+    fn only_a_significant_increase_contradicts() {
+        let squares = |value: f64| Moments {
+            squares: [value; 3],
+            count: 100,
+            ..Moments::default()
+        };
+        // Noise of variance 1: the sum of squares of 100 points is about 100 along each axis.
+        let segments = [
+            (3, squares(400.0), squares(100.0)),
+            (5, squares(100.0), squares(102.0)),
+            (8, squares(100.0), squares(105.0)),
+        ];
+        assert_eq!(worse(&segments), [8]);
+        assert!(worse(&[]).is_empty());
     }
 }

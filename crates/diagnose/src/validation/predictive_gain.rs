@@ -7,43 +7,35 @@ use dataset::statistics::median_of;
 use identify::{Fit, FitReport};
 use serde::{Deserialize, Serialize};
 
-/// Prediction errors on held-out flights without and with the extension. The initial state of a held-out flight is
-/// fitted on the first 30 % of its samples. Flights that neither model predicts are set apart and not included in any
-/// statistic.
+/// Prediction errors on held-out flights, whose initial state is fitted on the first 30 %, without and with the
+/// extension; without flights that neither model follows.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PredictiveGain {
-    /// RMS prediction error of one coordinate by the model without the added effects, m; the mean is over all predicted
-    /// flights.
+    /// RMS error of one coordinate without the added effects, m, over all predicted flights.
     pub rms_before_m: f64,
     /// RMS prediction error of one coordinate by the extended model, m; the mean is over all predicted flights.
     pub rms_after_m: f64,
-    /// Jackknife standard error, over flights, of the RMS error without the extension minus the RMS error with it, m;
-    /// NaN for a single flight.
+    /// Jackknife standard error of the reduction, over flights, m; NaN for a single flight.
     pub std_error_m: f64,
     /// Standard deviation of the noise of one coordinate, m: the smallest possible prediction error.
     pub noise_m: f64,
     /// Number of flights predicted both without and with the added effects; flights in `set_apart` are not counted.
     pub flights: usize,
-    /// Number of predicted flights to which the added effects are not applied, because they contradict the first
-    /// samples of these flights.
+    /// Number of flights whose first samples contradict the effects, which are not applied.
     pub without: usize,
-    /// Whether the held-out flights are declared in the dataset. If false, every flight is predicted by a fit of
-    /// other flights (2-fold cross-validation).
+    /// Whether the dataset declares held-out flights; if not, by 2-fold cross-validation.
     pub held_out_by_dataset: bool,
     /// Number of flights whose RMS prediction error is smaller with the added effects than without them.
     pub improved: usize,
     /// Number of flights whose RMS prediction error is larger with the added effects than without them.
     pub worsened: usize,
-    /// Median, over the predicted flights, of the RMS prediction error of a flight by the model without the added
-    /// effects, m.
+    /// Median over the flights of the RMS error without the added effects, m.
     pub median_before_m: f64,
     /// Median, over the predicted flights, of the RMS prediction error of a flight by the extended model, m.
     pub median_after_m: f64,
-    /// p-value of the sign test: probability that at least `improved` flights improve if improvement and worsening are
-    /// equally likely.
+    /// One-sided p-value of the sign test of `improved` flights.
     pub sign_test_p_value: f64,
-    /// Number of flights that only the extended model predicts: their trajectories by the model without the added
-    /// effects cannot be computed. They are not among the `flights`.
+    /// Number of flights that only the extended model predicts, not among `flights`.
     pub predicted_only_after: usize,
     /// Number of flights that only the model without the added effects predicts. They are not among the `flights`.
     pub predicted_only_before: usize,
@@ -57,22 +49,18 @@ impl PredictiveGain {
         self.rms_before_m - self.rms_after_m
     }
 
-    /// Whether the added effects improve the predictions: they reduce the RMS prediction error by more than the standard
-    /// error of the reduction; or more flights can be predicted with them than without, and the error does not increase
-    /// by more than its standard error.
+    /// Whether predictions improve: the error falls by more than its standard error, or more flights can be predicted
+    /// and the error does not grow as much.
     pub(crate) fn is_improvement(&self) -> bool {
         self.change() == Ordering::Greater
     }
 
-    /// Whether the added effects make the predictions worse: they increase the RMS prediction error by more than the
-    /// standard error of the increase; or fewer flights can be predicted with them than without, and the error does not
-    /// decrease by more than its standard error.
+    /// Whether predictions become worse, by the same rule.
     pub(crate) fn is_worse(&self) -> bool {
         self.change() == Ordering::Less
     }
 
-    /// Whether the predictions speak against the added effects: they are worse by a part of the noise that matters, or
-    /// fewer flights can be predicted.
+    /// Whether predictions speak against the effects: much worse, or of fewer flights.
     pub(crate) fn contradicts(&self) -> bool {
         let is_much = -self.error_reduction_m() > CONTRADICTING_ERROR * self.noise_m;
         self.is_worse() && (is_much || self.predicted_only_before > self.predicted_only_after)
@@ -95,9 +83,7 @@ impl PredictiveGain {
         }
     }
 
-    /// Whether the predictions without and with the added effects are practically the same: both models predict the same
-    /// flights, and the difference of the RMS errors and its standard error are below the fraction [`SAME_ERROR`] of the
-    /// noise standard deviation.
+    /// Whether both models predict practically the same.
     pub(crate) fn changes_nothing(&self) -> bool {
         let same = SAME_ERROR * self.noise_m;
         self.predicted_only_after + self.predicted_only_before == 0
@@ -106,31 +92,24 @@ impl PredictiveGain {
     }
 }
 
-/// Maximum difference of the RMS prediction errors of two models, as a fraction of the noise standard deviation, at
-/// which the models count as making the same predictions.
+/// Difference of RMS errors of equal predictions, as a fraction of the noise.
 const SAME_ERROR: f64 = 1e-3;
 
-/// Increase of the RMS prediction error, as a fraction of the noise standard deviation, above which it contradicts an
-/// effect. Effects on single sensors hardly change the predicted positions, and not for the better.
+/// Increase of the RMS error that contradicts an effect, as a fraction of the noise; effects on single sensors hardly
+/// change positions.
 const CONTRADICTING_ERROR: f64 = 0.5;
 
-/// A flight is set apart (excluded from the statistics, because neither model predicts it) if its error exceeds this
-/// factor times the larger of two values: the median error over the flights, and the noise standard deviation. The
-/// error is the smaller of the flight's RMS errors without and with the extension.
-const SET_APART: f64 = 6.0;
-
-/// Minimum number of predicted flights; with fewer flights, no flight is set apart.
-const MIN_FLIGHTS: usize = 4;
+/// Ratio of a flight's smaller error to the median, or to the noise, above which neither model predicts it, and number of
+/// predicted flights from which flights are set apart.
+const SET_APART_ABOVE: (f64, usize) = (6.0, 4);
 
 /// Prediction errors of one flight, without and with the effects added to the model.
 #[derive(Clone, Debug)]
 pub(super) struct FlightErrors {
-    /// File name of the flight.
     file: String,
     /// Mean squared prediction error of one coordinate by the model without the added effects, m².
     before: f64,
-    /// Mean squared prediction error of one coordinate by the extended model, m²; equal to `before` if the added
-    /// effects are not applied to the flight.
+    /// Mean squared error of the extended model, m²; `before` if it is not applied.
     after: f64,
     is_applied: bool,
 }
@@ -138,14 +117,12 @@ pub(super) struct FlightErrors {
 /// Predictions of held-out flights without and with the effects added to the model.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Predictions {
-    /// Errors of the flights that both models predict.
     errors: Vec<FlightErrors>,
     only_before: usize,
     only_after: usize,
 }
 
 impl Predictions {
-    /// Adds the predictions of other flights.
     pub fn join(&mut self, others: Self) {
         self.errors.extend(others.errors);
         self.only_before += others.only_before;
@@ -153,9 +130,8 @@ impl Predictions {
     }
 }
 
-/// Reduction of the out-of-sample error from the fit `before` to the fit `after`, on the held-out flights of the
-/// dataset; `None` if no held-out flight is predicted. `noise_m` is the standard deviation of the noise of one
-/// coordinate, m.
+/// Reduction of the out-of-sample error from `before` to `after` on the held-out flights; `None` if none is predicted.
+/// `noise_m` is that of a coordinate, m.
 pub fn held_out_gain(
     before: &FitReport,
     after: &FitReport,
@@ -164,9 +140,7 @@ pub fn held_out_gain(
     summarize(predictions(before, after, &[]), noise_m, true)
 }
 
-/// Reduction of the out-of-sample error from the fit `before` to the fit `after` of the extended model, on the held-out
-/// flights of the dataset. The extension is not applied to the flights in `not_applied` (dataset indices). `None` if no
-/// held-out flight is predicted.
+/// [`held_out_gain`] without the extension on the flights in `not_applied` (dataset indices).
 pub(crate) fn gain_of_fits(
     before: &Fit,
     after: &Fit,
@@ -177,8 +151,7 @@ pub(crate) fn gain_of_fits(
     summarize(predictions, noise_m, true)
 }
 
-/// Predictions of the held-out flights by two fits. For the flights in `not_applied` (dataset indices), the prediction
-/// of the fit `before` counts as that of both fits.
+/// Predictions of the held-out flights; in `not_applied`, that of `before` counts for both.
 pub(super) fn predictions(
     before: &FitReport,
     after: &FitReport,
@@ -204,9 +177,7 @@ pub(super) fn predictions(
     predictions
 }
 
-/// Summarizes the prediction errors of two models, without and with the added effects: RMS errors over the flights,
-/// jackknife standard error of their difference, and paired comparison of the flights. `None` without flights that both
-/// models predict.
+/// Summarizes prediction errors; `None` without flights that both models predict.
 pub(super) fn summarize(
     predictions: Predictions,
     noise_m: f64,
@@ -252,20 +223,18 @@ pub(super) fn summarize(
     })
 }
 
-/// Splits the flights into those set apart, first, and all others. A flight is set apart if the smaller of its two RMS
-/// errors is not a number, or exceeds [`SET_APART`] times the larger of the median of this error over the flights and
-/// `noise_m`, the noise standard deviation of one coordinate, m. No flight is set apart if this holds for more
-/// than a quarter of the flights, or if there are fewer than [`MIN_FLIGHTS`] flights.
+/// Flights set apart, and all others. A flight is apart if its smaller error is not a number or above the limit; none
+/// is if more than a quarter were, or of fewer than [`SET_APART_ABOVE`].
 fn without_set_apart(
     flights: Vec<FlightErrors>,
     noise_m: f64,
 ) -> (Vec<FlightErrors>, Vec<FlightErrors>) {
-    if flights.len() < MIN_FLIGHTS {
+    if flights.len() < SET_APART_ABOVE.1 {
         return (Vec::new(), flights);
     }
     let least = |flight: &FlightErrors| flight.before.min(flight.after).sqrt();
     let typical = median_of(flights.iter().map(least)).unwrap_or(0.0);
-    let limit = SET_APART * typical.max(noise_m);
+    let limit = SET_APART_ABOVE.0 * typical.max(noise_m);
     let is_apart = |flight: &FlightErrors| least(flight) > limit || least(flight).is_nan();
     if flights.iter().filter(|flight| is_apart(flight)).count() > flights.len() / 4 {
         return (Vec::new(), flights);

@@ -1,30 +1,25 @@
-//! Likelihood-ratio test of free motion against free motion whose velocities jump at one time.
-//!
-//! A. S. Willsky and H. L. Jones, "A generalized likelihood ratio approach to the detection and estimation of jumps in
-//! linear systems", IEEE Transactions on Automatic Control 21 (1976).
+//! Likelihood-ratio test of free motion against free motion whose velocities jump at one time (A. S. Willsky and H. L.
+//! Jones, "A generalized likelihood ratio approach to the detection and estimation of jumps in linear systems", IEEE
+//! Transactions on Automatic Control 21, 1976).
 
 use nalgebra::{DMatrix, DVector};
 
-use super::rows::Point;
-use super::trajectory::Trajectory;
+use super::trajectory::{Point, Trajectory};
 use crate::least_squares::{NormalBlock, ScaledCholesky};
+use crate::levels::ROUNDING;
 use crate::noise::NoiseModel;
 
 /// Maximum number of samples after a possible contact with the ground or an object that are used to test for it.
 const MAX_SAMPLES_AFTER: usize = 40;
-/// Prior standard deviation of the displacement of a marker by a contact with the ground or an object, in units of the
-/// noise of a marker coordinate. It is small, because a contact changes velocities and not positions.
+/// Prior standard deviation of the displacement of a marker by a contact, in units of the noise: velocities change at
+/// once, positions do not.
 const DISPLACEMENT_SIGMA: f64 = 0.3;
 /// Times at which a jump is tried between two samples, as fractions of the interval from the earlier to the later one.
 const PARTS: [f64; 4] = [0.125, 0.375, 0.625, 0.875];
-/// Relative increase of the diagonal of the normal matrix, so that it is invertible if the samples do not determine all
-/// unknowns.
-const RIDGE: f64 = 1e-9;
 
 /// Result of the comparison of free motion (without contact) with motion whose velocities jump just before a sample.
 #[derive(Clone, Debug)]
 pub struct Jump {
-    /// Index of the first sample after the jump.
     pub contact: usize,
     /// Decrease of the sum of squared whitened residuals if the velocities may jump.
     pub gain: f64,
@@ -32,10 +27,9 @@ pub struct Jump {
     pub change: DVector<f64>,
 }
 
-/// Tests velocity jumps just before each sample from `tried` on. `rows` contains the whitened residuals of
-/// the markers by sample from `trajectory.first` on. Entry `i` of the result contains the tests with the samples up to
-/// `tried + i`, in the order of the contacts, at most `MAX_SAMPLES_AFTER` samples before. `None` if the samples do not
-/// determine the motion.
+/// Tests velocity jumps just before each sample from `tried` on. `rows` are the whitened residuals by sample from
+/// `trajectory.first` on. Entry `i` of the result contains the tests with the samples up to `tried + i`, in the order
+/// of the contacts. `None` if the samples do not determine the motion.
 pub fn jumps(
     trajectory: &Trajectory,
     tried: usize,
@@ -72,14 +66,14 @@ pub fn jumps(
     Some(tests)
 }
 
-/// Change of the initial state of the predicted trajectory with which free motion best fits the residuals `points`;
-/// `None` if these do not determine it.
+/// Change of the initial state with which free motion best fits the residuals `points`; `None` if they do not determine
+/// it.
 pub fn free_motion<'p>(
     points: impl IntoIterator<Item = &'p Point>,
     dimension: usize,
 ) -> Option<DVector<f64>> {
     let sum = sum_of(points, dimension);
-    Some(-ScaledCholesky::new(&sum.local, RIDGE)?.solve(&sum.local_gradient))
+    Some(-ScaledCholesky::new(&sum.local, ROUNDING)?.solve(&sum.local_gradient))
 }
 
 /// Sum of the squared residuals of `points`, as a function of the initial state of the flight.
@@ -95,16 +89,13 @@ fn sum_of<'p>(points: impl IntoIterator<Item = &'p Point>, dimension: usize) -> 
 /// Whitened residuals of the markers in one sample.
 struct Sample<'a> {
     points: &'a [Point],
-    /// Sum of their squares.
     sum: NormalBlock,
-    /// Sum of the squares up to this sample.
     free: NormalBlock,
 }
 
 impl Sample<'_> {
-    /// Adds the squared residuals to `both`, a function of the initial state and of the change of this state by a jump
-    /// just before the sample with the index `contact`. The terms of the initial state alone become those of all samples
-    /// up to this one.
+    /// Adds the squared residuals to `both`, a function of the initial state and of its change by a jump just before
+    /// the sample `contact`. The terms of the initial state alone become those of all samples up to this one.
     fn add_to(&self, both: &mut NormalBlock, contact: usize) {
         let is_first = |point: &Point| point.previous.is_none_or(|previous| previous < contact);
         if self.points.iter().any(is_first) {
@@ -128,8 +119,7 @@ impl Sample<'_> {
     }
 }
 
-/// Priors that a jump before the sample `contact` does not displace the markers, one for each time at which the jump is
-/// tried: normal matrices of the squared displacements for a change of the initial state.
+/// Priors that a jump before the sample `contact` displaces no marker, one for each of [`PARTS`].
 fn held_markers(trajectory: &Trajectory, contact: usize, noise: &NoiseModel) -> Vec<DMatrix<f64>> {
     let (before, after) = (trajectory.markers(contact - 1), trajectory.markers(contact));
     let times = PARTS.iter().map(|part| {
@@ -146,19 +136,19 @@ fn held_markers(trajectory: &Trajectory, contact: usize, noise: &NoiseModel) -> 
     times.collect()
 }
 
-/// Compares motion with a velocity jump and motion without one. `both` is the sum of squares as a function of the
-/// initial state and its change. `held` are the priors that the jump does not displace the markers, one for each time
-/// at which the jump is tried. `None` if the motion is determined at no time.
+/// Best jump at one of the times to which the priors `held` belong. `both` is the sum of squares as a function of the
+/// initial state and its change. `None` if the motion is determined at no time.
 fn compare(contact: usize, both: &NormalBlock, held: &[DMatrix<f64>]) -> Option<Jump> {
-    let before = ScaledCholesky::new(&both.local, RIDGE)?;
+    let before = ScaledCholesky::new(&both.local, ROUNDING)?;
     let rest = &both.global - both.cross.tr_mul(&before.solve_matrix(&both.cross));
     let gradient = &both.global_gradient - both.cross.tr_mul(&before.solve(&both.local_gradient));
     let times = held.iter().filter_map(|held| {
         let mut normal = &rest + held;
         for index in 0..normal.nrows() {
-            normal[(index, index)] += RIDGE * (both.global[(index, index)] + held[(index, index)]);
+            normal[(index, index)] +=
+                ROUNDING * (both.global[(index, index)] + held[(index, index)]);
         }
-        let change = -ScaledCholesky::new(&normal, RIDGE)?.solve(&gradient);
+        let change = -ScaledCholesky::new(&normal, ROUNDING)?.solve(&gradient);
         Some(Jump {
             contact,
             gain: -gradient.dot(&change),

@@ -1,15 +1,10 @@
-//! Time of the first contact of a flight, detected with a fitted model. From the contact on, the samples deviate from
-//! the fitted free flight as after a jump of the velocity and angular velocity, without an immediate displacement of
-//! the markers.
+//! Time of the first contact of a flight, by a generalised likelihood ratio: free flight against a flight whose
+//! velocities jump at a sample, without an immediate displacement of the markers.
 //!
-//! Free flights whose initial states are near that of the fit depend linearly on the difference of the initial states.
-//! Motion after a contact is another free flight that meets the one before it: at the time of contact, the difference
-//! between both flights displaces no marker. This condition holds for any model, independent of its states. A
-//! generalised likelihood ratio compares free flight with a flight that jumps, for each sample.
+//! Free flights near that of the fit depend linearly on their initial states. Motion after a contact is another free
+//! flight, which meets the one before it. This holds for any model, independent of its states.
 
 mod jump;
-mod outliers;
-mod rows;
 #[cfg(test)]
 mod tests;
 mod trajectory;
@@ -19,55 +14,43 @@ use std::ops::Range;
 use nalgebra::{DVector, Vector3};
 
 use self::jump::{Jump, free_motion, jumps};
-use self::outliers::{leave_out_before, leave_out_displaced};
 use self::trajectory::Trajectory;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
+use dataset::pose::distance;
 
-/// Number of samples, just before the first sample at which a velocity jump is tried, to which motion without a contact
-/// is fitted.
+/// Number of samples before the first tried jump, to which motion without a contact is fitted.
 const FREE_SAMPLES: usize = 24;
-/// Number of samples at which velocity jumps are tried in addition, just before the range that is searched for a
-/// contact with the ground or an object. The decreases of the sum of squares by these jumps show which values are
-/// typical of free flight.
+/// Number of samples before the searched range at which jumps are tried, too: their gains are those of free flight.
 const REFERENCE_SAMPLES: usize = 8;
-/// Maximum number of samples by which a detected contact with the ground or an object may precede the range searched
-/// for it. An earlier deviation is attributed to an inaccurate model, not to a contact.
+/// Maximum number of samples by which a contact precedes the searched range; what is earlier is due to the model.
 const MAX_LEAD: usize = 2;
-/// Minimum decrease of the whitened sum of squares by a velocity jump for the jump to count as a contact with the
-/// ground or an object. Noise exceeds it at one sample in 10⁹.
-const MIN_GAIN: f64 = 60.0;
-/// Minimum ratio, for a velocity jump to count as a contact with the ground or an object, of the decrease of the sum of
-/// squares by this jump to the largest decrease by a jump at an earlier sample. Deviations due to a wrong model grow
-/// smoothly and stay below this ratio.
-const MIN_GROWTH: f64 = 4.0;
-/// Requirements for later samples to confirm a contact with the ground or an object: number of additional samples with
-/// which the velocity jump is tested again, and factor by which they must increase the gain of the jump (decrease of
-/// the sum of squares) if the gain increased abruptly before (see `OUTLIER_GAIN`). Otherwise, any increase suffices.
-/// Additional samples do not increase a gain that an outlier causes.
+/// Minimum gain of a jump, the decrease of the whitened sum of squares, and its ratio to the largest gain of an earlier
+/// jump: noise exceeds it at one sample in 10⁹, and deviations due to the model grow smoothly.
+const GAIN: (f64, f64) = (60.0, 4.0);
+
+/// Number of later samples that confirm a jump, and the ratio by which they increase its gain if this rose abruptly
+/// (see `OUTLIER_GAIN`). Samples after an outlier do not increase its gain.
 const CONFIRMING: (usize, f64) = (2, 1.2);
-/// Maximum increase of the gain (decrease of the sum of squares by a velocity jump) due to one additional sample. If
-/// the increase is greater, that sample is considered to contain an outlier, unless the following samples confirm a
-/// contact with the ground or an object (see `CONFIRMING`).
+/// Whitened square of a marker position above which it is an outlier, and increase of the gain by one sample, unless
+/// later samples confirm a contact; noise exceeds it with probability 10⁻⁵.
 const OUTLIER_GAIN: f64 = 26.0;
-/// Maximum number of marker positions before the first tried velocity jump that are excluded as outliers. Also the
-/// maximum number of passes of the search for a contact with the ground or an object; a pass that finds an outlier
-/// instead of a contact excludes it.
+/// Maximum number of outliers that are left out, before the tried samples and among them.
 const MAX_OUTLIERS: usize = 12;
+/// Maximum error of the distance of two markers, in units of the noise of a coordinate.
+const DISTANCE: f64 = 6.0;
 
 /// A contact of the body with the ground or another object, found as a velocity jump.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Onset {
-    /// Index of the first sample after the contact with the ground or the object.
     pub sample: usize,
     /// Jump of the mean velocity of the markers at the contact, m/s.
     pub jump: Vector3<f64>,
 }
 
-/// Finds the first contact with the ground or an object within the range `sought` of samples, as a deviation from free
-/// flights near the one from `unknowns`, the global parameters and the initial state, which should be near the fit of
-/// the samples before the range. `None` if no contact is found. All channels of `problem` must be markers.
+/// Finds the first contact within the range `sought` of samples, as a deviation from free flights near the one from
+/// `unknowns`, which should be near the fit of the samples before the range. All channels must be markers.
 pub fn contact_time(
     problem: &FitProblem,
     observations: &Observations,
@@ -86,7 +69,7 @@ pub fn contact_time(
     leave_out_displaced(&mut observations, trajectory, noise);
     leave_out_before(&mut observations, trajectory, noise, tried.start);
     for _ in 0..MAX_OUTLIERS {
-        let rows = rows::whitened(&observations, trajectory, noise);
+        let rows = trajectory::whitened(&observations, trajectory, noise);
         let tests = jumps(trajectory, tried.start, &rows, noise)?;
         let is_seen = |sample: &usize| !rows[sample - trajectory.first].is_empty();
         match departure(&tests, tried.clone(), is_seen)? {
@@ -118,9 +101,8 @@ enum Departure<'a> {
     Outlier(usize),
 }
 
-/// First deviation from free motion at the samples `tried`: a velocity jump or an outlier; `None` if there is none.
-/// `tests` contains the jumps that are tested with the samples up to each of them. `is_seen` returns whether any marker
-/// is measured in the sample with a given index.
+/// First velocity jump or outlier at the samples `tried`. `tests` contains the jumps that are tested with the samples
+/// up to each of them; `is_seen` returns whether any marker is measured in a sample.
 fn departure(
     tests: &[Vec<Jump>],
     tried: Range<usize>,
@@ -140,7 +122,7 @@ fn departure(
         let is_confirmed = is_steady || later > CONFIRMING.1 * found.gain;
         let before = found.contact.checked_sub(tried.start + 1);
         let usual = before.map_or(0.0, |index| greatest[index]);
-        if is_confirmed && found.gain > MIN_GAIN.max(MIN_GROWTH * usual) {
+        if is_confirmed && found.gain > GAIN.0.max(GAIN.1 * usual) {
             return Some(Departure::Contact(found));
         }
         if !is_confirmed && found.gain > previous + OUTLIER_GAIN {
@@ -162,4 +144,58 @@ fn jump_of_velocity(
     let moved =
         |sample: usize| Vector3::from((trajectory.centre(sample) * &found.change).column(0));
     (moved(last) - moved(first)) / (observations.times[last] - observations.times[first])
+}
+
+/// Marks the marker positions whose distances from most other markers in the sample differ from the predicted ones.
+fn leave_out_displaced(
+    observations: &mut Observations,
+    trajectory: &Trajectory,
+    noise: &NoiseModel,
+) {
+    let limit = DISTANCE * noise.overall();
+    for (sample, predicted) in (trajectory.first..).zip(&trajectory.samples) {
+        let seen: Vec<(usize, [f64; 3])> = observations
+            .points(sample)
+            .iter()
+            .enumerate()
+            .filter_map(|(marker, point)| Some((marker, (*point)?)))
+            .collect();
+        for &(marker, point) in &seen {
+            let others = seen.iter().filter(|(other, _)| *other != marker);
+            let wrong = others.filter(|&&(other, at)| {
+                let of_body = distance(predicted[marker].position, predicted[other].position);
+                (distance(point, at) - of_body).abs() > limit
+            });
+            if 2 * wrong.count() > seen.len() - 1 {
+                observations.outlier[sample * observations.channels + marker] = true;
+            }
+        }
+    }
+}
+
+/// Marks at most `MAX_OUTLIERS` marker positions that are far from free motion, the farthest first, among the samples
+/// before `tried`.
+fn leave_out_before(
+    observations: &mut Observations,
+    trajectory: &Trajectory,
+    noise: &NoiseModel,
+    tried: usize,
+) {
+    for _ in 0..MAX_OUTLIERS {
+        let rows = trajectory::whitened(observations, trajectory, noise);
+        let before = &rows[..tried - trajectory.first];
+        let Some(change) = free_motion(before.iter().flatten(), trajectory.dimension) else {
+            return;
+        };
+        let each = (trajectory.first..).zip(before);
+        let each =
+            each.flat_map(|(sample, points)| points.iter().map(move |point| (sample, point)));
+        let squares = each.map(|(sample, point)| (point.square(&change), sample, point.marker));
+        match squares.max_by(|a, b| a.0.total_cmp(&b.0)) {
+            Some((square, sample, marker)) if square > OUTLIER_GAIN => {
+                observations.outlier[sample * observations.channels + marker] = true;
+            }
+            _ => return,
+        }
+    }
 }

@@ -5,6 +5,7 @@ use std::ops::Range;
 use nalgebra::{DVector, Matrix3xX};
 
 use crate::error::FlightError;
+use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::predict::each_residual;
 use crate::problem::FitProblem;
@@ -12,30 +13,21 @@ use crate::state_manifold::StateManifold;
 
 /// Predicted marker positions of a flight, with derivatives with respect to the initial state.
 pub struct Trajectory {
-    /// Number of independent directions in which the initial state may vary (see [`StateManifold`]); smaller than the
-    /// number of its components if it contains a quaternion.
+    /// Number of directions in which the initial state may vary.
     pub dimension: usize,
-    /// Index of the first sample of the trajectory.
     pub first: usize,
-    /// Predicted markers at each sample from `first` on.
     pub samples: Vec<Vec<Predicted>>,
 }
 
 /// Predicted position of one marker at one time.
 #[derive(Clone, Debug)]
 pub struct Predicted {
-    /// Predicted position in the inertial frame, m.
     pub position: [f64; 3],
-    /// Derivatives of each coordinate of `position` with respect to the initial state, one entry for each direction in
-    /// which the state may vary (see [`StateManifold`]).
     pub derivatives: [DVector<f64>; 3],
 }
 
 impl Trajectory {
     /// Computes the trajectory at the samples `seen`. `unknowns` are the global parameters and the initial state.
-    ///
-    /// # Errors
-    /// [`FlightError::Integration`] if the trajectory cannot be computed.
     pub fn new(
         problem: &FitProblem,
         observations: &Observations,
@@ -76,13 +68,11 @@ impl Trajectory {
         })
     }
 
-    /// Predicted markers in a sample.
     pub fn markers(&self, sample: usize) -> &[Predicted] {
         &self.samples[sample - self.first]
     }
 
-    /// Derivatives of the mean predicted position of the markers in a sample with respect to the initial state of the
-    /// flight: one row per coordinate.
+    /// Derivatives of the mean predicted marker position with respect to the initial state, one row per coordinate.
     pub fn centre(&self, sample: usize) -> Matrix3xX<f64> {
         let markers = self.markers(sample);
         Matrix3xX::from_fn(self.dimension, |axis, column| {
@@ -91,5 +81,88 @@ impl Trajectory {
                 .map(|marker| marker.derivatives[axis][column]);
             each.sum::<f64>() / markers.len() as f64
         })
+    }
+}
+
+// Whitened residuals of a flight about its fitted trajectory, with derivatives with respect to the initial state.
+
+/// Whitened residuals of the three coordinates of one marker in one sample.
+pub struct Point {
+    pub marker: usize,
+    /// Index of the preceding sample in which the marker is measured; `None` for the first one.
+    pub previous: Option<usize>,
+    pub rows: [Row; 3],
+}
+
+/// Whitened residual of one marker coordinate in one sample, with its derivatives.
+pub struct Row {
+    /// Whitened residual, predicted − measured, in standard deviations.
+    pub residual: f64,
+    pub derivatives: DVector<f64>,
+    /// Derivatives without the part of the marker's preceding position, which whitening subtracts.
+    pub fresh: DVector<f64>,
+}
+
+impl Point {
+    /// Sum of the squared residuals if the initial state changes by `change`.
+    pub fn square(&self, change: &DVector<f64>) -> f64 {
+        let each = self.rows.iter();
+        each.map(|row| (row.residual + row.derivatives.dot(change)).powi(2))
+            .sum()
+    }
+}
+
+/// Whitened residuals of all measured marker positions that are not outliers, by sample of `trajectory`.
+pub fn whitened(
+    observations: &Observations,
+    trajectory: &Trajectory,
+    noise: &NoiseModel,
+) -> Vec<Vec<Point>> {
+    let mut earlier: Vec<Option<(usize, &Predicted)>> = vec![None; observations.markers];
+    let samples = (trajectory.first..).zip(&trajectory.samples);
+    let each = samples.map(|(sample, markers)| {
+        let mut points = Vec::with_capacity(markers.len());
+        for (marker, predicted) in markers.iter().enumerate() {
+            if observations.inlier(sample, marker).is_none() {
+                continue;
+            }
+            let before = earlier[marker].replace((sample, predicted));
+            let now = (sample, predicted);
+            points.push(Point {
+                marker,
+                previous: before.map(|(sample, _)| sample),
+                rows: [0, 1, 2].map(|axis| row(observations, (marker, axis), now, before, noise)),
+            });
+        }
+        points
+    });
+    each.collect()
+}
+
+/// Whitened residual of one coordinate of a marker in the sample `now`; `before` is the preceding sample in which it is
+/// measured. Both contain the index of the sample and the predicted position.
+fn row(
+    observations: &Observations,
+    (marker, axis): (usize, usize),
+    now: (usize, &Predicted),
+    before: Option<(usize, &Predicted)>,
+    noise: &NoiseModel,
+) -> Row {
+    let residual = |(sample, predicted): (usize, &Predicted)| {
+        let measured = observations.inlier(sample, marker);
+        measured.map_or(0.0, |measured| predicted.position[axis] - measured[axis])
+    };
+    let times = &observations.times;
+    let gap = before.map(|(sample, _)| times[now.0] - times[sample]);
+    let (kept, deviation) = noise.innovation(axis, gap);
+    let fresh = &now.1.derivatives[axis] / deviation;
+    let mut derivatives = fresh.clone();
+    if let Some((_, predicted)) = before {
+        derivatives.axpy(-kept / deviation, &predicted.derivatives[axis], 1.0);
+    }
+    Row {
+        residual: (residual(now) - kept * before.map_or(0.0, residual)) / deviation,
+        derivatives,
+        fresh,
     }
 }

@@ -1,15 +1,13 @@
 //! Samples at the beginning and the end of a flight that do not belong to its free motion: of the hand that still holds
-//! the body, of the net or the ground that already stops it. A cut that is late by a few samples leaves too few of them
-//! to be seen without the model.
-//!
-//! A run of samples at an end is tested by the likelihood ratio of the flight with and without it. Misfit of a wrong
-//! model grows smoothly towards an end: the run next to the end then deviates, too.
+//! the body, of the net or the ground that already stops it. A late cut leaves too few of them to be seen without the
+//! model. A run at an end is tested by the likelihood ratio with and without it; misfit of a wrong model grows smoothly
+//! towards an end, so that the run next to it deviates, too.
 
 use flight::parallel;
 use nalgebra::DVector;
 
 use super::FitError;
-use super::exclusion::exclude_failed;
+use super::residual_cache::exclude_failed;
 use super::reweighting::{Reweighted, reweight};
 use super::state::State;
 use crate::least_squares::{NormalBlock, ScaledCholesky};
@@ -22,11 +20,10 @@ use crate::problem::FitProblem;
 const MAX_RUN: usize = 6;
 /// Minimum number of samples of a flight, in units of [`MAX_RUN`], for its ends to be tested: most of it must be left.
 const MIN_RUNS: usize = 5;
-/// Minimum normal score at which a run deviates; noise exceeds it once in 300,000 runs, of which a flight has twelve.
-const STRANGE: f64 = 4.5;
-/// Minimum ratio of the excess of a run, the mean square of its residuals less the 1 of noise, to that of the run of the
-/// same length next to it.
-const GROWTH: f64 = 3.0;
+/// Minimum normal score at which a run deviates, and ratio of its excess, its mean square less the 1 of noise, to that of
+/// the run next to it. Noise exceeds the score once in 300,000 runs, of which a flight has twelve.
+const DEVIATING: (f64, f64) = (4.5, 3.0);
+
 /// Maximum number of times that ends are left out and the flights are fitted again.
 const MAX_PASSES: usize = 2;
 
@@ -37,11 +34,7 @@ struct Runs {
     last: usize,
 }
 
-/// Leaves out the runs of samples at the ends of the flights that deviate from the fitted motion, and fits all flights
-/// again. Returns the new solution, or the present one, `reweighted`, if no run deviates.
-///
-/// # Errors
-/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
+/// Leaves out the runs at the ends of the flights that deviate from the fitted motion, and fits all flights again.
 pub fn leave_out_ends(
     state: &mut State<'_>,
     mut reweighted: Reweighted,
@@ -73,7 +66,6 @@ pub fn leave_out_ends(
     Ok(reweighted)
 }
 
-/// Removes the runs from the observations, and says so.
 fn leave_out(observations: &mut Observations, runs: Runs) {
     if runs.first > 0 {
         observations.forget_first(runs.first);
@@ -90,8 +82,7 @@ fn leave_out(observations: &mut Observations, runs: Runs) {
     }
 }
 
-/// Runs at both ends of a flight that deviate from its motion; `None` if the samples do not determine this motion.
-/// `unknowns` are the estimated global parameters and the initial state.
+/// Runs at both ends of a flight that deviate from its motion; `None` if its samples do not determine this motion.
 fn deviating_runs(
     problem: &FitProblem,
     (observations, unknowns, noise): (&Observations, (&DVector<f64>, &DVector<f64>), &NoiseModel),
@@ -143,12 +134,11 @@ fn by_sample(
             let before = previous[point.channel].as_ref();
             for axis in 0..problem.channels[point.channel].components {
                 let (mut residual, mut row) = (point.residual[axis], rows[axis].clone());
-                let mut sigma = noise.sigma[axis];
-                if let Some((earlier, residuals, rows)) = before {
-                    let (kept, deviation) = noise.innovation(axis, time - earlier);
+                let gap = before.map(|(earlier, ..)| time - earlier);
+                let (kept, sigma) = noise.innovation(axis, gap);
+                if let Some((_, residuals, rows)) = before {
                     residual -= kept * residuals[axis];
                     row.axpy(-kept, &rows[axis], 1.0);
-                    sigma = deviation;
                 }
                 blocks[point.sample].add(residual / sigma, &(row / sigma), &none);
             }
@@ -159,8 +149,7 @@ fn by_sample(
     Some(blocks)
 }
 
-/// Number of the last samples that deviate from the motion in the other ones; 0 if none do. `None` if these do not
-/// determine the motion.
+/// Number of the last samples that deviate from the motion in the other ones; `None` if these do not determine it.
 fn deviating_run(samples: &[NormalBlock]) -> Option<usize> {
     let mut sum = samples[0].clone();
     let kept = samples.len() - 2 * MAX_RUN;
@@ -183,7 +172,7 @@ fn deviating_run(samples: &[NormalBlock]) -> Option<usize> {
         let (own, count) = mean_square(0, run, scale)?;
         let beside = mean_square(run, 2 * run, scale).map_or(1.0, |(beside, _)| beside);
         let score = normal_score(own, count);
-        let deviates = score > STRANGE && own - 1.0 > GROWTH * (beside - 1.0);
+        let deviates = score > DEVIATING.0 && own - 1.0 > DEVIATING.1 * (beside - 1.0);
         deviates.then_some((run, score))
     });
     let best = scored.max_by(|a, b| a.1.total_cmp(&b.1));

@@ -1,14 +1,13 @@
-//! Held-out flights: the initial state is fitted to the conditioning segment with the global parameters fixed, and the
-//! rest of the flight is predicted.
+//! Held-out flights: the initial state is fitted to the conditioning segment, and the rest is predicted.
 
 use flight::parallel;
 use nalgebra::{DMatrix, DVector};
 
 use super::initial_guess::{observations_and_poses, refined_guesses};
-use super::one_flight::FixedGlobal;
-use super::outcome::initial_state_report;
+use super::outcome::{flight_report, initial_state_report};
+use super::output_error::FixedGlobal;
 use super::post_fit::{channel_sums, square_sums};
-use super::{FitError, FittedFlight, FlightResult};
+use super::{FitError, FittedFlight, FlightResult, left_out};
 use crate::error::FlightError;
 use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
@@ -18,19 +17,14 @@ use crate::observations::Observations;
 use crate::outliers;
 use crate::predict::{Loss, residuals};
 use crate::problem::FitProblem;
-use crate::report::{FlightOutcome, FlightReport};
+use crate::report::FlightOutcome;
 use dataset::{Dataset, Flight};
 
 /// Fraction of the samples of a held-out flight to which its initial state is fitted; the rest is predicted.
 pub const CONDITIONING_FRACTION: f64 = 0.3;
 
-/// Fits the initial states of held-out flights to their conditioning segments, and predicts the later samples.
-/// `contacts` contains, by index of the flight in the dataset, the results of an earlier search for ground contacts;
-/// empty if there was none. Returns one result for each of `flights`, in this order. A flight that cannot be predicted
-/// is reported as excluded.
-///
-/// # Errors
-/// [`FitError::Interrupted`] if the work is cancelled.
+/// Predicts held-out flights; `contacts` contains earlier searches for contacts by index of the flight, or is empty.
+/// Returns one result for each of `flights`; one that cannot be predicted is excluded.
 pub fn held_out(
     at: FixedGlobal<'_>,
     (dataset, contacts): (&Dataset, &[Option<ContactSearch>]),
@@ -50,12 +44,12 @@ pub fn held_out(
             false => predict(at, (flight, search), noise),
         };
         options.flight_done();
-        found.unwrap_or_else(|reason| FlightResult::excluded(flight, &reason))
+        found.unwrap_or_else(|reason| left_out(flight, &reason))
     });
-    match options.is_cancelled() {
-        true => Err(FitError::Interrupted),
-        false => Ok(found),
+    if options.is_cancelled() {
+        return Err(FitError::Interrupted);
     }
+    Ok(found)
 }
 
 fn predict(
@@ -89,29 +83,18 @@ fn predict(
     if residual_rms.is_empty() {
         return Err(FlightError::NothingMeasuredToPredict);
     }
-    let report = FlightReport {
-        file: observations.file.clone(),
-        role: observations.role,
-        outcome: FlightOutcome::HeldOut,
-        samples: observations.samples,
-        residual_rms,
-        outliers: observations.outliers(),
-        initial: initial_state_report(problem, &observations, &local, &covariance),
-        cut: observations.truncation.clone(),
-        notes: observations.notes.clone(),
-    };
-    let fitted = Some(FittedFlight {
+    let initial = initial_state_report(problem, &observations, &local, &covariance);
+    let outcome = FlightOutcome::HeldOut;
+    let report = flight_report(&observations, outcome, residual_rms, initial);
+    let fitted = FittedFlight {
         observations,
         state: local,
-    });
-    Ok(FlightResult {
-        report: Some(report),
-        fitted,
-    })
+    };
+    Ok((report, Some(fitted)))
 }
 
-/// Marks as outliers the values whose residuals deviate from the line through the neighbouring residuals, so that a
-/// smooth prediction error is not mistaken for outliers. Returns an error if the trajectory cannot be computed.
+/// Marks outliers by their distance from the line through the neighbouring residuals, so that a smooth prediction error
+/// is none.
 fn mark_outliers(
     problem: &FitProblem,
     observations: &mut Observations,
@@ -120,9 +103,7 @@ fn mark_outliers(
 ) -> Result<(), FlightError> {
     let samples = observations.times.len();
     let residuals = residuals(problem, observations, (global, local), samples)?;
-    let local_residuals = outliers::local_residuals(&observations.times, &residuals);
-    let group_of = problem.noise_groups();
-    let scales = outliers::group_scales(&local_residuals, &group_of);
-    observations.outlier = outliers::outlier_mask(&local_residuals, &scales, &group_of);
+    let (times, groups) = (&observations.times, problem.noise_groups());
+    observations.outlier = outliers::outlier_mask(times, &residuals, &groups);
     Ok(())
 }

@@ -1,38 +1,38 @@
-//! Observations and initial guesses of single flights, and exclusion of unusable flights.
+//! Observations, scales and initial guesses of single flights, and exclusion of unusable flights.
 
 use flight::parallel;
+use model_spec::sort_by_number;
+use nalgebra::{UnitQuaternion, Vector3};
 
 use super::FitError;
-use super::one_flight::FixedGlobal;
+use super::output_error::FixedGlobal;
 use super::state::State;
+use crate::channel::ChannelKind;
 use crate::error::{ExcludedFlight, FlightError};
-use crate::ground_contact::{self, ContactSearch};
+use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
-use crate::initial_state::{self, InitialGuess};
-use crate::noise_floor::{median_noise_floor, noise_floor};
+use crate::initial_state::InitialGuess;
+use crate::noise_floor::{median_noise_floor, noise_floor, path_noise};
 use crate::observations::{Observations, median_interval};
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
-use crate::vertical;
+use crate::{ground_contact, initial_state, vertical};
 use dataset::pose::Pose;
-use dataset::statistics::median_of;
+use dataset::statistics::{median_of, robust_sigma};
 use dataset::{Dataset, Flight};
-use model_spec::sort_by_number;
 
 /// Duration of the first segment of a flight, to which the guess of its initial state is fitted, s.
 const FIRST_SEGMENT: f64 = 0.15;
 
-/// Minimum number of samples in the first segment of a flight, to which the guess of its initial state is fitted. For a
-/// flight with fewer samples, the segment is the whole flight.
-const MIN_FIRST_SAMPLES: usize = 12;
+/// Minimum number of samples of a segment of a flight; one with fewer is fitted as a whole.
+pub const MIN_SEGMENT_SAMPLES: usize = 12;
 
-/// Minimum initial estimate of the noise of one coordinate, m, to which smaller estimates are raised. It is about the
-/// rounding error of recorded coordinates.
-const MIN_SIGMA0: f64 = 1e-7;
+/// Least noise that is assumed: of a coordinate, m, about the rounding error of recorded ones; and of another channel,
+/// relative to the median magnitude of its values.
+const LEAST_NOISE: (f64, f64) = (1e-7, 1e-6);
 
-/// Ratio of the noise floor (scatter about smooth paths) to the noise estimated from the rigidity of the markers, below
-/// which the noise floor is used instead. The deviations of the markers from a rigid body are then due to wrong marker
-/// positions or sampling times. Correlated noise also lowers the ratio, but less.
+/// Ratio of the noise floor to the noise by rigidity below which the former is used: deviations from a rigid body are
+/// then due to wrong marker positions or times. Correlated noise lowers the ratio less.
 const MAX_FLOOR_RATIO: f64 = 0.2;
 
 /// Number of initial guesses of each speed that are kept for a flight.
@@ -41,43 +41,38 @@ const KEPT: usize = 5;
 /// Relative difference of sums of squares, and of states, below which two guesses are refined to the same one.
 const SAME_GUESS: f64 = 1e-3;
 
-/// Noise of a coordinate averaged over the axes: root mean square of the standard deviations `sigma` along the three
-/// axes.
+/// Root mean square of the standard deviations `sigma` along the three axes.
 pub fn overall(sigma: [f64; 3]) -> f64 {
     (sigma.iter().map(|sigma| sigma * sigma).sum::<f64>() / 3.0).sqrt()
 }
 
 /// Flights that can be fitted, each with one or more initial guesses of its initial state.
 pub struct InitialGuesses<'a> {
-    /// Usable flights, each with its best initial guess, and excluded flights.
     pub state: State<'a>,
-    /// All initial guesses of each flight. There are several if the sampling interval is too long to determine the
-    /// spin.
+    /// All initial guesses of each flight; several if the samples are too far apart to determine the spin.
     pub alternatives: Vec<Vec<InitialGuess>>,
 }
 
 /// Observations of the flights that can be fitted, excluded flights, and noise estimates.
 pub struct ObservedFlights {
-    /// Flights that can be fitted, each with its observations.
     pub usable: Vec<(FlightId, Observations)>,
-    /// Flights that cannot be used, with the reasons.
     pub excluded: Vec<ExcludedFlight>,
-    /// Initial estimate of the noise of one coordinate, m, from deviations of the markers from a rigid body; `None` if
-    /// the samples do not determine it.
+    /// Initial noise of a coordinate, m, from deviations of the markers from a rigid body.
     pub sigma0: Option<f64>,
-    /// Noise floor: standard deviation along each axis of the noise of one coordinate, estimated by a smoother, m;
-    /// `None` if the samples do not determine it.
+    /// Noise floor along each axis, m; `None` if the samples do not determine it.
     pub noise_floor: Option<[f64; 3]>,
 }
 
 /// Number of samples in the first segment of a flight, to which the guess of its initial state is fitted.
 pub fn first_segment(observations: &Observations) -> usize {
     let samples = observations.samples_until(FIRST_SEGMENT);
-    samples.max(MIN_FIRST_SAMPLES).min(observations.times.len())
+    samples
+        .max(MIN_SEGMENT_SAMPLES)
+        .min(observations.times.len())
 }
 
-/// Extracts the observations of the flights `flights` of a dataset and estimates their noise. `contacts` contains, by
-/// index of the flight in the dataset, the results of an earlier search for ground contacts; empty if there was none.
+/// Observations of `flights`, with estimates of their noise. `contacts` contains earlier searches for contacts by index
+/// of the flight, or is empty.
 pub fn observe(
     problem: &FitProblem,
     dataset: &Dataset,
@@ -106,12 +101,12 @@ pub fn observe(
             Err(reason) => excluded.push(exclude(dataset, flight, reason)),
         }
     }
-    let mut sigma0 = median_of(estimates).map(|sigma0| sigma0.max(MIN_SIGMA0));
+    let mut sigma0 = median_of(estimates).map(|sigma0| sigma0.max(LEAST_NOISE.0));
     let noise_floor = median_noise_floor(&floors);
     if let (Some(sigma0), Some(floor)) = (&mut sigma0, noise_floor) {
         let floor = overall(floor);
         if floor < MAX_FLOOR_RATIO * *sigma0 {
-            *sigma0 = floor.max(MIN_SIGMA0);
+            *sigma0 = floor.max(LEAST_NOISE.0);
         }
     }
     ObservedFlights {
@@ -130,10 +125,6 @@ fn exclude(dataset: &Dataset, flight: FlightId, reason: FlightError) -> Excluded
     }
 }
 
-/// Determines initial guesses of the initial states of the flights, with the global parameters at their initial values.
-///
-/// # Errors
-/// [`FitError::NoUsableFlight`] if no flight has an initial guess; [`FitError::Interrupted`] if the work is cancelled.
 pub fn initial_guesses<'a>(
     problem: &'a FitProblem,
     dataset: &Dataset,
@@ -179,21 +170,15 @@ pub fn initial_guesses<'a>(
     })
 }
 
-/// Note for the report of a flight whose spin is not the slowest one compatible with its samples. `turns` is the number
-/// of additional turns between successive samples.
+/// Note for a flight that makes `turns` additional turns between successive samples.
 pub fn spin_note(turns: i32) -> String {
     format!(
         "between samples it makes whole turns ({turns:+}) beyond what neighbouring samples show"
     )
 }
 
-/// Observations of a flight, truncated at its first ground contact, with the pose in each sample if the body has an
-/// attitude. The contact is searched for unless `search` contains the result of an earlier search; without such a
-/// result, the flight is not truncated if the vertical is unknown.
-///
-/// # Errors
-/// The errors of [`Observations::new`]; [`FlightError::TooFewCoordinates`] if the samples do not determine the initial
-/// state.
+/// Observations of a flight up to its first contact, with the poses if the body has an attitude. The contact is
+/// searched for unless `search` contains an earlier search; if the vertical is unknown, none is.
 pub fn observations_and_poses(
     problem: &FitProblem,
     flight: &Flight,
@@ -217,13 +202,8 @@ pub fn observations_and_poses(
     Ok((observations, poses))
 }
 
-/// Returns guesses of the initial state of a flight, refined by a fit to the first segment of the flight, each with its
-/// sum of squares after the fit; the guess with the slowest spin is first. If no positions are measured, returns the
-/// best guesses of each speed, the smallest sum of squares first. After the deadline set in the fit options, guesses are returned without
-/// refinement, with an infinite sum of squares.
-///
-/// # Errors
-/// [`FlightError`] if no guess can be found or refined.
+/// Guesses of the initial state, refined by a fit to the first segment, each with its sum of squares; the slowest spin
+/// first, or without measured positions the smallest sum of squares. Past the deadline, they are not refined.
 pub fn refined_guesses(
     at: FixedGlobal<'_>,
     observations: &Observations,
@@ -251,8 +231,8 @@ pub fn refined_guesses(
     }
 }
 
-/// Keeps the best guesses of each speed, each with its sum of squares, the smallest sum of squares first. Short first
-/// segments look alike at different speeds.
+/// Keeps the best guesses of each speed, the smallest sum of squares first: short segments look alike at different
+/// speeds.
 fn keep_best(guesses: &mut Vec<(f64, InitialGuess)>) {
     sort_by_number(guesses, |(squares, _)| *squares);
     let mut kept: Vec<(f64, InitialGuess)> = Vec::new();
@@ -267,4 +247,66 @@ fn keep_best(guesses: &mut Vec<(f64, InitialGuess)>) {
         }
     }
     *guesses = kept;
+}
+
+// Scales of channels other than markers, from the noise of their samples.
+
+/// Sets the scale of each sensor channel so that its noise × scale is `problem.sigma0`, the noise of a position
+/// coordinate, m, of markers or, without them, of pose sensors.
+pub fn set_scales<'o>(
+    problem: &mut FitProblem,
+    flights: impl Iterator<Item = &'o Observations> + Clone,
+) {
+    for channel in 0..problem.channels.len() {
+        let own = &problem.channels[channel];
+        // Without markers, `sigma0` is the noise of the positions of the pose sensors.
+        if problem.is_scored(channel) && own.is_position() {
+            continue;
+        }
+        let is_attitude = own.kind == ChannelKind::Attitude;
+        let noise = own.sigma.or_else(|| {
+            let each = flights.clone();
+            median_of(each.filter_map(|flight| noise(flight, channel, is_attitude)))
+        });
+        if let Some(noise) = noise.filter(|noise| *noise > 0.0) {
+            problem.channels[channel].scale = problem.sigma0 / noise;
+        }
+    }
+}
+
+/// Standard deviation of the noise of a channel in one flight, from the deviations of its values from smooth curves, in
+/// the unit of the channel; `None` for fewer than four values.
+fn noise(flight: &Observations, channel: usize, is_attitude: bool) -> Option<f64> {
+    let samples = flight.times.iter().enumerate();
+    let values = samples.filter_map(|(sample, time)| {
+        let value = flight.value(sample, channel)?;
+        Some((*time, Vector3::from(value)))
+    });
+    let values: Vec<(f64, Vector3<f64>)> = values.collect();
+    if values.len() < 4 {
+        return None;
+    }
+    let least = LEAST_NOISE.1 * median_of(values.iter().map(|(_, value)| value.norm()))?;
+    let noise = match is_attitude {
+        true => attitude_noise(&values),
+        false => path_noise(values.into_iter()),
+    };
+    Some(noise.max(least))
+}
+
+/// Noise of an attitude about one axis, rad, from the rotation between each attitude and the interpolation of its
+/// neighbours. `values` contains times, s, and rotation vectors, rad.
+fn attitude_noise(values: &[(f64, Vector3<f64>)]) -> f64 {
+    let turn = |value: &Vector3<f64>| UnitQuaternion::from_scaled_axis(*value);
+    let mut sizes = Vec::new();
+    for three in values.windows(3) {
+        let [(before, a), (time, b), (after, c)] = [three[0], three[1], three[2]];
+        let part = (time - before) / (after - before);
+        let between = (turn(&a).inverse() * turn(&c)).scaled_axis();
+        let middle = turn(&a) * UnitQuaternion::from_scaled_axis(between * part);
+        let off = (middle.inverse() * turn(&b)).scaled_axis();
+        let spread = (1.0 + part * part + (1.0 - part).powi(2)).sqrt();
+        sizes.extend(off.iter().map(|part| part.abs() / spread));
+    }
+    robust_sigma(&mut sizes)
 }

@@ -1,21 +1,21 @@
-//! Distances between the markers of a rigid body, which are constant. If a measured distance differs from the predicted
-//! one, a marker is not at the position that the dataset or the model gives.
+//! Distances between the markers of a rigid body, which do not depend on its motion. If a mean distance differs from the
+//! predicted one, a marker is not at its stated position. Their scatter shows the noise without a model of the motion,
+//! and whether the tracks were filtered.
+
+use std::iter::zip;
+
+use nalgebra::Vector3;
 
 use super::residual_cache::ResidualCache;
+use super::state::State;
+use crate::levels::{NEAR_NOISE, ROBUST_ERROR, SIGNIFICANT};
+use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 use crate::report::MarkerDistance;
+use dataset::statistics::{median, robust_sigma};
 
-/// Minimum difference between the mean measured and the mean predicted distance of two markers, in standard errors, for
-/// it to be significant.
-const MIN_SIGNIFICANCE: f64 = 5.0;
-
-/// Difference between the mean measured and predicted distance of two markers, in units of the noise standard deviation
-/// of a coordinate, above which a significant difference is reported.
-const MIN_NOISE_RATIO: f64 = 1.0;
-
-/// Statistics of the differences (measured − predicted) of the distance between two markers in the samples of one
-/// flight: their number, their sum, m, and the sum of their squares, m².
+/// Number, sum, m, and sum of squares, m², of the differences (measured − predicted) of a distance in one flight.
 #[derive(Clone, Copy, Debug, Default)]
 struct Sum {
     count: f64,
@@ -31,8 +31,8 @@ impl Sum {
     }
 }
 
-/// Finds pairs of markers whose mean measured distance differs significantly from the predicted one, by more than
-/// `noise`, the standard deviation of a coordinate, m. Returns an empty vector for a point mass.
+/// Pairs of markers whose mean distance differs significantly and by more than `noise`, that of a coordinate, m; empty
+/// for a point mass.
 pub fn wrong_distances(
     problem: &FitProblem,
     flights: &[Observations],
@@ -44,26 +44,17 @@ pub fn wrong_distances(
         return Vec::new();
     }
     let markers = marker_names.len();
-    let pairs = (0..markers).flat_map(|one| (one + 1..markers).map(move |other| (one, other)));
-    let each = pairs.filter_map(|(one, other)| {
-        let sums = flights
-            .iter()
-            .enumerate()
-            .filter_map(|(flight, observations)| {
-                let path = cache.path(flights, flight).ok()?;
-                let predicted_less_measured = [&path.residuals[one], &path.residuals[other]];
-                Some(differences(
-                    observations,
-                    predicted_less_measured,
-                    [one, other],
-                    noise,
-                ))
-            });
+    let pairs = (0..markers).flat_map(|one| (one + 1..markers).map(move |other| [one, other]));
+    let each = pairs.filter_map(|pair| {
+        let sums = flights.iter().enumerate().filter_map(|(place, flight)| {
+            let path = cache.path(flights, place).ok()?;
+            let residuals = pair.map(|marker| &path.residuals[marker][..]);
+            Some(differences(flight, residuals, pair, noise))
+        });
         let (difference, std_error) = mean(&sums.collect::<Vec<_>>())?;
-        let is_wrong = difference.abs() > MIN_SIGNIFICANCE * std_error
-            && difference.abs() > MIN_NOISE_RATIO * noise;
+        let is_wrong = difference.abs() > (SIGNIFICANT * std_error).max(noise);
         is_wrong.then(|| MarkerDistance {
-            markers: [one, other].map(|marker| marker_names[marker].clone()),
+            markers: pair.map(|marker| marker_names[marker].clone()),
             difference_m: difference,
             std_error_m: std_error,
         })
@@ -71,37 +62,32 @@ pub fn wrong_distances(
     each.collect()
 }
 
-/// Sums over the samples of one flight of the differences (measured − predicted) of the distance between two markers,
-/// m. `residuals` contains the residuals of the two markers by sample, predicted − measured, m. The mean increase of a
-/// measured distance by noise is subtracted; `noise` is the standard deviation of a coordinate, m.
+/// Sums over one flight of the differences (measured − predicted) of a distance, m, less the mean increase of a
+/// distance by noise. `residuals` are those of the two markers by sample, predicted − measured, m.
 fn differences(
     observations: &Observations,
-    residuals: [&Vec<Option<[f64; 3]>>; 2],
-    markers: [usize; 2],
+    residuals: [&[Option<[f64; 3]>]; 2],
+    [one, other]: [usize; 2],
     noise: f64,
 ) -> Sum {
     let mut sum = Sum::default();
-    for sample in 0..observations.times.len() {
-        let measured = markers.map(|marker| observations.inlier(sample, marker));
+    for (sample, apart) in apart(observations, one, other).enumerate() {
         let residual = residuals.map(|series| series.get(sample).copied().flatten());
-        if let ([Some(a), Some(b)], [Some(ra), Some(rb)]) = (measured, residual) {
-            let apart = [0, 1, 2].map(|axis| b[axis] - a[axis]);
-            let predicted = [0, 1, 2].map(|axis| apart[axis] + rb[axis] - ra[axis]);
-            let norm = |v: [f64; 3]| v.map(|x| x * x).iter().sum::<f64>().sqrt();
-            let (apart, predicted) = (norm(apart), norm(predicted));
+        if let (Some(apart), [Some(of_one), Some(of_other)]) = (apart, residual) {
+            let moved = Vector3::from(of_other) - Vector3::from(of_one);
+            let predicted = (apart + moved).norm();
             // Noise perpendicular to the line between two points increases their distance.
             let by_noise = 2.0 * noise * noise / predicted;
             if by_noise.is_finite() {
-                sum.add(apart - predicted - by_noise);
+                sum.add(apart.norm() - predicted - by_noise);
             }
         }
     }
     sum
 }
 
-/// Mean over all flights of the differences (measured − predicted) of a marker distance, m, and its standard error: the
-/// greater one of the standard errors for independent samples and for independent flights. `None` for fewer than two
-/// samples.
+/// Mean difference over all flights, m, and its standard error: the greater one of those for independent samples and
+/// independent flights. `None` for fewer than two samples.
 fn mean(flights: &[Sum]) -> Option<(f64, f64)> {
     let total = |of: fn(&Sum) -> f64| flights.iter().map(of).sum::<f64>();
     let count = total(|sum| sum.count);
@@ -121,9 +107,202 @@ fn mean(flights: &[Sum]) -> Option<(f64, f64)> {
     Some((mean, of_samples.max(of_flights).max(0.0).sqrt()))
 }
 
+const MIN_DISTANCES: usize = 10;
+const MAX_MARKERS: usize = 6;
+
+/// Vectors between the markers of each pair in each flight, by sample.
+fn all_apart<'s>(
+    state: &'s State<'_>,
+) -> impl Iterator<Item = (&'s Observations, [usize; 2], Vec<Option<Vector3<f64>>>)> {
+    let markers = marker_count(state.problem);
+    state.flights.iter().flat_map(move |flight| {
+        let pairs = (0..markers).flat_map(move |one| (one + 1..markers).map(move |b| [one, b]));
+        pairs.map(move |[one, other]| (flight, [one, other], apart(flight, one, other).collect()))
+    })
+}
+
+fn marker_count(problem: &FitProblem) -> usize {
+    let markers = problem.channels.iter().filter(|own| own.is_marker());
+    markers.count().min(MAX_MARKERS)
+}
+
+/// Vector from one marker to another in each sample, m; `None` where one of them is not seen.
+fn apart(
+    flight: &Observations,
+    one: usize,
+    other: usize,
+) -> impl Iterator<Item = Option<Vector3<f64>>> {
+    (0..flight.times.len()).map(move |sample| {
+        let one = Vector3::from(flight.inlier(sample, one)?);
+        Some(Vector3::from(flight.inlier(sample, other)?) - one)
+    })
+}
+
+/// Sentence that the residuals exceed the noise that the scatter of the distances shows; `None` if they do not, or the
+/// flights do not tell. What moves all markers together, the model's error above all, leaves their distances alone.
+pub fn excess(state: &State<'_>, noise: &NoiseModel) -> Option<String> {
+    // Squared scatter of each pair's distances, and what the residuals let expect.
+    let (mut found, mut expected, mut count) = (Vec::new(), Vec::new(), 0);
+    for (_, pair, apart) in all_apart(state) {
+        let apart: Vec<Vector3<f64>> = apart.into_iter().flatten().collect();
+        if apart.len() < MIN_DISTANCES {
+            continue;
+        }
+        let variances = pair.map(|channel| Vector3::from(noise.of(channel).sigma.map(|s| s * s)));
+        let both = variances[0] + variances[1];
+        let along = apart
+            .iter()
+            .map(|a| a.component_mul(a).dot(&both) / a.norm_squared());
+        expected.push(along.sum::<f64>() / apart.len() as f64);
+        let mut lengths: Vec<f64> = apart.iter().map(Vector3::norm).collect();
+        let middle = median(&mut lengths);
+        let mut sizes: Vec<f64> = lengths.iter().map(|l| (l - middle).abs()).collect();
+        found.push(robust_sigma(&mut sizes).powi(2));
+        count += lengths.len();
+    }
+    if found.is_empty() {
+        return None;
+    }
+    let [found, expected] = [found, expected].map(|mut all| median(&mut all));
+    let ratio = (expected / found).sqrt();
+    let by_chance = 1.0 + SIGNIFICANT * ROBUST_ERROR / (count as f64).sqrt();
+    (ratio.is_finite() && ratio > NEAR_NOISE.max(by_chance)).then(|| {
+        format!(
+            "the residuals are {ratio:.2} times the noise that the distances between the markers show: the model does not move all markers as they moved"
+        )
+    })
+}
+
+/// Partial autocorrelation of the noise at two samples below which it was filtered. Noise of first order has none;
+/// binomial means of three samples have −0.5, cubic interpolation −0.6.
+const FILTERED: f64 = -0.25;
+/// Relative difference of two intervals between samples up to which they are equal.
+const EVEN: f64 = 0.1;
+
+/// Sentence that the tracks were filtered or interpolated; `None` if they were not, or the flights do not tell. The
+/// noise of the distances then lacks its high frequencies, or they are shorter in every second, third or fourth sample,
+/// since an interpolation cuts corners.
+pub fn filtered(state: &State<'_>) -> Option<String> {
+    let mut sums = Sums::default();
+    for (flight, _, apart) in all_apart(state) {
+        let series = deviations(apart);
+        sums.add(&series, flight, state.interval);
+        sums.add_phases(&series);
+    }
+    let seen = match sums.period() {
+        Some(period) => format!("the distances between the markers repeat every {period} samples"),
+        None => {
+            let partial = sums.partial_autocorrelation()?;
+            // The distances to one marker share its noise.
+            let error = (marker_count(state.problem) as f64 / sums.products[2].1).sqrt();
+            if partial > FILTERED.min(-SIGNIFICANT * error) {
+                return None;
+            }
+            format!(
+                "the noise of the tracks lacks its high frequencies (partial autocorrelation {partial:.2} at two samples)"
+            )
+        }
+    };
+    Some(format!(
+        "{seen}: they were filtered or interpolated, which makes the circles of the markers smaller. Use the positions as they were measured"
+    ))
+}
+
+/// Deviation of the distance of two markers from its median in each sample, m, and the direction from one to the other;
+/// `None` where it is not seen or an outlier.
+fn deviations(apart: Vec<Option<Vector3<f64>>>) -> Vec<Option<(f64, Vector3<f64>)>> {
+    let mut lengths: Vec<f64> = apart.iter().flatten().map(Vector3::norm).collect();
+    let middle = median(&mut lengths);
+    let mut sizes: Vec<f64> = lengths.iter().map(|l| (l - middle).abs()).collect();
+    let limit = SIGNIFICANT * robust_sigma(&mut sizes);
+    let each = apart.into_iter().map(|apart| {
+        let deviation = apart?.norm() - middle;
+        (deviation.abs() <= limit).then_some((deviation, apart?.normalize()))
+    });
+    each.collect()
+}
+
+/// Periods, in samples, with which an interpolation to a higher rate repeats.
+const PERIODS: [usize; 3] = [2, 3, 4];
+/// Normal score at which the distances repeat with a period.
+const REPEATED: f64 = 8.0;
+
+/// Sums of products of deviations 0, 1 and 2 samples apart, with the sums of their weights: the squares of what the two
+/// directions, which turn with the body, have in common.
+#[derive(Default)]
+struct Sums {
+    products: [(f64, f64); 3],
+    /// For each of [`PERIODS`], the squares between the means of its phases, m², and their degrees of freedom.
+    between: [(f64, f64); 3],
+}
+
+impl Sums {
+    fn add(
+        &mut self,
+        series: &[Option<(f64, Vector3<f64>)>],
+        flight: &Observations,
+        interval: f64,
+    ) {
+        for (lag, sum) in self.products.iter_mut().enumerate() {
+            let times = zip(&flight.times, &flight.times[lag.min(flight.times.len())..]);
+            for ((earlier, later), (from, to)) in
+                zip(series, &series[lag.min(series.len())..]).zip(times)
+            {
+                let (Some(earlier), Some(later)) = (earlier, later) else {
+                    continue;
+                };
+                if (to - from - lag as f64 * interval).abs() <= EVEN * interval {
+                    let common = earlier.1.dot(&later.1);
+                    sum.0 += earlier.0 * later.0 * common;
+                    sum.1 += common * common;
+                }
+            }
+        }
+    }
+
+    /// Adds the variation of the deviations with the phase of each of [`PERIODS`].
+    fn add_phases(&mut self, series: &[Option<(f64, Vector3<f64>)>]) {
+        let all = series.iter().flatten().map(|(deviation, _)| *deviation);
+        let (total, count) = all.fold((0.0, 0.0), |(sum, n), value| (sum + value, n + 1.0));
+        for (period, between) in PERIODS.into_iter().zip(&mut self.between) {
+            for phase in 0..period {
+                let own = series.iter().skip(phase).step_by(period).flatten();
+                let (sum, n) = own.fold((0.0, 0.0), |(sum, n), (value, _)| (sum + value, n + 1.0));
+                if n > 0.0 {
+                    between.0 += n * (sum / n - total / count).powi(2);
+                }
+            }
+            between.1 += (period - 1) as f64;
+        }
+    }
+
+    /// Shortest period with which the distances repeat; `None` if they do not.
+    fn period(&self) -> Option<usize> {
+        let variance = self.products[0].0 / self.products[0].1;
+        let repeats = |(_, (squares, freedom)): &(usize, (f64, f64))| {
+            (squares / variance - freedom) / (2.0 * freedom).sqrt() > REPEATED
+        };
+        let mut periods = PERIODS.into_iter().zip(self.between);
+        Some(periods.find(repeats)?.0)
+    }
+
+    /// Partial autocorrelation at two samples; `None` without deviations.
+    fn partial_autocorrelation(&self) -> Option<f64> {
+        let [zero, one, two] = self.products.map(|(sum, weight)| sum / weight);
+        let (one, two) = (one / zero, two / zero);
+        let partial = (two - one * one) / (1.0 - one * one);
+        partial.is_finite().then_some(partial)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fit::fit;
+    use crate::fit::tests::simulated;
+    use crate::options::FitOptions;
+    use dataset::Flight;
+    use dataset::synthesize::{Corruption, Plan};
 
     #[test]
     fn the_standard_error_is_that_of_flights_where_they_differ() {
@@ -139,5 +318,60 @@ mod tests {
         assert_eq!(unlike, 2.0);
         assert!((of_flights - 1.0).abs() < 1e-12);
         assert!(mean(&[flight(&[1.0])]).is_none());
+    }
+
+    /// Whether the fit of six flights of a disc says that their tracks were filtered. The noise has the autocorrelation
+    /// `ar1`, and `change` is made to each flight.
+    fn is_filtered(ar1: f64, change: impl Fn(&mut Flight)) -> bool {
+        let model = model_spec::load::load("disc", &[]).unwrap();
+        let noise = Corruption {
+            ar1,
+            dropouts: 0.02,
+            ..Corruption::default()
+        };
+        let plan = Plan {
+            flights: 6,
+            duration: Some(0.8),
+            noise,
+            ..Plan::default()
+        };
+        let mut dataset = simulated(&model, "backhand", &plan);
+        dataset.flights.iter_mut().for_each(change);
+        let fitted = fit(&model, &dataset, &FitOptions::default()).unwrap();
+        let contradicted = &fitted.report.contradicted;
+        contradicted
+            .iter()
+            .any(|sentence| sentence.contains("filtered"))
+    }
+
+    /// Replaces each position, or one of `step`, by the mean of the positions around it with the weights `weights`.
+    fn smoothed(flight: &mut Flight, weights: &[f64], step: usize) {
+        let (measured, half) = (flight.positions.clone(), weights.len() / 2);
+        for sample in (half..measured.len() - half).step_by(step) {
+            for (marker, position) in flight.positions[sample].iter_mut().enumerate() {
+                let window = &measured[sample - half..];
+                let each = weights
+                    .iter()
+                    .zip(window)
+                    .map(|(weight, row)| Some((weight, row[marker]?)));
+                let each: Option<Vec<(&f64, [f64; 3])>> = each.collect();
+                *position = each.map(|each| {
+                    [0, 1, 2].map(|axis| each.iter().map(|(weight, at)| *weight * at[axis]).sum())
+                });
+            }
+        }
+    }
+
+    #[test]
+    fn filtered_and_interpolated_tracks_are_recognised_and_correlated_noise_is_not() {
+        assert!(!is_filtered(0.0, |_| {}));
+        assert!(!is_filtered(0.6, |_| {}));
+        assert!(!is_filtered(0.95, |_| {}));
+        // Binomial weights pass about a quarter of the frequencies.
+        let binomial = [1.0, 6.0, 15.0, 20.0, 15.0, 6.0, 1.0].map(|weight| weight / 64.0);
+        assert!(is_filtered(0.0, |flight| smoothed(flight, &binomial, 1)));
+        // Every other sample by cubic interpolation of the others.
+        let cubic = [-1.0, 0.0, 9.0, 0.0, 9.0, 0.0, -1.0].map(|weight| weight / 16.0);
+        assert!(is_filtered(0.0, |flight| smoothed(flight, &cubic, 2)));
     }
 }

@@ -5,13 +5,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use flight::parallel;
 use nalgebra::{DMatrix, DVector};
 
-use super::filtered;
 use super::output_error::OutputError;
 use super::post_fit::{ChannelSum, EMPTY_RANGE, PostFit, joined, post_fit, square_sums};
 use super::reweighting::Reweighted;
-use super::rigidity;
 use super::state::State;
-use super::{FitError, flight_error, solve_error};
+use super::{FitError, flight_error, marker_distances, solve_error};
 use crate::channel::ChannelKind;
 use crate::error::FlightError;
 use crate::ids::GlobalId;
@@ -22,30 +20,22 @@ use crate::predict::Loss;
 use crate::problem::FitProblem;
 use crate::report::{
     AxisNoise, Coefficient, Estimate, FitReport, FlightOutcome, FlightReport, Iterations, MARKER,
-    NoiseReport, NonIdentifiable, Profile, ResidualPool, SensorReport,
+    NoiseReport, NonIdentifiable, Profile, ResidualPool, Rms, SensorReport,
 };
 use crate::uncertainty::{Covariance, interval, non_identifiable, profile};
 use dataset::AXES;
 use dataset::statistics::median_of;
 
-/// Ratio of a flight's rms residual to the median over all fitted flights, above which the report contains a note on
-/// the flight.
+/// Ratio of a flight's rms residual to the median over the flights, above which a note is added.
 const MISFIT_RATIO: f64 = 4.0;
 
-/// Number of standard errors at which the rise of the deviance is tried.
-const TRIED: f64 = 2.0;
-/// Rises of the deviance at [`TRIED`] standard errors with which a standard error holds within a factor of two.
-const RISES: std::ops::Range<f64> = 1.0..16.0;
-/// Maximum number of coefficients whose standard errors are tried.
-const MAX_TRIED: usize = 2;
+/// Number of standard errors at which the rise of the deviance is tried, and maximum number of coefficients.
+const TRIED_ERRORS: (f64, usize) = (2.0, 2);
 
-/// Computes the uncertainties and residual statistics of a solution, and creates the report of the fit and those of the
-/// fitted flights. The caller adds the reports of the flights, the data faults, the marker distances, the assessment of
-/// reliability and the computing times to the report of the fit.
-///
-/// # Errors
-/// [`FitError::Flight`] if a flight does not determine its initial state or its trajectory cannot be computed;
-/// [`FitError::Interrupted`] if the work is cancelled.
+/// Rises of the deviance at [`TRIED_ERRORS`] standard errors with which a standard error holds within a factor of two.
+const RISES: std::ops::Range<f64> = 1.0..16.0;
+/// Creates the reports of the fit and of its flights, with uncertainties and residual statistics. The caller adds what
+/// concerns other flights, data faults, marker distances, reliability and times.
 pub fn reports(
     state: &State<'_>,
     fitted: &Reweighted,
@@ -105,8 +95,8 @@ pub fn reports(
         sensors,
         lack_of_fit: None,
         doubts,
-        excess: rigidity::excess(state, &fitted.noise),
-        contradicted: filtered::filtered(state).into_iter().collect(),
+        excess: marker_distances::excess(state, &fitted.noise),
+        contradicted: marker_distances::filtered(state).into_iter().collect(),
         not_identifiable,
         profiles,
         residuals: pool.axes(),
@@ -147,8 +137,7 @@ fn correlations(
     rows.collect()
 }
 
-/// Creates the reports of the sensor channels, that is, of all measured quantities other than marker positions. `sums`
-/// contains, for each channel, the sum of squared residuals and the numbers of values and outliers.
+/// Reports of the channels other than markers. `sums` contains the squared residuals and numbers of values by channel.
 fn sensors(problem: &FitProblem, noise: &NoiseModel, sums: &[ChannelSum]) -> Vec<SensorReport> {
     let channels = problem.channels.iter().enumerate().zip(sums);
     let sensors = channels.filter_map(|((index, own), sum)| {
@@ -287,8 +276,7 @@ fn coefficients(
     estimated.chain(fixed).collect()
 }
 
-/// Computes the profile likelihoods of the global parameters listed in
-/// [`FitOptions::profiles`](crate::FitOptions::profiles).
+/// Profile likelihoods of the parameters in [`FitOptions::profiles`](crate::FitOptions::profiles).
 fn profiles(
     state: &State<'_>,
     fitted: &Reweighted,
@@ -316,12 +304,8 @@ fn profiles(
     Ok(profiles)
 }
 
-/// Standard errors of the least identifiable directions that the likelihood contradicts: at [`TRIED`] standard errors
-/// from the estimate of a coefficient, with all else fitted again, the deviance does not rise by about the square of
-/// that number. Where the data hardly determine a coefficient, the model need not be linear within its standard error.
-///
-/// # Errors
-/// [`FitError::Interrupted`] if the work is cancelled.
+/// Standard errors of the least identifiable directions that the likelihood contradicts: at [`TRIED_ERRORS`] standard errors,
+/// with all else fitted again, the deviance does not rise by about the square of that number.
 fn nonlinear(
     state: &State<'_>,
     fitted: &Reweighted,
@@ -339,7 +323,7 @@ fn nonlinear(
         .iter()
         .filter_map(|d| d.combination.first())
         .collect();
-    names.truncate(MAX_TRIED);
+    names.truncate(TRIED_ERRORS.1);
     let mut found = Vec::new();
     for name in names {
         let Some(index) = problem.globals.iter().position(|own| own.name == *name) else {
@@ -348,7 +332,7 @@ fn nonlinear(
         let best = fitted.solution.iterate.global[index];
         let error = covariance.model[(index, index)].sqrt();
         let bounds = objective.constraints[index].bounds;
-        for side in [-TRIED, TRIED] {
+        for side in [-TRIED_ERRORS.0, TRIED_ERRORS.0] {
             let value = best + side * error;
             if !(bounds.0..=bounds.1).contains(&value) || options.is_past_deadline() {
                 continue;
@@ -364,7 +348,7 @@ fn nonlinear(
             if !RISES.contains(&rise) {
                 let why = format!(
                     "the standard error of {name} does not hold: at {side} standard errors the deviance changes by {rise:.1}, not by {}",
-                    TRIED * TRIED
+                    TRIED_ERRORS.0 * TRIED_ERRORS.0
                 );
                 found.push(why);
                 break;
@@ -375,8 +359,7 @@ fn nonlinear(
     Ok(found)
 }
 
-/// Computes, for every fitted flight, its residual statistics and its report, which contains the initial state with
-/// standard errors.
+/// Residual statistics and report of every fitted flight.
 fn evaluate(
     state: &State<'_>,
     fitted: &Reweighted,
@@ -393,24 +376,34 @@ fn evaluate(
         let post_fit = post_fit(problem, observations, &fitted.noise, &state.global, path);
         let covariance = system.local_covariance(index, &covariance.model);
         let local = &fitted.solution.iterate.local[index];
-        let report = FlightReport {
-            file: observations.file.clone(),
-            role: observations.role,
-            outcome: FlightOutcome::Fitted,
-            samples: observations.samples,
-            residual_rms: square_sums(problem, &post_fit.channels).rms(),
-            outliers: observations.outliers(),
-            initial: initial_state_report(problem, observations, local, &covariance),
-            cut: observations.truncation.clone(),
-            notes: observations.notes.clone(),
-        };
+        let rms = square_sums(problem, &post_fit.channels).rms();
+        let initial = initial_state_report(problem, observations, local, &covariance);
+        let report = flight_report(observations, FlightOutcome::Fitted, rms, initial);
         Ok((post_fit, report))
     });
     each.into_iter().collect()
 }
 
-/// Initial state of a flight with standard errors, keyed by the names of the states. `covariance` is the covariance of
-/// the initial state, in terms of steps along the directions in which it may vary.
+pub fn flight_report(
+    observations: &Observations,
+    outcome: FlightOutcome,
+    residual_rms: BTreeMap<String, Rms>,
+    initial: BTreeMap<String, Estimate>,
+) -> FlightReport {
+    FlightReport {
+        file: observations.file.clone(),
+        role: observations.role,
+        outcome,
+        samples: observations.samples,
+        residual_rms,
+        outliers: observations.outliers(),
+        initial,
+        cut: observations.truncation.clone(),
+        notes: observations.notes.clone(),
+    }
+}
+
+/// Initial state of a flight with standard errors, by name. `covariance` is that of steps along its free directions.
 pub fn initial_state_report(
     problem: &FitProblem,
     observations: &Observations,

@@ -2,37 +2,34 @@
 
 use nalgebra::DVector;
 
+use super::state::State;
 use crate::error::FlightError;
-use crate::least_squares::{Constraint, LeastSquaresProblem, NormalBlock, Unknowns};
+use crate::least_squares::{
+    Constraint, Iterate, LeastSquaresProblem, NormalBlock, Solution, SolveError, StoppingCriteria,
+    Unknowns, solve,
+};
+use crate::levels::CLEARLY_SMALLER;
 use crate::observations::Observations;
 use crate::options::FitOptions;
-use crate::predict::{Loss, linearise};
+use crate::predict::{Loss, linearise, residuals, robust_scale};
 use crate::problem::FitProblem;
 
-/// Objective of a fit: the sum of squared residuals, or of a loss function of them, over the first samples of the
-/// flights in `flights`.
+/// Objective of a fit: the sum of squared residuals, or of a loss of them, over the first samples of `flights`.
 pub struct OutputError<'a> {
-    /// Estimation problem with the model, the channels and the parameters.
     pub problem: &'a FitProblem,
-    /// Observations of each flight in the sum.
     pub flights: Vec<&'a Observations>,
     /// Number of samples of each flight that are used, counted from its first sample.
     pub samples: Vec<usize>,
-    /// Loss function of the residuals.
     pub loss: Loss<'a>,
     /// Values of the global parameters if they are fixed; `None` if they are estimated.
     pub fixed_global: Option<&'a DVector<f64>>,
-    /// Bounds and priors of the estimated global parameters.
     pub constraints: Vec<Constraint>,
-    /// Number of threads on which the flights are processed.
     pub threads: usize,
-    /// Options, used for progress reports, cancellation and deadline.
     pub options: &'a FitOptions<'a>,
 }
 
 impl<'a> OutputError<'a> {
-    /// Creates the sum of squared residuals (or of their `loss`) over all samples of the given flights, as a function
-    /// of the global parameters and the initial state of each flight.
+    /// Sum over all samples of the given flights, as a function of the global parameters and the initial states.
     pub fn of_all(
         problem: &'a FitProblem,
         flights: impl IntoIterator<Item = &'a Observations>,
@@ -96,5 +93,103 @@ impl LeastSquaresProblem for OutputError<'_> {
 
     fn is_past_deadline(&self) -> bool {
         self.options.is_past_deadline()
+    }
+}
+
+// Fits of the initial state of one flight at fixed global parameters.
+
+/// Maximum number of fits of one flight with a robust loss whose scale decreases from fit to fit.
+pub const MAX_SCALES: usize = 8;
+
+/// Global parameters held at fixed values, so that the initial state of each flight can be fitted separately.
+#[derive(Clone, Copy)]
+pub struct FixedGlobal<'a> {
+    pub problem: &'a FitProblem,
+    pub global: &'a DVector<f64>,
+    pub options: &'a FitOptions<'a>,
+}
+
+impl State<'_> {
+    /// The present global parameters, held fixed.
+    pub fn fixed_global(&self) -> FixedGlobal<'_> {
+        FixedGlobal {
+            problem: self.problem,
+            global: &self.global,
+            options: self.options,
+        }
+    }
+}
+
+impl FixedGlobal<'_> {
+    /// Fits the initial state to the first `samples` samples from `start`. Returns the minimum of the robust loss of
+    /// scale `sigma0`, and the initial state.
+    pub fn fit_initial_state(
+        self,
+        observations: &Observations,
+        samples: usize,
+        start: DVector<f64>,
+    ) -> Result<(f64, DVector<f64>), FlightError> {
+        let sigma0 = self.problem.sigma0;
+        let solve = |local: DVector<f64>, scale: f64, criteria: StoppingCriteria| {
+            self.solve(observations, samples, local, Loss::Huber(scale), criteria)
+        };
+        let (mut local, mut scale) = (start, f64::INFINITY);
+        for _ in 0..MAX_SCALES {
+            let next = self.residual_scale(observations, &local, samples);
+            let next = next.unwrap_or(1.0).max(sigma0);
+            // The last fit uses the scale sigma0.
+            if next > CLEARLY_SMALLER * scale || CLEARLY_SMALLER * next < sigma0 {
+                break;
+            }
+            scale = next;
+            local = solve(local, scale, StoppingCriteria::HORIZON)?.0;
+        }
+        let (local, solution) = solve(local, sigma0, StoppingCriteria::COARSE)?;
+        if !solution.blocks[0].determines_local() {
+            return Err(FlightError::SingularInitialState);
+        }
+        Ok((solution.squares, local))
+    }
+
+    /// Fits the initial state to the first `samples` samples under `loss`, from `local`. Returns it with the solution.
+    pub fn solve(
+        self,
+        observations: &Observations,
+        samples: usize,
+        local: DVector<f64>,
+        loss: Loss<'_>,
+        criteria: StoppingCriteria,
+    ) -> Result<(DVector<f64>, Solution), FlightError> {
+        let objective = OutputError {
+            samples: vec![samples],
+            fixed_global: Some(self.global),
+            constraints: Vec::new(),
+            threads: 1,
+            ..OutputError::of_all(self.problem, [observations], loss, self.options)
+        };
+        let start = Iterate {
+            global: DVector::zeros(0),
+            local: vec![local],
+        };
+        let solution = solve(&objective, start, criteria);
+        let solution = solution.map_err(|error| match error {
+            SolveError::Start(failures) => {
+                let first = failures.into_iter().next();
+                first.map_or(FlightError::NoMatchingState, |(_, reason)| reason)
+            }
+            SolveError::Cancelled => FlightError::Interrupted,
+        })?;
+        Ok((solution.iterate.local[0].clone(), solution))
+    }
+
+    /// Robust standard deviation of the residuals over the first `samples` samples, m, from the initial state `local`.
+    pub fn residual_scale(
+        self,
+        observations: &Observations,
+        local: &DVector<f64>,
+        samples: usize,
+    ) -> Option<f64> {
+        let unknowns = (self.global, local);
+        robust_scale(&residuals(self.problem, observations, unknowns, samples).ok()?)
     }
 }

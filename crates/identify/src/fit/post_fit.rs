@@ -1,44 +1,33 @@
-//! Quantities of one flight after the fit: residual statistics, excitation ranges, and measured and predicted values
-//! for figures.
+//! Quantities of one flight after the fit: statistics of residuals, excitation ranges, values for figures.
 
 use nalgebra::DVector;
 
 use super::residual_cache::Path;
 use crate::channel::ChannelKind;
-use crate::channel_observers::ChannelConditions;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
+use crate::observers::ChannelConditions;
 use crate::predict::{Residuals, states};
 use crate::problem::FitProblem;
 use crate::report::{FlightEvidence, MARKER, ResidualPool, SensorEvidence, SquareSums};
 
-/// Residual statistics of one flight, and the minimum and maximum over the flight of each state and auxiliary variable
-/// of the model.
+/// Residual statistics of one flight, and the ranges of the states and auxiliary variables.
 pub struct PostFit {
-    /// Sums of lagged products of the flight's residuals, and histograms of its whitened residuals, from which the
-    /// report states the autocorrelation and the distribution of the residuals.
     pub pool: ResidualPool,
-    /// For each channel, the sum of squared residuals and the numbers of values and outliers, in the order of the
-    /// channels.
     pub channels: Vec<ChannelSum>,
     /// Minimum and maximum over the flight of each of the model's auxiliary variables, followed by those of its states.
     pub ranges: Vec<(f64, f64)>,
 }
 
-/// Sum of squared residuals of one channel, and its numbers of values and outliers. Residuals are in the unit of the
-/// channel: the factor `Channel::scale` is not applied.
+/// Sum of squared residuals of one channel, in its unit, and its numbers of values and outliers.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ChannelSum {
     /// Sum of squared residuals over all components, outliers excluded, in the square of the channel's unit.
     pub squares: f64,
-    /// Number of measured values of the channel, outliers excluded. A vector counts as one value.
     pub count: usize,
-    /// Number of measured values of the channel that are excluded as outliers. A vector counts as one value.
     pub outliers: usize,
 }
 
-/// For each channel of a flight, the sum of its squared residuals in the samples from `first` on, and the numbers of
-/// values and outliers.
 pub fn channel_sums(
     problem: &FitProblem,
     observations: &Observations,
@@ -79,8 +68,7 @@ pub fn square_sums(problem: &FitProblem, channels: &[ChannelSum]) -> SquareSums 
     sums
 }
 
-/// Approximate number of samples of a flight at which the model's auxiliary variables are evaluated to find their
-/// minimum and maximum.
+/// Approximate number of samples of a flight at which auxiliary variables are evaluated.
 const EVALUATED_SAMPLES: usize = 12;
 
 /// Range (minimum, maximum) that contains no value: the initial value when the union of several ranges is computed.
@@ -91,8 +79,7 @@ pub fn joined(one: (f64, f64), other: (f64, f64)) -> (f64, f64) {
     (one.0.min(other.0), one.1.max(other.1))
 }
 
-/// Computes the residual statistics of a flight, and the minimum and maximum of its states and auxiliary variables,
-/// from its trajectory `path`.
+/// Residual statistics and ranges of a flight from its trajectory `path`.
 pub fn post_fit(
     problem: &FitProblem,
     observations: &Observations,
@@ -148,48 +135,28 @@ pub fn evidence(
     let mut observer = bound.observer();
     let layout = problem.body.layout();
     let channels = problem.channels.iter().enumerate();
-    let positions: Vec<usize> = channels
-        .clone()
-        .filter_map(|(index, channel)| channel.is_position().then_some(index))
-        .collect();
-    let sensors = channels.filter(|(_, channel)| !channel.is_position());
-    let sensors = sensors.map(|(index, channel)| SensorEvidence {
-        name: channel.name.clone(),
+    let (positions, others): (Vec<_>, Vec<_>) = channels.partition(|(_, own)| own.is_position());
+    let sensors = others.into_iter().map(|(index, own)| SensorEvidence {
+        name: own.name.clone(),
         channel: index,
-        unit: channel.unit.to_owned(),
-        components: channel.components,
+        unit: own.unit.to_owned(),
+        components: own.components,
         measured: (0..samples).map(|k| observations.value(k, index)).collect(),
         outlier: (0..samples)
             .map(|k| observations.is_outlier(k, index))
             .collect(),
         residuals: Vec::new(),
     });
-    let mut sensors: Vec<SensorEvidence> = sensors.collect();
+    let markers = positions.iter().map(|(_, own)| own.name.clone());
+    let positions: Vec<usize> = positions.iter().map(|(index, _)| *index).collect();
     let mut evidence = FlightEvidence {
         file: observations.file.clone(),
         role: observations.role,
-        markers: positions
-            .iter()
-            .map(|&channel| problem.channels[channel].name.clone())
-            .collect(),
+        markers: markers.collect(),
         times: observations.times.clone(),
-        measured: (0..samples)
-            .map(|k| {
-                positions
-                    .iter()
-                    .map(|&c| observations.value(k, c))
-                    .collect()
-            })
-            .collect(),
-        outlier: (0..samples)
-            .map(|k| {
-                positions
-                    .iter()
-                    .map(|&c| observations.is_outlier(k, c))
-                    .collect()
-            })
-            .collect(),
-        sensors: Vec::new(),
+        measured: table(samples, &positions, |k, c| observations.value(k, c)),
+        outlier: table(samples, &positions, |k, c| observations.is_outlier(k, c)),
+        sensors: sensors.collect(),
         predicted: Vec::new(),
         state_names: layout.states.clone(),
         states: Vec::new(),
@@ -198,26 +165,31 @@ pub fn evidence(
     };
     let states = trajectory.chunks(observations.manifold.states());
     for (sample, (&time, state)) in observations.times.iter().zip(states).enumerate() {
-        // The residual of a measured value 0 is the predicted value times the scale of the channel.
-        let mut position = |channel: usize| {
-            let scale = problem.channels[channel].scale;
-            observers
-                .residual(time, state, channel, [0.0; 3])
-                .map(|y| y / scale)
+        let mut residual = |channel: usize, measured: [f64; 3]| {
+            let residual = observers.residual(time, state, channel, measured);
+            residual.map(|residual| residual / problem.channels[channel].scale)
         };
-        let predicted = positions.iter().map(|&channel| position(channel));
+        // The residual of a measured value 0 is the predicted value.
+        let predicted = positions.iter().map(|&own| residual(own, [0.0; 3]));
         evidence.predicted.push(predicted.collect());
-        for sensor in &mut sensors {
-            let residual = observations.value(sample, sensor.channel).map(|seen| {
-                let scale = problem.channels[sensor.channel].scale;
-                let residual = observers.residual(time, state, sensor.channel, seen);
-                residual.map(|predicted_less_measured| -predicted_less_measured / scale)
-            });
+        for sensor in &mut evidence.sensors {
+            let measured = observations.value(sample, sensor.channel);
+            let residual = measured.map(|seen| residual(sensor.channel, seen).map(|own| -own));
             sensor.residuals.push(residual);
         }
         evidence.quantities.push(observer.quantities(time, state));
         evidence.states.push(state.to_vec());
     }
-    evidence.sensors = sensors;
     Some(evidence)
+}
+
+/// What `of` returns for each sample (row) and each of `channels`.
+fn table<T>(samples: usize, channels: &[usize], of: impl Fn(usize, usize) -> T) -> Vec<Vec<T>> {
+    let row = |sample: usize| {
+        channels
+            .iter()
+            .map(|&channel| of(sample, channel))
+            .collect()
+    };
+    (0..samples).map(row).collect()
 }

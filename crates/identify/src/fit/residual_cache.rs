@@ -1,20 +1,25 @@
-//! Cache of the trajectories and residuals of all flights at one iterate, computed once for all stages that use them.
+//! Trajectories and residuals of all flights at one iterate, computed once for all stages that use them, and least
+//! squares over the flights that can be computed.
 
 use flight::parallel;
+use nalgebra::DVector;
 
+use super::output_error::OutputError;
 use super::state::{State, retain};
-use super::{FitError, flight_error};
+use super::{Fit, FitError, flight_error};
 use crate::error::FlightError;
-use crate::least_squares::FailedFlight;
-use crate::observations::Observations;
-use crate::predict::{Residuals, residuals_of, states};
-use dataset::statistics::{median_of, robust_sigma};
+use crate::ids::FlightId;
+use crate::least_squares::{FailedFlight, Solution, SolveError, StoppingCriteria, solve_after};
+use crate::levels::ROBUST_ERROR;
+use crate::observations::{Observations, median_interval};
+use crate::options::FitOptions;
+use crate::predict::{Loss, Residuals, residuals, residuals_of, robust_scale, states};
+use crate::problem::FitProblem;
+use dataset::Dataset;
+use dataset::statistics::median_of;
 
 /// Trajectories and residuals of all flights for one set of values of the unknowns.
 pub struct ResidualCache(Vec<CachedFlight>);
-
-/// Standard error of a robust standard deviation s, computed from n normally distributed values, in units of s/√n.
-const SCALE_ERROR: f64 = 1.17;
 
 /// Size at which residuals are clipped in the deviance, in units of the residual scale: outliers tell nothing.
 const CLIPPED: f64 = 4.0;
@@ -29,14 +34,11 @@ struct CachedFlight {
 pub struct Path {
     /// States of the model at the samples over which the flight was integrated, concatenated sample by sample.
     pub states: Vec<f64>,
-    /// Residuals of the values measured in the samples over which the flight was integrated, (predicted − measured) ×
-    /// scale of the channel, m.
     pub residuals: Residuals,
 }
 
 impl State<'_> {
-    /// Computes the trajectories and residuals of all fitted flights, over their whole lengths, for the present values
-    /// of the unknowns.
+    /// Trajectories and residuals of all fitted flights over their whole lengths, at the present values.
     pub fn residuals(&self) -> ResidualCache {
         let samples = self.flights.iter().map(|flight| flight.times.len());
         ResidualCache::new(self, &samples.collect::<Vec<usize>>())
@@ -44,8 +46,7 @@ impl State<'_> {
 }
 
 impl ResidualCache {
-    /// Integrates each fitted flight over its first samples and computes the residuals in these samples.
-    /// `samples[flight]` is the number of samples of a flight that are used.
+    /// Residuals of each flight in its first `samples[flight]` samples.
     pub fn new(state: &State<'_>, samples: &[usize]) -> Self {
         let (problem, options) = (state.problem, state.options);
         let count = state.flights.len();
@@ -69,21 +70,20 @@ impl ResidualCache {
         }))
     }
 
-    /// Robust standard deviation of each flight's residuals, m; `None` if the flight cannot be integrated or has no
-    /// residuals.
+    /// Robust standard deviation of each flight's residuals, m; `None` if it cannot be integrated or has none.
     pub fn scales(&self) -> Vec<Option<f64>> {
         self.0.iter().map(|flight| flight.scale).collect()
     }
 
-    /// Whether a flight's residual scale exceeds the reference scale `usual`, m, by more than the factor `ratio` and by
-    /// more than `errors` standard errors. `true` if the flight has no residual scale.
+    /// Whether a flight has no residual scale, or one above `usual`, m, by more than the factor `ratio` and `errors`
+    /// standard errors.
     pub fn stands_out(&self, flight: usize, usual: f64, ratio: f64, errors: f64) -> bool {
         let CachedFlight { path, scale } = &self.0[flight];
         let (Some(scale), Ok(path)) = (scale, path) else {
             return true;
         };
         let values = 3 * path.residuals.iter().flatten().flatten().count();
-        let by_chance = 1.0 + errors * SCALE_ERROR / (values.max(1) as f64).sqrt();
+        let by_chance = 1.0 + errors * ROBUST_ERROR / (values.max(1) as f64).sqrt();
         *scale > usual * ratio.max(by_chance)
     }
 
@@ -93,8 +93,12 @@ impl ResidualCache {
         median_of(scales).unwrap_or(0.0)
     }
 
-    /// Sum of the squares of all residuals, m², clipped at [`CLIPPED`] times the residual scale `scale`, m, and their
-    /// number.
+    /// Residual scale that is typical of the flights, m: their median, or the initial noise if that is greater.
+    pub fn usual_scale(&self, problem: &FitProblem) -> f64 {
+        self.median_scale().max(problem.sigma0)
+    }
+
+    /// Sum of the squares of all residuals, m², clipped at [`CLIPPED`] times `scale`, m, and their number.
     pub fn clipped_squares(&self, scale: f64) -> (f64, usize) {
         let limit = CLIPPED * scale;
         let paths = self.0.iter().filter_map(|flight| flight.path.as_ref().ok());
@@ -119,8 +123,6 @@ impl ResidualCache {
             .collect()
     }
 
-    /// Removes the residuals and trajectories of the flights listed in `failures`, whose indices refer to the flights
-    /// in this cache.
     pub fn remove(&mut self, failures: &[FailedFlight]) {
         let mut is_kept = vec![true; self.0.len()];
         for (flight, _) in failures {
@@ -129,20 +131,115 @@ impl ResidualCache {
         retain(&mut self.0, &is_kept);
     }
 
-    /// Trajectory and residuals of a flight.
-    ///
-    /// # Errors
-    /// [`FitError::Flight`] if the flight cannot be integrated.
     pub fn path(&self, flights: &[Observations], flight: usize) -> Result<&Path, FitError> {
         let path = self.0[flight].path.as_ref();
         path.map_err(|reason| flight_error(&flights[flight], reason.clone()))
     }
 }
 
-/// Robust standard deviation of one flight's residuals, m; `None` if there are no residuals.
-pub fn robust_scale(residuals: &Residuals) -> Option<f64> {
-    let all = residuals.iter().flatten().flatten().flatten();
-    let mut sizes = Vec::with_capacity(3 * residuals.iter().map(Vec::len).sum::<usize>());
-    sizes.extend(all.map(|residual| residual.abs()));
-    (!sizes.is_empty()).then(|| robust_sigma(&mut sizes))
+/// Minimises the sum of squares over the flights of `state`; the caller applies the solution. Flights that cannot be
+/// predicted are excluded first. `configure` may change the objective. `previous` is the predicted reduction of the
+/// last step of a preceding iteration.
+pub fn solve_flights(
+    state: &mut State<'_>,
+    (loss, criteria): (Loss<'_>, StoppingCriteria),
+    previous: Option<f64>,
+    configure: &dyn Fn(&State<'_>, &mut OutputError<'_>),
+) -> Result<Solution, FitError> {
+    loop {
+        let mut objective = OutputError::of_all(state.problem, &state.flights, loss, state.options);
+        configure(state, &mut objective);
+        let solved = solve_after(&objective, state.iterate(), criteria, previous);
+        drop(objective);
+        match solved {
+            Ok(solution) => return Ok(solution),
+            Err(SolveError::Start(failures)) => state.exclude(failures)?,
+            Err(SolveError::Cancelled) => return Err(FitError::Interrupted),
+        }
+    }
+}
+
+/// Excludes the flights whose trajectories could not be computed, from `state` and `cache`.
+pub fn exclude_failed(
+    state: &mut State<'_>,
+    mut cache: ResidualCache,
+) -> Result<ResidualCache, FitError> {
+    if state.options.is_cancelled() {
+        return Err(FitError::Interrupted);
+    }
+    let failures = cache.failures();
+    if !failures.is_empty() {
+        cache.remove(&failures);
+        state.exclude(failures)?;
+    }
+    Ok(cache)
+}
+
+/// A fit in progress at the estimates, truncations and outliers of an earlier fit, with its residuals. `None` if the
+/// earlier fit lacks a flight, its model has another number of states, or a flight cannot be integrated.
+pub fn continued<'a>(
+    problem: &'a FitProblem,
+    dataset: &Dataset,
+    fitted: &[FlightId],
+    earlier: &Fit,
+    options: &'a FitOptions<'a>,
+) -> Option<(State<'a>, ResidualCache)> {
+    let values = problem.globals.iter().map(|global| {
+        let mut estimates = earlier.problem.globals.iter().zip(earlier.global.iter());
+        let estimate = estimates.find(|(estimated, _)| estimated.name == global.name);
+        let (low, high) = global.constraint.bounds;
+        estimate.map_or(global.model_value, |(_, value)| value.clamp(low, high))
+    });
+    let global = DVector::from_iterator(problem.globals.len(), values);
+    let mut state = State::new(problem, options, global, 1.0);
+    for &flight in fitted {
+        let mut left_out = earlier.excluded.iter();
+        if let Some(excluded) = left_out.find(|excluded| excluded.flight == flight) {
+            state.excluded.push(excluded.clone());
+            continue;
+        }
+        let (before, local) = earlier.flight(flight)?;
+        let observations = Observations::like(problem, &dataset.flights[flight.index()], before)?;
+        if observations.manifold.states() != local.len() {
+            return None;
+        }
+        state.push(flight, observations, local.clone());
+    }
+    state.interval = median_interval(&state.flights);
+    let cache = state.residuals();
+    let is_flown = !state.flights.is_empty() && cache.failures().is_empty();
+    is_flown.then_some((state, cache))
+}
+
+/// Maximum integration error of a prediction, in units of `sigma0` or of the flight's residual scale if that is
+/// greater.
+const MAX_ERROR: f64 = 0.03;
+
+/// Factors of the tolerance of a flight: of the reference trajectory, and the least.
+const FACTORS: (f64, f64) = (1e-2, 1e-4);
+
+/// Reduces the tolerances of the flights whose predictions have larger errors than [`MAX_ERROR`], and recomputes the
+/// residuals if there are any.
+pub fn bound_global_errors(state: &mut State<'_>, cache: ResidualCache) -> ResidualCache {
+    let (problem, options) = (state.problem, state.options);
+    let scales = cache.scales();
+    let factors = parallel::each_on(options.threads(), state.flights.len(), |flight| {
+        let observations = &state.flights[flight];
+        let unknowns = (&state.global, &state.local[flight]);
+        let samples = observations.times.len();
+        let coarse = residuals(problem, observations, unknowns, samples).ok()?;
+        let mut finely = observations.clone();
+        finely.tolerance_factor *= FACTORS.0;
+        let fine = residuals(problem, &finely, unknowns, samples).ok()?;
+        let [coarse, fine] = [&coarse, &fine].map(|all| all.iter().flatten().flatten().flatten());
+        let differences = coarse.zip(fine).map(|(coarse, fine)| (coarse - fine).abs());
+        let size = scales[flight]?.max(problem.sigma0);
+        let error = differences.fold(0.0, f64::max) / size;
+        (error > MAX_ERROR).then(|| (MAX_ERROR / error).max(FACTORS.1))
+    });
+    let is_refined = factors.iter().any(Option::is_some);
+    for (flight, factor) in state.flights.iter_mut().zip(factors) {
+        flight.tolerance_factor *= factor.unwrap_or(1.0);
+    }
+    if is_refined { state.residuals() } else { cache }
 }

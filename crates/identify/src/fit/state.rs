@@ -9,28 +9,20 @@ use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 
-/// If the integration of a flight fails, the fit uses the flight up to this fraction of the time between its first
-/// sample and the failure.
+/// Part of the time before the failure of its integration up to which a flight is used.
 const FLYABLE_PART: f64 = 0.7;
 
 /// A fit in progress: the flights that are fitted, with the values of all unknowns, and excluded flights.
 #[derive(Clone)]
 pub(crate) struct State<'a> {
-    /// Estimation problem with the model, the channels and the parameters.
     pub problem: &'a FitProblem,
-    /// Options of the fit.
     pub options: &'a FitOptions<'a>,
-    /// Index in the dataset of each fitted flight.
     pub ids: Vec<FlightId>,
-    /// Observations of each fitted flight.
     pub flights: Vec<Observations>,
-    /// Values of the global parameters, SI.
     pub global: DVector<f64>,
-    /// Initial state of each fitted flight, SI.
     pub local: Vec<DVector<f64>>,
     /// Time after the first sample up to which each flight is used, s; infinite if the whole flight is used.
     pub limits: Vec<f64>,
-    /// Excluded flights, with the reasons.
     pub excluded: Vec<ExcludedFlight>,
     /// Median time between successive samples of the flights, s.
     pub interval: f64,
@@ -43,8 +35,7 @@ pub(crate) struct State<'a> {
 }
 
 impl<'a> State<'a> {
-    /// Creates a fit in progress without flights. `global` contains the global parameters, SI, and `interval` is the
-    /// median time between samples, s.
+    /// A fit in progress without flights, at the parameters `global`, SI; `interval` is that between samples, s.
     pub fn new(
         problem: &'a FitProblem,
         options: &'a FitOptions<'a>,
@@ -90,8 +81,7 @@ impl<'a> State<'a> {
         (self.global, self.local) = (iterate.global, iterate.local);
     }
 
-    /// Sets the global parameters and initial states to those of a least-squares solution, and adds the solution's
-    /// number of steps to `steps`.
+    /// Sets the unknowns to those of a solution and counts its steps.
     pub fn take(&mut self, solution: &Solution) {
         self.global.clone_from(&solution.iterate.global);
         self.local.clone_from(&solution.iterate.local);
@@ -106,8 +96,7 @@ impl<'a> State<'a> {
         self.limits.push(f64::INFINITY);
     }
 
-    /// Number of samples of each flight up to `horizon`, s after its first sample, or up to the time limit of the
-    /// flight in `limits` if that is earlier.
+    /// Number of samples of each flight up to `horizon`, s after its first sample, or up to its time limit.
     pub fn samples_until(&self, horizon: f64) -> Vec<usize> {
         let flights = self.flights.iter().zip(&self.limits);
         flights
@@ -118,8 +107,7 @@ impl<'a> State<'a> {
             .collect()
     }
 
-    /// Limits the used time of each flight in `failures` to a fraction of the time before the failure of its
-    /// integration. Doubles the time limits of the remaining flights; flights without a limit remain unlimited.
+    /// Limits flights that failed to a part of the time before their failure; doubles the limits of the others.
     pub fn limit_to_flyable(&mut self, failures: &[FailedFlight]) {
         for limit in &mut self.limits {
             *limit *= 2.0;
@@ -132,11 +120,6 @@ impl<'a> State<'a> {
         }
     }
 
-    /// Excludes the flights listed in `failures` by their indices among the fitted flights. The indices of the flights
-    /// after an excluded one decrease.
-    ///
-    /// # Errors
-    /// [`FitError::NoUsableFlight`] if no flight is left.
     pub fn exclude(&mut self, failures: Vec<FailedFlight>) -> Result<(), FitError> {
         let mut is_kept = vec![true; self.flights.len()];
         for (flight, reason) in failures {
@@ -161,7 +144,6 @@ impl<'a> State<'a> {
     }
 }
 
-/// Retains the elements of `values` for which the entry of `is_kept` with the same index is true.
 pub(super) fn retain<T>(values: &mut Vec<T>, is_kept: &[bool]) {
     let mut flags = is_kept.iter();
     values.retain(|_| flags.next().is_none_or(|kept| *kept));

@@ -1,29 +1,26 @@
-//! Faults of all flights that screening infers from their accelerations, which it compares with loads of usual kinds. The
-//! user's model may have others: a trial fit of the data as they are decides.
+//! Trial fits: of data whose faults may be loads of the model, and of values that the user holds.
 
 use model_spec::model::Model;
 
 use super::{Fit, FitError, fit_within};
-use crate::data_fault::{DataFault, FaultKind};
+use crate::error::{DataFault, FaultKind};
+use crate::numbers::Digits;
 use crate::options::FitOptions;
+use crate::report::MAX_PRIOR_CONFLICT;
 use dataset::statistics::median_of;
 use dataset::{Dataset, Flight, Role};
 
-/// Number of flights of the trial fit.
 const FLIGHTS: usize = 4;
 
-/// Acceleration that corresponds to the residuals of the trial fit, m/s², below which the data are as the model says.
-/// Axes, units or times that are wrong leave accelerations of the order of gravity.
+/// Acceleration that corresponds to the residuals, m/s², below which the data are as the model says; wrong axes, units
+/// or times leave about that of gravity.
 const MAX_ACCELERATION: f64 = 2.0;
 
 /// Root mean square of a parabola a·t²/2 about its best straight line over a time T, in units of a·T²: 1/√720.
 const BENDING: f64 = 0.0373;
 
-/// Removes from `faults` those that all flights to be fitted have in common, if they rest on accelerations and the model
-/// describes the recorded flights as they are.
-///
-/// # Errors
-/// [`FitError::Interrupted`] if the work is cancelled.
+/// Removes faults that all flights have in common if they rest on accelerations, which screening compares with usual
+/// loads, and the model describes the data as they are.
 pub fn remove_refuted(
     model: &Model,
     dataset: &Dataset,
@@ -78,4 +75,46 @@ fn flies_as_recorded(fit: &Fit) -> bool {
     median_of(durations)
         .zip(left)
         .is_some_and(|(duration, left)| left < BENDING * MAX_ACCELERATION * duration * duration)
+}
+
+/// Sentences on held coefficients that are more than [`MAX_PRIOR_CONFLICT`] standard errors from their estimates.
+pub fn conflicts(
+    model: &Model,
+    dataset: &Dataset,
+    options: &FitOptions<'_>,
+    held: &Fit,
+) -> Result<Vec<String>, FitError> {
+    let mut conflicts = Vec::new();
+    for (place, (name, _)) in options.fixed.iter().enumerate() {
+        let Some((_, value)) = held.problem.fixed.iter().find(|(own, _)| own == name) else {
+            continue;
+        };
+        let mut others = options.fixed.to_vec();
+        others.remove(place);
+        let freed = FitOptions {
+            fixed: &others,
+            profiles: &[],
+            known_faults: Some(&held.report.data_faults),
+            ..*options
+        };
+        let fit = match fit_within(model, dataset, &freed, Some(held)) {
+            Err(FitError::Interrupted) => return Err(FitError::Interrupted),
+            found => found.ok(),
+        };
+        let Some(free) = fit.and_then(|fit| fit.report.coefficients.get(name).cloned()) else {
+            continue;
+        };
+        let error = free
+            .std_error
+            .max(free.std_error_cluster_robust.unwrap_or(0.0));
+        let conflict = (free.value - value).abs() / error;
+        if conflict > MAX_PRIOR_CONFLICT {
+            let digits = Digits::of(free.value, error);
+            conflicts.push(format!(
+                "the data contradict the held value {name} = {value}: they give {}, {conflict:.1} standard errors away",
+                digits.one(free.value)
+            ));
+        }
+    }
+    Ok(conflicts)
 }

@@ -1,48 +1,37 @@
-//! Detects the first contact of a body as a change of its smooth motion.
-//!
-//! A contact with the ground changes the velocity within one sampling interval. At each interval, smooth motion through
-//! the points around it is compared with motion whose velocity and acceleration jump there. Aerodynamic loads, however
-//! large, also change the velocity on both sides; a contact does not.
+//! Detects the first contact of a body as a change of its smooth motion: smooth motion through the points around an
+//! interval is compared with motion whose velocity and acceleration jump in it. Aerodynamic loads, however large,
+//! change the velocity on both sides; a contact does not.
 
 use std::ops::Range;
 
 use nalgebra::Vector3;
 
-use super::halt::is_stopped;
 use super::smooth_motion::{Fitted, fit};
 use super::{Contact, PathPoint};
-use crate::path_noise::path_noise;
+use crate::noise_floor::path_noise;
 use dataset::statistics::median_of;
 
-/// Maximum numbers of points before and after an interval between two successive points to which motion is fitted. Over
-/// more points, lift varies more than the polynomial; later points may follow another contact.
+/// Maximum numbers of points before and after an interval: over more, lift varies too much, and another contact may
+/// follow.
 const SIDES: (usize, usize) = (20, 8);
-/// Minimum numbers of points before and after an interval that is tested for a contact: enough for four coefficients
-/// before it and for two more after it.
+/// Minimum numbers of points before and after an interval, for four coefficients before it and two more after it.
 const MIN_SIDES: (usize, usize) = (8, 3);
-/// Maximum number of points around a tested interval that are left out as outliers. If more were, a contact near the end
-/// of the points could be taken for outliers.
-const MAX_OUTLIERS: usize = 2;
-/// Decrease of the sum of squared residuals, in units of the noise variance, above which a point is an outlier: χ² of
-/// three coordinates exceeds it with probability 10⁻⁸.
-const OUTLIER: f64 = 40.0;
-/// Level of the test: minimum gain of a contact, in units of the usual gain of intervals without a contact. It is
-/// exceeded in 2 of 2,500 simulated flights of discs and balls that touch nothing, with outliers, gaps and correlated
-/// noise.
-const LEVEL: f64 = 7.0;
-/// Minimum usual gain: white noise alone gives 6, the number of coefficients of the two jumps, and correlated noise more.
-const MIN_USUAL: f64 = 10.0;
-/// Minimum number of earlier intervals for the usual gain to be the median of their gains. With fewer, it is the lower
-/// quartile over the whole flight.
+/// Maximum number of outliers around an interval, as more may be the points after a contact, and decrease of the sum of
+/// squares, in noise variances, above which a point is one; noise exceeds it with 10⁻⁸.
+const OUTLIERS: (usize, f64) = (2, 40.0);
+
+/// Minimum gain of a contact, in units of the usual gain, and least usual gain. The former is exceeded in 2 of 2,500
+/// simulated flights that touch nothing, with outliers, gaps and correlated noise; white noise alone gives a gain of 6,
+/// the number of coefficients of the two jumps, and correlated noise more.
+const GAIN: (f64, f64) = (7.0, 10.0);
+
+/// Minimum number of earlier intervals whose median gain is the usual one; else it is the lower quartile of the flight.
 const EARLIER: usize = 8;
-/// Minimum upward velocity jump of a contact, m/s. At the start of a fast throw, lift that changes within a few samples
-/// feigns jumps of 0.2 to 0.4 m/s.
+/// Minimum upward velocity jump, m/s; lift that changes at the start of a fast throw feigns 0.2 to 0.4 m/s.
 const MIN_JUMP: f64 = 0.5;
-/// Minimum ratio of the upward component of a velocity jump at the ground to its magnitude; limited friction limits the
-/// horizontal component.
+/// Minimum upward part of a velocity jump at the ground: limited friction limits the horizontal part.
 pub(crate) const MIN_UPWARD_PART: f64 = 0.3;
-/// Numbers of points before and after the interval in which a contact was found, among which the contact is dated. The
-/// test of an interval sees `SIDES.1` points after it.
+/// Numbers of points before and after the interval of a contact among which it is dated.
 const DATED: (usize, usize) = (4, SIDES.1);
 /// Least noise of a coordinate that is assumed, m.
 const MIN_NOISE: f64 = 1e-9;
@@ -50,29 +39,25 @@ const MIN_NOISE: f64 = 1e-9;
 /// Comparison of smooth motion with motion that changes in the interval before one point.
 #[derive(Clone, Copy, Debug)]
 struct Change {
-    /// Index of the point.
     index: usize,
-    /// Duration of the interval, s.
     interval: f64,
     /// Decrease of the sum of squared residuals if the motion changes, m².
     squares: f64,
     /// Residual variance if the motion changes, m².
     variance: f64,
-    /// Velocity before the change, m/s.
     velocity: Vector3<f64>,
-    /// Jump of the velocity, m/s.
     jump: Vector3<f64>,
 }
 
 impl Change {
-    /// Decrease of the sum of squared residuals in units of the variance `noise`, m², or of the residual variance if
-    /// that is greater, as among outliers.
+    /// Decrease of the sum of squares in units of the variance `noise`, m², or of the residual variance if that is
+    /// greater.
     fn gain(&self, noise: f64) -> f64 {
         self.squares / noise.max(self.variance)
     }
 
     /// Whether the jump is one at the ground: upward, of a body that descends, and not of its position, as where frames
-    /// are missing. The residuals are then smaller than the distance that the body moves during the interval.
+    /// are missing.
     fn is_impact(&self) -> bool {
         let least = MIN_JUMP.max(MIN_UPWARD_PART * self.jump.norm());
         let moved = self.velocity.norm() * self.interval;
@@ -80,8 +65,8 @@ impl Change {
     }
 }
 
-/// Finds the first contact on a measured path; `None` if there is none, if a hand catches the body, or if the path is
-/// too short.
+/// Finds the first contact on a measured path; `None` if there is none, a hand catches the body, or the path is too
+/// short.
 pub fn first_change(path: &[PathPoint]) -> Option<Contact> {
     let has_attitude = path.iter().any(|point| point.attitude.is_some());
     let of_path = |point: &&PathPoint| point.attitude.is_some() == has_attitude;
@@ -104,7 +89,7 @@ pub fn first_change(path: &[PathPoint]) -> Option<Contact> {
             true => whole,
             false => median_of(gains[..earlier].iter().copied()).unwrap_or(whole),
         };
-        change.is_impact() && **gain > LEVEL * usual.max(MIN_USUAL)
+        change.is_impact() && **gain > GAIN.0 * usual.max(GAIN.1)
     })?;
     if is_stopped(&path.points, found.index, &found.velocity) {
         return None;
@@ -153,16 +138,16 @@ impl Path {
         })
     }
 
-    /// Points of a range without at most `MAX_OUTLIERS` outliers, and smooth motion through them. An outlier is a point
-    /// without which smooth motion fits the others far better; a contact affects all later points.
+    /// Points of a range without outliers, and smooth motion through them. Smooth motion fits far better without an
+    /// outlier; a contact affects all later points.
     fn inliers(&self, range: Range<usize>) -> Option<(Vec<&PathPoint>, Fitted)> {
         let mut kept: Vec<&PathPoint> = self.points[range].iter().collect();
         let about = kept.last()?.time;
         let mut fitted = fit(&kept, self.noise, about, false)?;
-        for _ in 0..MAX_OUTLIERS {
+        for _ in 0..OUTLIERS.0 {
             let removals = kept.iter().map(|point| fitted.removal(point)).enumerate();
             let (worst, removal) = removals.max_by(|a, b| a.1.total_cmp(&b.1))?;
-            if removal <= OUTLIER * self.noise.powi(2) {
+            if removal <= OUTLIERS.1 * self.noise.powi(2) {
                 break;
             }
             kept.remove(worst);
@@ -171,8 +156,8 @@ impl Path {
         Some((kept, fitted))
     }
 
-    /// First sample after the change that was found in the interval before point `index`: motion that changes just
-    /// before it fits the points around best.
+    /// First sample after the change in the interval before point `index`: motion that changes just before it fits
+    /// best.
     fn date(&self, index: usize) -> Option<usize> {
         let from = index.saturating_sub(DATED.0).max(1);
         let to = (index + DATED.1).min(self.points.len() - 1);
@@ -203,6 +188,25 @@ fn quartile(values: impl Iterator<Item = f64>) -> f64 {
         true => 0.0,
         false => *values.select_nth_unstable_by(quarter, f64::total_cmp).1,
     }
+}
+
+// Detects whether a body is stopped, as by a hand; the ground leaves a flying body most of its speed.
+
+/// Number of points within which a hand stops a body, as a disc that slides takes longer, and maximum ratio of its final
+/// speed to that before, which allows for noise and an early end.
+const STOPPED: (usize, f64) = (24, 0.2);
+
+/// Number of last points from which the final speed is computed.
+const LAST: usize = 3;
+/// Whether a body with the velocity `velocity`, m/s, before point `index` comes to rest soon, as in a hand.
+pub fn is_stopped(points: &[PathPoint], index: usize, velocity: &Vector3<f64>) -> bool {
+    let end = index.saturating_add(STOPPED.0).min(points.len());
+    let soon = points.get(index..end).unwrap_or_default();
+    let Some([first, .., last]) = soon.last_chunk::<LAST>() else {
+        return false;
+    };
+    let moved = (last.position - first.position).norm();
+    moved < STOPPED.1 * velocity.norm() * (last.time - first.time)
 }
 
 #[cfg(test)]
@@ -292,5 +296,50 @@ mod tests {
         let path = path(6.0, (0.0, 1.0), Some((60, 0.7)), 3);
         let found = first_change(&path[..64]).expect("a bounce");
         assert!(found.sample.abs_diff(60) <= 2);
+    }
+
+    /// Interval between samples, s.
+    const INTERVAL: f64 = 1.0 / 120.0;
+
+    /// Simulated points of a body that flies at 9 m/s and, from point 40 on, loses the fraction `lost` of its speed
+    /// over `braked` sampling intervals.
+    fn points(count: usize, braked: usize, lost: f64) -> Vec<PathPoint> {
+        let mut position = Vector3::new(0.0, 0.0, 1.0);
+        let each = (0..count).map(|sample| {
+            let part = (sample.saturating_sub(40) as f64 / braked as f64).min(1.0);
+            position += VELOCITY * (1.0 - lost * part) * INTERVAL;
+            PathPoint {
+                sample,
+                time: sample as f64 * INTERVAL,
+                position,
+                attitude: None,
+            }
+        });
+        each.collect()
+    }
+
+    const VELOCITY: Vector3<f64> = Vector3::new(8.0, 0.0, -4.0);
+
+    #[test]
+    fn a_body_that_is_caught_is_stopped() {
+        for braked in [1, 8, 15] {
+            assert!(is_stopped(&points(80, braked, 1.0), 38, &VELOCITY));
+        }
+        assert!(is_stopped(&points(50, 9, 1.0), 38, &VELOCITY), "to its end");
+    }
+
+    #[test]
+    fn a_body_that_slides_on_is_not_stopped() {
+        for lost in [0.0, 0.3, 0.6] {
+            assert!(!is_stopped(&points(80, 2, lost), 38, &VELOCITY));
+        }
+    }
+
+    #[test]
+    fn too_few_points_show_no_rest() {
+        let points = points(40, 1, 0.0);
+        for index in [38, 39, 40, 100] {
+            assert!(!is_stopped(&points, index, &VELOCITY));
+        }
     }
 }

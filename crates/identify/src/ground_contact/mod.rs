@@ -1,7 +1,6 @@
 //! Detection of the first contact of a flight; samples after it do not belong to free flight.
 
 mod change;
-mod halt;
 mod smooth_motion;
 #[cfg(test)]
 mod tests;
@@ -9,36 +8,28 @@ mod tests;
 pub(crate) use change::{MIN_UPWARD_PART, first_change};
 use nalgebra::{UnitQuaternion, Vector3};
 
+use crate::levels::OUTLIER_VARIANCE;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 use dataset::pose::{Pose, point_position};
 use dataset::statistics::median_of;
 
-/// Ratio of the residual variance of a pose (of the marker positions about the fitted rigid body) to the median of
-/// these variances over the flight, above which the sample contains an outlier.
-const MAX_VARIANCE_RATIO: f64 = 25.0;
-/// Minimum threshold, m², for the residual variance of a pose (of the marker positions about the fitted rigid body). A
-/// sample with a variance above the threshold is considered to contain an outlier.
+/// Least threshold of the residual variance of a pose, m².
 const MIN_OUTLIER_VARIANCE: f64 = 1e-8;
 
 /// Point of the measured path of a body: position of its origin, and attitude if known, in one sample.
 #[derive(Clone, Copy, Debug)]
 pub struct PathPoint {
-    /// Index of the sample in the flight's table.
     pub sample: usize,
-    /// Time of the sample, s.
     pub time: f64,
-    /// Position of the body's origin, m, inertial frame.
     pub position: Vector3<f64>,
-    /// Attitude of the body: rotation from body to inertial components. `None` for a point mass, or if a marker
-    /// position in this sample is an outlier.
+    /// Rotation from body to inertial components; `None` for a point mass or with an outlier.
     pub attitude: Option<UnitQuaternion<f64>>,
 }
 
 /// The first contact of a flight with the ground or an object.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contact {
-    /// Index of the first sample after the contact with the ground or the object.
     pub sample: usize,
     /// Description of the evidence for the contact, as text for messages.
     pub why: String,
@@ -47,16 +38,13 @@ pub struct Contact {
 /// Result of a search for the first contact of a flight with the ground or an object.
 #[derive(Clone, Debug, Default)]
 pub struct ContactSearch {
-    /// The first contact with the ground or an object; `None` if the search found none.
     pub contact: Option<Contact>,
-    /// Pose in each sample of the flight, from which the contact with the ground was searched. Empty for a point mass,
-    /// and if no poses were computed.
+    /// Pose in each sample; empty for a point mass, and if none were computed.
     pub poses: Vec<Option<Pose>>,
 }
 
 impl ContactSearch {
-    /// The search result restricted to one part of the flight: the `samples` samples that follow its first `unseen`
-    /// samples. The index of the contact counts from the start of this part; it is 0 for an earlier contact.
+    /// The result for the `samples` samples that follow the first `unseen` ones.
     pub fn of_part(&self, unseen: usize, samples: usize) -> Self {
         let poses = self
             .poses
@@ -72,9 +60,8 @@ impl ContactSearch {
     }
 }
 
-/// Truncates the observations of a flight before its first contact with the ground or an object. The contact is
-/// searched for unless `search` contains the result of a search in these samples. Returns the poses in the remaining
-/// samples; empty for a point mass.
+/// Truncates a flight before its first contact, which is searched for unless `search` contains it. Returns the poses in
+/// the remaining samples; empty for a point mass.
 pub fn truncate_at_contact(
     problem: &FitProblem,
     observations: &mut Observations,
@@ -111,9 +98,8 @@ fn contact_of(
     first_change(&path(&observations.times, poses, of_point_mass, &points))
 }
 
-/// Path of the body's origin, computed from the pose in each sample. For a point mass, `of_point_mass` contains the
-/// positions of its markers on the body, and the path is computed from their measured positions. `points` returns the
-/// measured positions in the sample with a given index.
+/// Path of the body's origin, from poses; for a point mass, from its measured markers, whose positions on it are in
+/// `of_point_mass`. `points` returns the measured positions in a sample.
 pub fn path<'p>(
     times: &[f64],
     poses: &[Option<Pose>],
@@ -137,9 +123,8 @@ pub fn path<'p>(
     each.collect()
 }
 
-/// Threshold of the residual variance of a pose, m², above which the sample of the pose is considered to contain an
-/// outlier. `variances` are the residual variances of all poses of the flight, m².
+/// Residual variance of a pose, m², above which it contains an outlier, given those of all poses of the flight.
 fn variance_limit(variances: impl Iterator<Item = f64>) -> f64 {
     let usual = median_of(variances).unwrap_or(0.0);
-    (MAX_VARIANCE_RATIO * usual).max(MIN_OUTLIER_VARIANCE)
+    (OUTLIER_VARIANCE * usual).max(MIN_OUTLIER_VARIANCE)
 }

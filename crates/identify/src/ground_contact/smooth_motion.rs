@@ -1,20 +1,16 @@
-//! Least-squares fits of smooth motion, and of motion whose velocity and acceleration jump at one time, to some points
-//! of a path.
+//! Least-squares fits of smooth motion, and of motion whose velocity and acceleration jump, to points of a path.
 
 use nalgebra::{SMatrix, SVector, Vector3};
 
 use super::PathPoint;
+use crate::levels::ROUNDING;
 
 /// Unit of time in the polynomials that describe the motion of a body, s: their variable is time divided by this value.
 const SCALE: f64 = 0.1;
-/// Prior standard deviation of the fourth time derivative of the position, m/s⁴. The value allows for a lift of several
-/// g that decays within half a second.
+/// Prior standard deviation of the fourth derivative, m/s⁴: a lift of several g that decays within half a second.
 const SNAP: f64 = 300.0;
 /// Ratio of the noise variance to the prior variance of a coefficient that stays 0.
 const FIXED: f64 = 1e9;
-/// Relative increase of the diagonal of the normal matrix, which makes the matrix invertible if basis functions are
-/// nearly collinear.
-const RIDGE: f64 = 1e-9;
 /// Minimum of 1 − leverage as a divisor; smaller values are rounding errors.
 const MIN_FREE_PART: f64 = 0.05;
 
@@ -33,7 +29,6 @@ pub struct Fitted {
     about: f64,
     /// Sum of squared residuals, m², plus the penalty by the prior of the fourth derivative.
     pub squares: f64,
-    /// Degrees of freedom of the residuals.
     pub freedom: f64,
 }
 
@@ -43,8 +38,7 @@ fn functions(t: f64) -> SVector<f64, FUNCTIONS> {
     [1.0, u, u * u, u.powi(3), u.powi(4), since, since * since].into()
 }
 
-/// Fits motion to points of a path with noise of standard deviation `noise`, m, in each coordinate. Velocity and
-/// acceleration jump at the time `about`, s, if `jumps`. `None` if the points do not determine the motion.
+/// Fits motion to points with noise `noise`, m, per coordinate, which jumps at the time `about`, s, if `jumps`.
 pub fn fit(points: &[&PathPoint], noise: f64, about: f64, jumps: bool) -> Option<Fitted> {
     let origin = points.first()?.position;
     let mut normal = SMatrix::<f64, FUNCTIONS, FUNCTIONS>::zeros();
@@ -57,7 +51,7 @@ pub fn fit(points: &[&PathPoint], noise: f64, about: f64, jumps: bool) -> Option
         squares += value.norm_squared();
     }
     for index in 0..FUNCTIONS {
-        normal[(index, index)] += RIDGE * normal[(index, index)];
+        normal[(index, index)] += ROUNDING * normal[(index, index)];
         if index >= JUMP && !jumps {
             normal[(index, index)] += FIXED;
         }
@@ -82,7 +76,6 @@ impl Fitted {
         Vector3::from(self.coefficients.row(1).transpose()) / SCALE
     }
 
-    /// Jump of the velocity, m/s.
     pub fn jump(&self) -> Vector3<f64> {
         Vector3::from(self.coefficients.row(JUMP).transpose()) / SCALE
     }

@@ -1,10 +1,10 @@
-//! Initial motions of a flight that is measured by gyroscopes, accelerometers and speed sensors only. Without measured
-//! positions, the position, heading and attitude are not known; several attitudes and speeds are tried.
+//! Initial motions of a flight without measured positions. Position, heading and attitude are unknown: several
+//! attitudes and speeds are tried.
 
 use model_spec::compose::Instrument;
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::RigidMotion;
+use super::{RigidMotion, TriedMotion};
 use crate::channel::ChannelKind;
 use crate::error::FlightError;
 use crate::observations::Observations;
@@ -17,27 +17,20 @@ const AVERAGED: f64 = 0.15;
 /// Initial speeds of the body that are tried if no speed is measured, m/s.
 const SPEEDS: [f64; 3] = [6.0, 12.0, 22.0];
 
-/// Trial values of the angle, rad, between the initial velocity and the plane perpendicular to the spin axis; the
-/// velocity points to the lower side of this plane.
+/// Angles tried, rad, of the initial velocity below the plane perpendicular to the spin axis.
 const ANGLES: [f64; 2] = [0.05, 0.25];
 
-/// Magnitude of the tilt in the tilted initial attitudes that are tried: rotations about the x and y axes in both
-/// senses, rad.
+/// Rotations about the x and y axes, in both senses, of the initial attitudes that are tried, rad.
 const TILT: f64 = 0.35;
 
 /// Angular rate above which the body is considered to spin about an axis, rad/s.
 const SPINS: f64 = 5.0;
 
-/// Returns the motions at the first sample that are tried as initial guesses of a flight without measured positions, each
-/// with the index of its speed among those that are tried. They are compatible with the first readings of its
-/// instruments.
-///
-/// # Errors
-/// [`FlightError::NoMatchingState`] if no instrument has a reading.
+/// Motions at the first sample that are compatible with the first readings, each with the index of its speed.
 pub fn motions(
     problem: &FitProblem,
     observations: &Observations,
-) -> Result<Vec<(usize, RigidMotion)>, FlightError> {
+) -> Result<Vec<TriedMotion>, FlightError> {
     let readings = |wanted: Instrument| -> Vec<(f64, Vector3<f64>, Vector3<f64>)> {
         let is_wanted = |kind: &ChannelKind| matches!(kind, ChannelKind::Instrument(index) if problem.instruments[*index].0 == wanted);
         let channels = problem.channels.iter().enumerate();
@@ -85,15 +78,14 @@ pub fn motions(
                     attitude: problem.has_attitude.then_some(attitude),
                     rates: problem.has_attitude.then(|| attitude * spin),
                 };
-                motions.push((index, motion));
+                motions.push((index, 0, motion));
             }
         }
     }
     Ok(motions)
 }
 
-/// Initial attitudes that are tried: body axes level (parallel to the inertial axes) and tilted, each upright and
-/// upside down.
+/// Initial attitudes that are tried: level and tilted, each upright and upside down.
 fn attitudes() -> Vec<UnitQuaternion<f64>> {
     let tilts = [
         Vector3::zeros(),
@@ -109,8 +101,7 @@ fn attitudes() -> Vec<UnitQuaternion<f64>> {
 }
 
 /// Mean specific force at the centre of mass over the first samples, m/s², in the body axes at the first sample.
-/// `rates` and `forces` are readings of gyroscope (rad/s) and accelerometer (m/s²), as (time in s, value, position of
-/// the sensor in m).
+/// `rates` and `forces` are readings (time in s, value, position of the sensor in m).
 fn mean_force(
     rates: &[(f64, Vector3<f64>, Vector3<f64>)],
     forces: &[(f64, Vector3<f64>, Vector3<f64>)],

@@ -1,8 +1,6 @@
-//! Initial guesses of a flight's state from its samples alone.
-//!
-//! The poses of the first samples determine the rigid-body motion at the first sample. The state with this motion is
-//! found by numerical inversion of the model's measurement equation, so that the method does not depend on the choice
-//! of states.
+//! Initial guesses of a flight's state from its samples alone: the poses of the first samples give the rigid-body
+//! motion, and the state with this motion is found by inversion of the model's measurement equation, whatever the
+//! states are.
 
 mod instruments;
 mod observation_inverse;
@@ -28,74 +26,61 @@ pub struct InitialGuess {
     pub speed: usize,
 }
 
-/// Maximum spin of an additional initial guess that has whole turns per sampling interval added (aliasing), rad/s.
-/// Strong throws reach about 160 rad/s.
+/// Maximum spin of a guess with additional turns per sampling interval, rad/s; strong throws reach about 160.
 const MAX_SPIN: f64 = 400.0;
 
-/// Returns initial guesses of a flight, the most probable one first. There are several if the samples are too far apart
-/// to determine the number of turns between them (aliasing).
+/// Returns initial guesses of a flight, the most probable one first; several if samples are too far apart to determine
+/// the number of turns between them.
 ///
 /// # Errors
 /// [`FlightError::TooFewPoses`], [`FlightError::TooFewPositions`] or [`FlightError::NoNeighbouringPoses`] if the
-/// samples do not determine the motion; [`FlightError::NoMatchingState`] if no state of the model has this motion.
+/// samples do not determine the motion; [`FlightError::NoMatchingState`] if no state of the model has it.
 pub fn initial_guesses(
     problem: &FitProblem,
     observations: &Observations,
 ) -> Result<Vec<InitialGuess>, FlightError> {
-    if !problem.sees_positions() {
-        return instrument_guesses(problem, observations);
-    }
-    let motion = rigid_motion::first_motion(problem, observations)?;
-    let whole = observations
-        .interval()
-        .map_or(f64::INFINITY, |dt| std::f64::consts::TAU / dt);
-    let spin = motion.rates.map_or(0.0, |rates| rates.norm());
-    let aliases = if spin == 0.0 {
-        &[0][..]
-    } else {
-        &[0, -1, 1][..]
+    let motions = match problem.sees_positions() {
+        true => motions_with_turns(problem, observations)?,
+        false => instruments::motions(problem, observations)?,
     };
     let mut guesses = Vec::new();
     let mut failure = FlightError::NoMatchingState;
-    for &turns in aliases {
-        let motion = motion.with_turns(turns, whole);
-        if turns != 0 && motion.rates.is_none_or(|rates| rates.norm() > MAX_SPIN) {
-            continue;
-        }
+    for (speed, turns, motion) in motions {
         match state_for_motion(problem, observations, &motion) {
             Ok(state) => guesses.push(InitialGuess {
                 state,
                 turns,
-                speed: 0,
+                speed,
             }),
             Err(reason) => failure = reason,
         }
     }
-    if guesses.is_empty() {
-        Err(failure)
-    } else {
-        Ok(guesses)
+    match guesses.is_empty() {
+        true => Err(failure),
+        false => Ok(guesses),
     }
 }
 
-/// Initial guesses of a flight without measured positions: one for each of several motions that are compatible with the
-/// readings of the instruments. The caller selects among them by fits to the samples.
-fn instrument_guesses(
+/// Index of a speed, number of additional turns, and motion at the first sample.
+type TriedMotion = (usize, i32, RigidMotion);
+
+/// Motions that the samples show, with additional turns between samples.
+fn motions_with_turns(
     problem: &FitProblem,
     observations: &Observations,
-) -> Result<Vec<InitialGuess>, FlightError> {
-    let motions = instruments::motions(problem, observations)?;
-    let states = motions.iter().filter_map(|(speed, motion)| {
-        let state = state_for_motion(problem, observations, motion).ok()?;
-        Some(InitialGuess {
-            state,
-            turns: 0,
-            speed: *speed,
-        })
-    });
-    let guesses: Vec<InitialGuess> = states.collect();
-    match guesses.is_empty() {
-        true => Err(FlightError::NoMatchingState),
-        false => Ok(guesses),
-    }
+) -> Result<Vec<TriedMotion>, FlightError> {
+    let motion = rigid_motion::first_motion(problem, observations)?;
+    let interval = observations.interval();
+    let whole = interval.map_or(f64::INFINITY, |dt| std::f64::consts::TAU / dt);
+    let spin = |motion: &RigidMotion| motion.rates.map_or(0.0, |rates| rates.norm());
+    let turns: &[i32] = if spin(&motion) == 0.0 {
+        &[0]
+    } else {
+        &[0, -1, 1]
+    };
+    let each = turns
+        .iter()
+        .map(|&turns| (0, turns, motion.with_turns(turns, whole)));
+    let is_possible = |(_, turns, motion): &TriedMotion| *turns == 0 || spin(motion) <= MAX_SPIN;
+    Ok(each.filter(is_possible).collect())
 }

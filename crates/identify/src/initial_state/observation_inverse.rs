@@ -2,7 +2,7 @@
 
 use flight::{BoundModel, ModelState};
 use model_spec::sort_by_number;
-use nalgebra::{DMatrix, DVector, Vector3};
+use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
 use ode::OdeRhs;
 
 use super::RigidMotion;
@@ -14,8 +14,7 @@ use crate::problem::FitProblem;
 /// Body-fixed points whose positions and velocities determine the motion: the origin and one point on each axis, m.
 const PROBES: [[f64; 3]; 4] = [[0.0; 3], [0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]];
 
-/// Distance of the body-fixed probe points from their target positions and velocities, m, below which the search for
-/// the state with a given motion ends. Velocities are multiplied by `VELOCITY_WEIGHT`.
+/// Distance of the probes from their targets, m, at which the search ends; velocities × `VELOCITY_WEIGHT` count, too.
 const MAX_DISTANCE: f64 = 1e-6;
 
 /// Maximum number of states from which the search for the state with a given motion is started.
@@ -27,12 +26,11 @@ const MAX_COMPARED: usize = 4096;
 /// Step size of the one-sided finite differences for the Jacobian, in the SI unit of each state.
 const DIFFERENCE_STEP: f64 = 1e-6;
 
-/// Time by which the velocities of body-fixed points are multiplied, s, so that they can be compared with positions in
-/// a common distance, m.
+/// Time by which velocities of probes are multiplied, s, to be compared with positions.
 const VELOCITY_WEIGHT: f64 = 0.02;
 
-/// Returns the state of a body that has the given motion at the first sample, as nearly as possible. `observations`
-/// provides parameters and known states; its samples are not used.
+/// Returns the state that has the given motion at the first sample, as nearly as possible. Of `observations`, the
+/// parameters and known states are used.
 ///
 /// # Errors
 /// [`FlightError::NoMatchingState`] if no search leads to a state within the model's domain of validity.
@@ -60,9 +58,8 @@ pub fn state_for_motion(
     sort_by_number(&mut guesses, |guess| guess.0);
     let mut best: Option<(f64, DVector<f64>)> = None;
     for (_, guess) in guesses.into_iter().take(MAX_GUESSES) {
-        let Some((distance, state)) =
-            descend(problem, observations, &conditions, probes, &target, guess)
-        else {
+        let found = descend(problem, observations, &mut shown, &target, guess);
+        let Some((distance, state)) = found else {
             continue;
         };
         let better = best.as_ref().is_none_or(|(least, _)| distance < *least);
@@ -83,8 +80,7 @@ pub fn state_for_motion(
     Ok(state)
 }
 
-/// Target positions of the body-fixed points `probes` in the given motion, m, followed by their target velocities ×
-/// `VELOCITY_WEIGHT`, m.
+/// Positions of the probes in the given motion, m, followed by their velocities × `VELOCITY_WEIGHT`, m.
 fn target(motion: &RigidMotion, probes: &[[f64; 3]]) -> DVector<f64> {
     let arm = |probe: &[f64; 3]| {
         let probe = Vector3::from(*probe);
@@ -102,8 +98,7 @@ fn target(motion: &RigidMotion, probes: &[[f64; 3]]) -> DVector<f64> {
     DVector::from_vec(all)
 }
 
-/// Initial states from which the search for the state with a given motion starts: the model's default state, and its
-/// copies with every angle and orientation of a frame changed by quarter turns, as far as they are not too many.
+/// The default state, and its copies with every angle and orientation changed by quarter turns, if not too many.
 fn guesses(problem: &FitProblem, observations: &Observations) -> Vec<DVector<f64>> {
     let default = DVector::from_vec(problem.body.layout().default_states());
     let quarters = [-1.0, 0.0, 1.0, 2.0].map(|k| k * std::f64::consts::FRAC_PI_2);
@@ -137,49 +132,27 @@ fn guesses(problem: &FitProblem, observations: &Observations) -> Vec<DVector<f64
 
 /// Unit quaternions of the 24 rotations that map a cube to itself.
 fn quarter_turns() -> Vec<[f64; 4]> {
-    let half = std::f64::consts::FRAC_1_SQRT_2;
-    let mut all = vec![
-        [1.0, 0.0, 0.0, 0.0],
-        [half, 0.0, 0.0, half],
-        [0.0, 0.0, 0.0, 1.0],
-        [half, 0.0, 0.0, -half],
-    ];
-    let about_others = [
-        [half, half, 0.0, 0.0],
-        [half, 0.0, half, 0.0],
-        [half, -half, 0.0, 0.0],
-        [half, 0.0, -half, 0.0],
-        [0.0, 1.0, 0.0, 0.0],
-    ];
-    let spun = all.clone();
-    for [a0, a1, a2, a3] in about_others {
-        all.extend(spun.iter().map(|&[b0, b1, b2, b3]| {
-            [
-                a0 * b0 - a1 * b1 - a2 * b2 - a3 * b3,
-                a0 * b1 + a1 * b0 + a2 * b3 - a3 * b2,
-                a0 * b2 - a1 * b3 + a2 * b0 + a3 * b1,
-                a0 * b3 + a1 * b2 - a2 * b1 + a3 * b0,
-            ]
-        }));
-    }
-    all
+    let turn = |axis: Vector3<f64>, quarters: f64| {
+        UnitQuaternion::from_scaled_axis(axis * (quarters * std::f64::consts::FRAC_PI_2))
+    };
+    let (x, y) = (Vector3::x(), Vector3::y());
+    let over = [(x, 0.0), (x, 1.0), (y, 1.0), (x, -1.0), (y, -1.0), (x, 2.0)];
+    let each = over.into_iter().flat_map(|(axis, quarters)| {
+        let spun = [0.0, 1.0, 2.0, -1.0].map(|spin| turn(Vector3::z(), spin));
+        spun.map(|spun| turn(axis, quarters) * spun)
+    });
+    each.map(|turn| [turn.w, turn.i, turn.j, turn.k]).collect()
 }
 
-/// Levenberg–Marquardt iteration for the state at which the body-fixed points `probes` have the positions and
-/// velocities in `target`, starting from `state`. `target` contains all positions, m, and then all velocities
-/// multiplied by `VELOCITY_WEIGHT`, m. Returns the norm of the remaining difference from `target`, m, and the final
-/// state; `None` if the iteration fails.
+/// Levenberg–Marquardt iteration from `state` for the state at which the probes are at `target`. Returns the norm of
+/// the remaining difference, m, and the state; `None` if the iteration fails.
 fn descend(
     problem: &FitProblem,
     observations: &Observations,
-    conditions: &BoundModel<'_>,
-    probes: &[[f64; 3]],
+    shown: &mut ProbeMotion<'_>,
     target: &DVector<f64>,
     mut state: DVector<f64>,
 ) -> Option<(f64, DVector<f64>)> {
-    let time = observations.times.first().copied().unwrap_or(0.0);
-    let states = problem.body.layout().states.len();
-    let mut shown = ProbeMotion::new(conditions, states, probes, time);
     // States that effects add do not follow from the motion and retain their values.
     let added = problem.model.added_states();
     let mut residual = shown.at(&state) - target;
@@ -231,7 +204,6 @@ fn descend(
 
 /// Evaluates the positions and velocities of body-fixed points (probes) at a state of the model.
 struct ProbeMotion<'a> {
-    /// Time of the first sample, s.
     time: f64,
     observer: flight::ModelObserver<'a>,
     motion: flight::ModelRhs<'a>,
@@ -257,8 +229,7 @@ impl<'a> ProbeMotion<'a> {
         }
     }
 
-    /// Distance of the body-fixed probe points from their target positions, m: root of the sum of squares over all
-    /// points. The velocities in `target` are not compared.
+    /// Distance of the probes from their target positions, m; velocities are not compared.
     fn distance(&mut self, state: &DVector<f64>, target: &DVector<f64>) -> f64 {
         let mut squares = 0.0;
         for (probe, wanted) in self.probes.iter().zip(target.as_slice().chunks(3)) {

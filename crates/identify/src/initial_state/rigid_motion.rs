@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
 
 use crate::error::FlightError;
+use crate::levels::OUTLIER_VARIANCE;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 use dataset::pose::{Pose, point_position, pose};
@@ -22,8 +23,7 @@ pub struct RigidMotion {
 }
 
 impl RigidMotion {
-    /// Returns the motion with `turns` additional turns per sampling interval about its rotation axis. `whole` is the
-    /// angular rate of one turn per interval, rad/s.
+    /// The motion with `turns` more turns per interval about its axis; `whole` is the rate of one, rad/s.
     pub fn with_turns(&self, turns: i32, whole: f64) -> RigidMotion {
         let rates = self.rates.map(|rates| {
             let axis = rates.try_normalize(1e-9).unwrap_or_else(Vector3::z);
@@ -37,8 +37,7 @@ impl RigidMotion {
     }
 }
 
-/// Maximum number of samples from which the motion is estimated: enough to average the noise, and few enough for a
-/// parabola to fit.
+/// Maximum number of samples of the motion: enough to average the noise, few enough for a parabola.
 const MAX_SAMPLES: usize = 16;
 
 /// Maximum time between two poses from which an angular velocity is computed, in sampling intervals.
@@ -53,8 +52,7 @@ struct MeasuredFrame {
     variance: f64,
 }
 
-/// Returns the first samples, at most `most`, in which the pose of the body or the position of the point mass is
-/// measured.
+/// The first samples, at most `most`, in which a pose or the position of a point mass is measured.
 fn measured_frames(
     problem: &FitProblem,
     observations: &Observations,
@@ -86,8 +84,8 @@ fn measured_frames(
 /// Maximum number of samples of a flight from which the initial noise estimate is computed.
 const MAX_NOISE_SAMPLES: usize = 400;
 
-/// Initial estimate of the noise of one coordinate, m: for a rigid body, from the distances between markers and the
-/// fitted body; otherwise from third differences of its path. `None` if there are too few samples.
+/// Initial noise of a coordinate, m: of a rigid body by the distances of its markers from it, otherwise by third
+/// differences of its path.
 pub fn sigma0(
     problem: &FitProblem,
     observations: &Observations,
@@ -112,10 +110,6 @@ pub fn sigma0(
 }
 
 /// Returns the motion at the first sample of a flight.
-///
-/// # Errors
-/// [`FlightError::TooFewPoses`] or [`FlightError::TooFewPositions`] if too few samples determine the pose or the
-/// position; [`FlightError::NoNeighbouringPoses`] if no two poses are near enough in time for an angular velocity.
 pub fn first_motion(
     problem: &FitProblem,
     observations: &Observations,
@@ -131,7 +125,7 @@ pub fn first_motion(
     }
     // A sample whose marker distances differ much from the rigid body contains an outlier.
     let usual = median_of(seen.iter().map(|frame| frame.variance));
-    let limit = MAX_VARIANCE_RATIO * usual.unwrap_or(0.0);
+    let limit = OUTLIER_VARIANCE * usual.unwrap_or(0.0);
     let is_rigid = |frame: &MeasuredFrame| frame.variance <= limit;
     if seen.iter().filter(|frame| is_rigid(frame)).count() >= least {
         seen.retain(is_rigid);
@@ -151,31 +145,22 @@ pub fn first_motion(
     Ok(motion)
 }
 
-/// Ratio of the variance of a sample's marker positions about the fitted rigid body to the median of these variances,
-/// above which the sample contains an outlier.
-const MAX_VARIANCE_RATIO: f64 = 25.0;
-
-/// Ratio of a position's squared distance from the fitted parabola to the median of these squared distances, above
-/// which the position is dropped as an outlier.
+/// Ratio of a squared distance from the parabola to the median, above which a position is an outlier.
 const MAX_SQUARES_RATIO: f64 = 16.0;
 
-/// Maximum number of times that the parabola through the measured positions is fitted again without outliers.
-const MAX_PATH_REFITS: usize = 2;
+/// Maximum number of fits of the parabola again without outliers, and number of positions that must remain.
+const REFITS: (usize, usize) = (2, 4);
 
-/// Minimum number of positions that must remain after removal of the outliers for the parabola to be fitted again.
-const MIN_PATH_POINTS: usize = 4;
-
-/// Position, m, and velocity, m/s, at time 0 of the least-squares parabola in time through the positions of `seen`. The
-/// parabola is fitted again after removal of outliers.
+/// Position, m, and velocity, m/s, at time 0 of the least-squares parabola through the positions, without outliers.
 fn path(seen: &[MeasuredFrame]) -> (Vector3<f64>, Vector3<f64>) {
     let mut kept: Vec<&MeasuredFrame> = seen.iter().collect();
     let mut parabola = Parabola::through(&kept);
-    for _ in 0..MAX_PATH_REFITS {
+    for _ in 0..REFITS.0 {
         let limit = MAX_SQUARES_RATIO * median(&mut parabola.squares.clone());
         let distances = kept.iter().zip(&parabola.squares);
         let near = distances.filter(|(_, squares)| **squares <= limit);
         let near: Vec<&MeasuredFrame> = near.map(|(frame, _)| *frame).collect();
-        if near.len() == kept.len() || near.len() < MIN_PATH_POINTS {
+        if near.len() == kept.len() || near.len() < REFITS.1 {
             break;
         }
         kept = near;
@@ -186,11 +171,8 @@ fn path(seen: &[MeasuredFrame]) -> (Vector3<f64>, Vector3<f64>) {
 
 /// Least-squares parabola in time through measured positions.
 struct Parabola {
-    /// Position on the parabola at time 0, m.
     position: Vector3<f64>,
-    /// Time derivative of the parabola at time 0, m/s.
     velocity: Vector3<f64>,
-    /// Squared distance of each position from the parabola, m².
     squares: Vec<f64>,
 }
 
@@ -224,11 +206,7 @@ impl Parabola {
     }
 }
 
-/// Angular velocity in inertial components, rad/s: median over pairs of successive poses, which is robust to nutation
-/// and outliers.
-///
-/// # Errors
-/// [`FlightError::NoNeighbouringPoses`] if no two successive poses are near enough in time.
+/// Angular velocity, inertial, rad/s: median over successive poses, which nutation and outliers hardly change.
 fn rates(seen: &[MeasuredFrame], observations: &Observations) -> Result<Vector3<f64>, FlightError> {
     let usual = observations.interval().unwrap_or(f64::INFINITY);
     let pairs: Vec<Vector3<f64>> = seen
@@ -243,8 +221,7 @@ fn rates(seen: &[MeasuredFrame], observations: &Observations) -> Result<Vector3<
     median_vector(&pairs).ok_or(FlightError::NoNeighbouringPoses)
 }
 
-/// Attitude at time 0. The first poses are rotated back to time 0 with the angular velocity `rates`, rad/s, and the one
-/// with the smallest sum of rotation angles to the others is returned. `None` if there is no pose.
+/// Attitude at time 0: of the first poses, rotated back with `rates`, rad/s, the one nearest to the others.
 fn attitude(seen: &[MeasuredFrame], rates: Vector3<f64>) -> Option<UnitQuaternion<f64>> {
     const FIRST: usize = 5;
     let back = |seen: &MeasuredFrame| {

@@ -1,14 +1,10 @@
-//! Least squares with a banded design matrix: Gram matrix, its Cholesky factor, and projections on the columns of the
-//! design.
+//! Least squares with a banded design: Gram matrix, its Cholesky factor, and projections on the design's columns.
 
-/// Number of subdiagonals of the Gram matrix of a B-spline design. A whitened row of the design combines the splines of
-/// two successive samples, which are at most 5 knot intervals apart and thus cover at most 9 splines. Samples farther
-/// apart are not combined: their noise counts as independent.
+use crate::levels::RANK;
+
+/// Number of subdiagonals of the Gram matrix. A whitened row combines the splines of two successive samples at most 5
+/// knot intervals apart, at most 9; samples farther apart count as independent.
 pub(super) const BANDWIDTH: usize = 8;
-
-/// Minimum pivot of the Cholesky factor, relative to the diagonal of the Gram matrix; a column with a smaller pivot
-/// is linearly dependent on the columns before it.
-const MIN_PIVOT: f64 = 1e-10;
 
 /// Gram matrix of a banded design matrix, and the products of the design with several right-hand sides.
 #[derive(Clone, Debug)]
@@ -23,13 +19,10 @@ pub(super) struct BandedGram {
 /// Projections of the right-hand sides on the columns of a banded design.
 #[derive(Clone, Debug)]
 pub(super) struct Projected {
-    /// L⁻¹ Bᵀ z for each right-hand side z, where B is the design and L the Cholesky factor of BᵀB. Stored as `sides`
-    /// values for each column of B; 0 for linearly dependent columns.
+    /// L⁻¹ Bᵀ z for each right-hand side z, with the design B and the factor L of BᵀB; 0 in dependent columns.
     pub coordinates: Vec<f64>,
-    /// Cholesky factor L of the Gram matrix: `factor[column][d]` is the entry at (column + d, column). 0 in linearly
-    /// dependent columns.
+    /// Factor L: `factor[column][d]` is the entry at (column + d, column); 0 in dependent columns.
     factor: Vec<[f64; BANDWIDTH + 1]>,
-    /// Number of linearly independent columns of the design.
     pub rank: usize,
     /// Natural logarithm of the determinant of the Gram matrix of the independent columns.
     pub ln_determinant: f64,
@@ -46,8 +39,7 @@ impl BandedGram {
         }
     }
 
-    /// Adds one row of the design, given by its nonzero entries from column `first` on, with the row's right-hand
-    /// sides.
+    /// Adds a row of the design, its nonzero entries from column `first` on, with its right-hand sides.
     pub fn add(&mut self, first: usize, row: &[f64], sides: &[f64]) {
         for (i, &value) in row.iter().enumerate() {
             let column = first + i;
@@ -69,7 +61,7 @@ impl BandedGram {
         for column in 0..columns {
             let pivot = self.band[column][0];
             let sides = column * self.sides..(column + 1) * self.sides;
-            if pivot.is_nan() || pivot <= MIN_PIVOT * diagonal[column] {
+            if pivot.is_nan() || pivot <= RANK * diagonal[column] {
                 self.band[column] = [0.0; BANDWIDTH + 1];
                 self.products[sides].fill(0.0);
                 continue;

@@ -1,17 +1,18 @@
-//! Lack-of-fit test: whether the residuals of a fit are pure noise.
-//!
-//! Noise is estimated from the short time scales of the residuals, which no smooth motion can follow; systematic
-//! misfit of the model at longer time scales does not affect it. If the model is right, splines fitted to the
-//! residuals reduce their sum of squares by no more than expected for this noise.
+//! Lack-of-fit test: whether the residuals of a fit are pure noise. Noise is estimated from short time scales, which no
+//! smooth motion can follow. If the model is right, splines reduce the sum of squares by no more than expected for this
+//! noise.
 
 mod banded;
-mod f_test;
-mod localize;
 mod noise_floor;
 mod series;
 mod smooth_misfit;
-mod spline_basis;
 
+use flight::parallel;
+use model_spec::sort_by_number;
+
+use self::noise_floor::{FlightSeries, NoiseFloor};
+use self::series::{Series, SplineBasis};
+use self::smooth_misfit::{FlightMisfit, ScaledStatistic, greatest_misfit, least_p};
 use crate::channel::Channel;
 use crate::error::FitError;
 use crate::fit::Fit;
@@ -21,41 +22,25 @@ use crate::predict::each_residual;
 use crate::report::{LackOfFit, SmoothMisfit};
 use dataset::Role;
 use dataset::statistics::median_of;
-use flight::parallel;
-use model_spec::sort_by_number;
 
-use self::f_test::ScaledStatistic;
-use self::localize::greatest_misfit;
-use self::noise_floor::{FlightSeries, NoiseFloor};
-use self::series::Series;
-use self::smooth_misfit::{FlightMisfit, least_p};
-use self::spline_basis::SplineBasis;
+/// Numbers of knot intervals over a flight of the splines that follow slow deviations, and at least of those that follow
+/// fast ones.
+const INTERVALS: (f64, f64) = (5.0, 12.0);
 
-/// Number of knot intervals over the duration of a flight, for the splines that follow slow deviations of the residuals
-/// from zero.
-const SLOW_INTERVALS: f64 = 5.0;
-
-/// Minimum number of knot intervals over the duration of a flight, for the splines that follow fast deviations of the
-/// residuals from zero. A flight with few samples can have fewer intervals.
-const FINE_INTERVALS: f64 = 12.0;
-
-/// Number of spline knots in one period of the fastest predicted motion of the markers, for the splines that follow
-/// fast deviations of the residuals from zero.
+/// Number of knots per period of the fastest predicted motion of the markers.
 const KNOTS_PER_PERIOD: f64 = 4.0;
 
-/// Minimum length of the interval between spline knots, in samples; faster changes of the residuals are treated as
-/// noise.
+/// Minimum knot interval, in samples; faster changes are noise.
 const MIN_SAMPLES_PER_KNOT: f64 = 3.0;
 
-/// Assumed numerical integration error of the residuals, as a fraction of σ₀, the noise standard deviation estimated
-/// from the samples before any fit. Noise smaller than this error cannot be distinguished from 0.
+/// Assumed integration error of the residuals, in units of `sigma0`; smaller noise cannot be told from 0.
 const INTEGRATION_ERROR: f64 = 0.02;
 
 /// Maximum number of flights whose largest smooth deviation is listed in the result of the lack-of-fit test.
 const MAX_DESCRIBED: usize = 6;
 
 impl Fit {
-    /// Tests the residuals for lack of fit, and decides again, with the result, whether the fit is reliable.
+    /// Tests the residuals for lack of fit, and decides again whether the fit is reliable.
     ///
     /// # Errors
     /// [`FitError::Flight`] if a trajectory cannot be integrated.
@@ -67,8 +52,7 @@ impl Fit {
 }
 
 impl LackOfFit {
-    /// Tests the residuals of the fitted flights of `fit`; `None` if they are too few to separate noise from smooth
-    /// motion.
+    /// Tests the residuals of the fitted flights; `None` if they are too few to separate noise from smooth motion.
     ///
     /// # Errors
     /// [`FitError::Flight`] if a trajectory cannot be integrated.
@@ -188,16 +172,14 @@ impl FittedFlight<'_> {
         self.observed.times.last().copied().unwrap_or(0.0)
     }
 
-    /// Spline basis that follows slow deviations of the residuals from zero: the duration of the flight is divided into
-    /// [`SLOW_INTERVALS`] knot intervals, or fewer if the flight has few samples.
+    /// Basis that follows slow deviations, with fewer knots than [`INTERVALS`] for few samples.
     fn slow(&self) -> SplineBasis {
         let duration = self.duration();
         let least = MIN_SAMPLES_PER_KNOT * self.observed.interval().unwrap_or(duration);
-        SplineBasis::new((0.0, duration), (duration / SLOW_INTERVALS).max(least))
+        SplineBasis::new((0.0, duration), (duration / INTERVALS.0).max(least))
     }
 
-    /// Residuals of the inliers, without derivatives, with the spline basis that follows fast misfits; `None` if the
-    /// flight has no residuals to test.
+    /// Residuals of the inliers, with the basis that follows fast misfits; `None` if there are none to test.
     fn residuals(&self, fit: &Fit) -> Option<FlightSeries> {
         let duration = self.duration();
         let interval = self
@@ -206,7 +188,7 @@ impl FittedFlight<'_> {
             .filter(|interval| *interval > 0.0)?;
         let evidence = fit.evidence(self.id)?;
         let frequency = frequency(&evidence.predicted, interval);
-        let wanted = (1.0 / (KNOTS_PER_PERIOD * frequency)).min(duration / FINE_INTERVALS);
+        let wanted = (1.0 / (KNOTS_PER_PERIOD * frequency)).min(duration / INTERVALS.1);
         let knot_interval = wanted.max(MIN_SAMPLES_PER_KNOT * interval);
         let channels = &fit.problem().channels;
         let mut series = empty_series(channels.len(), 1);
@@ -235,8 +217,7 @@ impl FittedFlight<'_> {
         })
     }
 
-    /// Residuals of the inliers and their derivatives with respect to the local parameters of the flight; the spline
-    /// basis is copied from `from`.
+    /// Residuals of the inliers with their derivatives by the local parameters, and the basis of `from`.
     fn with_derivatives(&self, fit: &Fit, from: &FlightSeries) -> Result<FlightSeries, FitError> {
         let Some((observed, local)) = fit.flight(self.id) else {
             return Ok(FlightSeries {
@@ -288,9 +269,8 @@ fn empty_series(channels: usize, count: usize) -> Vec<[Series; 3]> {
         .collect()
 }
 
-/// Characteristic frequency of the predicted marker motion, 1/s, by Rice's formula: root mean square of the jerk over
-/// the root mean square of the acceleration's fluctuations, over 2π. `predicted[sample][marker]` is a position, m;
-/// `interval` is the sampling interval, s. 0 if the acceleration does not change.
+/// Characteristic frequency of the predicted marker motion, 1/s, by Rice's formula: rms jerk over the rms fluctuation
+/// of the acceleration, over 2π. `predicted[sample][marker]` is in m; 0 if the acceleration does not change.
 fn frequency(predicted: &[Vec<[f64; 3]>], interval: f64) -> f64 {
     let (mut of_jerk, mut of_acceleration) = (0.0, f64::MIN_POSITIVE);
     let markers = predicted.first().map_or(0, Vec::len);

@@ -1,29 +1,23 @@
-//! Noise floor: the part of the residuals that no smooth motion can follow, modelled as an AR(1) process along each
-//! axis.
-//!
-//! Splines with closely spaced knots remove everything smooth from the residuals, whatever its explanation. Restricted
-//! maximum likelihood gives variance and autocorrelation of the remainder, without bias from estimating the splines'
-//! coefficients.
+//! Noise floor: the part of the residuals that no smooth motion can follow, an AR(1) process along each axis. Splines
+//! with close knots remove everything smooth; restricted maximum likelihood gives variance and autocorrelation of the
+//! rest, without bias from the splines' coefficients.
 
-use crate::channel::Channel;
-use crate::noise::{AxesNoise, NoiseModel, group_count};
 use flight::parallel;
 
-use super::series::Series;
-use super::spline_basis::SplineBasis;
+use super::series::{Series, SplineBasis};
+use crate::channel::Channel;
+use crate::noise::{AxesNoise, NoiseModel, group_count};
 
 /// Range (minimum, maximum) in which the lag-1 autocorrelation of the measurement noise is searched.
 const AR1_RANGE: (f64, f64) = (-0.8, 0.95);
 
-/// Number of steps of the golden-section search for the lag-1 autocorrelation of the noise; 10 steps reduce the
-/// searched range to a hundredth.
+/// Number of golden-section steps for the autocorrelation: 10 reduce its range to a hundredth.
 const GOLDEN_STEPS: usize = 10;
 
 /// Step of the lag-1 autocorrelation in the finite difference that gives the curvature of the restricted deviance.
 const CURVATURE_STEP: f64 = 0.03;
 
-/// Number of residuals of one axis after which no further flight is used to estimate the noise, that is, its
-/// autocorrelation and standard deviation.
+/// Number of residuals of one axis after which no further flight is used.
 const MAX_RESIDUALS: usize = 40_000;
 
 /// Residuals of one flight by measurement channel and axis, and the spline basis of the flight.
@@ -37,8 +31,6 @@ pub(super) struct FlightSeries {
 /// Noise floor: noise estimated from the fast changes of the residuals, which no smooth motion can follow.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct NoiseFloor {
-    /// Noise model: standard deviation and lag-1 autocorrelation for each axis of each noise group. A noise group
-    /// consists of the measurement channels (marker positions or sensor quantities) with common noise parameters.
     pub noise: NoiseModel,
     /// `ar1_std_error[group][axis]`: standard error of the lag-1 autocorrelation of a noise group.
     pub ar1_std_error: Vec<[f64; 3]>,
@@ -49,16 +41,13 @@ pub(super) struct NoiseFloor {
 struct Likelihood {
     /// Restricted deviance: −2 ln of the restricted likelihood, maximized over the variance of each flight.
     deviance: f64,
-    /// Sum of squares, m², of the innovations after projecting out the splines. Each square is divided by the ratio of
-    /// the innovation's variance to the noise variance.
+    /// Sum of squares, m², of the innovations beyond the splines, each over its variance ratio.
     squares: f64,
-    /// Number of residuals minus the number of fitted splines.
     degrees_of_freedom: f64,
 }
 
 impl NoiseFloor {
-    /// Estimates the noise of residuals with sampling interval `interval`, s; `None` if there are too few residuals
-    /// for the splines.
+    /// Noise of residuals with sampling interval `interval`, s; `None` if they are too few for the splines.
     pub fn estimate(
         flights: &[FlightSeries],
         channels: &[Channel],
@@ -101,8 +90,7 @@ impl NoiseFloor {
         })
     }
 
-    /// Relative standard error of the low-frequency noise variance, which the AR(1) model extrapolates from high
-    /// frequencies. Computed for the ratio of low- to high-frequency noise power, averaged over the axes.
+    /// Relative standard error of the low-frequency noise variance, which AR(1) extrapolates from high frequencies.
     pub fn relative_error(&self) -> f64 {
         let axes = 3.0 * self.ar1_std_error.len() as f64;
         let pairs = self.noise.groups().iter().zip(&self.ar1_std_error);
@@ -116,9 +104,8 @@ impl NoiseFloor {
     }
 }
 
-/// Noise of one group of measurement channels along one axis: lag-1 autocorrelation, standard error of the
-/// autocorrelation, and standard deviation, m. `group` is the index of the group and the list of the group index of
-/// each channel; `interval` is the sampling interval, s. `None` if there are too few residuals.
+/// Lag-1 autocorrelation, its standard error, and standard deviation, m, of one group along one axis; `group` is its
+/// index and the group of each channel. `None` if there are too few residuals.
 fn of_axis(
     flights: &[&FlightSeries],
     group: (usize, &[usize]),
@@ -162,10 +149,8 @@ fn of_axis(
     Some((ar1, std_error, sigma))
 }
 
-/// Restricted likelihood of the residuals of one noise group along one axis, for noise with the lag-1 autocorrelation
-/// `ar1`. A noise group consists of the measurement channels with common noise parameters: here those whose entry in
-/// `group_of` is `group`. `interval` is the sampling interval, s. All fields of the result are 0 if every flight has
-/// too few residuals for its splines.
+/// Restricted likelihood of the residuals of one noise group along one axis at the autocorrelation `ar1`; all fields
+/// are 0 if every flight has too few residuals for its splines.
 fn likelihood(
     flights: &[&FlightSeries],
     (group, group_of): (usize, &[usize]),

@@ -1,43 +1,34 @@
-//! Smooth part of the residuals of one flight: the reduction of the sum of squares by splines, beyond the reduction
-//! by the flight's own unknowns.
+//! Smooth part of the residuals of one flight: the reduction of the sum of squares by splines, beyond that by the
+//! flight's own unknowns.
 
-use crate::noise::{AxesNoise, NoiseModel};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use statrs::function::erf::erfc;
 
-use super::f_test::ScaledStatistic;
 use super::noise_floor::FlightSeries;
-use super::series::Series;
-use super::spline_basis::SplineBasis;
-
-/// Minimum eigenvalue of the Gram matrix of the local columns (derivatives of the residuals with respect to the
-/// flight's initial state, scaled to unit norm). Directions with smaller eigenvalues after projecting out the splines
-/// are dropped, because the splines reproduce them.
-const MIN_TOLERANCE: f64 = 1e-9;
+use super::series::{SUPPORT, Series, SplineBasis};
+use crate::channel::Channel;
+use crate::levels::ROUNDING;
+use crate::noise::{AxesNoise, NoiseModel};
+use crate::report::SmoothMisfit;
 
 /// Lack-of-fit statistics of one flight: reduction of the sum of squares of its residuals by two sets of splines.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct FlightMisfit {
-    /// Reduction of the sum of squares by splines that follow slow deviations of the residuals from zero, such as those
-    /// caused by wrong forces. The knots are a fifth of the flight's duration apart.
+    /// By splines that follow slow deviations, such as those of wrong forces.
     pub slow: ScaledStatistic,
-    /// Reduction of the sum of squares by splines that follow fast deviations of the residuals from zero, such as those
-    /// caused by errors of marker positions, attitude and spin. There are several knots for each turn of the body.
+    /// By splines that follow fast deviations, such as those of marker positions, attitude and spin.
     pub fine: ScaledStatistic,
 }
 
-/// Sums of products over all residual series of a flight, before and after projecting out one spline basis. Local
-/// columns are the derivatives of the residuals with respect to the flight's initial state.
+/// Sums of products over all series of a flight, before and after projecting out one basis.
 struct Projection {
     /// Sum of squares of the residuals' projection on the splines.
     squares: f64,
     rank: usize,
-    /// Gram matrix of the derivatives of the residuals with respect to the flight's initial state, after the splines
-    /// are projected out. `left_gradient` contains the products of these projected derivatives with the residuals.
+    /// Gram matrix of the local columns after the projection, and their products with the residuals.
     left: DMatrix<f64>,
     left_gradient: DVector<f64>,
-    /// Sum of squares of the residuals before the splines are projected out. `local` (Gram matrix of the derivatives of
-    /// the residuals with respect to the flight's initial state) and `gradient` (products of these derivatives with the
-    /// residuals) are also values before this projection.
+    /// Sum of squares of the residuals, Gram matrix of the local columns and their products before it.
     total: f64,
     local: DMatrix<f64>,
     gradient: DVector<f64>,
@@ -45,9 +36,8 @@ struct Projection {
 }
 
 impl FlightMisfit {
-    /// Tests the residuals of a flight against the noise floor; `None` if the flight has too few samples. The standard
-    /// deviation of the flight's noise is assumed to be at least `least_ratio` times that of the noise floor, because
-    /// integration errors also contribute to the residuals.
+    /// Tests the residuals against the noise floor; `None` for too few samples. The flight's noise is at least
+    /// `least_ratio` times the floor, because of integration errors.
     pub fn new(
         flight: &FlightSeries,
         slow: &SplineBasis,
@@ -85,16 +75,14 @@ impl FlightMisfit {
         })
     }
 
-    /// p-value of the flight's lack-of-fit test. `relative_error` is the relative standard error of the noise variance
-    /// at low frequencies, which is extrapolated from high frequencies.
+    /// p-value of the flight; `relative_error` is that of the noise variance at low frequencies.
     pub fn p_value(&self, relative_error: f64) -> f64 {
         least_p(self.slow, self.fine, relative_error)
     }
 }
 
-/// Bonferroni-corrected p-value of the more significant of two tests: of slow deviations of the residuals from zero
-/// (`slow`), and of fast ones (`fine`). `relative_error` is the relative standard error of the noise variance at low
-/// frequencies; it widens the null distributions of both statistics.
+/// Bonferroni-corrected p-value of the more significant of two tests. `relative_error` is that of the noise variance at
+/// low frequencies, which widens the null distributions.
 pub(super) fn least_p(slow: ScaledStatistic, fine: ScaledStatistic, relative_error: f64) -> f64 {
     let p = [slow, fine].map(|mut statistic| {
         statistic.noise_variance += (statistic.degrees_of_freedom * relative_error).powi(2);
@@ -151,9 +139,8 @@ impl Projection {
     }
 }
 
-/// Reduction of the sum of squares by fitting columns with Gram matrix `matrix` and products `gradient` with the
-/// residuals, and the number of independent directions. The columns are multiplied by `scale` before the rank is
-/// determined.
+/// Reduction of the sum of squares by columns with Gram matrix `matrix` and products `gradient`, multiplied by `scale`,
+/// and the number of independent directions.
 fn decrease(matrix: &DMatrix<f64>, gradient: &DVector<f64>, scale: &DVector<f64>) -> (f64, usize) {
     let size = gradient.len();
     if size == 0 {
@@ -165,8 +152,134 @@ fn decrease(matrix: &DMatrix<f64>, gradient: &DVector<f64>, scale: &DVector<f64>
     };
     let products = eigen.eigenvectors.tr_mul(&gradient.component_mul(scale));
     let kept = eigen.eigenvalues.iter().zip(products.iter());
-    let kept = kept.filter(|(value, _)| **value > MIN_TOLERANCE);
+    let kept = kept.filter(|(value, _)| **value > ROUNDING);
     kept.fold((0.0, 0), |(sum, rank), (value, product)| {
         (sum + product * product / value, rank + 1)
     })
+}
+
+// Survival function of the F distribution, approximated for large degrees of freedom.
+
+/// Probability that an F variable exceeds `value`, by Paulson's normal approximation of its cube root; 1 if an argument
+/// is not positive.
+pub(super) fn f_survival(value: f64, (dof1, dof2): (f64, f64)) -> f64 {
+    if !(dof1 > 0.0 && dof2 > 0.0 && value > 0.0) {
+        return 1.0;
+    }
+    let (a, b) = (2.0 / (9.0 * dof1), 2.0 / (9.0 * dof2));
+    let root = value.cbrt();
+    let z = ((1.0 - b) * root - (1.0 - a)) / (b * root * root + a).sqrt();
+    erfc(z / std::f64::consts::SQRT_2) / 2.0
+}
+
+/// Lack-of-fit statistic, tested as an F variable because the noise is estimated.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct ScaledStatistic {
+    /// Test statistic: sum of squares over the estimated noise variance.
+    pub value: f64,
+    /// Expectation of the statistic under the null hypothesis: its degrees of freedom.
+    pub degrees_of_freedom: f64,
+    /// Variance of the statistic beyond that of χ², because the noise is estimated.
+    pub noise_variance: f64,
+}
+
+impl ScaledStatistic {
+    /// Adds `other`, a statistic with an independent estimate of the noise variance, such as from another flight.
+    pub fn add(&mut self, other: &Self) {
+        self.value += other.value;
+        self.degrees_of_freedom += other.degrees_of_freedom;
+        self.noise_variance += other.noise_variance;
+    }
+
+    /// p-value of the statistic under the null hypothesis, by the F distribution.
+    pub fn p_value(&self) -> f64 {
+        if self.degrees_of_freedom <= 0.0 {
+            return 1.0;
+        }
+        let relative = self.noise_variance / (self.degrees_of_freedom * self.degrees_of_freedom);
+        let dof2 = 2.0 / relative.max(1e-9);
+        f_survival(
+            self.value / self.degrees_of_freedom,
+            (self.degrees_of_freedom, dof2),
+        )
+    }
+}
+
+// Marker coordinate and time interval in which residuals deviate most from noise.
+
+/// Fraction of the largest deviation down to which samples around it belong to the reported interval.
+const STRETCH: f64 = 0.5;
+
+/// Largest smooth deviation of a flight: the maximum of the splines of the coordinate for which they explain most
+/// beyond noise; `None` without residuals. The caller sets `file` and `p_value`.
+pub(super) fn greatest_misfit(
+    flight: &FlightSeries,
+    basis: &SplineBasis,
+    noise: &NoiseModel,
+    channels: &[Channel],
+) -> Option<SmoothMisfit> {
+    let mut best: Option<(f64, usize, usize, Vec<f64>)> = None;
+    for (marker, axes) in flight.series.iter().enumerate() {
+        let noise = noise.of(marker);
+        for (axis, series) in axes.iter().enumerate() {
+            let found = series
+                .residuals_only()
+                .whitened(basis, noise, axis)
+                .projected;
+            let squares: f64 = found.coordinates.iter().map(|c| c * c).sum();
+            let excess = squares - found.rank as f64;
+            if best.as_ref().is_none_or(|best| excess > best.0) {
+                best = Some((excess, marker, axis, found.coefficients()));
+            }
+        }
+    }
+    let (_, marker, axis, coefficients) = best?;
+    let times = &flight.series[marker][axis].times;
+    // The residuals of the least squares are predicted − measured.
+    let curve: Vec<f64> = times
+        .iter()
+        .map(|&time| {
+            let (first, values) = basis.at(time);
+            let each = (0..SUPPORT).map(|k| values[k] * coefficients[first + k]);
+            -each.sum::<f64>()
+        })
+        .collect();
+    let greatest = (0..curve.len()).max_by(|&a, &b| curve[a].abs().total_cmp(&curve[b].abs()))?;
+    let size = curve[greatest];
+    let channel = &channels[marker];
+    let belongs = |index: usize| curve[index] * size.signum() >= STRETCH * size.abs();
+    let from = (0..=greatest).rev().take_while(|&k| belongs(k)).last();
+    let to = (greatest..curve.len()).take_while(|&k| belongs(k)).last();
+    Some(SmoothMisfit {
+        file: String::new(),
+        coordinate: match channel.components {
+            1 => channel.name.clone(),
+            _ => format!("{}_{}", channel.name, ["x", "y", "z"][axis]),
+        },
+        unit: channel.unit.to_owned(),
+        from_s: times[from.unwrap_or(greatest)],
+        to_s: times[to.unwrap_or(greatest)],
+        size_m: size / channel.scale,
+        p_value: 1.0,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tails_are_those_of_tables() {
+        // 1 % and 5 % points of F(10, 20), F(60, 120), F(5, 1e6) = chi squared(5) / 5.
+        for (value, degrees_of_freedom, expected) in [
+            (3.368, (10.0, 20.0), 0.01),
+            (2.348, (10.0, 20.0), 0.05),
+            (1.656, (60.0, 120.0), 0.01),
+            (3.017, (5.0, 1e9), 0.01),
+        ] {
+            let found = f_survival(value, degrees_of_freedom);
+            assert!((found / expected - 1.0).abs() < 0.06, "{found} {expected}");
+        }
+        assert_eq!(f_survival(0.0, (3.0, 3.0)), 1.0);
+    }
 }

@@ -2,13 +2,11 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::Constraint;
 use super::scaled_cholesky::ScaledCholesky;
 
-/// Computes the step of the global parameters that minimises the quadratic model of the sum of squares (matrix
-/// `reduced`, `gradient`) plus the priors, within the bounds. Active-set method: a parameter that would cross a bound
-/// is set to the bound, and the step of the other parameters is computed again. Returns the step and the decrease of
-/// the priors' sum of squares; `None` if the matrix is singular.
+/// Step of the global parameters that minimises the quadratic model of the sum of squares plus the priors, within the
+/// bounds. Active-set method: a parameter that would cross a bound is set to it, and the others step again. Returns the
+/// step and the decrease of the priors' squares; `None` if the matrix is singular.
 pub fn constrained_step(
     reduced: &DMatrix<f64>,
     gradient: &DVector<f64>,
@@ -51,8 +49,7 @@ pub fn constrained_step(
     Some((step, reduction))
 }
 
-/// Bound that the step of a free parameter reaches first, as (index among all global parameters, value of the bound);
-/// `None` if the step remains within all bounds.
+/// Bound that the step of a free parameter reaches first (index, value); `None` if none.
 fn first_bound(
     free: &[usize],
     values: &DVector<f64>,
@@ -74,8 +71,7 @@ fn first_bound(
     Some((i, bound))
 }
 
-/// Newton step of the free parameters, if the active parameters, which are set to their bounds, change by their entries
-/// in `step`; `None` if the matrix is singular.
+/// Newton step of the free parameters, if the active ones change by their entries in `step`.
 fn free_step(
     matrix: &DMatrix<f64>,
     gradient: &DVector<f64>,
@@ -94,6 +90,31 @@ fn free_step(
     let solved = ScaledCholesky::new(&selected, damping)?.solve(&right);
     let finite = solved.iter().all(|value| value.is_finite());
     finite.then_some(solved)
+}
+
+// Bounds and prior of a global parameter.
+
+/// Bounds and Gaussian prior of a global parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Constraint {
+    /// Lower and upper bound; infinite if the parameter is unbounded.
+    pub bounds: (f64, f64),
+    /// Mean and standard deviation of the Gaussian prior; `None` without a prior.
+    pub prior: Option<(f64, f64)>,
+}
+
+impl Constraint {
+    /// Constraint without bounds and prior.
+    pub const NONE: Constraint = Constraint {
+        bounds: (f64::NEG_INFINITY, f64::INFINITY),
+        prior: None,
+    };
+
+    /// Squared distance of a value from the prior mean, in prior standard deviations; 0 without a prior.
+    pub(super) fn squares(&self, value: f64) -> f64 {
+        let squares = |(mean, sigma): (f64, f64)| ((value - mean) / sigma).powi(2);
+        self.prior.map_or(0.0, squares)
+    }
 }
 
 #[cfg(test)]

@@ -11,8 +11,8 @@ const BATCH: usize = 64;
 /// Jacobian rows are padded to a multiple of this length, the number of lanes of the widest SIMD vectors.
 const PADDING: usize = 8;
 
-/// Accumulates the Gram matrix of the Jacobian rows of one flight. A row contains the derivatives with respect to the
-/// local parameters and the global parameters, each in its column. The residual follows, and then zeros as padding.
+/// Accumulates the Gram matrix of the Jacobian rows of one flight: derivatives by the local and global parameters, the
+/// residual, and zeros as padding.
 pub struct GramAccumulator {
     /// Columns of the Jacobian rows that contain the derivatives with respect to the local parameters.
     local: Vec<usize>,
@@ -29,8 +29,7 @@ pub struct GramAccumulator {
 }
 
 impl GramAccumulator {
-    /// Creates an accumulator without Jacobian rows. `local` and `global` are the column indices of the local and
-    /// global parameters in a row; together they are 0, 1, 2, ….
+    /// Creates an accumulator; `local` and `global` are the columns of the parameters, together 0, 1, 2, ….
     pub fn new(local: Vec<usize>, global: Vec<usize>) -> Self {
         let width = Self::width(local.len() + global.len());
         Self {
@@ -55,8 +54,8 @@ impl GramAccumulator {
         self.local.len() + self.global.len()
     }
 
-    /// Adds the Jacobian row `scale * (row − phi * previous)` to the Gram matrix, where `before` is (phi, previous), or
-    /// the row `scale * row` if `before` is `None`. Adds `extra`, a term due to a robust loss, to the sum of squares.
+    /// Adds `scale * (row − phi * previous)`, where `before` is (phi, previous) or `None`, and `extra`, a term of a
+    /// robust loss.
     pub fn add(&mut self, row: &[f64], before: Option<(f64, &[f64])>, scale: f64, extra: f64) {
         let to = &mut self.batch[self.filled..][..self.width];
         let row = &row[..self.width];
@@ -103,8 +102,7 @@ impl GramAccumulator {
     }
 }
 
-/// SIMD kernel that computes `to = scale * (row − phi * previous)` for Jacobian rows, where `kept` is phi and `before`
-/// is the previous row.
+/// SIMD kernel: `to = scale * (row − kept * before)`.
 struct AddInnovation<'a> {
     to: &'a mut [f64],
     row: &'a [f64],
@@ -127,16 +125,14 @@ impl Kernel for AddInnovation<'_> {
     }
 }
 
-/// SIMD kernel that adds the upper triangle of `rowsᵀ rows` to `sums`. It also computes some entries below the
-/// diagonal, which are not used.
+/// SIMD kernel that adds the upper triangle of `rowsᵀ rows` to `sums`, and some unused entries below it.
 struct AddSquares<'a> {
     rows: &'a [f64],
     width: usize,
     sums: &'a mut [f64],
 }
 
-/// Size (rows, SIMD vectors) of a tile of the Gram matrix whose sums are computed at once, so that each loaded value is
-/// reused.
+/// Rows and SIMD vectors of a tile whose sums are computed at once, so that loaded values are reused.
 const TILE: (usize, usize) = (4, 3);
 
 impl Kernel for AddSquares<'_> {
@@ -160,8 +156,7 @@ impl Kernel for AddSquares<'_> {
     }
 }
 
-/// Adds the products of the Jacobian rows' elements to one tile of the Gram matrix `sums`. The tile begins at row
-/// `first` and column `column`, and is `VECTORS` SIMD vectors wide. Returns the number of columns of the tile.
+/// Adds the rows' products to a tile of `sums`, `VECTORS` vectors wide. Returns the number of its columns.
 #[inline(always)]
 fn add_block<T: Lanes, const VECTORS: usize>(
     rows: &[f64],

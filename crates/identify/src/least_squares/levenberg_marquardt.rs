@@ -1,10 +1,16 @@
 //! Levenberg–Marquardt iteration over all flights, with bounds.
 
+use std::sync::{Mutex, PoisonError};
+
+use flight::parallel;
 use nalgebra::DVector;
 
 use super::linearization::{Evaluated, Step};
-use super::local_refinement::{Backoff, OneFlight, with_refined_locals};
-use super::{Iterate, LeastSquaresProblem, NormalBlock, SolveError, StopReason, StoppingCriteria};
+use super::{
+    Constraint, Iterate, LeastSquaresProblem, NormalBlock, SolveError, StopReason,
+    StoppingCriteria, Unknowns,
+};
+use crate::error::FlightError;
 
 /// Result of a least-squares iteration.
 #[derive(Clone, Debug)]
@@ -13,15 +19,13 @@ pub struct Solution {
     pub iterate: Iterate,
     /// Normal equations of each flight at the last accepted iterate whose residuals were evaluated.
     pub blocks: Vec<NormalBlock>,
-    /// Sum of squares including the priors. If the residuals after the last step were not evaluated, it is the
-    /// predicted value.
+    /// Sum of squares including the priors; predicted if the residuals after the last step were not evaluated.
     pub squares: f64,
     /// Number of least-squares steps tried.
     pub iterations: usize,
     /// Reason why the iteration stopped.
     pub stop_reason: StopReason,
-    /// Predicted reduction of the sum of squares by the last step that damping did not shorten; `None` if there is no
-    /// such step.
+    /// Predicted reduction of the sum of squares by the last step that damping did not shorten.
     pub predicted_reduction: Option<f64>,
 }
 
@@ -31,8 +35,7 @@ impl Solution {
         self.stop_reason == StopReason::Converged
     }
 
-    /// Whether the predicted reduction of the sum of squares by the last step is negligible according to `criteria`, so
-    /// that another iteration would change nothing. The residuals after that step were not evaluated.
+    /// Whether the last step, whose residuals were not evaluated, changes nothing according to `criteria`.
     pub(crate) fn last_step_is_negligible(&self, criteria: StoppingCriteria) -> bool {
         let negligible = |reduction| criteria.is_negligible(reduction, self.squares);
         self.converged() && self.predicted_reduction.is_some_and(negligible)
@@ -40,19 +43,18 @@ impl Solution {
 }
 
 /// Initial Levenberg–Marquardt damping, relative to the diagonal of JᵀJ.
-pub(super) const INITIAL_DAMPING: f64 = 1e-9;
+const INITIAL_DAMPING: f64 = 1e-9;
 
 /// Maximum Levenberg–Marquardt damping, relative to the diagonal of JᵀJ, at which a step is tried.
 const MAX_DAMPING: f64 = 1e8;
 
-/// Maximum Levenberg–Marquardt damping, relative to the diagonal of JᵀJ, at which a step has practically the length of
-/// a Gauss–Newton step.
+/// Maximum damping at which a step has practically the length of a Gauss–Newton step.
 const NEGLIGIBLE_DAMPING: f64 = 1e-6;
 
 /// Minimum Levenberg–Marquardt damping, relative to the diagonal of JᵀJ; lower values have no further effect.
 const MIN_DAMPING: f64 = 1e-12;
 
-/// Minimises the sum of squares of `problem` from the iterate `start` by the Levenberg–Marquardt method.
+/// Minimises the sum of squares of `problem` from `start` by the Levenberg–Marquardt method.
 ///
 /// # Errors
 /// [`SolveError::Start`] with every flight that cannot be predicted at `start`; [`SolveError::Cancelled`] if the
@@ -65,9 +67,8 @@ pub fn solve(
     solve_after(problem, start, criteria, None)
 }
 
-/// Minimises the sum of squares of `problem` from the iterate `start`, as a continuation of the iteration of a nearly
-/// equal problem. `previous` is the reduction of the sum of squares that was predicted for the last step of that
-/// iteration.
+/// [`solve`] as the continuation of the iteration of a nearly equal problem, whose last step was to reduce the sum of
+/// squares by `previous`.
 ///
 /// # Errors
 /// The errors of [`solve`].
@@ -81,13 +82,8 @@ pub fn solve_after(
     descend(problem, start, criteria, previous)
 }
 
-/// Minimises the sum of squares of `problem` from an iterate that is already evaluated. `previous` is the reduction of
-/// the sum of squares that was predicted for the step that led to this iterate; `None` if there was no such step, or if
-/// damping shortened it.
-///
-/// # Errors
-/// [`SolveError::Cancelled`] if the iteration is cancelled.
-pub(super) fn descend(
+/// Minimises from an iterate that is evaluated. `previous` is the predicted reduction of the step that led to it.
+fn descend(
     problem: &dyn LeastSquaresProblem,
     start: Evaluated,
     criteria: StoppingCriteria,
@@ -144,7 +140,7 @@ pub(super) fn descend(
         if rejections == 0 && !at.iterate.global.is_empty() && refinement.is_due() {
             iterations += 1;
             if let Some(candidate) =
-                with_refined_locals(problem, &candidate, &at.iterate, at.squares, refine)?
+                with_refined_locals(problem, &candidate, &at.iterate, at.squares)?
                 && let Some(evaluated) = Evaluated::candidate(problem, &candidate, less_damping)?
                 && evaluated.squares < at.squares
             {
@@ -170,7 +166,7 @@ pub(super) fn descend(
     }
     Ok(Solution {
         iterate: at.iterate,
-        blocks: at.linearization.blocks,
+        blocks: at.blocks,
         squares: at.squares,
         iterations,
         stop_reason,
@@ -178,8 +174,204 @@ pub(super) fn descend(
     })
 }
 
-fn refine(flight: &OneFlight<'_>, start: Iterate) -> Option<(DVector<f64>, f64)> {
-    let solution = solve(flight, start, StoppingCriteria::REFINEMENT).ok()?;
-    let local = solution.iterate.local.into_iter().next()?;
-    Some((local, solution.squares))
+// Refinement of local parameters at given global ones. A step that is too long is often right in the global parameters
+// and wrong in the local ones, which depend on them nonlinearly.
+
+/// Schedule of refinements after rejected steps: each failure doubles the number of steps before the next.
+#[derive(Clone, Copy, Debug, Default)]
+struct Backoff {
+    /// Number of further rejected steps until the next attempt to refine the local parameters.
+    wait: usize,
+    /// Number of steps to wait after the last failure; 0 before the first.
+    pause: usize,
+}
+
+impl Backoff {
+    /// Whether to try a refinement of the local parameters after this rejected step. Call it once per rejected step.
+    fn is_due(&mut self) -> bool {
+        let is_due = self.wait == 0;
+        self.wait = self.wait.saturating_sub(1);
+        is_due
+    }
+
+    /// Records that a refinement decreased the sum of squares; the next rejected step is followed by another.
+    fn succeeded(&mut self) {
+        *self = Self::default();
+    }
+
+    /// Records that a refinement did not decrease the sum of squares.
+    fn failed(&mut self) {
+        self.pause = (2 * self.pause).max(1);
+        self.wait = self.pause;
+    }
+}
+
+/// Sum of squares of one flight as a function of its local parameters.
+struct OneFlight<'a> {
+    problem: &'a dyn LeastSquaresProblem,
+    flight: usize,
+    global: &'a DVector<f64>,
+}
+
+impl LeastSquaresProblem for OneFlight<'_> {
+    fn flights(&self) -> usize {
+        1
+    }
+
+    fn linearise(
+        &self,
+        _: usize,
+        (_, local): (&DVector<f64>, &DVector<f64>),
+        _: Unknowns,
+    ) -> Result<NormalBlock, FlightError> {
+        let unknowns = (self.global, local);
+        self.problem
+            .linearise(self.flight, unknowns, Unknowns::Local)
+    }
+
+    fn plus(&self, _: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
+        self.problem.plus(self.flight, local, step)
+    }
+
+    fn constraints(&self) -> &[Constraint] {
+        &[]
+    }
+
+    fn is_cancelled(&self) -> bool {
+        self.problem.is_cancelled()
+    }
+
+    fn is_past_deadline(&self) -> bool {
+        self.problem.is_past_deadline()
+    }
+}
+
+/// Fits the local parameters of each flight at the global ones of `candidate`, from its local ones, or else from those
+/// of `before`. `None` if a flight cannot be predicted from either, or the sum of squares exceeds `limit`.
+fn with_refined_locals(
+    problem: &dyn LeastSquaresProblem,
+    candidate: &Iterate,
+    before: &Iterate,
+    limit: f64,
+) -> Result<Option<Iterate>, SolveError> {
+    // If some flights exceed the limit, all flights do, so that the result does not depend on the order of the flights.
+    let left = Mutex::new(0.0);
+    let refined = parallel::each_on(problem.threads(), problem.flights(), |flight| {
+        let one = OneFlight {
+            problem,
+            flight,
+            global: &candidate.global,
+        };
+        let from = |local: &DVector<f64>| {
+            let start = Iterate {
+                global: DVector::zeros(0),
+                local: vec![local.clone()],
+            };
+            let solution = solve(&one, start, StoppingCriteria::REFINEMENT).ok()?;
+            Some((solution.iterate.local.into_iter().next()?, solution.squares))
+        };
+        if *left.lock().unwrap_or_else(PoisonError::into_inner) > limit {
+            return None;
+        }
+        let refined = from(&candidate.local[flight]).or_else(|| from(&before.local[flight]));
+        let (local, squares) = refined?;
+        *left.lock().unwrap_or_else(PoisonError::into_inner) += squares;
+        Some(local)
+    });
+    if problem.is_cancelled() {
+        return Err(SolveError::Cancelled);
+    }
+    if left.into_inner().unwrap_or_else(PoisonError::into_inner) > limit {
+        return Ok(None);
+    }
+    let local: Option<Vec<DVector<f64>>> = refined.into_iter().collect();
+    Ok(local.map(|local| Iterate {
+        global: candidate.global.clone(),
+        local,
+    }))
+}
+
+// Watchdog technique: first steps of an iteration that may increase the sum of squares.
+
+/// Maximum number of undamped steps after which the sum of squares must be less than at the start.
+const MAX_UNDAMPED_STEPS: usize = 4;
+
+/// [`solve`] with first steps that may increase the sum of squares: with a new parameter, the minimum may
+/// lie along a curved valley, which undamped steps cross. If none of them reaches a smaller sum of squares, the
+/// iteration begins again at `start`, with monotone steps.
+///
+/// # Errors
+/// The errors of [`solve`].
+pub fn solve_with_watchdog(
+    problem: &dyn LeastSquaresProblem,
+    start: Iterate,
+    criteria: StoppingCriteria,
+) -> Result<Solution, SolveError> {
+    let mut start = Evaluated::new(problem, start, INITIAL_DAMPING)?;
+    let (reached, steps) = undamped_steps(problem, &mut start, criteria)?;
+    let remaining = StoppingCriteria {
+        max_steps: criteria.max_steps.saturating_sub(steps),
+        ..criteria
+    };
+    let solution = descend(problem, reached.unwrap_or(start), remaining, None)?;
+    Ok(Solution {
+        iterations: solution.iterations + steps,
+        ..solution
+    })
+}
+
+/// First iterate, by undamped steps, with a smaller sum of squares than `start`, and the number of steps tried.
+fn undamped_steps(
+    problem: &dyn LeastSquaresProblem,
+    start: &mut Evaluated,
+    criteria: StoppingCriteria,
+) -> Result<(Option<Evaluated>, usize), SolveError> {
+    let squares_at_start = start.squares;
+    let mut reached: Option<Evaluated> = None;
+    for steps in 0..MAX_UNDAMPED_STEPS {
+        if problem.is_past_deadline() {
+            return Ok((None, steps));
+        }
+        let at = reached.as_mut().unwrap_or(start);
+        let Some(step) = at.step(problem, INITIAL_DAMPING) else {
+            return Ok((None, steps));
+        };
+        let Step {
+            candidate,
+            predicted_reduction,
+        } = step;
+        let is_at_minimum = criteria.is_reached(predicted_reduction, None, at.squares);
+        if is_at_minimum || at.squares - predicted_reduction >= squares_at_start {
+            return Ok((None, steps));
+        }
+        let Some(evaluated) = Evaluated::candidate(problem, &candidate, INITIAL_DAMPING)? else {
+            return Ok((None, steps + 1));
+        };
+        if evaluated.squares < squares_at_start {
+            return Ok((Some(evaluated), steps + 1));
+        }
+        reached = Some(evaluated);
+    }
+    Ok((None, MAX_UNDAMPED_STEPS))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_refinement_waits_for_twice_as_many_steps_after_each_failure_in_a_row() {
+        let mut refinement = Backoff::default();
+        let mut waited = |outcome: fn(&mut Backoff)| {
+            let waited = (0..).take_while(|_| !refinement.is_due()).count();
+            outcome(&mut refinement);
+            waited
+        };
+        assert_eq!(waited(Backoff::failed), 0);
+        assert_eq!(waited(Backoff::failed), 1);
+        assert_eq!(waited(Backoff::failed), 2);
+        assert_eq!(waited(Backoff::succeeded), 4);
+        assert_eq!(waited(Backoff::failed), 0);
+        assert_eq!(waited(Backoff::failed), 1);
+    }
 }

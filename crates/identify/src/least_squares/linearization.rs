@@ -8,60 +8,13 @@ use super::{
 };
 use crate::error::FlightError;
 
-/// An iterate, its normal equations, and its sum of squares.
+/// An iterate with its normal equations and its sum of squares.
 pub(super) struct Evaluated {
     pub(super) iterate: Iterate,
-    pub(super) linearization: Linearization,
+    pub(super) blocks: Vec<NormalBlock>,
     /// Sum of squares including the priors; infinite if it is not a number.
     pub(super) squares: f64,
-}
-
-impl Evaluated {
-    /// Evaluates an iterate. The Schur complements are computed for a next step with `damping`.
-    ///
-    /// # Errors
-    /// [`SolveError::Start`] with every flight that cannot be predicted there; [`SolveError::Cancelled`] if the
-    /// iteration is cancelled.
-    pub(super) fn new(
-        problem: &dyn LeastSquaresProblem,
-        iterate: Iterate,
-        damping: f64,
-    ) -> Result<Self, SolveError> {
-        let linearization = Linearization::new(problem, &iterate, damping)?;
-        let squares = linearization.squares(problem, &iterate);
-        Ok(Self {
-            iterate,
-            linearization,
-            squares,
-        })
-    }
-
-    /// Evaluates a candidate iterate: its normal equations and sum of squares. `None` if a flight cannot be predicted
-    /// there. The Schur complements are computed for a next step with `damping`.
-    pub(super) fn candidate(
-        problem: &dyn LeastSquaresProblem,
-        iterate: &Iterate,
-        damping: f64,
-    ) -> Result<Option<Self>, SolveError> {
-        match Self::new(problem, iterate.clone(), damping) {
-            Ok(evaluated) => Ok(Some(evaluated)),
-            Err(SolveError::Cancelled) => Err(SolveError::Cancelled),
-            Err(_) => Ok(None),
-        }
-    }
-
-    /// Computes a Levenberg–Marquardt step with the given damping; `None` if the normal equations are singular at this
-    /// damping.
-    pub(super) fn step(&mut self, problem: &dyn LeastSquaresProblem, damping: f64) -> Option<Step> {
-        self.linearization.step(problem, &self.iterate, damping)
-    }
-}
-
-/// Normal equations of all flights at an iterate.
-pub(super) struct Linearization {
-    pub(super) blocks: Vec<NormalBlock>,
-    /// Damping, and the Schur complements of all flights that were computed for it in advance. The first step with this
-    /// damping uses the complements and replaces them by `None`.
+    /// Damping, and the Schur complements computed for it in advance; the first step uses them.
     complements: (f64, Option<Vec<Option<SchurComplement>>>),
 }
 
@@ -72,10 +25,11 @@ pub(super) struct Step {
     pub(super) predicted_reduction: f64,
 }
 
-impl Linearization {
-    fn new(
+impl Evaluated {
+    /// Evaluates an iterate. The Schur complements are computed for a next step with `damping`.
+    pub(super) fn new(
         problem: &dyn LeastSquaresProblem,
-        iterate: &Iterate,
+        iterate: Iterate,
         damping: f64,
     ) -> Result<Self, SolveError> {
         let each = parallel::each_on(problem.threads(), problem.flights(), |flight| {
@@ -107,30 +61,38 @@ impl Linearization {
         if !failures.is_empty() {
             return Err(SolveError::Start(failures));
         }
-        Ok(Self {
-            blocks,
-            complements: (damping, Some(complements)),
-        })
-    }
-
-    /// Sum of squares including the priors; NaN is replaced by infinity.
-    fn squares(&self, problem: &dyn LeastSquaresProblem, iterate: &Iterate) -> f64 {
         let constraints = problem.constraints().iter().zip(iterate.global.iter());
         let priors: f64 = constraints
             .map(|(constraint, &value)| constraint.squares(value))
             .sum();
-        let sum = self.blocks.iter().map(|block| block.squares).sum::<f64>() + priors;
-        if sum.is_nan() { f64::INFINITY } else { sum }
+        let squares = blocks.iter().map(|block| block.squares).sum::<f64>() + priors;
+        Ok(Self {
+            iterate,
+            blocks,
+            squares: if squares.is_nan() {
+                f64::INFINITY
+            } else {
+                squares
+            },
+            complements: (damping, Some(complements)),
+        })
     }
 
-    /// Computes a Levenberg–Marquardt step with the given damping; `None` if the normal equations are singular at this
-    /// damping.
-    fn step(
-        &mut self,
+    /// Evaluates a candidate; `None` if a flight cannot be predicted there.
+    pub(super) fn candidate(
         problem: &dyn LeastSquaresProblem,
         iterate: &Iterate,
         damping: f64,
-    ) -> Option<Step> {
+    ) -> Result<Option<Self>, SolveError> {
+        match Self::new(problem, iterate.clone(), damping) {
+            Ok(evaluated) => Ok(Some(evaluated)),
+            Err(SolveError::Cancelled) => Err(SolveError::Cancelled),
+            Err(_) => Ok(None),
+        }
+    }
+
+    /// Levenberg–Marquardt step; `None` if the normal equations are singular at this damping.
+    pub(super) fn step(&mut self, problem: &dyn LeastSquaresProblem, damping: f64) -> Option<Step> {
         let computed = self
             .complements
             .1
@@ -146,17 +108,17 @@ impl Linearization {
         let (global_step, prior_reduction) = constrained_step(
             &system.reduced,
             &system.gradient,
-            &iterate.global,
+            &self.iterate.global,
             constraints,
             damping,
         )?;
         let local_steps = system.back_substitute(&global_step);
         let predicted = system.predicted_reduction(&global_step, &local_steps);
-        let steps = local_steps.iter().zip(&iterate.local).enumerate();
+        let steps = local_steps.iter().zip(&self.iterate.local).enumerate();
         let local = steps
             .map(|(flight, (step, local))| problem.plus(flight, local, step))
             .collect();
-        let global = &iterate.global + global_step;
+        let global = &self.iterate.global + global_step;
         Some(Step {
             candidate: Iterate { global, local },
             predicted_reduction: predicted + prior_reduction,

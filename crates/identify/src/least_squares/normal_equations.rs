@@ -1,7 +1,5 @@
-//! Normal equations of many flights, from which the local parameters of each flight are eliminated.
-//!
-//! The local parameters of a flight occur only in the residuals of that flight. Their elimination, flight by flight,
-//! leaves a system of the size of the global parameters, so that the cost is linear in the number of flights.
+//! Normal equations of many flights. The local parameters of a flight occur only in its own residuals; their
+//! elimination, flight by flight, leaves a system of the size of the global parameters.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -68,8 +66,7 @@ impl NormalBlock {
         ScaledCholesky::independent(&self.local, 0.0).is_some()
     }
 
-    /// Normal equations for the case that only the listed unknowns are estimated and all others are fixed: selects rows
-    /// and columns of JᵀJ and Jᵀr, in the given order.
+    /// Normal equations if only the listed unknowns are estimated, in the given order.
     pub fn select(&self, local: &[LocalId], global: &[GlobalId]) -> NormalBlock {
         let (l, g) = (|i: usize| local[i].index(), |i: usize| global[i].index());
         let (locals, globals) = (local.len(), global.len());
@@ -84,14 +81,12 @@ impl NormalBlock {
     }
 }
 
-/// Error for a flight whose samples do not determine its local parameters; contains the index of the flight in the
-/// least-squares problem.
+/// A flight whose samples do not determine its local parameters; contains its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the samples of flight {0} do not determine its initial state")]
 pub struct UndeterminedFlight(pub usize);
 
-/// Schur complement of a flight's normal equations after elimination of its local parameters (initial state), with the
-/// Cholesky factor required for back-substitution.
+/// Schur complement of a flight after elimination of its local parameters, with the factor for back-substitution.
 pub(crate) struct SchurComplement {
     factor: ScaledCholesky,
     reduced: DMatrix<f64>,
@@ -99,8 +94,7 @@ pub(crate) struct SchurComplement {
 }
 
 impl SchurComplement {
-    /// Eliminates the local parameters, with damping relative to the diagonal of JᵀJ; `None` if the residuals do not
-    /// determine them.
+    /// Eliminates the local parameters, with damping relative to the diagonal; `None` if they are not determined.
     pub fn new(block: &NormalBlock, damping: f64) -> Option<Self> {
         let factor = ScaledCholesky::independent(&block.local, damping)?;
         let through = block.cross.tr_mul(&factor.solve_matrix(&block.cross));
@@ -113,7 +107,7 @@ impl SchurComplement {
     }
 }
 
-/// Normal equations of the global parameters after elimination of all local parameters, with the factors required for
+/// Normal equations of the global parameters after elimination of all local ones, with the factors for
 /// back-substitution.
 pub struct ReducedSystem<'a> {
     blocks: &'a [NormalBlock],
@@ -139,11 +133,10 @@ pub fn eliminate(
 }
 
 impl<'a> ReducedSystem<'a> {
-    /// Sums the Schur complements `complements` of the flights' normal equations `blocks`; both are in the order of the
-    /// flights.
+    /// Sums the Schur complements of `blocks`.
     ///
     /// # Errors
-    /// [`UndeterminedFlight`] with the first flight that has no Schur complement.
+    /// [`UndeterminedFlight`] with the first flight that has none.
     pub(crate) fn new(
         blocks: &'a [NormalBlock],
         complements: impl IntoIterator<Item = Option<SchurComplement>>,
@@ -188,16 +181,14 @@ impl ReducedSystem<'_> {
         each.sum()
     }
 
-    /// Covariance of a flight's local parameters for residuals of variance 1, given the covariance of the global
-    /// parameters.
+    /// Covariance of a flight's local parameters for residuals of variance 1, given that of the global ones.
     pub fn local_covariance(&self, flight: usize, global: &DMatrix<f64>) -> DMatrix<f64> {
         let factor = &self.factors[flight];
         let through = factor.solve_matrix(&self.blocks[flight].cross);
         factor.inverse() + &through * global * through.transpose()
     }
 
-    /// Gradient Jᵀr of one flight with respect to the global parameters, after elimination of its local parameters
-    /// (initial state): the effective score of the flight.
+    /// Gradient of one flight by the global parameters, local ones eliminated: its effective score.
     pub fn score(&self, flight: usize) -> DVector<f64> {
         reduced_gradient(&self.blocks[flight], &self.factors[flight])
     }

@@ -2,12 +2,13 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn, SymmetricEigen};
 
+use crate::levels::RANK;
+
 /// Square root of a diagonal entry of a matrix, at or below which the row and the column of this entry are not scaled.
 const MIN_ROOT: f64 = 1e-150;
 
-/// Squared pivot of a Cholesky factorisation, for a matrix with unit diagonal, below which a column is considered
-/// linearly dependent on the previous ones.
-const MIN_SQUARED_PIVOT: f64 = 1e-11;
+/// Squared pivot, for a unit diagonal, below which a column depends on the previous ones.
+const MIN_SQUARED_PIVOT: f64 = 10.0 * RANK;
 
 /// Jacobi scaling of a symmetric matrix: 1/√diagonal, or `otherwise` if √diagonal is at most `least`.
 pub(crate) fn jacobi_scale(matrix: &DMatrix<f64>, least: f64, otherwise: f64) -> DVector<f64> {
@@ -23,16 +24,14 @@ pub(crate) fn scaled(matrix: &DMatrix<f64>, scale: &DVector<f64>) -> DMatrix<f64
     DMatrix::from_fn(size, size, |i, j| matrix[(i, j)] * scale[i] * scale[j])
 }
 
-/// Cholesky factor of a symmetric matrix that is scaled to a unit diagonal first, because the unknowns differ by seven
-/// orders of magnitude.
+/// Cholesky factor of a symmetric matrix scaled to a unit diagonal, as unknowns differ by seven orders of magnitude.
 pub(crate) struct ScaledCholesky {
     scale: DVector<f64>,
     cholesky: Cholesky<f64, Dyn>,
 }
 
 impl ScaledCholesky {
-    /// Scales a matrix to a unit diagonal, adds `damping` to this diagonal, and factors the result; `None` if the
-    /// result is not positive definite.
+    /// Factors the scaled matrix with `damping` added to its diagonal; `None` if it is not positive definite.
     pub fn new(matrix: &DMatrix<f64>, damping: f64) -> Option<Self> {
         let scale = jacobi_scale(matrix, MIN_ROOT, 1.0);
         let mut scaled = scaled(matrix, &scale);
@@ -43,23 +42,20 @@ impl ScaledCholesky {
         Some(Self { scale, cholesky })
     }
 
-    /// Scales a matrix to a unit diagonal, adds `damping` to this diagonal, and factors the result; `None` if the
-    /// result is not positive definite, or if a column is linearly dependent on other columns within rounding error.
+    /// [`new`](Self::new), but `None` if a column is linearly dependent on others within rounding error.
     pub fn independent(matrix: &DMatrix<f64>, damping: f64) -> Option<Self> {
         let factor = Self::new(matrix, damping)?;
         let least = factor.cholesky.l_dirty().diagonal().min();
         (matrix.nrows() == 0 || least * least > MIN_SQUARED_PIVOT).then_some(factor)
     }
 
-    /// Solves A x = right for a vector x. A is the unscaled matrix from which the factor was created, with `damping` ×
-    /// its diagonal added.
+    /// Solves A x = right, where A is the unscaled matrix with `damping` × its diagonal added.
     pub fn solve(&self, right: &DVector<f64>) -> DVector<f64> {
         let scaled = right.component_mul(&self.scale);
         self.cholesky.solve(&scaled).component_mul(&self.scale)
     }
 
-    /// Solves A X = right for a matrix X. A is the unscaled matrix from which the factor was created, with `damping` ×
-    /// its diagonal added.
+    /// Solves A X = right, where A is the unscaled matrix with `damping` × its diagonal added.
     pub fn solve_matrix(&self, right: &DMatrix<f64>) -> DMatrix<f64> {
         let mut solved = right.clone();
         self.scale_rows(&mut solved);
@@ -80,52 +76,44 @@ impl ScaledCholesky {
     }
 }
 
-/// Inverse of an information matrix by eigendecomposition after scaling to a unit diagonal. Eigenvalues below `least`
-/// are raised to `least`, which bounds the variance along directions without information.
+/// Inverse of an information matrix, whose eigenvalues after scaling are raised to `least`, which bounds the variance
+/// along directions without information.
 pub(crate) fn floored_inverse(information: &DMatrix<f64>, least: f64) -> DMatrix<f64> {
-    /// Scale of an unknown without information, used instead of 1/√diagonal.
-    const SCALE_WITHOUT_INFORMATION: f64 = 1e6;
-    let size = information.nrows();
-    if size == 0 {
-        return DMatrix::zeros(0, 0);
-    }
-    let scale = jacobi_scale(information, 1e-100, SCALE_WITHOUT_INFORMATION);
-    let eigen = SymmetricEigen::new(scaled(information, &scale));
-    let mut inverse = DMatrix::zeros(size, size);
-    let pairs = eigen
-        .eigenvalues
-        .iter()
-        .zip(eigen.eigenvectors.column_iter());
-    for (value, vector) in pairs {
-        inverse.ger(1.0 / value.max(least), &vector, &vector, 1.0);
-    }
-    scaled(&inverse, &scale)
+    // Unknowns without information have a scale of their own.
+    let scale = jacobi_scale(information, 1e-100, 1e6);
+    let inverse = inverse_by(information, &scale, (f64::EPSILON, 0), |value| {
+        1.0 / value.max(least)
+    });
+    inverse.expect("an iteration without a limit")
 }
 
-/// Eigenvalue of a matrix with unit diagonal, below which it is considered 0.
-const MIN_EIGENVALUE: f64 = 1e-12;
-
-/// Pseudo-inverse of a symmetric positive semidefinite matrix, computed after scaling to a unit diagonal; `None` if the
+/// Pseudo-inverse of a symmetric positive semidefinite matrix, after scaling to a unit diagonal; `None` if the
 /// eigenvalue iteration fails.
 pub fn pseudo_inverse(matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> {
-    /// Relative accuracy and maximum number of iterations of the eigenvalue iteration.
-    const EIGEN_ITERATION: (f64, usize) = (1e-14, 10_000);
+    let scale = jacobi_scale(matrix, MIN_ROOT, 1.0);
+    inverse_by(matrix, &scale, (1e-14, 10_000), |value| {
+        let is_zero = value.is_nan() || value <= RANK;
+        if is_zero { 0.0 } else { 1.0 / value }
+    })
+}
+
+/// Matrix with the eigenvectors of a symmetric matrix scaled by `scale`, whose eigenvalues `of` converts. `None` if
+/// they are not found with the relative `accuracy` in the maximum number of iterations; 0 for no limit.
+fn inverse_by(
+    matrix: &DMatrix<f64>,
+    scale: &DVector<f64>,
+    (accuracy, most): (f64, usize),
+    of: impl Fn(f64) -> f64,
+) -> Option<DMatrix<f64>> {
     if matrix.nrows() == 0 {
         return Some(DMatrix::zeros(0, 0));
     }
-    let scale = jacobi_scale(matrix, MIN_ROOT, 1.0);
-    let (accuracy, most) = EIGEN_ITERATION;
-    let eigen = SymmetricEigen::try_new(scaled(matrix, &scale), accuracy, most)?;
+    let eigen = SymmetricEigen::try_new(scaled(matrix, scale), accuracy, most)?;
     let mut weighted = eigen.eigenvectors.clone();
     for (mut column, &value) in weighted.column_iter_mut().zip(eigen.eigenvalues.iter()) {
-        column *= if value > MIN_EIGENVALUE {
-            1.0 / value
-        } else {
-            0.0
-        };
+        column *= of(value);
     }
-    let inverse = weighted * eigen.eigenvectors.transpose();
-    Some(scaled(&inverse, &scale))
+    Some(scaled(&(weighted * eigen.eigenvectors.transpose()), scale))
 }
 
 #[cfg(test)]

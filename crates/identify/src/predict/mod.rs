@@ -1,12 +1,8 @@
-//! Predicted observations, residuals, and normal equations with exact sensitivities.
-//!
-//! The sensitivities S of the state satisfy the variational equations dS/dt = J S + [0 | Jp], which are integrated
-//! together with the state. Every residual is predicted − measured, m; reports use the opposite sign.
+//! Predicted observations, residuals, and normal equations with exact sensitivities S of the state: dS/dt = J S + [0 |
+//! Jp] is integrated together with the state. Every residual is predicted − measured, m; reports use the opposite sign.
 
 mod jacobian_columns;
-mod residuals;
 mod trajectory_pass;
-mod weak_prior;
 mod weighted_rows;
 
 use model_spec::layout::ParamId;
@@ -14,28 +10,26 @@ use nalgebra::DVector;
 use ode::DifferentiableRhs;
 
 use self::jacobian_columns::JacobianColumns;
-pub use self::residuals::{Residuals, residuals, residuals_of, states};
 use self::trajectory_pass::TrajectoryPass;
+pub use self::trajectory_pass::{Residuals, residuals, residuals_of, robust_scale, states};
 use self::weighted_rows::WeightedRows;
 use crate::error::FlightError;
 use crate::least_squares::{NormalBlock, Unknowns};
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
-use crate::problem::FitProblem;
-use crate::tolerance::{self, RESIDUAL_TOLERANCE};
+use crate::problem::{FitProblem, RESIDUAL_TOLERANCE, robust_tolerance};
 
 /// Loss function of the residuals.
 #[derive(Clone, Copy, Debug)]
 pub enum Loss<'a> {
     /// Huber's loss of the magnitude of each residual vector, with this scale, m. Outliers are included.
     Huber(f64),
-    /// Sum of squared innovations, each divided by its standard deviation under this noise model. Outliers are
-    /// excluded.
+    /// Sum of squared innovations over their variances under this noise model, without outliers.
     Whitened(&'a NoiseModel),
 }
 
-/// Normal equations of the first `samples` samples of a flight at the given global and local parameters (initial
-/// state). `unknowns` selects the parameters with respect to which residuals are differentiated.
+/// Normal equations of the first `samples` samples of a flight at the given global and local parameters, with
+/// derivatives selected by `unknowns`.
 ///
 /// # Errors
 /// [`FlightError::Integration`] if the trajectory cannot be computed.
@@ -58,12 +52,9 @@ pub fn linearise(
     linearise_with(problem, observations, unknowns, samples, loss, by, None)
 }
 
-/// Normal equations of the first `samples` samples of a flight at the given global and local parameters (initial
-/// state). `by` contains the equations of motion and the indices of model parameters. Derivatives are with respect to
-/// the local parameters, followed by these model parameters.
-///
-/// The first call with a `cache` stores the trajectory in it. Later calls reuse the trajectory; only the loss and the
-/// outliers may change between calls.
+/// [`linearise`] with given equations of motion and indices of model parameters in `by`: derivatives are by the local
+/// parameters, followed by these. The first call with a `cache` stores the trajectory in it, and later ones reuse it;
+/// only the loss and the outliers may change between calls.
 ///
 /// # Errors
 /// [`FlightError::Integration`] if the trajectory cannot be computed.
@@ -78,7 +69,7 @@ pub fn linearise_with(
 ) -> Result<NormalBlock, FlightError> {
     let columns = JacobianColumns::new(observations, motion.jacobian_pattern(), parameters);
     let tolerance = match loss {
-        Loss::Huber(scale) => tolerance::robust(scale, problem.sigma0),
+        Loss::Huber(scale) => robust_tolerance(scale, problem.sigma0),
         Loss::Whitened(_) => problem.tolerance * problem.sigma0,
     };
     let mut rows = WeightedRows::new(columns.accumulator(), &problem.channels, loss);
@@ -96,13 +87,13 @@ pub fn linearise_with(
     })?;
     let mut block = rows.accumulator.block();
     if !problem.sees_positions() {
-        weak_prior::add(problem, observations, local, &mut block);
+        weighted_rows::add(problem, observations, local, &mut block);
     }
     Ok(block)
 }
 
-/// Calls `each` with every residual of a flight, sample by sample and channel by channel, outliers included. The
-/// derivatives are with respect to the local parameters and then with respect to `parameters`.
+/// Calls `each` with every residual of a flight, outliers included, sample by sample. Derivatives are by the local
+/// parameters, followed by `parameters`.
 ///
 /// # Errors
 /// [`FlightError::Integration`] if the trajectory cannot be computed.
@@ -148,10 +139,8 @@ pub struct PointResidual<'r> {
     pub channel: usize,
     /// Index of the sample.
     pub sample: usize,
-    /// Predicted − measured along each axis, times the scale of the channel, m. A scalar residual is repeated three
-    /// times.
+    /// (Predicted − measured) × scale of the channel along each axis, m. A scalar is repeated three times.
     pub residual: [f64; 3],
-    /// Derivatives of the residual, one row per axis: with respect to the local parameters (directions of the initial
-    /// state), then with respect to the selected parameters of the model.
+    /// Derivatives of the residual, one row per axis: by the local parameters, then by the selected ones.
     pub rows: &'r [Vec<f64>; 3],
 }

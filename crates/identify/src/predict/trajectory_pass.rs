@@ -2,42 +2,34 @@
 
 use std::ops::Range;
 
-use flight::ObservationJacobians;
+use flight::{ModelState, ObservationJacobians};
 use model_spec::layout::ParamId;
 use nalgebra::DVector;
 use ode::{DifferentiableRhs, IntegrationOptions, Method, Sensitivities};
 
 use super::jacobian_columns::JacobianColumns;
-use crate::channel_observers::ChannelConditions;
 use crate::error::FlightError;
 use crate::observations::Observations;
-use crate::problem::FitProblem;
+use crate::observers::ChannelConditions;
+use crate::problem::{FitProblem, RESIDUAL_TOLERANCE};
+use dataset::statistics::robust_sigma;
 
-/// Minimum integration tolerance, m, to which smaller tolerances are raised because rounding errors limit the accuracy.
-const MIN_TOLERANCE: f64 = 1e-10;
+/// Range of integration tolerances, m: rounding errors limit the accuracy.
+const TOLERANCES: (f64, f64) = (1e-10, 1e-3);
 
-/// Maximum integration tolerance, m, to which larger tolerances are reduced.
-const MAX_TOLERANCE: f64 = 1e-3;
+/// Maximum number of integration steps, and of further steps per sample; a trajectory that needs more has diverged.
+const STEPS: (usize, usize) = (1_000, 20);
 
-/// Maximum number of integration steps, to which [`STEPS_PER_SAMPLE`] per sample is added; a trajectory that needs more
-/// has diverged. With sensitivities, this number of steps takes a few hundredths of a second.
-const STEPS: usize = 1_000;
-
-/// Number of integration steps per sample that is added to [`STEPS`] to give the maximum number of steps.
-const STEPS_PER_SAMPLE: usize = 20;
-
-/// Integration options for a flight of `samples` samples. `tolerance`, m, is clamped to the range from `MIN_TOLERANCE`
-/// to `MAX_TOLERANCE`.
+/// Options for a flight of `samples` samples; `tolerance`, m, is clamped.
 pub(super) fn integration_options(tolerance: f64, samples: usize) -> IntegrationOptions {
     IntegrationOptions {
         method: Method::Tsit5,
-        max_steps: STEPS + STEPS_PER_SAMPLE * samples,
-        ..IntegrationOptions::with_tolerance(tolerance.clamp(MIN_TOLERANCE, MAX_TOLERANCE))
+        max_steps: STEPS.0 + STEPS.1 * samples,
+        ..IntegrationOptions::with_tolerance(tolerance.clamp(TOLERANCES.0, TOLERANCES.1))
     }
 }
 
-/// Inputs of one integration of a flight with sensitivities, in which the residual of every measured value is
-/// evaluated.
+/// One integration of a flight with sensitivities, which evaluates every residual.
 pub(super) struct TrajectoryPass<'a> {
     pub problem: &'a FitProblem,
     pub observations: &'a Observations,
@@ -45,7 +37,6 @@ pub(super) struct TrajectoryPass<'a> {
     pub local: &'a DVector<f64>,
     /// Number of samples that are integrated, counted from the first one.
     pub samples: usize,
-    /// Integration tolerance, m.
     pub tolerance: f64,
     /// Whether measured values that are marked as outliers are processed too; if `false`, they are skipped.
     pub with_outliers: bool,
@@ -55,7 +46,6 @@ pub(super) struct TrajectoryPass<'a> {
 pub(super) struct ObservedPoint<'r> {
     pub channel: usize,
     pub sample: usize,
-    /// Time since the first sample, s.
     pub time: f64,
     /// Predicted − measured, times the scale of the channel, m.
     pub residual: [f64; 3],
@@ -64,8 +54,7 @@ pub(super) struct ObservedPoint<'r> {
 }
 
 impl TrajectoryPass<'_> {
-    /// Integrates the flight, or reuses the trajectory in `cache`, and calls `each` with every measured value. Returns
-    /// an error if the trajectory cannot be integrated.
+    /// Integrates the flight, or reuses the trajectory in `cache`, and calls `each` with every measured value.
     pub fn each_point(
         &self,
         motion: &mut dyn DifferentiableRhs,
@@ -166,4 +155,69 @@ fn joined(ranges: impl Iterator<Item = Range<usize>>) -> Vec<Range<usize>> {
         }
     }
     joined
+}
+
+// Trajectories and residuals without derivatives.
+
+/// Residuals `[channel][sample]`, (predicted − measured) × scale of the channel, m, outliers included.
+pub type Residuals = Vec<Vec<Option<[f64; 3]>>>;
+
+/// Integrates a flight and returns the model states at its first `samples` samples, concatenated sample by sample.
+pub fn states(
+    problem: &FitProblem,
+    observations: &Observations,
+    (global, local): (&DVector<f64>, &DVector<f64>),
+    samples: usize,
+) -> Result<Vec<f64>, FlightError> {
+    let conditions = problem.body.bind(observations.parameters(problem, global));
+    let start: ModelState = local.as_slice().into();
+    let times = &observations.times[..samples];
+    let mut states = vec![0.0; start.len() * times.len()];
+    let tolerance = RESIDUAL_TOLERANCE * problem.sigma0 * observations.tolerance_factor;
+    let options = integration_options(tolerance, times.len());
+    let from = (times[0], &start);
+    conditions.integrate_at(from, times, &options, &mut [], &mut states)?;
+    Ok(states)
+}
+
+/// Residuals at the first `samples` samples of a flight.
+pub fn residuals(
+    problem: &FitProblem,
+    observations: &Observations,
+    unknowns: (&DVector<f64>, &DVector<f64>),
+    samples: usize,
+) -> Result<Residuals, FlightError> {
+    let states = states(problem, observations, unknowns, samples)?;
+    Ok(residuals_of(problem, observations, unknowns.0, &states))
+}
+
+/// Residuals at the samples of `trajectory`, the model states concatenated sample by sample.
+pub fn residuals_of(
+    problem: &FitProblem,
+    observations: &Observations,
+    global: &DVector<f64>,
+    trajectory: &[f64],
+) -> Residuals {
+    let parameters = observations.parameters(problem, global);
+    let conditions = ChannelConditions::new(problem, &parameters);
+    let mut observers = conditions.observers();
+    let states = observations.manifold.states();
+    let samples = trajectory.len() / states;
+    let mut residuals = vec![Vec::with_capacity(samples); observations.channels];
+    for (sample, state) in trajectory.chunks(states).enumerate() {
+        let time = observations.times[sample];
+        for (channel, residuals) in residuals.iter_mut().enumerate() {
+            let measured = observations.value(sample, channel);
+            residuals.push(measured.map(|seen| observers.residual(time, state, channel, seen)));
+        }
+    }
+    residuals
+}
+
+/// Robust standard deviation of one flight's residuals, m; `None` if there are no residuals.
+pub fn robust_scale(residuals: &Residuals) -> Option<f64> {
+    let all = residuals.iter().flatten().flatten().flatten();
+    let mut sizes = Vec::with_capacity(3 * residuals.iter().map(Vec::len).sum::<usize>());
+    sizes.extend(all.map(|residual| residual.abs()));
+    (!sizes.is_empty()).then(|| robust_sigma(&mut sizes))
 }

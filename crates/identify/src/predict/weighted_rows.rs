@@ -1,22 +1,23 @@
 //! Weighting or whitening of the Jacobian rows of residuals, and their summation to normal equations.
 
+use nalgebra::DVector;
+
 use super::Loss;
 use crate::channel::Channel;
-use crate::least_squares::GramAccumulator;
+use crate::least_squares::{GramAccumulator, NormalBlock};
 use crate::noise::{AxesNoise, HUBER_LIMIT};
+use crate::observations::Observations;
+use crate::problem::FitProblem;
 
-/// Accumulates normal equations from rows of derivatives and residuals, which it weights according to the loss. It
-/// stores the previous row of each channel for the AR(1) innovations.
+/// Accumulates normal equations from rows that it weights by the loss; the previous rows serve AR(1) innovations.
 pub(super) struct WeightedRows<'a> {
     /// Accumulator to which the weighted rows are added, and which gives the normal equations.
     pub accumulator: GramAccumulator,
     loss: Loss<'a>,
     channels: &'a [Channel],
-    /// For each channel and axis: autocorrelation of the noise over one sampling interval, and weight of the innovation
-    /// (residual minus its prediction from the previous one), 1/m. Empty for a robust loss.
+    /// Autocorrelation over one interval, and weight of the innovation, 1/m, by channel and axis.
     one_interval: Vec<[(f64, f64); 3]>,
-    /// Time (s) of the previous measured value of each channel, and its Jacobian rows, one per axis: derivatives of the
-    /// residual, and the residual itself in the column `accumulator.residual()`. `None` before the first value.
+    /// Time (s) and rows of the previous value of each channel; `None` before the first.
     previous: Vec<Option<(f64, [Vec<f64>; 3])>>,
 }
 
@@ -25,7 +26,7 @@ impl<'a> WeightedRows<'a> {
         let one_interval = match loss {
             Loss::Huber(_) => Vec::new(),
             Loss::Whitened(noise) => (0..channels.len())
-                .map(|channel| innovations(noise.of(channel), noise.of(channel).interval))
+                .map(|channel| innovations(noise.of(channel), Some(noise.of(channel).interval)))
                 .collect(),
         };
         Self {
@@ -37,8 +38,7 @@ impl<'a> WeightedRows<'a> {
         }
     }
 
-    /// Adds the residual (m) of a channel at the time `time` (s). `now` contains the derivatives of the residual, one
-    /// row per axis, and may be overwritten.
+    /// Adds the residual (m) of a channel at `time` (s); `now` contains its derivatives and may be overwritten.
     pub fn add(&mut self, channel: usize, time: f64, now: &mut [Vec<f64>; 3], residual: [f64; 3]) {
         let at = self.accumulator.residual();
         let components = self.channels[channel].components;
@@ -60,38 +60,74 @@ impl<'a> WeightedRows<'a> {
                         .add(row, None, weight.sqrt() / scale, extra);
                 }
             }
-            Loss::Whitened(noise) => match &mut self.previous[channel] {
-                Some((earlier, before)) => {
-                    let gap = time - *earlier;
-                    let noise = noise.of(channel);
-                    let innovations = match noise.is_one_interval(gap) {
-                        true => self.one_interval[channel],
-                        false => innovations(noise, gap),
-                    };
-                    let pairs = now.iter().zip(&*before).take(components);
-                    for ((now, before), (kept, weight)) in pairs.zip(innovations) {
-                        self.accumulator.add(now, Some((kept, before)), weight, 0.0);
-                    }
+            Loss::Whitened(noise) => {
+                let (previous, noise) = (&mut self.previous[channel], noise.of(channel));
+                let gap = previous.as_ref().map(|(earlier, _)| time - earlier);
+                let innovations = match gap {
+                    Some(gap) if noise.is_one_interval(gap) => self.one_interval[channel],
+                    gap => innovations(noise, gap),
+                };
+                for (axis, (kept, weight)) in innovations.into_iter().enumerate().take(components) {
+                    let before = previous.as_ref().map(|(_, rows)| (kept, &rows[axis][..]));
+                    self.accumulator.add(&now[axis], before, weight, 0.0);
+                }
+                match previous {
                     // The rows of the previous sample will be overwritten by the next residual.
-                    *earlier = time;
-                    std::mem::swap(before, now);
-                }
-                none => {
-                    for (now, sigma) in now.iter().zip(noise.of(channel).sigma).take(components) {
-                        self.accumulator.add(now, None, 1.0 / sigma, 0.0);
+                    Some((earlier, before)) => {
+                        *earlier = time;
+                        std::mem::swap(before, now);
                     }
-                    *none = Some((time, now.clone()));
+                    none => *none = Some((time, now.clone())),
                 }
-            },
+            }
         }
     }
 }
 
-/// Autocorrelation of the noise over the time difference `gap` (s), and weight of the innovation (1/m), along each
-/// axis.
-fn innovations(noise: &AxesNoise, gap: f64) -> [(f64, f64); 3] {
+/// Autocorrelation over the time difference `gap` (s), and weight of the innovation (1/m), along each axis.
+fn innovations(noise: &AxesNoise, gap: Option<f64>) -> [(f64, f64); 3] {
     [0, 1, 2].map(|axis| {
         let (phi, sigma) = noise.innovation(axis, gap);
         (phi, 1.0 / sigma)
     })
+}
+
+// Weak priors of an initial state for flights without measured positions, which leave position and heading open.
+
+/// Prior standard deviation about 0 by the unit of a state, far wider than what a flight determines.
+fn deviation(unit: &str) -> f64 {
+    match unit {
+        "m" => 10.0,
+        "m/s" => 100.0,
+        "rad" => 3.0,
+        "rad/s" => 1000.0,
+        _ => 1.0,
+    }
+}
+
+/// Adds the weak priors of the initial state `local` to the normal equations `block`.
+pub(super) fn add(
+    problem: &FitProblem,
+    observations: &Observations,
+    local: &DVector<f64>,
+    block: &mut NormalBlock,
+) {
+    let states = &problem.model.states;
+    let tangent = observations.manifold.tangent(local.as_slice());
+    let (locals, globals) = (block.local.nrows(), block.global.nrows());
+    let none = DVector::zeros(globals);
+    let count = block.count;
+    for (index, state) in states.iter().enumerate() {
+        let deviation = deviation(&state.unit_text);
+        let mut by_local = DVector::zeros(locals);
+        for &(of, direction, value) in &tangent {
+            if of == index {
+                by_local[direction] = value / deviation;
+            }
+        }
+        if by_local.iter().any(|value| *value != 0.0) {
+            block.add(local[index] / deviation, &by_local, &none);
+        }
+    }
+    block.count = count;
 }

@@ -27,9 +27,8 @@ pub struct GlobalParameter {
 /// The global parameters that are estimated, and name and value (SI) of each coefficient that is not.
 type Selection = (Vec<GlobalParameter>, Vec<(String, f64)>);
 
-/// Selects the global parameters according to the options, and writes the values of fixed coefficients into
-/// `parameters`. Returns an error if the options name a parameter that the model does not have or that is not
-/// estimated.
+/// Selects the global parameters by the options, and writes fixed values into `parameters`; an error for a name that
+/// the model does not have or that is not estimated.
 pub(super) fn select(
     model: &Model,
     layout: &Layout,
@@ -63,8 +62,7 @@ pub(super) fn select(
     Ok((globals, fixed))
 }
 
-/// Divides the model's coefficients into global parameters and fixed coefficients. Writes fixed values into
-/// `parameters`.
+/// Divides the coefficients into global and fixed ones, whose values it writes into `parameters`.
 fn coefficients(
     model: &Model,
     layout: &Layout,

@@ -44,20 +44,19 @@ pub struct SensorEvidence {
     pub unit: String,
     /// Number of components of the measured quantity; the value of a scalar is repeated three times in the arrays.
     pub components: usize,
-    /// Measured value by sample, in the unit `unit`; for an attitude, the rotation vector of the rotation from body to
-    /// inertial components. A scalar is repeated three times. `None` for a missing value.
+    /// Measured value by sample, in `unit`; for an attitude, the rotation vector from body to inertial components. A
+    /// scalar is repeated three times.
     pub measured: Vec<Option<[f64; 3]>>,
     /// Whether the measured value is excluded as an outlier, by sample.
     pub outlier: Vec<bool>,
-    /// Residual by sample, measured − predicted, in the unit `unit`; for an attitude, the rotation vector from the
-    /// predicted to the measured attitude in the inertial frame. A scalar is repeated three times. `None` for a missing
-    /// value; outliers are included.
+    /// Residual by sample, measured − predicted, in `unit`; for an attitude, the rotation vector from predicted to
+    /// measured, inertial. Outliers are included.
     pub residuals: Vec<Option<[f64; 3]>>,
 }
 
 impl FlightEvidence {
-    /// Residual of a marker or pose sensor in a sample, measured − predicted, m, inertial frame; `None` for a missing
-    /// value or an outlier. `marker` is an index into `markers`.
+    /// Residual of a position, measured − predicted, m; `None` if missing or an outlier. `marker` is an index into
+    /// `markers`.
     pub fn residual(&self, sample: usize, marker: usize) -> Option<[f64; 3]> {
         let seen = self.measured[sample][marker].filter(|_| !self.outlier[sample][marker])?;
         let predicted = self.predicted[sample][marker];
@@ -70,8 +69,7 @@ impl FlightEvidence {
 pub struct AxisResiduals {
     /// Autocorrelation of the residuals at lags of 0, 1, 2 … samples.
     pub autocorrelation: Vec<f64>,
-    /// Autocorrelation of the whitened residuals at lags of 0, 1, 2 … samples. If they are white, it is within ±`band`
-    /// of 0 for lags above 0.
+    /// Autocorrelation of the whitened residuals; if they are white, within ±`band` for lags above 0.
     pub whitened_autocorrelation: Vec<f64>,
     /// 95 % band of the autocorrelation of white residuals: 1.96 / √(number of residuals).
     pub band: f64,

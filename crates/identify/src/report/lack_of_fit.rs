@@ -7,25 +7,21 @@ use serde::{Deserialize, Serialize};
 use crate::noise::NoiseModel;
 use crate::numbers::{millimetres, probability, significant};
 
-/// Result of the lack-of-fit test, which compares the residuals of a fit with the measurement noise. The noise is
-/// estimated from changes of the residuals that are too fast for any smooth motion.
+/// Result of the lack-of-fit test, which compares residuals with noise: changes too fast for any smooth motion.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LackOfFit {
     /// Familywise p-value of the joint test of all flights and the tests of the single flights.
     pub p_value: f64,
     /// p-value of the lack-of-fit test of each fitted flight, by file name.
     pub flights: BTreeMap<String, f64>,
-    /// Largest smooth deviation of each of the most significant flights, smallest p-value first; empty in a report if
-    /// the test passes.
+    /// Largest smooth deviation of the most significant flights, smallest p-value first; empty if the test passes.
     pub largest_misfits: Vec<SmoothMisfit>,
     /// Standard deviation of the noise of one coordinate, m, estimated from changes that no smooth motion can follow.
     pub noise_m: f64,
-    /// Root mean square of the residuals in excess of the noise, m: √(mean square of the residuals − noise variance),
-    /// or 0 if the difference is negative.
+    /// Root mean square of the residuals in excess of the noise, m; 0 if they are smaller.
     pub beyond_noise_m: f64,
-    /// Excess χ² of all tested flights together: sum of squares that splines remove from the residuals, divided by the
-    /// noise variance, minus the expectation of this ratio for pure noise. The larger of the values for slow and for
-    /// fast deviations of the residuals from zero, at least 0.
+    /// Sum of squares that splines remove from the residuals over the noise variance, less its expectation for noise:
+    /// the larger of those for slow and for fast deviations, at least 0.
     #[serde(skip)]
     pub excess_chi2: f64,
     /// Whether positions alone are measured. Other residuals have no length, and are stated relative to the noise.
@@ -60,6 +56,11 @@ pub struct SmoothMisfit {
 }
 
 impl LackOfFit {
+    /// Whether the residuals are not noise, at the significance level `alpha`.
+    pub fn fails(&self, alpha: f64) -> bool {
+        self.p_value < alpha
+    }
+
     /// Sentence on the result of the test.
     pub fn sentence(&self) -> String {
         let p = probability(self.p_value);

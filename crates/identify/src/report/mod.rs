@@ -4,24 +4,23 @@ mod evidence;
 mod lack_of_fit;
 mod outcome;
 mod reliability;
-mod residual_rms;
 mod residuals;
 
 use std::collections::BTreeMap;
+use std::sync::LazyLock;
 
 use serde::{Deserialize, Deserializer, Serialize};
 
-pub use evidence::{AxisResiduals, FlightEvidence, SensorEvidence};
-pub use lack_of_fit::{LackOfFit, SmoothMisfit};
-pub use outcome::{FitStatus, FlightOutcome, Iterations};
-pub use reliability::{MAX_PRIOR_CONFLICT, convergence_caution, exclusion_caution};
-pub(crate) use residual_rms::SquareSums;
-pub use residual_rms::{MARKER, Rms};
-pub(crate) use residuals::ResidualPool;
-
-use crate::data_fault::DataFault;
+use crate::error::DataFault;
 use crate::observations::Truncation;
 use dataset::Role;
+pub use evidence::{AxisResiduals, FlightEvidence, SensorEvidence};
+pub use lack_of_fit::{LackOfFit, SmoothMisfit};
+pub(crate) use outcome::SquareSums;
+pub use outcome::{FitStatus, FlightOutcome, Iterations};
+pub use outcome::{MARKER, Rms};
+pub use reliability::{MAX_PRIOR_CONFLICT, convergence_caution, exclusion_caution};
+pub(crate) use residuals::ResidualPool;
 
 /// Content of `report.json` of a fit, schema `hyzer.fit/2`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -34,13 +33,12 @@ pub struct FitReport {
     pub dataset: String,
     /// Names of the effects that the model includes.
     pub effects: Vec<String>,
-    /// Whether the estimates and their standard errors are reliable: the fit converged, few flights are excluded, the
-    /// residuals are near the noise floor, and neither the fitted data nor the marker positions have faults.
+    /// Whether the estimates and their standard errors are reliable: no reason in `cautions`.
     pub reliable: bool,
     /// Reasons why the fit is not reliable; empty if it is.
     pub cautions: Vec<String>,
-    /// Root mean square residual of one component over the fitted flights, outliers excluded, by kind of sensor:
-    /// `marker` for positions, `attitude`, `gyroscope`, `accelerometer`, `speed`.
+    /// Root mean square residual of one component over the fitted flights by kind of sensor, without outliers: `marker`
+    /// for positions, `attitude`, `gyroscope`, `accelerometer`, `speed`.
     pub residual_rms: BTreeMap<String, Rms>,
     /// Measurement noise by kind of sensor, with the keys of `residual_rms`.
     pub noise: BTreeMap<String, NoiseReport>,
@@ -58,20 +56,17 @@ pub struct FitReport {
     pub sensors: Vec<SensorReport>,
     /// Lack-of-fit test of the residuals; `None` if it was not made, or the residuals are too few for it.
     pub lack_of_fit: Option<LackOfFit>,
-    /// Coefficients and combinations of coefficients that are not identifiable, in the order of decreasing standard
-    /// error.
+    /// Combinations of coefficients that are not identifiable, the largest standard error first.
     pub not_identifiable: Vec<NonIdentifiable>,
     /// Sentence that the residuals exceed the noise that the distances between the markers show; `None` if they do not.
     #[serde(skip)]
     #[doc(hidden)]
     pub excess: Option<String>,
-    /// What the user states and the data contradict, one sentence each: held values, positions that are not as they were
-    /// measured.
+    /// What the user states and the data contradict, one sentence each.
     #[serde(skip)]
     #[doc(hidden)]
     pub contradicted: Vec<String>,
-    /// What the fit itself found against its estimates, such as standard errors within which the model is not linear, one
-    /// sentence each.
+    /// What the fit found against its estimates, one sentence each.
     #[serde(skip)]
     #[doc(hidden)]
     pub doubts: Vec<String>,
@@ -81,8 +76,7 @@ pub struct FitReport {
     pub residuals: BTreeMap<String, AxisResiduals>,
     /// Number of steps and convergence status of the least-squares iterations of the fit.
     pub iterations: Iterations,
-    /// Computing times, s: `start` for the preparation and the initial guesses, `fit` for the estimation, and `total`
-    /// for everything including the evaluation of the result.
+    /// Computing times, s: `start` up to the initial guesses, `fit`, and `total`.
     pub seconds: BTreeMap<String, f64>,
 }
 
@@ -91,8 +85,7 @@ pub struct FitReport {
 pub struct MarkerDistance {
     /// Names of the two markers.
     pub markers: [String; 2],
-    /// Difference between the measured and the predicted distance of the two markers (measured − predicted), mean over
-    /// the samples of all flights, m.
+    /// Measured − predicted distance, mean over the samples of all flights, m.
     pub difference_m: f64,
     /// Standard error of `difference_m`, m.
     pub std_error_m: f64,
@@ -107,11 +100,9 @@ pub struct SensorReport {
     pub measures: String,
     /// Unit of one component of the measured quantity.
     pub unit: String,
-    /// Root mean square residual of one component over the fitted flights, outliers excluded, in the unit of the
-    /// channel.
+    /// Root mean square residual of one component over the fitted flights, without outliers, in `unit`.
     pub rms: f64,
-    /// Root mean square of the components' noise standard deviations, in the unit of the channel; given by the dataset
-    /// or estimated.
+    /// Root mean square of the noise standard deviations, in `unit`; given or estimated.
     pub sigma: f64,
     /// Lag-1 autocorrelation of the noise, mean over the components.
     pub lag1_autocorrelation: f64,
@@ -144,9 +135,8 @@ pub struct NoiseReport {
     pub outlier_fraction: f64,
     /// Number of missing values (for markers: positions) in the fitted flights.
     pub missing: usize,
-    /// Noise floor: root mean square over the axes of the noise standard deviations that are estimated without a model,
-    /// from the scatter about smooth curves, m; for correlated noise, it is an underestimate. With too few samples, it
-    /// is estimated from the rigidity of the markers. `None` if the samples do not determine it.
+    /// Root mean square over the axes of the noise that is estimated without a model, m: from the scatter about smooth
+    /// curves, an underestimate of correlated noise, or from rigidity. `None` if the samples do not determine it.
     pub floor: Option<f64>,
 }
 
@@ -164,12 +154,10 @@ pub struct AxisNoise {
 pub struct Coefficient {
     /// Estimated value, or the fixed value if `fixed`, SI.
     pub value: f64,
-    /// Cramér–Rao standard error under the estimated noise, SI; 0 if the parameter is fixed, NaN (`null` in JSON) at a
-    /// bound.
+    /// Cramér–Rao standard error, SI; 0 if fixed, NaN (`null` in JSON) at a bound.
     #[serde(deserialize_with = "number_or_null")]
     pub std_error: f64,
-    /// Cluster-robust standard error with flights as clusters, SI; `None` for fewer than 8 flights or a fixed
-    /// parameter.
+    /// Cluster-robust standard error by flight, SI; `None` for fewer than 8 flights or a fixed parameter.
     pub std_error_cluster_robust: Option<f64>,
     /// 95 % confidence interval (lower, upper limit), SI; NaN without a standard error.
     #[serde(deserialize_with = "numbers_or_null")]
@@ -198,9 +186,8 @@ pub struct FlightReport {
     pub outcome: FlightOutcome,
     /// Number of samples in the table of the flight, not counting those after the truncation `cut`.
     pub samples: usize,
-    /// Root mean square residual of one component by kind of sensor, as in [`FitReport::residual_rms`]. For a held-out
-    /// flight, it covers the samples after the conditioning segment, the first samples, to which the initial state is
-    /// fitted. Empty if the flight is excluded.
+    /// Root mean square residual by kind of sensor, as in [`FitReport::residual_rms`]; for a held-out flight, of the
+    /// samples after its conditioning segment. Empty if the flight is excluded.
     pub residual_rms: BTreeMap<String, Rms>,
     /// Number of measured values of the flight that are excluded as outliers.
     pub outliers: usize,
@@ -214,20 +201,13 @@ pub struct FlightReport {
 
 /// Noise of the measured positions among the kinds of sensors of `noise`; without positions, that of the first kind.
 pub fn leading_noise(noise: &BTreeMap<String, NoiseReport>) -> &NoiseReport {
-    static NONE: NoiseReport = NoiseReport {
+    static NONE: LazyLock<NoiseReport> = LazyLock::new(|| NoiseReport {
         sigma: f64::NAN,
-        unit: String::new(),
         lag1_autocorrelation: f64::NAN,
-        estimated: false,
-        axes: BTreeMap::new(),
         interval_s: f64::NAN,
-        points: 0,
-        outliers: 0,
-        outlier_fraction: 0.0,
-        missing: 0,
-        floor: None,
-    };
-    residual_rms::leading(noise).unwrap_or(&NONE)
+        ..NoiseReport::default()
+    });
+    outcome::leading(noise).unwrap_or(&NONE)
 }
 
 /// Reads a number, or `null` as NaN, which JSON does not have.
@@ -241,16 +221,15 @@ fn numbers_or_null<'de, D: Deserializer<'de>>(from: D) -> Result<[f64; 2], D::Er
 }
 
 impl FitReport {
-    /// Root mean square residual of one coordinate of the positions over the fitted flights, m; without positions, that
-    /// of the first kind of sensor in `residual_rms`, in its unit.
+    /// Root mean square residual of a position coordinate, m; without positions, of the first kind of sensor.
     pub fn rms(&self) -> f64 {
-        residual_rms::leading(&self.residual_rms).map_or(f64::NAN, |rms| rms.value)
+        outcome::leading(&self.residual_rms).map_or(f64::NAN, |rms| rms.value)
     }
 
     /// [`rms`](Self::rms) with its unit, in words; `–` if there is none.
     #[doc(hidden)]
     pub fn rms_text(&self) -> String {
-        residual_rms::text(&self.residual_rms)
+        outcome::text(&self.residual_rms)
     }
 
     /// Root mean square residual of a coordinate of the measured positions, m; `None` where no positions are measured.
@@ -286,22 +265,20 @@ impl FlightReport {
         !matches!(self.outcome, FlightOutcome::Excluded { .. })
     }
 
-    /// Root mean square residual of one coordinate of the positions, m; `None` without positions or if the flight is
-    /// excluded.
+    /// Root mean square residual of a position coordinate, m; `None` without positions or if excluded.
     pub fn position_rms(&self) -> Option<f64> {
         self.residual_rms.get(MARKER).map(|rms| rms.value)
     }
 
-    /// Root mean square residual of one coordinate of the positions, m; without positions, that of the first kind of
-    /// sensor in `residual_rms`, in its unit. NaN if the flight is excluded.
+    /// Root mean square residual of a position coordinate, m, or of the first kind of sensor; NaN if excluded.
     pub fn rms(&self) -> f64 {
-        residual_rms::leading(&self.residual_rms).map_or(f64::NAN, |rms| rms.value)
+        outcome::leading(&self.residual_rms).map_or(f64::NAN, |rms| rms.value)
     }
 
     /// [`rms`](Self::rms) with its unit, in words; `–` if there is none.
     #[doc(hidden)]
     pub fn rms_text(&self) -> String {
-        residual_rms::text(&self.residual_rms)
+        outcome::text(&self.residual_rms)
     }
 }
 
@@ -317,11 +294,9 @@ pub struct Estimate {
 /// A direction in the space of the global parameters along which the data practically do not determine the estimates.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NonIdentifiable {
-    /// Names of the parameters with large components in the non-identifiable direction, in the order of decreasing
-    /// component.
+    /// Names of the parameters with large components, the largest first.
     pub combination: Vec<String>,
-    /// Large components of the non-identifiable direction, keyed by the parameter name, each in units of the
-    /// parameter's typical magnitude.
+    /// Large components, in units of the parameter's typical magnitude, by name.
     pub weights: BTreeMap<String, f64>,
     /// Standard error along the non-identifiable direction, in units of the parameters' typical magnitudes.
     pub relative_error: f64,
@@ -334,10 +309,8 @@ pub struct NonIdentifiable {
 pub struct Profile {
     /// Name of the parameter.
     pub name: String,
-    /// Points (value, deviance): the value is in SI, and the deviance is twice the logarithm of the ratio of the
-    /// maximum likelihood to the profile likelihood at that value.
+    /// Points (value in SI, deviance): twice the log ratio of the maximum to the profile likelihood.
     pub points: Vec<[f64; 2]>,
-    /// 95 % interval, SI: the values on either side of the estimate at which the deviance is 3.84; `None` on a side
-    /// where the profile does not reach it.
+    /// 95 % interval, SI; `None` on a side where the deviance does not reach 3.84.
     pub interval: [Option<f64>; 2],
 }

@@ -5,23 +5,17 @@ use crate::numbers::Digits;
 use crate::wording::count;
 use dataset::Role;
 
-/// Ratio of the rms residual to the noise floor, above which a fit is not reliable. Correlated noise lowers the noise
-/// floor, but the ratio stays below this limit even for an AR(1) noise of coefficient 0.9.
-const MAX_NOISE_RATIO: f64 = 5.0;
-
-/// Minimum noise floor with which the rms residual is compared, m. Smaller noise floors are raised to this value,
-/// because rounding in tables and integration errors also contribute to the residuals.
-const MIN_NOISE_FLOOR: f64 = 1e-5;
+/// Ratio of the rms residual to the noise floor above which a fit is not reliable, and least noise floor, m. AR(1) noise
+/// of coefficient 0.9 stays below; rounding and integration errors contribute to residuals.
+const NOISE_LIMIT: (f64, f64) = (5.0, 1e-5);
 
 /// Fraction of the flights to be fitted that are excluded, above which the fit is not reliable.
 const MAX_EXCLUDED: f64 = 1.0 / 3.0;
 
-/// p-value of the lack-of-fit test below which the fit is not reliable: a complete model fails it in one fit of a
-/// hundred.
+/// p-value of the lack-of-fit test below which a fit is not reliable.
 const LACK_OF_FIT_LEVEL: f64 = 0.01;
 
-/// Difference between a prior and the value that the data alone give, in its standard deviations, above which the two
-/// contradict each other.
+/// Difference of a prior from what the data alone give, in standard deviations, above which they contradict it.
 pub const MAX_PRIOR_CONFLICT: f64 = 3.0;
 
 impl FitReport {
@@ -85,9 +79,9 @@ pub fn exclusion_caution(report: &FitReport) -> Option<String> {
 }
 
 fn above_noise_floor(report: &FitReport) -> Option<String> {
-    let floor = report.position_noise()?.floor?.max(MIN_NOISE_FLOOR);
+    let floor = report.position_noise()?.floor?.max(NOISE_LIMIT.1);
     let ratio = report.rms() / floor;
-    (ratio > MAX_NOISE_RATIO).then(|| {
+    (ratio > NOISE_LIMIT.0).then(|| {
         format!(
             "the residuals ({:.1} mm) are {ratio:.0} times the noise of the measurements ({:.2} mm): the model does not fly as these flights do",
             1e3 * report.rms(),
@@ -117,8 +111,7 @@ fn at_bound(name: &str, coefficient: &Coefficient) -> Option<String> {
     })
 }
 
-/// Caution that the data contradict the prior of a coefficient. The data alone give the value d with the variance V_d,
-/// the fit with the prior m ± σ the value e with the variance V; since 1/V = 1/V_d + 1/σ², the difference d − m has
+/// The data alone give d with the variance V_d, the fit with the prior m ± σ gives e with V. Since 1/V = 1/V_d + 1/σ²,
 /// (d − m)²/(V_d + σ²) = (e − m)²/(σ² − V).
 fn prior_conflict(name: &str, coefficient: &Coefficient) -> Option<String> {
     let [mean, sigma] = coefficient.prior?;
@@ -154,8 +147,7 @@ fn data_faults(report: &FitReport) -> Option<String> {
     ))
 }
 
-/// Reason not to rely on a fit if markers are not at the positions given in the dataset; `None` if no marker distance
-/// differs significantly from its prediction.
+/// Caution that markers are not at their stated positions.
 fn marker_distances(report: &FitReport) -> Option<String> {
     let worst = report.marker_distances.iter();
     let worst = worst.max_by(|a, b| a.difference_m.abs().total_cmp(&b.difference_m.abs()))?;

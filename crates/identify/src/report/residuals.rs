@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use lanes::{Kernel, Lanes};
 use statrs::distribution::{ContinuousCDF, Normal};
 
 use super::AxisResiduals;
@@ -12,18 +11,14 @@ use dataset::AXES;
 /// Number of lags, in samples, for which the autocorrelation is computed.
 const LAGS: usize = 25;
 
-/// Number of bins of the histogram of whitened residuals.
-const BINS: usize = 2000;
-
-/// Limit of the histogram of whitened residuals on either side of 0, in standard deviations. Residuals beyond it are
-/// counted in the outermost bins.
-const HISTOGRAM_LIMIT: f64 = 10.0;
+/// Number of bins of the histogram of whitened residuals, and its limit in standard deviations; residuals beyond it are
+/// in the outermost bins.
+const HISTOGRAM: (usize, f64) = (2000, 10.0);
 
 /// Number of quantiles in the report, for a Q–Q plot.
 const QUANTILES: usize = 61;
 
-/// Sums of lagged products of residuals along each axis, and histograms of whitened residuals, from which the residual
-/// diagnostics are computed. The sums of several flights can be added.
+/// Sums of lagged products along each axis, and histograms of whitened residuals; those of flights can be added.
 #[derive(Clone, Debug)]
 pub struct ResidualPool {
     axes: [Axis; 3],
@@ -31,8 +26,7 @@ pub struct ResidualPool {
 
 #[derive(Clone, Debug)]
 struct Axis {
-    /// For each lag, from 0 up to `LAGS` - 1 samples: sum (m²) and number of the products of two residuals that are
-    /// separated by that lag in the series of one measurement channel.
+    /// Sum (m²) and number of the products of two residuals of a channel, by lag.
     raw: Vec<(f64, usize)>,
     whitened: Vec<(f64, usize)>,
     /// Histogram of the whitened residuals: number of values per bin.
@@ -53,9 +47,7 @@ impl Default for ResidualPool {
 }
 
 impl ResidualPool {
-    /// Adds the residuals (x, y and z, m) of one measurement channel of a flight, such as a marker, at `times` (s) to
-    /// the sums and histograms; `None` marks a missing value. `noise` is the noise model of the channel, with which the
-    /// residuals are whitened.
+    /// Adds the residuals (m) of one channel at `times` (s), which `noise` whitens.
     pub fn add(&mut self, times: &[f64], residuals: &[Option<[f64; 3]>], noise: &AxesNoise) {
         for (k, axis) in self.axes.iter_mut().enumerate() {
             let series: Vec<Option<f64>> = residuals.iter().map(|r| r.map(|r| r[k])).collect();
@@ -63,22 +55,18 @@ impl ResidualPool {
             let mut before: Option<(f64, f64)> = None;
             for (sample, residual) in series.iter().enumerate() {
                 let Some(residual) = *residual else { continue };
-                let new = match before {
-                    Some((time, last)) => {
-                        let (kept, fresh) = noise.innovation(k, times[sample] - time);
-                        (residual - kept * last) / fresh
-                    }
-                    None => residual / noise.sigma[k],
-                };
-                whitened[sample] = Some(new);
+                let gap = before.map(|(time, _)| times[sample] - time);
+                let (kept, fresh) = noise.innovation(k, gap);
+                let last = before.map_or(0.0, |(_, last)| last);
+                whitened[sample] = Some((residual - kept * last) / fresh);
                 before = Some((times[sample], residual));
             }
             products(&series, &mut axis.raw);
             products(&whitened, &mut axis.whitened);
-            axis.bins.resize(BINS, 0);
+            axis.bins.resize(HISTOGRAM.0, 0);
             for value in whitened.into_iter().flatten() {
-                let place = (value / HISTOGRAM_LIMIT + 1.0) / 2.0 * BINS as f64;
-                axis.bins[(place.max(0.0) as usize).min(BINS - 1)] += 1;
+                let place = (value / HISTOGRAM.1 + 1.0) / 2.0 * HISTOGRAM.0 as f64;
+                axis.bins[(place.max(0.0) as usize).min(HISTOGRAM.0 - 1)] += 1;
             }
         }
     }
@@ -94,7 +82,7 @@ impl ResidualPool {
                     *sum = (sum.0 + other.0, sum.1 + other.1);
                 }
             }
-            axis.bins.resize(BINS, 0);
+            axis.bins.resize(HISTOGRAM.0, 0);
             for (bin, other) in axis.bins.iter_mut().zip(other.bins) {
                 *bin += other;
             }
@@ -124,7 +112,8 @@ fn products(series: &[Option<f64>], sums: &mut [(f64, usize)]) {
     let values: Vec<f64> = series.iter().map(|value| value.unwrap_or(0.0)).collect();
     let gaps = seen.contains(&false);
     for (lag, sum) in sums.iter_mut().enumerate().take(values.len()) {
-        sum.0 += lanes::dispatch(Dot(&values[..values.len() - lag], &values[lag..]));
+        let pairs = values.iter().zip(&values[lag..]);
+        sum.0 += pairs.map(|(earlier, later)| earlier * later).sum::<f64>();
         sum.1 += match gaps {
             false => values.len() - lag,
             true => {
@@ -134,26 +123,6 @@ fn products(series: &[Option<f64>], sums: &mut [(f64, usize)]) {
                     .count()
             }
         };
-    }
-}
-
-/// SIMD kernel that computes the dot product of two series of equal length.
-struct Dot<'a>(&'a [f64], &'a [f64]);
-
-impl Kernel for Dot<'_> {
-    type Output = f64;
-
-    #[inline(always)]
-    fn run<T: Lanes>(self) -> f64 {
-        let mut sums = T::splat(0.0);
-        for (a, b) in self.0.chunks(T::WIDTH).zip(self.1.chunks(T::WIDTH)) {
-            sums = T::load_part(a, 0.0).mul_add(T::load_part(b, 0.0), sums);
-        }
-        let mut sum = 0.0;
-        for lane in 0..T::WIDTH {
-            sum += sums.lane(lane);
-        }
-        sum
     }
 }
 
@@ -185,20 +154,19 @@ fn quantiles(bins: &[u32]) -> Vec<[f64; 2]> {
     each.collect()
 }
 
-/// Quantile of the whitened residuals counted in the histogram `bins`, in standard deviations: `wanted` residuals are
-/// less than the returned value, which is interpolated within its bin. Quantiles are requested in increasing order, so
-/// the search resumes at `from` (bin, number of values below the bin).
+/// Quantile, in standard deviations, below which `wanted` residuals are, interpolated within its bin. The search
+/// resumes at `from` (bin, number of values below it).
 fn binned_quantile(bins: &[u32], wanted: f64, from: &mut (usize, f64)) -> f64 {
-    let width = 2.0 * HISTOGRAM_LIMIT / BINS as f64;
+    let width = 2.0 * HISTOGRAM.1 / HISTOGRAM.0 as f64;
     for (index, &count) in bins.iter().enumerate().skip(from.0) {
         let (count, below) = (f64::from(count), from.1);
         if count > 0.0 && below + count >= wanted {
-            return -HISTOGRAM_LIMIT
+            return -HISTOGRAM.1
                 + width * (index as f64 + ((wanted - below) / count).clamp(0.0, 1.0));
         }
         *from = (index + 1, below + count);
     }
-    HISTOGRAM_LIMIT
+    HISTOGRAM.1
 }
 
 #[cfg(test)]
@@ -207,10 +175,10 @@ mod tests {
 
     #[test]
     fn even_normal_values_lie_on_the_diagonal() {
-        let mut bins = vec![0; BINS];
+        let mut bins = vec![0; HISTOGRAM.0];
         for k in 0..20_000 {
             let value = Normal::standard().inverse_cdf((f64::from(k) + 0.5) / 20_000.0);
-            bins[((value / HISTOGRAM_LIMIT + 1.0) / 2.0 * BINS as f64) as usize] += 1;
+            bins[((value / HISTOGRAM.1 + 1.0) / 2.0 * HISTOGRAM.0 as f64) as usize] += 1;
         }
         for [expected, found] in quantiles(&bins) {
             assert!((expected - found).abs() < 0.1, "{expected} {found}");

@@ -1,30 +1,21 @@
-//! Distances between markers that are rigidly fixed to the body, as measured in a flight and as the template declares
-//! them.
+//! Distances between markers that are fixed to the body: measured, and declared by the template.
 
+use crate::levels::ROUNDING;
+use crate::observers::ChannelConditions;
+use crate::problem::FitProblem;
 use dataset::pose::distance;
 use dataset::statistics::{median, median_of, robust_sigma};
 use dataset::{Flight, Marker};
 
-/// Maximum number of markers whose mutual distances are compared; more would add little information and much
-/// computation.
+/// Maximum number of markers whose distances are compared; more add little.
 pub const MAX_MARKERS: usize = 8;
-/// Limit at which a scale error counts as common to all pairs of markers. The ratio of measured to declared distance
-/// between the markers of a pair may deviate from the median ratio of all pairs by less than this fraction.
+/// Maximum relative deviation of a pair's ratio from the median, for a scale error common to all pairs.
 const RATIO_SPREAD: f64 = 0.1;
-/// Tolerance for recognising that coordinates are in a certain unit of length instead of metres: maximum relative
-/// deviation of the ratio of measured to true lengths from the ratio that this unit would give.
+/// Maximum relative deviation of a ratio of lengths from that of a known unit.
 const UNIT_TOLERANCE: f64 = 0.05;
-/// Minimum deviation of the measured distance between two markers from their declared distance, relative to the latter,
-/// at which the measured distance counts as grossly wrong. The limits [`GROSS_DISTANCE`] and [`GROSS_NOISE`] must be
-/// exceeded too.
-const GROSS: f64 = 0.25;
-/// Minimum deviation, m, of the measured distance between two markers from their declared distance, at which the
-/// measured distance counts as grossly wrong. The limits [`GROSS`] and [`GROSS_NOISE`] must be exceeded too.
-const GROSS_DISTANCE: f64 = 0.02;
-/// Minimum deviation of the measured distance between two markers from their declared distance, in units of the
-/// standard deviation of the noise of measured distances, at which the measured distance counts as grossly wrong. The
-/// limits [`GROSS`] and [`GROSS_DISTANCE`] must be exceeded too.
-const GROSS_NOISE: f64 = 8.0;
+/// Deviation of a measured distance that is gross: relative, in m, and in units of the noise of distances; the greatest
+/// of them.
+const GROSS_ERROR: (f64, f64, f64) = (0.25, 0.02, 8.0);
 
 /// Units of length that users mistake for metres: length of the unit in metres, and its name.
 pub const UNITS: [(f64, &str); 6] = [
@@ -36,15 +27,13 @@ pub const UNITS: [(f64, &str); 6] = [
     (1e3, "kilometres"),
 ];
 
-/// Unit of length in which coordinates are `ratio` times as large as in metres: its length in metres and its name.
-/// `None` if no unit in [`UNITS`] fits.
+/// Unit in which coordinates are `ratio` times as large as in metres: its length in metres and its name.
 pub fn unit(ratio: f64) -> Option<(f64, &'static str)> {
     let near = |length: f64| (ratio * length - 1.0).abs() < UNIT_TOLERANCE;
     UNITS.iter().copied().find(|(length, _)| near(*length))
 }
 
-/// All pairs (i, j), i < j, of the marker indices below `markers`; at most the first [`MAX_MARKERS`] markers are
-/// paired.
+/// All pairs (i, j), i < j, of at most the first [`MAX_MARKERS`] markers.
 pub fn marker_pairs(markers: usize) -> Vec<(usize, usize)> {
     let count = markers.min(MAX_MARKERS);
     (0..count)
@@ -58,7 +47,6 @@ pub struct Distances {
     pub pairs: Vec<(usize, usize)>,
     /// Measured distances `samples[sample][pair]`, m; NaN if a marker of the pair is missing.
     pub samples: Vec<Vec<f64>>,
-    /// Distance between the markers of each pair according to the template, m.
     pub declared: Vec<f64>,
     /// Median measured distance between the markers of each pair, m; NaN for a pair that is never measured.
     pub medians: Vec<f64>,
@@ -67,9 +55,8 @@ pub struct Distances {
 }
 
 impl Distances {
-    /// Distances between the markers of those pairs whose distance the template fixes. `rigid` has an entry for each
-    /// pair, in the order of [`marker_pairs`], which is true if the distance of the pair is fixed. `None` if no such
-    /// pair is measured.
+    /// Distances of the pairs that the template fixes: `rigid`, in the order of [`marker_pairs`]. `None` if none is
+    /// measured.
     pub fn of(flight: &Flight, markers: &[Marker], rigid: &[bool]) -> Option<Self> {
         let pairs = marker_pairs(markers.len()).into_iter().zip(rigid);
         let pairs: Vec<(usize, usize)> =
@@ -112,8 +99,7 @@ impl Distances {
         })
     }
 
-    /// Median over the pairs of the ratio of the median measured distance to the declared distance; `None` if the ratio
-    /// of any pair deviates from this median by a relative amount of [`RATIO_SPREAD`] or more.
+    /// Median ratio of measured to declared distances; `None` if the pairs do not agree on it.
     pub fn ratio(&self) -> Option<f64> {
         let pairs = self.medians.iter().zip(&self.declared);
         let ratios: Vec<f64> = pairs
@@ -127,13 +113,55 @@ impl Distances {
         (agree && common > 0.0).then_some(common)
     }
 
-    /// Whether `measured`, the measured distance between the markers of pair number `pair`, m, is grossly wrong: its
-    /// deviation from the declared distance exceeds all three limits [`GROSS`], [`GROSS_DISTANCE`] and [`GROSS_NOISE`].
+    /// Whether `measured`, m, deviates grossly from the declared distance of a pair.
     pub fn is_gross(&self, measured: f64, pair: usize) -> bool {
         let declared = self.declared[pair];
-        let limit = (GROSS * declared)
-            .max(GROSS_DISTANCE)
-            .max(GROSS_NOISE * self.noise);
+        let limit = (GROSS_ERROR.0 * declared)
+            .max(GROSS_ERROR.1)
+            .max(GROSS_ERROR.2 * self.noise);
         (measured - declared).abs() > limit
     }
+}
+
+// Which distances between markers the template fixes: those that depend on no estimated parameter.
+
+/// Whether each pair of [`marker_pairs`] has a distance that no estimated parameter changes.
+pub fn rigid_pairs(problem: &FitProblem) -> Vec<bool> {
+    let pairs = marker_pairs(problem.markers.len());
+    let conditions = ChannelConditions::new(problem, &problem.parameters);
+    let mut observers = conditions.observers();
+    // The default state may be at rest or level, where derivatives vanish.
+    let states = problem.body.layout().default_states().into_iter();
+    let state: Vec<f64> = states
+        .enumerate()
+        .map(|(index, value)| value + 0.3 + 0.1 * index as f64)
+        .collect();
+    let estimated = |param: usize| {
+        let mut globals = problem.globals.iter();
+        globals.position(|global| global.param.index() == param)
+    };
+    // Position of each marker and its derivatives with respect to the estimated parameters.
+    let seen: Vec<([f64; 3], Vec<[f64; 3]>)> = (0..problem.markers.len())
+        .map(|marker| {
+            let (position, jacobians) = observers.observe(0.0, &state, marker);
+            let mut by_global = vec![[0.0; 3]; problem.globals.len()];
+            let entries = jacobians.by_parameter_pattern.iter();
+            for (&(row, param), value) in entries.zip(jacobians.by_parameter) {
+                if let Some(global) = estimated(param) {
+                    by_global[global][row] = *value;
+                }
+            }
+            (position, by_global)
+        })
+        .collect();
+    let is_rigid = |&(i, j): &(usize, usize)| {
+        let ((a, by_a), (b, by_b)) = (&seen[i], &seen[j]);
+        by_a.iter().zip(by_b).all(|(by_a, by_b)| {
+            let change = (0..3).map(|k| (b[k] - a[k]) * (by_b[k] - by_a[k]));
+            let size = (0..3).map(|k| (b[k] - a[k]).abs() * (by_b[k].abs() + by_a[k].abs()));
+            // The comparison is false if a value is not finite: the distance is then unknown.
+            change.sum::<f64>().abs() <= ROUNDING * size.sum::<f64>()
+        })
+    };
+    pairs.iter().map(is_rigid).collect()
 }

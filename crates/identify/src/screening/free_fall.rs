@@ -1,6 +1,5 @@
-//! Faults that the acceleration of free fall reveals: a z axis that does not point up, and times or lengths in
-//! another unit. All flights together are compared with gravity; a single flight is compared with the loads fitted to
-//! all flights.
+//! Faults that free fall reveals: a z axis that does not point up, times or lengths in another unit. All flights
+//! together are compared with gravity, a single one with the loads fitted to all.
 
 use flight::parallel;
 use model_spec::model::{ExprKind, FrameKind, Model};
@@ -9,58 +8,37 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::distances::{UNITS, unit};
 use super::loads::{Regression, Row, regress, rows};
+use super::mirror::{MEND, UPRIGHT, reflection, transformed_track, upright};
 use super::track::Track;
-use crate::data_fault::{DataFault, FaultKind};
+use crate::error::{DataFault, FaultKind};
+use crate::levels::CLEARLY_SMALLER;
 use crate::problem::FitProblem;
 use dataset::statistics::{median, median_of, median_vector};
 use dataset::{Dataset, Flight, KnownValue};
 
-/// Minimum deviation of the fitted constant acceleration from gravity at which a fault of all flights is reported, in
-/// units of gravity. [`MIN_SIGNIFICANCE`] and [`MIN_RATIO`] must be reached too.
-const MIN_DEVIATION: f64 = 0.5;
-/// Minimum deviation of the fitted constant acceleration from gravity at which a fault of all flights is reported, in
-/// units of the standard error of the deviation.
-const MIN_SIGNIFICANCE: f64 = 8.0;
-/// Minimum improvement by fitting the constant acceleration at which a fault of all flights is reported. The
-/// improvement is the ratio of two median residual accelerations: with the constant fixed at gravity, and with the
-/// constant fitted.
-const MIN_RATIO: f64 = 1.7;
-/// Minimum cosine of the angle between a measured acceleration and gravity at which the acceleration counts as directed
-/// downwards: cos 30°.
+/// Minimum deviation of the fitted constant acceleration from gravity: in units of gravity, in standard errors, and as
+/// the ratio of the median residual acceleration with gravity to that with the fitted constant.
+const CLEAR: (f64, f64, f64) = (0.5, 8.0, 1.7);
+
+/// Minimum cosine of the angle to gravity of an acceleration that points down: 30°.
 const ALONG: f64 = 0.866;
-/// Range of the ratio of the fitted constant acceleration to gravity in which no wrong unit or time is reported:
-/// aerodynamic loads that the regression does not include may explain such a ratio. For comparison, times that are
-/// wrong by a factor of 2 give a ratio of 4 or 1/4.
+/// Ratios to gravity that loads outside the regression may explain; times wrong by a factor of 2 give 4 or 1/4.
 const USUAL_FACTORS: std::ops::Range<f64> = 0.38..2.6;
-/// Minimum misfit of a single flight at which corrections of its data are tried: the larger of the first number times
-/// gravity and the second number times the median misfit of all flights.
+/// Minimum misfit of a single faulty flight: in units of gravity, and of the median misfit.
 const SINGLE_MISFIT: (f64, f64) = (0.25, 4.0);
-/// Limits of the misfit of a single flight after a correction of its data. The correction is accepted if the misfit is
-/// less than the first number times the misfit before the correction. It must also be less than the second number times
-/// the median misfit of all flights, or less than the third number times gravity.
+/// Maximum misfit after a correction: in units of the misfit before it; and in units of the median misfit, or of
+/// gravity.
 const MENDED_MISFIT: (f64, f64, f64) = (0.3, 2.5, 0.15);
-/// Maximum misfit of a single flight after any accepted correction, in units of gravity. It rejects a correction that
-/// merely shrinks all lengths: the accelerations then tend to 0 and the misfit to gravity.
+/// Maximum misfit after any correction, in units of gravity: shrinking all lengths makes it tend to gravity.
 const MAX_MENDED: f64 = 0.4;
-/// Minimum magnitude of the vertical component of the unit normal of the markers' plane at which it is clear which side
-/// of the body is up.
-const UPRIGHT: f64 = 0.3;
-/// Limit for reporting a flight as mirrored, which is considered if its body appears upside down: maximum ratio of the
-/// misfit of the mirror image of the flight to that of the recorded flight.
-const TURNED_MISFIT: f64 = 0.7;
-/// Maximum ratio of the median residual acceleration to the median standard error of the measured accelerations at
-/// which noise alone explains the residuals. No fault of all flights is then reported.
+/// Maximum ratio of the residual acceleration to its standard error that noise alone explains.
 const NOISE: f64 = 2.5;
-/// Weight, in the misfit of a flight, of the scatter of its accelerations about their median; the deviation of the
-/// median from gravity has the weight 1.
+/// Weight of the scatter of the accelerations in a misfit.
 const SCATTER_PART: f64 = 0.25;
-/// Minimum number of flights in the dataset at which the accelerations of each flight are compared with those of all
-/// flights.
+/// Minimum number of flights for the comparison of single ones.
 const MIN_FLIGHTS: usize = 4;
 
-/// For each axis of the recorded coordinates that may point up: its name, such as `-z`; the recorded axes that must be
-/// written as x, y and z so that z points up, such as `x, -y, -z`; and the matrix that converts recorded coordinates to
-/// these.
+/// For each axis that may point up: its name, the axes to be written as x, y and z, and the matrix that does it.
 fn orientations() -> [(&'static str, &'static str, Matrix3<f64>); 6] {
     let rows =
         |a: [f64; 3], b: [f64; 3], c: [f64; 3]| Matrix3::from_rows(&[a.into(), b.into(), c.into()]);
@@ -76,8 +54,7 @@ fn orientations() -> [(&'static str, &'static str, Matrix3<f64>); 6] {
     ]
 }
 
-/// Whether the loads of the model may be those of one body with constant coefficients, as the regression assumes: they
-/// depend on the time in no other way, and no other body pulls.
+/// Whether the loads may be those of one body with constant coefficients, as the regression assumes.
 fn has_steady_loads(model: &Model) -> bool {
     let mut has_time = false;
     for root in model.expressions() {
@@ -90,23 +67,18 @@ fn has_steady_loads(model: &Model) -> bool {
     !has_time && lengths.count() <= 3
 }
 
-/// Flights of a dataset whose measured accelerations are compared with gravity and with each other, to find wrong
-/// units, times and axes.
+/// Flights whose accelerations are compared with gravity and with each other.
 pub struct FreeFall<'a> {
     problem: &'a FitProblem,
     dataset: &'a Dataset,
     gravity: Vector3<f64>,
-    /// Measured accelerations and regressors of the aerodynamic loads in the time windows of each flight; empty for a
-    /// flight whose path is not available.
     rows: Vec<Vec<Row>>,
-    /// Median, over the samples of each flight, of the vertical component of the unit normal of the markers' plane;
-    /// `None` for a point mass or if the path is not available.
+    /// Median vertical component of the markers' normal; `None` for a point mass or without a path.
     upright: Vec<Option<f64>>,
 }
 
 impl<'a> FreeFall<'a> {
-    /// Computes the regression data of each flight from the path of its body in `tracks`, which is `None` for a flight
-    /// in which an earlier check found a fault. Uses `threads` threads.
+    /// Regression data of each flight by its track, which is `None` after an earlier fault.
     pub fn new(
         (problem, dataset): (&'a FitProblem, &'a Dataset),
         gravity: Vector3<f64>,
@@ -130,8 +102,7 @@ impl<'a> FreeFall<'a> {
         }
     }
 
-    /// Faults of units, times or axes that the accelerations reveal: the same fault for every flight if the flights
-    /// have it in common, otherwise faults of single flights. Empty if the accelerations agree with gravity.
+    /// The fault that all flights have in common, or else those of single flights.
     pub fn check(&self) -> Vec<DataFault> {
         let all: Vec<&Row> = self.rows.iter().flatten().collect();
         if all.is_empty() || !has_steady_loads(&self.problem.model) {
@@ -156,9 +127,8 @@ impl<'a> FreeFall<'a> {
         self.single_faults(&fixed)
     }
 
-    /// Fault that all flights have in common: kind, description and instruction for correcting it. `None` if the fitted
-    /// constant acceleration is not clear evidence of a fault. In the regression `fixed` the constant acceleration is
-    /// fixed at gravity, in `free` it is fitted.
+    /// Fault that all flights have in common: kind, detail and correction. The constant acceleration is gravity in
+    /// `fixed` and fitted in `free`.
     fn common_fault(
         &self,
         fixed: &Regression,
@@ -170,8 +140,8 @@ impl<'a> FreeFall<'a> {
         let error = (deviation / size)
             .dot(&(free.covariance * deviation / size))
             .sqrt();
-        let is_clear = size > MIN_DEVIATION * g && size > MIN_SIGNIFICANCE * error;
-        if !is_clear || fixed.remaining < MIN_RATIO * free.remaining {
+        let is_clear = size > CLEAR.0 * g && size > CLEAR.1 * error;
+        if !is_clear || fixed.remaining < CLEAR.2 * free.remaining {
             return None;
         }
         let ratio = free.gravity.norm() / g;
@@ -210,9 +180,7 @@ impl<'a> FreeFall<'a> {
         }
     }
 
-    /// Fault of the unit of length or of the times, if the fitted constant acceleration is directed downwards but is
-    /// `ratio` times gravity: kind, description and instruction for correcting it. `free` is the regression in which
-    /// the constant acceleration is fitted.
+    /// Fault of lengths or times where free fall points down but is `ratio` times gravity.
     fn scale(&self, ratio: f64, free: &Regression) -> (FaultKind, String, String) {
         let detail = format!("in all flights free fall is {ratio:.3} times as fast as gravity");
         let length = unit(ratio).or_else(|| {
@@ -232,18 +200,15 @@ impl<'a> FreeFall<'a> {
         (FaultKind::TimeUnit, format!("{detail}{told}"), correction)
     }
 
-    /// Whether it is already known that lengths are in metres: with more than one marker, an earlier check has compared
-    /// the distances between the markers with the declared ones.
+    /// With several markers, their distances have shown before that lengths are in metres.
     fn template_gives_lengths(&self) -> bool {
         self.dataset.markers.len() > 1
     }
 
-    /// Whether a wrong unit of length explains an acceleration of `ratio` times gravity better than wrong times do.
-    /// This follows from the fitted drag coefficient (1/m), which depends on the unit of length but not on that of
-    /// time. `free` is the regression with a fitted constant acceleration. `None` if the drag of the model is unknown,
-    /// or if the drag of the model or the fitted drag is not positive.
+    /// Whether a unit of length explains `ratio` better than times, by the fitted drag (1/m), which does not depend on
+    /// the unit of time; `None` if the drags are unknown or not positive.
     fn drag_suggests_lengths(&self, ratio: f64, free: &Regression) -> Option<bool> {
-        let expected = super::gravity::drag(self.problem)?;
+        let expected = super::loads::drag(self.problem)?;
         let found = -*free.coefficients.first()?;
         (expected > 0.0 && found > 0.0).then(|| {
             let by_length = (found * ratio / expected).ln().abs();
@@ -252,9 +217,8 @@ impl<'a> FreeFall<'a> {
         })
     }
 
-    /// Data faults of single flights. `fixed` is the regression of the accelerations of all flights on aerodynamic
-    /// loads, with the constant acceleration fixed at gravity. A flight is faulty if its accelerations, minus these
-    /// loads, deviate from gravity, and a correction of units, times or axes removes the deviation.
+    /// Faults of single flights: their accelerations less the loads of `fixed` deviate from gravity, and a correction
+    /// of units, times or axes removes this.
     fn single_faults(&self, fixed: &Regression) -> Vec<DataFault> {
         let g = self.gravity.norm();
         let misfit = |rows: &[Row]| self.misfit(fixed, rows);
@@ -282,11 +246,8 @@ impl<'a> FreeFall<'a> {
         faults
     }
 
-    /// Data fault of the flight with the index `index`, if the body is upside down in this flight alone and the flight
-    /// appears mirrored. Upside down: the normal of the plane of its markers points up and that of all other flights
-    /// down, or vice versa. Mirrored: the misfit (deviation of the accelerations from gravity) of its mirror image is
-    /// clearly smaller than `before`, m/s², the misfit of the recorded flight. `fixed` is the regression over all
-    /// flights with the constant acceleration fixed at gravity; its aerodynamic loads are subtracted for the misfit.
+    /// Fault of the flight `index` if its body alone is upside down and its mirror image has a clearly smaller misfit
+    /// than `before`, m/s².
     fn turned_over(&self, fixed: &Regression, index: usize, before: f64) -> Option<DataFault> {
         let own = self.upright[index]?;
         let others = self
@@ -299,24 +260,20 @@ impl<'a> FreeFall<'a> {
             return None;
         }
         let flight = &self.dataset.flights[index];
-        let mirror = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0));
+        let mirror = reflection();
         let track = transformed_track(self.problem, flight, &mirror);
         let rows = rows(&track, omega(self.problem, flight));
         let after = self.misfit(fixed, &rows)?;
-        (after < TURNED_MISFIT * before).then(|| DataFault::new(flight, FaultKind::Mirrored, "unlike in the other flights, the markers show the body turned over, and it flies as its mirror image: the axes seem left-handed, or labels are exchanged", super::mirror::MEND))
+        (after < CLEARLY_SMALLER * before).then(|| DataFault::new(flight, FaultKind::Mirrored, "unlike in the other flights, the markers show the body turned over, and it flies as its mirror image: the axes seem left-handed, or labels are exchanged", MEND))
     }
 
-    /// Misfit of a flight, m/s²: how much its accelerations in the time windows `rows`, after subtraction of the
-    /// aerodynamic loads fitted to all flights, deviate from gravity. It is the deviation of the median over the
-    /// windows plus [`SCATTER_PART`] times the median distance of the accelerations from this median; `None` without
-    /// windows. The loads are those of the regression `fixed`, in which the constant acceleration is fixed at gravity.
+    /// Deviation of accelerations less the loads from gravity, m/s²; `None` without windows.
     fn misfit(&self, fixed: &Regression, rows: &[Row]) -> Option<f64> {
         let rest = rows.iter().map(|row| fixed.without_loads(row));
         misfit(&rest.collect::<Vec<_>>(), self.gravity)
     }
 
-    /// Data fault of a flight for which a correction of its units, times or axes reduces the misfit below `enough`,
-    /// m/s²; `None` if no correction does.
+    /// Fault of a flight for which a correction reduces the misfit below `enough`, m/s².
     fn correctable_fault(
         &self,
         fixed: &Regression,
@@ -328,8 +285,7 @@ impl<'a> FreeFall<'a> {
             DataFault::new(flight, fault, detail, correction)
         };
         let as_others = "unlike in the other flights,";
-        // Velocities and accelerations both scale with the unit of time such that the coefficients of the loads are
-        // unchanged.
+        // Velocities and accelerations scale with the unit of time such that coefficients do not change.
         let rest: Vec<Vector3<f64>> = rows.iter().map(|row| fixed.without_loads(row)).collect();
         let constant = median_vector(&rest)?;
         let ratio = constant.norm() / self.gravity.norm();
@@ -358,7 +314,7 @@ impl<'a> FreeFall<'a> {
                 format!("{as_others} free fall is {ratio:.3} times as fast as gravity{told}");
             return Some(fault(FaultKind::TimeUnit, detail, &correction));
         }
-        let mirror = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0));
+        let mirror = reflection();
         for (axis, change, to_up) in orientations().into_iter().skip(1) {
             if fits(&to_up) {
                 let detail =
@@ -375,16 +331,14 @@ impl<'a> FreeFall<'a> {
                 let detail = format!(
                     "{as_others} it fits as a mirror image only: its axes seem left-handed{up}"
                 );
-                return Some(fault(FaultKind::Mirrored, detail, super::mirror::MEND));
+                return Some(fault(FaultKind::Mirrored, detail, MEND));
             }
         }
         None
     }
 
-    /// Most probable wrong unit of length of a flight: (misfit, m/s²; length of the unit, m; name). Of all units other
-    /// than the metre, it is the one whose correction gives the smallest misfit. The function `misfit` returns the
-    /// misfit after multiplication of the positions by a matrix. `None` if the distances between markers have already
-    /// shown that lengths are in metres.
+    /// Most probable wrong unit of length (misfit, m/s²; length, m; name), where `misfit` is that after multiplication
+    /// of the positions by a matrix.
     fn length(
         &self,
         misfit: &impl Fn(&Matrix3<f64>) -> Option<f64>,
@@ -400,42 +354,14 @@ impl<'a> FreeFall<'a> {
     }
 }
 
-/// Path of a body up to the first ground contact, computed after multiplication of all measured marker positions by
-/// `matrix`.
-pub fn transformed_track(problem: &FitProblem, flight: &Flight, matrix: &Matrix3<f64>) -> Track {
-    let change = |point: [f64; 3]| <[f64; 3]>::from(matrix * Vector3::from(point));
-    let rows: Vec<Vec<Option<[f64; 3]>>> = flight
-        .positions
-        .iter()
-        .map(|row| row.iter().map(|point| point.map(change)).collect())
-        .collect();
-    Track::until_contact(problem, &flight.times, &rows).0
-}
-
-/// Median over the samples of the vertical component of the unit normal of the markers' plane; `None` for a point mass
-/// or without attitudes.
-pub fn upright(problem: &FitProblem, track: &Track) -> Option<f64> {
-    let normal = problem
-        .has_attitude
-        .then(|| super::mirror::normal(&problem.markers))?;
-    let each = track
-        .points
-        .iter()
-        .filter_map(|point| Some((point.attitude? * normal).z));
-    median_of(each)
-}
-
-/// Distance of the component-wise median of accelerations from gravity, plus [`SCATTER_PART`] times their median
-/// distance from it, m/s²; `None` for an empty slice.
+/// Distance of the median of accelerations from gravity plus [`SCATTER_PART`] of their scatter, m/s².
 fn misfit(accelerations: &[Vector3<f64>], gravity: Vector3<f64>) -> Option<f64> {
     let middle = median_vector(accelerations)?;
     let scatter = median_of(accelerations.iter().map(|a| (a - middle).norm()))?;
     Some((middle - gravity).norm() + SCATTER_PART * scatter)
 }
 
-/// Known angular velocity, in one flight, of a body modelled as a point mass, rad/s, in inertial components: the value
-/// of the first vector input that the model declares in the inertial frame with the unit of an angular velocity. `None`
-/// if the model has no such input.
+/// Known angular velocity of a point mass, rad/s: its first inertial input in this unit.
 fn omega(problem: &FitProblem, flight: &Flight) -> Option<Vector3<f64>> {
     let inputs = problem.model.inputs.iter();
     let rates = inputs.filter(|input| {
@@ -449,8 +375,7 @@ fn omega(problem: &FitProblem, flight: &Flight) -> Option<Vector3<f64>> {
     known.next()
 }
 
-/// Two texts for a fault report on wrong times, from the ratio of the fitted acceleration to gravity: the probable
-/// mistake, and the instruction for correcting it.
+/// Probable mistake of the times and its correction, from the ratio of the fitted acceleration to gravity.
 fn time_words(ratio: f64) -> (String, String) {
     let factor = ratio.sqrt();
     for (divisor, unit) in [(1e3, "milliseconds"), (1e6, "microseconds")] {

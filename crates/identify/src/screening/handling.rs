@@ -3,34 +3,26 @@
 use nalgebra::Vector3;
 
 use super::track::{MIN_POINTS, Parabola, Track, parabola};
-use crate::data_fault::{DataFault, FaultKind};
+use crate::error::{DataFault, FaultKind};
 use dataset::Flight;
 use dataset::statistics::median_of;
 
-/// Lengths, in points of the measured path, of the intervals at the start and at the end of a flight that are examined
-/// for contact with a hand or the ground.
+/// Lengths, in points, of the intervals at the ends of a flight that are examined.
 const LENGTHS: [usize; 8] = [6, 9, 13, 20, 32, 52, 90, 160];
-/// Limits at which a force counts as a push by a hand. The component of the force per mass (without gravity) along the
-/// velocity must exceed the first number times gravity. It must also exceed the second number times the magnitude of
-/// this force per mass. Aerodynamic forces in moderate wind do not exceed both limits.
+/// Forward force per mass of a push: in units of gravity, and as a part of its magnitude; aerodynamic forces in
+/// moderate wind do not exceed both.
 const PUSH: (f64, f64) = (1.0, 0.5);
-/// Margin, in units of the standard error, by which a measured force per mass must exceed its limit (in [`PUSH`],
-/// [`CATCH`] or [`REST_FORCE`]) to count as detected.
+/// Standard errors by which a force must exceed its limit.
 const SIGNIFICANT: f64 = 6.0;
-/// Maximum speed of a body at rest: the smaller of the first number in m/s and the second number times the flight's
-/// median speed.
-const REST: (f64, f64) = (0.5, 0.08);
-/// Minimum force per mass (without gravity), in units of gravity, at which a slow body counts as at rest in a hand or
-/// on the ground, because a support carries its weight.
-const REST_FORCE: f64 = 0.7;
-/// Limits at which a braking force counts as a catch. The force per mass other than gravity must exceed the first
-/// number times gravity. It must also exceed the second number times the force per mass in the earlier part of the
-/// flight; that force is first scaled, in proportion to the square of the speed, to the speed at the start of the
-/// braking.
+/// A body at rest: maximum speed, m/s, and as a part of the flight's median speed, and minimum force per mass, in units
+/// of gravity, as a support carries its weight.
+const AT_REST: (f64, f64, f64) = (0.5, 0.08, 0.7);
+
+/// Force per mass of a catch: in units of gravity, and of the force earlier in the flight, scaled by the square of the
+/// speed.
 const CATCH: (f64, f64) = (3.0, 5.0);
 
-/// Data fault of a flight that starts or ends with samples that are not of free flight, for example because a hand
-/// holds the body; `None` if all samples are of free flight.
+/// Fault of a flight that starts or ends with samples that are not of free flight.
 pub fn check(track: &Track, gravity: Vector3<f64>, flight: &Flight) -> Option<DataFault> {
     let examined = Examined::new(track, gravity)?;
     let fault = |detail: &str, correction| {
@@ -80,14 +72,12 @@ impl<'a> Examined<'a> {
         parabola(&self.track.points[from..to], self.track.noise)
     }
 
-    /// Force per mass other than gravity, m/s², in the time window of the parabola `motion`, which is fitted to points
-    /// of the measured path.
+    /// Force per mass other than gravity, m/s².
     fn force(&self, motion: &Parabola) -> Vector3<f64> {
         motion.acceleration - self.gravity
     }
 
-    /// Component, along the velocity, of the force per mass other than gravity, m/s²; negative if the force brakes the
-    /// body.
+    /// Component of this force along the velocity, m/s²; negative if it brakes.
     fn forward(&self, motion: &Parabola) -> f64 {
         let along = motion
             .velocity
@@ -97,9 +87,9 @@ impl<'a> Examined<'a> {
     }
 
     fn is_rest(&self, motion: &Parabola, greatest: f64) -> bool {
-        let slow = motion.velocity.norm() < REST.0.min(REST.1 * greatest);
+        let slow = motion.velocity.norm() < AT_REST.0.min(AT_REST.1 * greatest);
         slow && self.force(motion).norm()
-            > REST_FORCE * self.gravity.norm() + SIGNIFICANT * motion.error
+            > AT_REST.2 * self.gravity.norm() + SIGNIFICANT * motion.error
     }
 
     fn is_pushed(&self, motion: &Parabola) -> bool {
@@ -119,7 +109,7 @@ impl<'a> Examined<'a> {
         // The flight must be so long that an error of the acceleration cannot hide a fall.
         self.is_rest(&motion, f64::INFINITY)
             && fall > 20.0 * motion.deviation
-            && self.speed < REST.0
+            && self.speed < AT_REST.0
     }
 
     fn lengths(&self) -> impl Iterator<Item = usize> {
@@ -129,8 +119,7 @@ impl<'a> Examined<'a> {
             .take_while(move |length| *length <= half)
     }
 
-    /// Time at the start of the flight until which the body is held or pushed by a hand, s; `None` if it is free from
-    /// the start.
+    /// Time until which the body is held or pushed at the start, s.
     fn held_until(&self) -> Option<f64> {
         let count = self.track.points.len();
         // Forward forces in the second half come from the body itself or a strong wind, not from a hand.
@@ -150,8 +139,7 @@ impl<'a> Examined<'a> {
         until
     }
 
-    /// Time at the end of the flight from which the body is being caught or is at rest, s; `None` if it is free until
-    /// the end.
+    /// Time from which the body is caught or at rest, s.
     fn stopped_from(&self) -> Option<f64> {
         let count = self.track.points.len();
         let mut from = None;
@@ -166,8 +154,7 @@ impl<'a> Examined<'a> {
         from
     }
 
-    /// Whether the body is braked by a force that far exceeds gravity and the aerodynamic force, as in a catch (see
-    /// [`CATCH`]), from point `first` of the measured path to the end. `motion` is the parabola fitted to these points.
+    /// Whether the body is braked from point `first` to the end as in a [`CATCH`]; `motion` is that of these points.
     fn is_caught(&self, motion: &Parabola, first: usize) -> bool {
         let g = self.gravity.norm();
         let force = self.force(motion).norm();

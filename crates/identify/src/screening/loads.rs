@@ -1,48 +1,42 @@
-//! Regression of measured accelerations on gravity and on generic aerodynamic loads, which are quadratic in the
-//! speed. It needs no aerodynamic model: the constant part of the acceleration is gravity.
+//! Regression of measured accelerations on gravity and generic aerodynamic loads, and the model's gravity and drag.
 
-use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+use model_spec::unit::Unit;
+use nalgebra::{DMatrix, DVector, Matrix3, UnitQuaternion, Vector3};
+use ode::IntegrationOptions;
 
 use super::track::{Parabola, Track};
 use crate::ground_contact::PathPoint;
+use crate::problem::FitProblem;
 use dataset::statistics::{median, median_of};
 
-/// Standard deviation of the prior of each aerodynamic load coefficient; the mean of the prior is zero. It is stated as
-/// the acceleration that the load causes at the median speed, in units of the median acceleration.
+/// Prior standard deviation of each load, as its acceleration at the median speed, in median accelerations.
 const PRIOR: f64 = 3.0;
-/// Residual standard deviation assumed in the first iteration of the robust regression, in units of the median
-/// acceleration; later iterations estimate it from the residuals.
+/// Residual standard deviation in the first iteration, in median accelerations.
 const FIRST_SCALE: f64 = 0.1;
 /// Number of iterations of the robust regression, which reduces the weights of time windows with large residuals.
 const REPETITIONS: usize = 6;
 
-/// Regression data of one time window of a flight: the measured motion and the aerodynamic loads that may cause its
-/// acceleration.
+/// Measured motion of one time window, and the loads that may cause its acceleration.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// Velocity and acceleration of the body's origin in the time window.
     pub motion: Parabola,
-    /// Regressor of each aerodynamic load: the acceleration per unit of the load's coefficient, m²/s²; m/s² for the
-    /// lift caused by the spin of a point mass.
+    /// Acceleration per unit of each load's coefficient, m²/s²; m/s² for lift by the spin of a point mass.
     pub loads: Vec<Vector3<f64>>,
 }
 
-/// Result of a regression of accelerations: the constant acceleration (gravity) and the coefficients of the aerodynamic
-/// loads.
+/// Constant acceleration (gravity) and coefficients of the loads.
 pub struct Regression {
     /// The constant acceleration (gravity), m/s²: fitted, or fixed by the caller.
     pub gravity: Vector3<f64>,
     /// Covariance of the constant acceleration (gravity), m²/s⁴; zero if the constant was fixed by the caller.
     pub covariance: Matrix3<f64>,
-    /// Coefficients of the aerodynamic loads, in the order of [`Row::loads`], 1/m; dimensionless for the lift caused by
-    /// the spin of a point mass.
+    /// Coefficients of the loads, 1/m; dimensionless for lift by the spin of a point mass.
     pub coefficients: Vec<f64>,
     /// Median magnitude, over the time windows, of the accelerations that the regression does not explain, m/s².
     pub remaining: f64,
 }
 
-/// Divides the path of a body (`track`) into time windows and computes the regression data of each. `omega` is the
-/// angular velocity of a body modelled as a point mass, rad/s, in the axes of the path; `None` if it is unknown.
+/// Regression data of the time windows of a path; `omega` is the known angular velocity of a point mass, rad/s.
 pub fn rows(track: &Track, omega: Option<Vector3<f64>>) -> Vec<Row> {
     let each = track.windows().into_iter();
     each.map(|(range, motion)| Row {
@@ -52,11 +46,8 @@ pub fn rows(track: &Track, omega: Option<Vector3<f64>>) -> Vec<Row> {
     .collect()
 }
 
-/// Regressors of the aerodynamic loads in a time window, with the speed v and the direction u of the velocity. For a
-/// body with an attitude: drag, v² u, and for each body axis a with c = a · u the four vectors v² a, v² c a, v² a × u
-/// and v² c² u, averaged over the points in the window, m²/s². For a point mass: drag and, if its angular velocity
-/// `omega` (rad/s, in the axes of the path) is known, lift caused by spin: the vector product of `omega` and the
-/// velocity, m/s².
+/// Regressors with the speed v and direction u: drag v² u, and for each body axis a with c = a · u the vectors v² a, v²
+/// c a, v² a × u and v² c² u, m²/s². Of a point mass: drag and lift, `omega` × velocity, m/s².
 fn loads(
     motion: &Parabola,
     points: &[PathPoint],
@@ -91,9 +82,8 @@ fn loads(
     loads
 }
 
-/// Robust regression of the accelerations in the time windows `rows` on aerodynamic loads and a constant acceleration.
-/// The constant is `gravity` (m/s²) or, if that is `None`, is fitted. The result is `None` if the windows do not
-/// determine the unknowns.
+/// Robust regression on loads and a constant acceleration, which is `gravity` (m/s²) or fitted; `None` if the windows
+/// do not determine the unknowns.
 pub fn regress(rows: &[&Row], gravity: Option<Vector3<f64>>) -> Option<Regression> {
     let loads = rows.first()?.loads.len();
     let first = if gravity.is_some() { 0 } else { 3 };
@@ -179,8 +169,7 @@ pub fn regress(rows: &[&Row], gravity: Option<Vector3<f64>>) -> Option<Regressio
 }
 
 impl Regression {
-    /// Acceleration in a time window minus the fitted aerodynamic loads, m/s²; equal to gravity if the fitted loads are
-    /// exact.
+    /// Acceleration in a time window less the fitted loads, m/s².
     pub fn without_loads(&self, row: &Row) -> Vector3<f64> {
         let loads = row.loads.iter().zip(&self.coefficients);
         row.motion.acceleration
@@ -188,4 +177,95 @@ impl Regression {
                 .map(|(load, coefficient)| load * *coefficient)
                 .sum::<Vector3<f64>>()
     }
+}
+
+// The acceleration of gravity in a model, determined by simulating a fall from rest.
+
+/// Half of the simulated duration, s; a fall stays too slow for aerodynamic forces.
+const HALF_DURATION: f64 = 1e-2;
+/// Maximum relative difference of accelerations at different positions and attitudes.
+const MAX_DIFFERENCE: f64 = 1e-2;
+/// Displacements from the default state, rad and × 3 m, at which a release from rest is simulated.
+const VARIATIONS: [f64; 3] = [0.0, 0.4, -0.9];
+
+/// Acceleration after a release at rest in still air, m/s², inertial. `None` if it is at most 0.1 m/s², depends on
+/// position or attitude, as of a body that is held or driven, or cannot be simulated.
+pub fn gravity(problem: &FitProblem) -> Option<Vector3<f64>> {
+    let falls = VARIATIONS.map(|variation| fall(problem, variation));
+    let [first, others @ ..] = falls;
+    let first = first.filter(|first| first.norm() > 0.1)?;
+    let same = |other: Option<Vector3<f64>>| {
+        other.is_some_and(|other| (other - first).norm() < MAX_DIFFERENCE * first.norm())
+    };
+    others.into_iter().all(same).then_some(first)
+}
+
+/// Speed of a simulated point mass, m/s, from whose deceleration the drag of the model is computed.
+const SPEED: f64 = 8.0;
+
+/// Drag of a point mass: deceleration over squared speed, 1/m; `None` with an attitude.
+pub fn drag(problem: &FitProblem) -> Option<f64> {
+    if problem.has_attitude {
+        return None;
+    }
+    let model = &problem.model;
+    let first = model
+        .states
+        .iter()
+        .position(|state| state.unit == Unit::SPEED)?;
+    let mut state = problem.body.layout().default_states();
+    for (declared, value) in model.states.iter().zip(&mut state) {
+        if declared.unit == Unit::SPEED {
+            *value = 0.0;
+        }
+    }
+    let still = acceleration(problem, &state)?;
+    state[first] = SPEED;
+    let moving = acceleration(problem, &state)?;
+    Some((moving - still).norm() / (SPEED * SPEED))
+}
+
+/// Acceleration after a release at rest, m/s², from the default state displaced by `variation`.
+fn fall(problem: &FitProblem, variation: f64) -> Option<Vector3<f64>> {
+    let model = &problem.model;
+    let mut state = problem.body.layout().default_states();
+    for (index, (declared, value)) in model.states.iter().zip(&mut state).enumerate() {
+        let sign = [1.0, -0.7, 0.5][index % 3];
+        match declared.unit {
+            Unit::METRE => *value += sign * 3.0 * variation,
+            Unit::RADIAN => *value += sign * variation,
+            Unit::SPEED | Unit::RATE => *value = 0.0,
+            _ => {}
+        }
+    }
+    for quaternion in model.quaternions() {
+        let turn = UnitQuaternion::from_euler_angles(variation, -0.7 * variation, 0.5 * variation);
+        let turn = [turn.w, turn.i, turn.j, turn.k];
+        for (place, value) in quaternion.into_iter().zip(turn) {
+            state[place] = value;
+        }
+    }
+    acceleration(problem, &state)
+}
+
+/// Acceleration of the body's origin at the state `state`, m/s², by a second difference.
+pub fn acceleration(problem: &FitProblem, state: &[f64]) -> Option<Vector3<f64>> {
+    let conditions = problem.body.bind(problem.parameters.clone());
+    let times = [0.0, HALF_DURATION, 2.0 * HALF_DURATION];
+    let mut states = vec![0.0; times.len() * state.len()];
+    let options = IntegrationOptions::with_tolerance(1e-12);
+    let start = (0.0, &state.into());
+    conditions
+        .integrate_at(start, &times, &options, &mut [], &mut states)
+        .ok()?;
+    let mut observer = conditions.observer();
+    let seen = times.iter().zip(states.chunks(state.len()));
+    let seen: Vec<Vector3<f64>> = seen
+        .map(|(&t, x)| observer.position(t, x, &[0.0; 3]).into())
+        .collect();
+    let acceleration = (seen[2] - 2.0 * seen[1] + seen[0]) / (HALF_DURATION * HALF_DURATION);
+    acceleration
+        .iter()
+        .all(|axis| axis.is_finite())
+        .then_some(acceleration)
 }

@@ -1,31 +1,29 @@
-//! Left-handed axes: the markers match the mirror image of the template but not the template. Markers in a plane
-//! cannot be judged, because turning them over gives their mirror image.
+//! Left-handed axes: markers that match the mirror image of the template. Turned over, markers in a plane do so, too.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
-use crate::data_fault::{DataFault, FaultKind};
-use dataset::Flight;
+use super::loads::acceleration;
+use super::track::Track;
+use crate::error::{DataFault, FaultKind};
+use crate::ground_contact::PathPoint;
+use crate::initial_state::{RigidMotion, state_for_motion};
+use crate::observations::Observations;
+use crate::problem::FitProblem;
 use dataset::pose::pose;
-use dataset::statistics::median;
+use dataset::statistics::{median, median_of, median_vector};
+use dataset::{Dataset, Flight};
 
-/// Maximum number of samples of a flight in which the measured markers are compared with their declared positions and
-/// with the mirror image of these positions.
 const SAMPLES: usize = 20;
-/// Minimum ratio of the smallest to the largest principal extent (root mean square about the centroid) of a set of
-/// marker positions at which the set can be distinguished from its mirror image.
+/// Minimum ratio of the smallest to the largest extent of markers that are not in a plane.
 const THICKNESS: f64 = 0.05;
-/// Limit for reporting a flight as mirrored: minimum ratio of the mean squared distance of the measured markers from
-/// the fitted template to that from the fitted mirror image of the template.
-const RATIO: f64 = 10.0;
-/// Minimum root mean square distance of the measured markers from their declared positions in the best-fitting pose, m,
-/// at which a flight is reported as mirrored.
-const MIN_DISTANCE: f64 = 0.003;
+/// Minimum ratio of the variance about the template to that about its mirror image, and distance of the markers from the
+/// template, m.
+const MIRRORED: (f64, f64) = (10.0, 0.003);
 
 /// Instruction for correcting left-handed axes, for the user.
 pub const MEND: &str = "change the sign of one horizontal axis (write -y for y)";
 
-/// Whether the mirror image of the template can be distinguished from the template, which requires four markers not in
-/// a plane.
+/// Whether four markers not in a plane tell the template from its mirror image.
 pub fn is_decided_by(markers: &[[f64; 3]]) -> bool {
     if markers.len() < 4 {
         return false;
@@ -35,15 +33,13 @@ pub fn is_decided_by(markers: &[[f64; 3]]) -> bool {
     sizes.min().max(0.0).sqrt() > THICKNESS * sizes.max().sqrt()
 }
 
-/// Unit normal of the best-fitting plane of the markers, in body components. Its sign is arbitrary, but the same for
-/// the same marker positions.
-pub fn normal(markers: &[[f64; 3]]) -> Vector3<f64> {
+/// Unit normal of the markers' plane, in body components; its sign is arbitrary.
+fn normal(markers: &[[f64; 3]]) -> Vector3<f64> {
     let eigen = scatter(markers).symmetric_eigen();
     eigen.eigenvectors.column(eigen.eigenvalues.imin()).into()
 }
 
-/// Scatter matrix of the marker positions: the sums, over the markers, of squares and products of the coordinates
-/// relative to the centroid, m².
+/// Scatter matrix of the marker positions about their centroid, m².
 fn scatter(markers: &[[f64; 3]]) -> Matrix3<f64> {
     let each = || markers.iter().map(|marker| Vector3::from(*marker));
     let centre = each().sum::<Vector3<f64>>() / markers.len() as f64;
@@ -52,8 +48,7 @@ fn scatter(markers: &[[f64; 3]]) -> Matrix3<f64> {
         .sum()
 }
 
-/// Data fault of a flight whose measured markers fit the mirror image of the declared marker positions, `markers`, much
-/// better than the declared positions; otherwise `None`.
+/// Fault of a flight whose markers fit the mirror image of `markers` much better.
 pub fn check(markers: &[[f64; 3]], flight: &Flight) -> Option<DataFault> {
     let mirrored: Vec<[f64; 3]> = markers.iter().map(|&[x, y, z]| [-x, y, z]).collect();
     let complete = flight
@@ -71,9 +66,153 @@ pub fn check(markers: &[[f64; 3]], flight: &Flight) -> Option<DataFault> {
         mirror.push(other.variance());
     }
     let (plain, mirror) = (median(&mut plain), median(&mut mirror));
-    (plain > RATIO * mirror && plain.sqrt() > MIN_DISTANCE).then(|| DataFault::new(flight, FaultKind::Mirrored, format!(
+    (plain > MIRRORED.0 * mirror && plain.sqrt() > MIRRORED.1).then(|| DataFault::new(flight, FaultKind::Mirrored, format!(
             "the markers fit the mirror image of the template ({:.1} mm) and not the template ({:.1} mm): the axes seem left-handed",
             1e3 * mirror.sqrt(),
             1e3 * plain.sqrt()
         ), MEND))
+}
+
+// Left-handed axes of all flights of a body whose markers lie in a plane: it flies upside down throughout, and the
+// model describes the mirror images far better. The only check that uses the model's loads.
+
+/// Minimum vertical component of the normal of the markers' plane at which its upper side is clear.
+pub const UPRIGHT: f64 = 0.3;
+/// Minimum number of flights at which mirrored axes are reported; the body must appear upside down in all flights.
+const MIN_FLIGHTS: usize = 3;
+/// Maximum number of compared flights, and of time windows in each.
+const COMPARED: (usize, usize) = (6, 3);
+/// Maximum ratio of the misfit of the mirror images to that of the recorded flights.
+const MISFIT: f64 = 0.6;
+
+/// A fault for each flight with a path, if the flights seem to be mirror images.
+pub fn check_all(
+    problem: &FitProblem,
+    dataset: &Dataset,
+    tracks: &[Option<Track>],
+) -> Vec<DataFault> {
+    if !problem.has_attitude || is_decided_by(&problem.markers) {
+        return Vec::new();
+    }
+    let seen: Vec<f64> = tracks
+        .iter()
+        .flatten()
+        .filter_map(|track| upright(problem, track))
+        .collect();
+    let Some(usual) = usual_side(problem) else {
+        return Vec::new();
+    };
+    let is_turned = |side: &f64| side * usual < 0.0 && side.abs() > UPRIGHT;
+    if seen.len() < MIN_FLIGHTS || !seen.iter().all(is_turned) {
+        return Vec::new();
+    }
+    let (mut plain, mut mirrored) = (Vec::new(), Vec::new());
+    let flights = dataset
+        .flights
+        .iter()
+        .zip(tracks)
+        .filter_map(|(f, track)| Some((f, track.as_ref()?)));
+    for (flight, track) in flights.take(COMPARED.0) {
+        let Ok(observations) = Observations::new(problem, flight) else {
+            continue;
+        };
+        plain.extend(misfits(problem, &observations, track));
+        mirrored.extend(misfits(
+            problem,
+            &observations,
+            &transformed_track(problem, flight, &reflection()),
+        ));
+    }
+    if plain.len() < MIN_FLIGHTS
+        || median(&mut mirrored) > MISFIT * median(&mut plain)
+        || mirrored.is_empty()
+    {
+        return Vec::new();
+    }
+    let fault = |flight: &Flight| {
+        DataFault::new(
+            flight,
+            FaultKind::Mirrored,
+            "in all flights the body is upside down, and the model describes their mirror images far better: the axes seem left-handed, or labels are exchanged",
+            MEND,
+        )
+    };
+    let flights = dataset
+        .flights
+        .iter()
+        .zip(tracks)
+        .filter(|(_, track)| track.is_some());
+    flights.map(|(flight, _)| fault(flight)).collect()
+}
+
+/// Vertical component of the markers' normal in the default state; `None` if too small.
+fn usual_side(problem: &FitProblem) -> Option<f64> {
+    let conditions = problem.body.bind(problem.parameters.clone());
+    let state = problem.body.layout().default_states();
+    let mut observer = conditions.observer();
+    let markers = problem.markers.iter();
+    let shown: Vec<_> = markers
+        .map(|marker| Some(observer.position(0.0, &state, marker)))
+        .collect();
+    let side = (pose(&problem.markers, &shown)?.attitude * normal(&problem.markers)).z;
+    (side.abs() > UPRIGHT).then_some(side)
+}
+
+/// Differences between measured and modelled accelerations, m/s², in evenly spaced windows.
+fn misfits(problem: &FitProblem, observations: &Observations, track: &Track) -> Vec<f64> {
+    let windows = track.windows();
+    let step = windows.len().div_ceil(COMPARED.1).max(1);
+    let each = windows
+        .into_iter()
+        .step_by(step)
+        .filter_map(|(range, motion)| {
+            let points = &track.points[range];
+            let middle = points[points.len() / 2];
+            let motion_there = RigidMotion {
+                position: middle.position,
+                velocity: motion.velocity,
+                attitude: middle.attitude,
+                rates: Some(rates(points)?),
+            };
+            let state = state_for_motion(problem, observations, &motion_there).ok()?;
+            let predicted = acceleration(problem, state.as_slice())?;
+            Some((motion.acceleration - predicted).norm())
+        });
+    each.collect()
+}
+
+/// Median angular velocity between successive points of a path, rad/s, inertial.
+fn rates(points: &[PathPoint]) -> Option<Vector3<f64>> {
+    let pairs = points.windows(2).filter_map(|pair| {
+        let turn: UnitQuaternion<f64> = pair[1].attitude? * pair[0].attitude?.inverse();
+        Some(turn.scaled_axis() / (pair[1].time - pair[0].time))
+    });
+    let pairs: Vec<Vector3<f64>> = pairs.collect();
+    median_vector(&pairs)
+}
+
+/// Reflection of the positions that turns left-handed axes into right-handed ones.
+pub fn reflection() -> Matrix3<f64> {
+    Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0))
+}
+
+/// Path up to the first contact after multiplication of the positions by `matrix`.
+pub fn transformed_track(problem: &FitProblem, flight: &Flight, matrix: &Matrix3<f64>) -> Track {
+    let change = |point: [f64; 3]| <[f64; 3]>::from(matrix * Vector3::from(point));
+    let rows: Vec<Vec<Option<[f64; 3]>>> = flight
+        .positions
+        .iter()
+        .map(|row| row.iter().map(|point| point.map(change)).collect())
+        .collect();
+    Track::until_contact(problem, &flight.times, &rows).0
+}
+
+/// Median vertical component of the normal of the markers' plane; `None` without attitudes.
+pub fn upright(problem: &FitProblem, track: &Track) -> Option<f64> {
+    let normal = problem.has_attitude.then(|| normal(&problem.markers))?;
+    let each = track
+        .points
+        .iter()
+        .filter_map(|point| Some((point.attitude? * normal).z));
+    median_of(each)
 }

@@ -1,30 +1,23 @@
-//! Screening of a dataset before a fit: finds laboratory mistakes that a fit cannot recover from, by the distances
-//! between markers, by poses and by free fall, without the aerodynamic model.
+//! Screening of a dataset for mistakes that a fit cannot recover from, by distances between markers, poses and free
+//! fall, without the aerodynamic model.
 
 mod distances;
 mod free_fall;
-mod gravity;
 mod handling;
-mod jumps;
-mod labels;
 mod loads;
 mod mirror;
 mod records;
-mod rigid;
 mod sensors;
 mod template;
 #[cfg(test)]
 mod tests;
 mod track;
-mod turned;
-
-use crate::data_fault::{DataFault, FaultKind};
 
 use flight::parallel;
 
 use self::free_fall::FreeFall;
 use self::track::Track;
-use crate::error::{ExcludedFlight, FlightError};
+use crate::error::{DataFault, ExcludedFlight, FaultKind, FlightError};
 use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
 use crate::options::FitOptions;
@@ -32,43 +25,31 @@ use crate::problem::FitProblem;
 use dataset::Dataset;
 use dataset::statistics::median_of;
 
-/// Minimum ratio of the noise of a flight's path to the median noise of all flights at which a fault is reported: the
-/// data are then too noisy to be those of a flying body. The limit [`NOISE_PART`] must be exceeded too.
-const NOISE_RATIO: f64 = 30.0;
-/// Minimum ratio of the noise of a flight's path to the spatial extent of the path at which a fault is reported: the
-/// data are then too noisy to be those of a flying body. The limit [`NOISE_RATIO`] must be exceeded too.
-const NOISE_PART: f64 = 0.1;
+/// Noise of a track that is none of a body: ratio to the median over the flights, and to its own extent.
+const ROUGH: (f64, f64) = (30.0, 0.1);
 
-/// Result of screening (checking) a dataset for recording mistakes, such as wrong units or exchanged markers.
-#[derive(Debug, Default)]
-pub(crate) struct Screening {
-    /// Faults in the data of the flights, in the order of the dataset, at most one per flight.
-    pub faults: Vec<DataFault>,
-    /// Results of the search for the first ground contact, one for each flight, in the order of the dataset: `None` if
-    /// a fault of the flight prevented the search. Empty if the faults come from an earlier screening.
-    pub contacts: Vec<Option<ContactSearch>>,
-}
+/// Faults in the data of the flights, at most one per flight, and the search for the first contact in each, `None` after
+/// a fault; no searches if the tracks of markers do not show the body.
+type Screening = (Vec<DataFault>, Vec<Option<ContactSearch>>);
 
-/// Screens the flights of a dataset, both fitted and held out, for recording mistakes from which a fit cannot recover:
-/// the tracks of markers, if they show the body, and the readings of sensors. Uses `threads` threads.
+/// Screens all flights: the tracks of markers, if they show the body, and the readings of sensors.
 pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) -> Screening {
-    let mut found = if problem.is_shown_by_markers() && !problem.markers.is_empty() {
-        screen_tracks(problem, dataset, threads)
-    } else {
-        Screening::default()
+    let is_tracked = problem.is_shown_by_markers() && !problem.markers.is_empty();
+    let (mut faults, contacts) = match is_tracked {
+        true => screen_tracks(problem, dataset, threads),
+        false => Screening::default(),
     };
     for fault in sensors::check(problem, dataset) {
-        if !found.faults.iter().any(|own| own.file == fault.file) {
-            found.faults.push(fault);
+        if !faults.iter().any(|own| own.file == fault.file) {
+            faults.push(fault);
         }
     }
-    found
+    (faults, contacts)
 }
 
-/// Screens the tracks of the markers of a dataset.
 fn screen_tracks(problem: &FitProblem, dataset: &Dataset, threads: usize) -> Screening {
     let mirror_is_decided = problem.has_attitude && mirror::is_decided_by(&problem.markers);
-    let rigid = rigid::rigid_pairs(problem);
+    let rigid = distances::rigid_pairs(problem);
     let is_rigid = rigid.iter().all(|is_rigid| *is_rigid);
     let each = parallel::each_on(threads, dataset.flights.len(), |index| {
         let flight = &dataset.flights[index];
@@ -80,7 +61,7 @@ fn screen_tracks(problem: &FitProblem, dataset: &Dataset, threads: usize) -> Scr
             None => {
                 let (track, search) =
                     Track::until_contact(problem, &flight.times, &flight.positions);
-                let fault = jumps::check(&track, flight);
+                let fault = records::jumps(&track, flight);
                 let track = fault.is_none().then_some(track);
                 ((fault, track), Some(search))
             }
@@ -89,12 +70,10 @@ fn screen_tracks(problem: &FitProblem, dataset: &Dataset, threads: usize) -> Scr
     let (of_flights, contacts): (Vec<_>, Vec<Option<ContactSearch>>) = each.into_iter().unzip();
     let (faults, tracks) = of_flights.into_iter().unzip();
     let faults = compare_flights((problem, dataset), is_rigid, (faults, tracks), threads);
-    Screening { faults, contacts }
+    (faults, contacts)
 }
 
-/// Compares the motion of the flights with each other and with gravity, and adds the faults that this reveals to
-/// `faults`, which were found by checks of single flights. Returns all faults. `faults` and `tracks` (paths of the
-/// bodies) have one entry per flight. Uses `threads` threads.
+/// Adds faults that a comparison of the flights with each other and with gravity reveals.
 fn compare_flights(
     (problem, dataset): (&FitProblem, &Dataset),
     is_rigid: bool,
@@ -102,12 +81,12 @@ fn compare_flights(
     threads: usize,
 ) -> Vec<DataFault> {
     reject_noisy_tracks(dataset, &mut faults, &mut tracks);
-    let Some(gravity) = gravity::gravity(problem) else {
+    let Some(gravity) = loads::gravity(problem) else {
         return faults.into_iter().flatten().collect();
     };
     let mut of_fall = FreeFall::new((problem, dataset), gravity, &tracks, threads).check();
     if of_fall.is_empty() {
-        of_fall = turned::check(problem, dataset, &tracks);
+        of_fall = mirror::check_all(problem, dataset, &tracks);
     }
     let each = parallel::each_on(threads, dataset.flights.len(), |index| {
         let flight = &dataset.flights[index];
@@ -122,8 +101,7 @@ fn compare_flights(
     each.into_iter().flatten().collect()
 }
 
-/// Adds a data fault for each flight whose measured path is far noisier than the paths of the other flights and than
-/// any measured flight can be. The entry of the flight in `tracks` is set to `None`.
+/// Adds a fault for each path that is far noisier than the others, whose track becomes `None`.
 fn reject_noisy_tracks(
     dataset: &Dataset,
     faults: &mut [Option<DataFault>],
@@ -131,8 +109,7 @@ fn reject_noisy_tracks(
 ) {
     let all = tracks.iter().flatten().map(|track| track.noise);
     let usual = median_of(all).unwrap_or(0.0);
-    let is_rough =
-        |track: &&Track| track.noise > (NOISE_PART * track.extent()).max(NOISE_RATIO * usual);
+    let is_rough = |track: &&Track| track.noise > (ROUGH.1 * track.extent()).max(ROUGH.0 * usual);
     for (index, flight) in dataset.flights.iter().enumerate() {
         let Some(track) = tracks[index].as_ref().filter(is_rough) else {
             continue;
@@ -150,8 +127,7 @@ fn reject_noisy_tracks(
     }
 }
 
-/// Flights that a fit excludes because of the faults in their data; empty if the option `trust_data` includes faulty
-/// flights.
+/// Flights that a fit excludes because of their faults; empty with the option `trust_data`.
 pub(crate) fn excluded(
     dataset: &Dataset,
     faults: &[DataFault],

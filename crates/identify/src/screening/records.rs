@@ -1,35 +1,32 @@
-//! Faults of the recorded values themselves: tracks that repeat the same coordinates, dropouts written as zeros, a
-//! body that does not move, and a flight that is a copy of another.
+//! Faults of the recorded values themselves: repeated coordinates, dropouts written as zeros, a copied flight, jumps.
 
-use crate::data_fault::{DataFault, FaultKind};
-use dataset::Dataset;
+use nalgebra::Vector3;
+
+use super::track::Track;
+use crate::error::{DataFault, FaultKind};
+use crate::ground_contact::PathPoint;
+use crate::levels::MAX_GAP;
 use dataset::pose::distance;
-use dataset::statistics::median_of;
+use dataset::statistics::{median_of, median_vector};
+use dataset::{Dataset, Flight};
 
-/// Minimum number of consecutive identical positions of a marker at which its track counts as frozen: the body moves,
-/// but the recorded coordinates do not change.
+/// Minimum number of identical positions of a frozen track.
 const FROZEN_SAMPLES: usize = 4;
-/// Minimum motion, m, for reporting a run of identical positions as frozen: the distance that the marker typically
-/// moves in the same time elsewhere in the flight. A slower marker may plausibly repeat its position.
+/// Minimum motion in the same time elsewhere in the flight, m, of a frozen track.
 const FROZEN_DISTANCE: f64 = 0.005;
-/// Minimum motion for reporting repeated positions of a marker, in units of the resolution of the recorded coordinates.
-/// The motion is the distance that the marker typically moves in the same time elsewhere in the flight.
+/// Minimum motion of repeated positions, in units of the resolution of the coordinates.
 const FROZEN_STEPS: f64 = 10.0;
-/// Minimum fraction of the sampling intervals in which the position of a marker does not change, at which the flight is
-/// reported as having repeated values, for example after resampling at a higher rate.
+/// Minimum fraction of the intervals without motion, of a flight with repeated values.
 const REPEATED_FRACTION: f64 = 0.3;
 /// Minimum number of samples at which a flight is checked for being a copy of an earlier flight.
 const COPY_SAMPLES: usize = 8;
 
-/// First fault in the recorded values of the flight with the index `flight`: a copy of an earlier flight, or
-/// coordinates that are repeated or exactly 0. `None` if there is none.
 pub fn check(dataset: &Dataset, flight: usize) -> Option<DataFault> {
     copy(dataset, flight)
         .or_else(|| (0..dataset.markers.len()).find_map(|marker| frozen(dataset, flight, marker)))
 }
 
-/// Fault of a flight whose samples equal those of an earlier flight in the dataset; `None` if there is no such flight.
-/// Only flights with noise are compared: simulations without noise may be equal, but noise does not repeat.
+/// Fault of a flight that equals an earlier one; simulations without noise may be equal.
 fn copy(dataset: &Dataset, flight: usize) -> Option<DataFault> {
     let this = &dataset.flights[flight];
     let count = this.positions.len();
@@ -46,8 +43,7 @@ fn copy(dataset: &Dataset, flight: usize) -> Option<DataFault> {
     ))
 }
 
-/// Whether the median third difference of the first marker's coordinates exceeds 0.1 mm, as a result of noise; the
-/// third differences of a smooth path without noise are smaller at the sampling rates of cameras.
+/// Whether third differences exceed 0.1 mm; those of a smooth path are smaller at the rates of cameras.
 fn is_noisy(dataset: &Dataset, flight: usize) -> bool {
     let rows = &dataset.flights[flight].positions;
     let third = |w: &[Vec<Option<[f64; 3]>>]| {
@@ -124,9 +120,8 @@ fn frozen(dataset: &Dataset, flight: usize, marker: usize) -> Option<DataFault> 
     )
 }
 
-/// Runs of at least two consecutive identical positions of one marker, and the number of sampling intervals within all
-/// of these runs. `track` contains (index of the sample, position in m) for each sample in which the marker was
-/// measured.
+/// Runs of identical positions, and the number of intervals within them. `track` contains (index of the sample,
+/// position in m).
 fn runs(track: &[(usize, [f64; 3])]) -> (Vec<Run>, usize) {
     let (mut runs, mut still, mut start) = (Vec::new(), 0, 0);
     for end in 1..=track.len() {
@@ -143,20 +138,127 @@ fn runs(track: &[(usize, [f64; 3])]) -> (Vec<Run>, usize) {
     (runs, still)
 }
 
-/// Median distance, m, between two positions in the track of one marker that are `intervals` entries apart; pairs of
-/// identical positions are ignored.
+/// Median distance, m, of different positions `intervals` entries apart.
 fn moves_by(track: &[(usize, [f64; 3])], intervals: usize) -> f64 {
     let pairs = track.iter().zip(&track[intervals.min(track.len())..]);
     let moved = pairs.map(|((_, a), (_, b))| distance(*a, *b));
     median_of(moved.filter(|distance| *distance > 0.0)).unwrap_or(0.0)
 }
 
-/// Resolution of a marker's track, m: the smallest nonzero change of a coordinate between successive entries; 0 if
-/// there is none.
+/// Smallest nonzero change of a coordinate between successive entries, m; 0 if there is none.
 fn resolution(track: &[(usize, [f64; 3])]) -> f64 {
     let pairs = track.windows(2);
     let steps = pairs.flat_map(|pair| [0, 1, 2].map(|k| (pair[1].1[k] - pair[0].1[k]).abs()));
     // Differences below 0.1 µm are rounding errors of the values.
     let least = steps.filter(|step| *step > 1e-7).min_by(f64::total_cmp);
     least.unwrap_or(0.0)
+}
+
+// Jumps of a whole track within one sampling interval: another body, or frames that are missing.
+
+/// Number of points on each side of a possible jump, which is the distance between the lines through them.
+const SIDE: usize = 8;
+/// Minimum jump: in units of the noise of the path, in m, and in units of the motion in its sampling interval.
+const JUMP_SIZE: (f64, f64, f64) = (15.0, 0.08, 0.5);
+
+/// Minimum jump by whole frames, in units of the noise: no motion looks like a missing frame.
+const FRAMES: f64 = 10.0;
+/// Maximum difference between a jump and the motion in whole frames, in frames.
+const WHOLE: f64 = 0.2;
+/// Minimum cosine of the angle between a jump and the velocity, of missing frames.
+const AHEAD: f64 = 0.97;
+
+pub fn jumps(track: &Track, flight: &Flight) -> Option<DataFault> {
+    let points = &track.points;
+    if points.len() < 2 * SIDE {
+        return None;
+    }
+    let usual = median_of(points.windows(2).map(|w| w[1].time - w[0].time))?;
+    let least = (JUMP_SIZE.0 * track.noise).max(JUMP_SIZE.1);
+    for index in SIDE..=points.len() - SIDE {
+        let interval = points[index].time - points[index - 1].time;
+        if interval > MAX_GAP * usual {
+            continue;
+        }
+        if let Some(ahead) = missing_frames(points, index, FRAMES * track.noise) {
+            return Some(frames_are_missing(flight, ahead, points[index].time));
+        }
+        if !may_jump(points, index, least) {
+            continue;
+        }
+        let time = points[index - 1].time + 0.5 * interval;
+        let (from, before) = line(&points[index - SIDE..index], time);
+        let (to, after) = line(&points[index..index + SIDE], time);
+        let jump = to - from;
+        let step = 0.5 * (before + after) * interval;
+        // Lines fitted to a curved path miss its end points, by equal amounts on sides of equal length.
+        let span = |side: &[PathPoint]| side[SIDE - 1].time - side[0].time;
+        let longest = span(&points[index - SIDE..index]).max(span(&points[index..index + SIDE]));
+        let curved = (after - before).norm() * longest / 6.0;
+        if jump.norm() < least.max(JUMP_SIZE.2 * step.norm()) + curved {
+            continue;
+        }
+        let size = jump.norm();
+        let time = points[index].time;
+        if jump.dot(&step) > AHEAD * size * step.norm() {
+            return Some(frames_are_missing(flight, size, time));
+        }
+        return Some(DataFault::new(
+            flight,
+            FaultKind::Other,
+            format!("the track jumps by {size:.2} m at t = {time:.3} s"),
+            "end the table there, or check that the track is of one body",
+        ));
+    }
+    None
+}
+
+fn frames_are_missing(flight: &Flight, ahead: f64, time: f64) -> DataFault {
+    DataFault::new(
+        flight,
+        FaultKind::Other,
+        format!(
+            "the body jumps ahead by {ahead:.2} m at t = {time:.3} s, as where frames are missing and the times do not say so"
+        ),
+        "write the times at which the frames were recorded",
+    )
+}
+
+/// Length, m, by which the body moves farther before the point `index` than beside it, if that is the motion of whole
+/// frames.
+fn missing_frames(points: &[PathPoint], index: usize, least: f64) -> Option<f64> {
+    let moved = |k: usize| points[k].position - points[k - 1].position;
+    let (before, after) = (moved(index - 1), moved(index + 1));
+    let step = 0.5 * (before + after);
+    let ahead = moved(index) - step;
+    let frames = (ahead.dot(&step) / step.norm_squared()).round();
+    let is_whole = (ahead - frames * step).norm() < WHOLE * step.norm();
+    let is_steady = (after - before).norm() < WHOLE * step.norm();
+    let size = ahead.norm();
+    (frames >= 1.0 && is_whole && is_steady && size > least).then_some(size)
+}
+
+/// Quick test for a jump of at least `least`, m, by the displacements beside it.
+fn may_jump(points: &[PathPoint], index: usize, least: f64) -> bool {
+    let time = |k: usize| points[k].time - points[k - 1].time;
+    let rate = |k: usize| (points[k].position - points[k - 1].position) / time(k);
+    let rough = rate(index) - 0.5 * (rate(index - 1) + rate(index + 1));
+    rough.norm() * time(index) > 0.5 * least
+}
+
+/// Position at `time`, m, and velocity, m/s, of a Theil–Sen line through points.
+fn line(points: &[PathPoint], time: f64) -> (Vector3<f64>, Vector3<f64>) {
+    let slope = |axis: usize| {
+        let pairs = points.iter().enumerate().flat_map(|(i, a)| {
+            let later = points[i + 1..].iter();
+            later.map(move |b| (b.position[axis] - a.position[axis]) / (b.time - a.time))
+        });
+        median_of(pairs).unwrap_or(0.0)
+    };
+    let velocity = Vector3::new(slope(0), slope(1), slope(2));
+    let at = points
+        .iter()
+        .map(|point| point.position + velocity * (time - point.time));
+    let position = median_vector(&at.collect::<Vec<_>>());
+    (position.unwrap_or_default(), velocity)
 }

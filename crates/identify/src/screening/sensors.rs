@@ -1,40 +1,36 @@
 //! Faults of gyroscopes, accelerometers and poses: saturated readings, and units and conventions that contradict the
-//! mechanics of a spinning body. Moments turn its angular momentum slowly; seen from the body, what is steady in the
-//! room turns with the angular velocity.
+//! mechanics of a spinning body: moments turn its angular momentum slowly, and what is steady in the room turns in the
+//! body with the angular velocity.
 
+use flight::throw::ThrownModel;
+use model_spec::compose::Instrument;
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
-use crate::data_fault::{DataFault, FaultKind};
+use crate::error::{DataFault, FaultKind};
 use crate::problem::FitProblem;
 use dataset::statistics::median_of;
 use dataset::{ANGULAR_RATES, Dataset, Flight, Reading, Sensor, SensorKind, attitude};
-use flight::throw::ThrownModel;
-use model_spec::compose::Instrument;
 
-/// Minimum number of consecutive samples at the greatest magnitude of a component that count as saturation, beyond
-/// [`SATURATED_RUNS`] times the longest run of another value.
-const SATURATED_SAMPLES: usize = 5;
-/// See [`SATURATED_SAMPLES`]: coarsely rounded readings repeat all their values.
-const SATURATED_RUNS: usize = 3;
-/// Maximum relative difference between the apparent and a known unit of a gyroscope: free motions of the axis turn in
-/// the body at another rate than the spin.
+/// Minimum number of samples at the limit, beyond the second number of times the longest run of another value: coarsely
+/// rounded readings repeat all their values.
+const SATURATED: (usize, usize) = (5, 3);
+
+/// Maximum relative difference of the apparent from a known unit: motions of the axis turn at another rate than the
+/// spin.
 const UNIT_ERROR: f64 = 0.5;
 /// Maximum angle by which a direction may turn in the body from sample to sample, rad: nearly half a turn.
 const MAX_TURN: f64 = 2.5;
 /// Minimum share of what turns in the mean square of the angular velocity across its mean direction; the rest is noise.
 const MIN_TURNING: f64 = 0.4;
-/// Minimum ratio by which the angular momentum must turn less under another convention of quaternions, in squares.
-const STEADIER: f64 = 4.0;
-/// Maximum mean square change of the angular momentum, relative to its square, at which another convention of quaternions
-/// is taken: aerodynamic moments turn the angular momentum of some bodies in any convention.
-const STEADY: f64 = 0.15;
+/// The angular momentum under another convention of quaternions must turn less, in squares: by this ratio, and by no more
+/// than this part of its own square, as moments turn some bodies.
+const STEADIER_BY: (f64, f64) = (4.0, 0.15);
+
 /// Rotation between two compared angular momenta, rad: enough to see a direction that turns with the body.
 const COMPARED_ROTATION: f64 = 1.5;
 
-/// Least ratio of the moment of inertia about the third axis to the others at which a body counts as flat: such a body
-/// is not thrown spinning about another axis.
+/// Least ratio of a flat body's third moment of inertia to the others: it is thrown spinning about the third axis.
 const FLAT: f64 = 1.2;
-/// Faults of the sensors.
 pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
     if dataset.sensors.is_empty() {
         return Vec::new();
@@ -68,7 +64,6 @@ pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
     faults
 }
 
-/// Times (s) and readings of a channel in a flight.
 fn series(flight: &Flight, channel: usize) -> impl Iterator<Item = (f64, Reading)> {
     let samples = flight.times.iter().zip(&flight.readings);
     samples.filter_map(move |(time, row)| Some((*time, (*row.get(channel)?)?)))
@@ -108,7 +103,7 @@ fn saturated(dataset: &Dataset, (sensor, channel): (&Sensor, usize)) -> Vec<Data
                 others.any(|other| greatest(other, axis) == limit)
             };
             let is_saturated = limit > 0.0
-                && at_limit >= SATURATED_SAMPLES + SATURATED_RUNS * elsewhere
+                && at_limit >= SATURATED.0 + SATURATED.1 * elsewhere
                 && (elsewhere > 0 || shared());
             if is_saturated {
                 faults.push(DataFault::new(
@@ -128,8 +123,8 @@ fn saturated(dataset: &Dataset, (sensor, channel): (&Sensor, usize)) -> Vec<Data
     faults
 }
 
-/// Unit of the recorded angular velocities, if it is one of [`ANGULAR_RATES`] other than rad/s by the median of the
-/// flights that tell: noise hides it in a flight that hardly wobbles.
+/// Unit of the recorded rates, if it is one of [`ANGULAR_RATES`] other than rad/s by the median of the flights that
+/// tell.
 fn unit(dataset: &Dataset, channel: usize) -> Option<&'static str> {
     let flights = dataset.flights.iter();
     let told = median_of(flights.filter_map(|flight| apparent_unit(flight, channel)))?;
@@ -139,8 +134,8 @@ fn unit(dataset: &Dataset, channel: usize) -> Option<&'static str> {
     (unit != 1.0).then_some(name)
 }
 
-/// Unit of the recorded angular velocities of a flight, rad/s: the rate at which their part across the mean direction
-/// turns, over their magnitude. `None` if noise or the sampling interval hide it.
+/// Unit of the recorded rates, rad/s: the rate at which their part across the mean turns, over their magnitude; `None`
+/// if noise or the interval hide it.
 fn apparent_unit(flight: &Flight, channel: usize) -> Option<f64> {
     let rates: Vec<(f64, Vector3<f64>)> = series(flight, channel)
         .map(|(time, [x, y, z, _])| (time, Vector3::new(x, y, z)))
@@ -153,8 +148,8 @@ fn apparent_unit(flight: &Flight, channel: usize) -> Option<f64> {
         let pairs = across.iter().zip(across.iter().skip(lag));
         pairs.map(|(a, b)| a.dot(b)).sum::<f64>() / across.len().saturating_sub(lag) as f64
     };
-    // A part that turns by φ from sample to sample in either sense has the mean products P cos φ and P cos 2φ with the
-    // next samples, to which noise adds nothing: cos φ = x with 2x² − 1 = (cos 2φ/cos φ) x.
+    // A part that turns by φ per sample has the mean products P cos φ and P cos 2φ with the next samples, free of
+    // noise: cos φ = x with 2x² − 1 = (cos 2φ/cos φ) x.
     let next = product(1);
     let ratio = product(2) / next;
     let cosine = (ratio + next.signum() * (ratio * ratio + 8.0).sqrt()) / 4.0;
@@ -177,8 +172,7 @@ fn unit_message(sensor: &Sensor, unit: &str) -> (String, String) {
     )
 }
 
-/// Message and correction for quaternions in another convention than scalar part first and body to inertial; `None` if
-/// the angular momentum does not tell. `channel` is that of the attitude.
+/// Message and correction for another convention of quaternions; `None` if the angular momentum does not tell.
 fn convention(
     dataset: &Dataset,
     channel: usize,
@@ -211,7 +205,7 @@ fn convention(
         ))
     });
     let best = tried.min_by(|a, b| a.0.total_cmp(&b.0))?;
-    (best.0 < STEADY && STEADIER * best.0 < stated).then(|| {
+    (best.0 < STEADIER_BY.1 && STEADIER_BY.0 * best.0 < stated).then(|| {
         (
             format!(
                 "the quaternions seem to {}: as they are, the angular momentum turns with the body",
@@ -222,8 +216,7 @@ fn convention(
     })
 }
 
-/// Message and correction for a flat body of revolution that spins about an axis other than its third, as the bodies of
-/// a tracker with another axis up do; `None` if it spins about the third, or hardly.
+/// Message and correction for a flat body that spins about another than its third axis.
 fn body_axes(
     dataset: &Dataset,
     channel: usize,
@@ -244,7 +237,7 @@ fn body_axes(
 }
 
 /// Mean square change of the angular momentum while the body turns by [`COMPARED_ROTATION`], relative to its mean
-/// square, with attitudes converted by `read`; `None` if the body does not turn that far.
+/// square, with attitudes converted by `read`.
 fn unsteadiness(
     dataset: &Dataset,
     channel: usize,

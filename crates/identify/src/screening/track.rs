@@ -3,21 +3,18 @@
 use nalgebra::{Matrix3, Vector3};
 
 use crate::ground_contact::{self, ContactSearch, PathPoint};
-use crate::path_noise::path_noise;
+use crate::noise_floor::path_noise;
 use crate::problem::FitProblem;
 use dataset::pose::{Pose, pose};
 use dataset::statistics::robust_sigma;
 
-/// Maximum residual of a point of the measured path about the parabola fitted to a time window, in units of the robust
-/// standard deviation of these residuals; points with larger residuals are dropped.
+/// Maximum residual about the parabola of a window, in robust standard deviations.
 const OUTLIER: f64 = 4.0;
 /// Minimum number of points of a measured path to which a parabola is fitted.
 pub const MIN_POINTS: usize = 6;
-/// Target standard error of the acceleration in a time window, relative to the mean acceleration of the flight; it
-/// determines the length of the windows.
+/// Target standard error of the acceleration in a window, relative to the flight's mean acceleration.
 const WINDOW_ERROR: f64 = 0.04;
-/// Minimum and maximum number of time windows into which a flight is divided; the length of the windows is clamped
-/// accordingly.
+/// Minimum and maximum number of windows of a flight.
 const WINDOWS: [usize; 2] = [4, 14];
 
 /// Measured path of the body's origin in one flight.
@@ -29,26 +26,21 @@ pub struct Track {
     pub noise: f64,
 }
 
-/// Motion of the body's origin at the middle of a time window, from a parabola in time fitted to consecutive points of
-/// the measured path.
+/// Motion at the middle of a time window, from the parabola through its points.
 #[derive(Clone, Copy, Debug)]
 pub struct Parabola {
-    /// Velocity at the middle of the time window, m/s.
     pub velocity: Vector3<f64>,
     /// Acceleration of the body's origin in the time window, m/s²; a parabola in time has a constant acceleration.
     pub acceleration: Vector3<f64>,
     /// Standard error of a component of the acceleration, m/s².
     pub error: f64,
-    /// Half of the duration of the window, s.
     pub half: f64,
     /// Standard deviation of one coordinate of the measured points about the parabola, m.
     pub deviation: f64,
 }
 
 impl Track {
-    /// Computes the path of the body's origin from measured marker positions (`rows`, one row per sample): for a body
-    /// with an attitude from poses fitted to the markers, for a point mass from the marker positions themselves. Also
-    /// returns the pose in each sample; empty for a point mass.
+    /// Path of the body's origin, from poses or the markers of a point mass (`rows`, one per sample), and the poses.
     pub fn of(
         markers: &[[f64; 3]],
         has_attitude: bool,
@@ -67,8 +59,7 @@ impl Track {
         (Self { points, noise }, poses)
     }
 
-    /// Computes the path of the body's origin, without the points from the first contact with the ground on. Also
-    /// returns the result of the search for this contact.
+    /// Path up to the first contact, and the result of the search for it.
     pub fn until_contact(
         problem: &FitProblem,
         times: &[f64],
@@ -91,10 +82,8 @@ impl Track {
         (0..3).map(extent).fold(0.0, f64::max)
     }
 
-    /// Divides the path into consecutive time windows and fits a parabola to each. The noisier the path, the longer the
-    /// windows, so that the standard error of the acceleration is about `WINDOW_ERROR` times the mean acceleration of
-    /// the flight. Returns the range of points (indices into `points`) and the parabola of each window; empty if no
-    /// parabola can be fitted to the path.
+    /// Divides the path into windows, longer for noisier paths, so that the error of the acceleration is about
+    /// `WINDOW_ERROR`, and fits a parabola to each; empty if none can be fitted to the path.
     pub fn windows(&self) -> Vec<(std::ops::Range<usize>, Parabola)> {
         let count = self.points.len();
         let Some(whole) = parabola(&self.points, self.noise) else {
@@ -119,8 +108,7 @@ impl Track {
     }
 }
 
-/// Least-squares parabola in time through points of a measured path, refitted once without outliers; `noise`, m, is the
-/// minimum standard deviation assumed for a coordinate. `None` for fewer than [`MIN_POINTS`] points.
+/// Least-squares parabola in time, refitted once without outliers; `noise`, m, is the least that is assumed.
 pub fn parabola(points: &[PathPoint], noise: f64) -> Option<Parabola> {
     let (first, last) = (points.first()?, points.last()?);
     let time = 0.5 * (first.time + last.time);

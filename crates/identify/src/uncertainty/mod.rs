@@ -9,9 +9,9 @@ pub use non_identifiability::non_identifiable;
 pub use profile::profile;
 
 use crate::least_squares::{ReducedSystem, floored_inverse};
+use crate::levels::RANK;
 use crate::problem::GlobalParameter;
 
-/// The 97.5 % quantile of the normal distribution.
 const NORMAL_975: f64 = 1.959_963_984_540_054;
 
 /// 95 % confidence interval of an estimate with a normally distributed error.
@@ -39,13 +39,8 @@ fn standard_errors(covariance: &DMatrix<f64>) -> DVector<f64> {
 /// Minimum number of flights for a cluster-robust covariance.
 const MIN_CLUSTERS: usize = 8;
 
-/// Minimum eigenvalue of the information matrix scaled to a unit diagonal; smaller values are considered rounding error
-/// and raised to it.
-const MIN_EIGENVALUE: f64 = 1e-13;
-
 impl Covariance {
-    /// Computes the covariance from the reduced normal equations of whitened residuals and from the priors. `flights`
-    /// is the number of flights.
+    /// Covariance from the reduced normal equations of whitened residuals and the priors.
     pub fn new(system: &ReducedSystem<'_>, flights: usize, global: &[GlobalParameter]) -> Self {
         let mut information = system.reduced.clone();
         for (i, unknown) in global.iter().enumerate() {
@@ -53,7 +48,7 @@ impl Covariance {
                 information[(i, i)] += sigma.powi(-2);
             }
         }
-        let model = floored_inverse(&information, MIN_EIGENVALUE);
+        let model = floored_inverse(&information, RANK);
         let clustered = (flights >= MIN_CLUSTERS && !global.is_empty()).then(|| {
             let mut scatter = DMatrix::zeros(global.len(), global.len());
             let mean = &system.gradient / flights as f64;
@@ -77,8 +72,7 @@ impl Covariance {
         self.clustered.as_ref().map(standard_errors)
     }
 
-    /// Correlation matrix of the estimated global parameters, computed from the Cramér–Rao covariance; 0 between
-    /// parameters of which one has zero variance.
+    /// Correlations by the Cramér–Rao covariance; 0 with a parameter of zero variance.
     pub fn correlations(&self) -> DMatrix<f64> {
         let errors = self.errors();
         DMatrix::from_fn(errors.len(), errors.len(), |i, j| {

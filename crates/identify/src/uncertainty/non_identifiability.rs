@@ -1,5 +1,4 @@
-//! Practical non-identifiability: coefficients and linear combinations of coefficients that the flights do not
-//! determine.
+//! Practical non-identifiability: combinations of coefficients that the flights do not determine.
 
 use std::collections::BTreeMap;
 
@@ -11,20 +10,14 @@ use crate::problem::GlobalParameter;
 use crate::report::NonIdentifiable;
 use crate::wording::listed;
 
-/// Standard error along a direction of the parameter space, in units of the parameters' typical magnitudes, above which
-/// the direction is not identifiable.
-const MAX_RELATIVE_ERROR: f64 = 0.5;
+/// Standard error of a direction, in typical magnitudes, above which it is not identifiable, and minimum component of a
+/// coefficient that is named, relative to the largest.
+const DIRECTION: (f64, f64) = (0.5, 0.3);
 
-/// Minimum component of a direction, relative to its largest component, for a coefficient to be listed with that
-/// direction.
-const MIN_COMPONENT: f64 = 0.3;
-
-/// Minimum and maximum of each auxiliary variable and state of the model over the flights, keyed by the name of the
-/// variable or state.
+/// Minimum and maximum of each auxiliary variable and state over the flights.
 type ExcitationRange = BTreeMap<String, (f64, f64)>;
 
-/// Non-identifiable directions of the global parameters, given their covariance, in the order of decreasing standard
-/// error.
+/// Directions that are not identifiable, the largest standard error first.
 pub fn non_identifiable(
     model: &Model,
     global: &[GlobalParameter],
@@ -51,11 +44,11 @@ pub fn non_identifiable(
                 eigen.eigenvectors.column(k),
             )
         })
-        .take_while(|(error, _)| *error > MAX_RELATIVE_ERROR)
+        .take_while(|(error, _)| *error > DIRECTION.0)
         .map(|(error, direction)| {
             let greatest = direction.amax();
             let mut members: Vec<usize> = (0..size)
-                .filter(|&i| direction[i].abs() >= MIN_COMPONENT * greatest)
+                .filter(|&i| direction[i].abs() >= DIRECTION.1 * greatest)
                 .collect();
             sort_by_number(&mut members, |&member| -direction[member].abs());
             // The sign of a direction is arbitrary: the first component is made positive.
@@ -102,8 +95,7 @@ fn reason(
     }
 }
 
-/// Text with the minimum and maximum over the flights of up to three auxiliary variables or states that occur in the
-/// same expressions of the model as the coefficients `names`; `None` if there are no such quantities.
+/// Ranges of up to three quantities that occur with the coefficients `names` in the model, in words.
 fn excitation(model: &Model, names: &[&str], ranges: &ExcitationRange) -> Option<String> {
     let mut met: Vec<&str> = Vec::new();
     let expressions = model.aux_variables.iter().map(|quantity| &quantity.value);
@@ -140,8 +132,7 @@ fn excitation(model: &Model, names: &[&str], ranges: &ExcitationRange) -> Option
     (!ranges.is_empty()).then(|| format!("in them {}", ranges.join(", ")))
 }
 
-/// Text with the minimum `low` and maximum `high` of the auxiliary variable or state `name`, and the unit of an
-/// auxiliary variable; angles are converted to degrees.
+/// Range of an auxiliary variable or state in words; angles in degrees.
 fn range(model: &Model, name: &str, low: f64, high: f64) -> String {
     let angle = model_spec::unit::Unit::RADIAN;
     let quantity = model

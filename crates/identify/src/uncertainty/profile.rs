@@ -10,18 +10,12 @@ use crate::report::Profile;
 /// 95 % quantile of the χ² distribution with 1 degree of freedom.
 const CHI2_95: f64 = 3.841_458_820_694_124;
 
-/// Number of parameter values on each side of the estimate at which the profile likelihood is computed.
-const POINTS_PER_SIDE: usize = 6;
+/// Number of values on each side of the estimate at which the profile likelihood is computed, and their spacing in
+/// standard errors of the parameter.
+const POINTS: (usize, f64) = (6, 0.5);
 
-/// Spacing of the parameter values at which the profile likelihood is computed, in standard errors of the parameter.
-const SPACING: f64 = 0.5;
-
-/// Computes the profile likelihood of one global parameter with standard error `error` around a solution: the parameter
-/// is fixed at several values, and all other unknowns are fitted again. `fit_at` fits them for one value of the
-/// parameter, beginning with the given iterate. The profile ends before a point that cannot be fitted.
-///
-/// # Errors
-/// [`SolveError::Cancelled`] if the iteration is cancelled.
+/// Profile likelihood of a parameter with standard error `error`: it is fixed at several values, and `fit_at` fits all
+/// other unknowns from the given iterate. The profile ends before a point that cannot be fitted.
 pub fn profile(
     mut fit_at: impl FnMut(f64, Iterate) -> Result<Solution, SolveError>,
     solution: &Solution,
@@ -35,8 +29,8 @@ pub fn profile(
     let mut points = vec![[best, 0.0]];
     for direction in [-1.0, 1.0] {
         let mut point = solution.iterate.clone();
-        for k in 1..=POINTS_PER_SIDE {
-            let value = best + direction * k as f64 * SPACING * error;
+        for k in 1..=POINTS.0 {
+            let value = best + direction * k as f64 * POINTS.1 * error;
             if !(low..=high).contains(&value) {
                 break;
             }
@@ -60,10 +54,8 @@ pub fn profile(
     })
 }
 
-/// End of the 95 % interval on one side of the estimate `best`: the parameter value at which the deviance reaches its
-/// 95 % quantile, above the estimate if `direction` is 1, below it if −1. Each of the `points` is (parameter value,
-/// deviance). `None` if the deviance does not reach the quantile at these points. Between them, the square root of the
-/// deviance, which is nearly linear, is interpolated.
+/// Value on one side of `best` (`direction` ±1) at which the deviance reaches its 95 % quantile; `None` if it does not.
+/// Its square root, which is nearly linear, is interpolated.
 fn crossing(points: &[[f64; 2]], best: f64, direction: f64) -> Option<f64> {
     let mut side: Vec<[f64; 2]> = points
         .iter()

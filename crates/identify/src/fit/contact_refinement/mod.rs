@@ -1,10 +1,6 @@
-//! Refines the times of contacts with the fitted model, before the noise is estimated and all flights are fitted to
-//! their ends.
-//!
-//! The first search for contacts, before the fit, uses poses alone: it is late for weak contacts and if markers are
-//! hidden. The fitted model predicts how the body would have continued its free flight. A flight whose end was found
-//! before is searched near that end. Other flights are searched only if their residuals are larger than those of the
-//! flights that the fit predicts, so that flights without contacts cost nothing.
+//! Refines the times of contacts with the fitted model, before the noise is estimated. The first search uses poses
+//! alone and is late for weak contacts. Flights whose end was found before are searched near it; others only if their
+//! residuals are larger than those of the flights that the fit predicts.
 
 mod search;
 
@@ -12,39 +8,27 @@ use flight::parallel;
 
 use self::search::Search;
 use super::FitError;
-use super::exclusion::exclude_failed;
 use super::horizon_continuation::{UnevaluatedStep, anneal_scale, unevaluated_step};
-use super::residual_cache::ResidualCache;
+use super::residual_cache::{ResidualCache, exclude_failed};
 use super::reweighting::estimate_noise;
 use super::state::State;
 use crate::error::{ExcludedFlight, FlightError};
 use crate::ids::FlightId;
+use crate::levels::NEAR_NOISE;
 use crate::predict::Loss;
 use crate::problem::FitProblem;
 use dataset::Dataset;
 
-/// Ratio of a flight's residual scale to the median over the flights, above which the flight is left out of the
-/// reference fit, because it may contain a ground contact. The whole length of a truncated flight is restored if the
-/// ratio for the whole length is at most this value.
-const LEFT_OUT_RATIO: f64 = 1.2;
-/// Minimum number of standard errors by which the residual scale of a flight must exceed the median over the flights,
-/// for the flight to be left out of the reference fit. The limit `LEFT_OUT_RATIO` must be exceeded too.
-const LEFT_OUT_SIGNIFICANCE: f64 = 4.0;
-/// Limits for a flight's residual scale in the reference fit, which leaves out flights that may contain ground
-/// contacts. The first value is the ratio to the median scale, the second the excess over the median scale in standard
-/// errors. A flight that exceeds both limits is searched for a ground contact.
-const SUSPECT_LIMITS: (f64, f64) = (1.05, 3.0);
-/// Maximum median over the flights of their residual scales, in units of the initial noise estimate `sigma0`, at which
-/// the model is considered accurate. Only an accurate model reveals ground contacts that were not found from the poses.
-const ACCURATE_RATIO: f64 = 1.3;
+/// Ratio to the median residual scale, and excess in standard errors, above which a flight is left out of the reference
+/// fit; a truncated flight gets its whole length back up to this ratio.
+const LEFT_OUT: (f64, f64) = (1.2, 4.0);
 
-/// Uses the fitted model to search the flights for ground contacts, and truncates each flight at its contact or
-/// restores its whole length. `cache` contains the residuals for the present values of the unknowns in `state`, which
-/// were fitted to the flights as truncated before. Returns the residuals for the new values, and the predicted reduction
+/// Ratio to the median scale of the reference fit, and excess in standard errors, above which a flight is searched.
+const SUSPECT_LIMITS: (f64, f64) = (1.05, 3.0);
+
+/// Searches flights for contacts with the fitted model, and truncates each at its contact or restores its length.
+/// `cache` contains the residuals at the present values. Returns those at the new values, and the predicted reduction
 /// of the sum of squares by the step that led to them, if its residuals were weighted by their noise.
-///
-/// # Errors
-/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
 pub fn refine_contacts(
     dataset: &Dataset,
     state: &mut State<'_>,
@@ -54,18 +38,17 @@ pub fn refine_contacts(
     if !problem.sees_markers_alone() {
         return Ok((cache, None));
     }
-    let usual = |cache: &ResidualCache| cache.median_scale().max(problem.sigma0);
-    let (cache, predicted_reduction) = match converge_further(state, &cache, usual)? {
+    let (cache, predicted_reduction) = match converge_further(state, &cache)? {
         Some(step) => (step.residuals, step.predicted_reduction),
         None => (cache, None),
     };
     // Flights with contacts bias the global parameters and inflate the noise estimate.
-    let others = fitted_without(state, &cache, usual(&cache))?;
+    let others = fitted_without(state, &cache)?;
     let (others, of_others) = match &others {
         Some((others, cache)) => (others, cache),
         None => (&*state, &cache),
     };
-    let usual = usual(of_others);
+    let usual = of_others.usual_scale(problem);
     // The residuals of a wrong model resemble contacts in places.
     let flies = is_accurate(problem, of_others);
     let stands_out = |id: FlightId| {
@@ -124,7 +107,7 @@ pub fn refine_contacts(
     for (index, moved) in suspects.into_iter().zip(of_fitted) {
         if let Some(moved) = moved {
             state.flights[index] = moved.observations;
-            state.local[index] = moved.local;
+            state.local[index] = moved.state;
         }
     }
     for (excluded, moved) in unlike.iter().zip(of_unlike) {
@@ -132,23 +115,20 @@ pub fn refine_contacts(
             state
                 .excluded
                 .retain(|other| other.flight != excluded.flight);
-            state.push(excluded.flight, moved.observations, moved.local);
+            state.push(excluded.flight, moved.observations, moved.state);
         }
     }
     let residuals = state.residuals();
     Ok((exclude_failed(state, residuals)?, None))
 }
 
-/// Performs one step of all unknowns if flights that were not truncated have larger residuals than the others, although
-/// most residuals are at the noise level. The reason may be that the fit has not converged, rather than contacts.
-/// `cache` contains the residuals for the present values of the unknowns in `state`, and `usual` returns the residual
-/// scale that is typical of the flights, m. Returns the step; `None` if there was none.
+/// One step of all unknowns if flights that were not truncated have larger residuals than the others, although most
+/// residuals are noise: the fit may not have converged.
 fn converge_further(
     state: &mut State<'_>,
     cache: &ResidualCache,
-    usual: impl Fn(&ResidualCache) -> f64,
 ) -> Result<Option<UnevaluatedStep>, FitError> {
-    let usual = usual(cache);
+    let usual = cache.usual_scale(state.problem);
     let mut places = 0..state.flights.len();
     let stands_out = |place: usize| {
         state.flights[place].truncation.is_none()
@@ -162,18 +142,17 @@ fn converge_further(
     unevaluated_step(state, Loss::Whitened(&noise), cache)
 }
 
-/// Reference fit: fits only the flights whose residual scale is not far above `usual`, m, a typical scale of the
-/// flights. Returns these flights with their residuals; `None` if no flight or more than half of the flights would be
-/// left out.
+/// Reference fit to the flights whose residual scale is not far above the usual; `None` if no flight or more than half
+/// of the flights would be left out.
 fn fitted_without<'a>(
     state: &State<'a>,
     cache: &ResidualCache,
-    usual: f64,
 ) -> Result<Option<(State<'a>, ResidualCache)>, FitError> {
+    let usual = cache.usual_scale(state.problem);
     let mut others = state.without_flights();
     let flights = state.ids.iter().zip(&state.flights).zip(&state.local);
     for (place, ((id, flight), local)) in flights.enumerate() {
-        if !cache.stands_out(place, usual, LEFT_OUT_RATIO, LEFT_OUT_SIGNIFICANCE) {
+        if !cache.stands_out(place, usual, LEFT_OUT.0, LEFT_OUT.1) {
             others.push(*id, flight.clone(), local.clone());
         }
     }
@@ -194,7 +173,7 @@ fn fitted_without<'a>(
 }
 
 fn is_accurate(problem: &FitProblem, residuals: &ResidualCache) -> bool {
-    residuals.median_scale() <= ACCURATE_RATIO * problem.sigma0
+    residuals.median_scale() <= NEAR_NOISE * problem.sigma0
 }
 
 #[cfg(test)]

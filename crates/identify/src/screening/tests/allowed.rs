@@ -4,11 +4,11 @@
 use model_spec::load::load;
 
 use super::{Spoil, disc, found, spoiled};
-use crate::data_fault::{DataFault, FaultKind};
+use crate::error::{DataFault, FaultKind};
 use crate::fit;
-use crate::screening::distances::marker_pairs;
-use crate::screening::rigid::rigid_pairs;
-use crate::{options::FitOptions, problem::FitProblem};
+use crate::options::FitOptions;
+use crate::problem::FitProblem;
+use crate::screening::distances::{marker_pairs, rigid_pairs};
 use dataset::Dataset;
 
 fn rigid(effects: &[&str], dataset: &Dataset) -> Vec<bool> {

@@ -7,7 +7,7 @@ use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::screening::free_fall::FreeFall;
 use crate::screening::track::Track;
-use crate::screening::{gravity, handling, jumps, records, rigid, screen, template};
+use crate::screening::{distances, handling, loads, records, screen, template};
 use dataset::Flight;
 use dataset::synthesize::{Plan, Spread, flights};
 
@@ -176,8 +176,8 @@ fn time_of_the_screening() {
         .iter()
         .map(|flight| Some(track(flight)))
         .collect();
-    let gravity = gravity::gravity(&problem).expect("gravity");
-    let rigid = rigid::rigid_pairs(&problem);
+    let gravity = loads::gravity(&problem).expect("gravity");
+    let rigid = distances::rigid_pairs(&problem);
     let each = |work: &dyn Fn(usize)| (0..dataset.flights.len()).for_each(work);
     time("records", &|| {
         each(&|i| assert!(records::check(dataset, i).is_none()));
@@ -198,11 +198,11 @@ fn time_of_the_screening() {
     time("jumps", &|| {
         each(&|i| {
             assert!(
-                jumps::check(tracks[i].as_ref().expect("a track"), &dataset.flights[i]).is_none()
+                records::jumps(tracks[i].as_ref().expect("a track"), &dataset.flights[i]).is_none()
             );
         });
     });
-    time("gravity", &|| assert!(gravity::gravity(&problem).is_some()));
+    time("gravity", &|| assert!(loads::gravity(&problem).is_some()));
     time("free fall", &|| {
         assert!(
             FreeFall::new((&problem, dataset), gravity, &tracks, 1)
@@ -223,7 +223,7 @@ fn time_of_the_screening() {
         });
     });
     time("screening", &|| {
-        assert_eq!(screen(&problem, dataset, 1).faults, []);
+        assert_eq!(screen(&problem, dataset, 1).0, []);
     });
     let clock = std::time::Instant::now();
     let options = FitOptions {

@@ -1,10 +1,11 @@
 //! Laboratory mistakes in one flight and in all flights.
 
+use model_spec::model::Model;
+
 use super::{Spoil, ball, calm_disc, disc, disc_releases, each_point, found, kinds, plan, spoiled};
-use crate::data_fault::FaultKind;
+use crate::error::FaultKind;
 use dataset::synthesize::{Plan, flights};
 use dataset::{Dataset, Flight, Marker};
-use model_spec::model::Model;
 
 /// Recording mistakes that can occur in flights of any body: name, expected kind of data fault, and the function that
 /// introduces the mistake into a flight.

@@ -10,7 +10,7 @@ use ::flight::release::{Release, Stop, Vocabulary, built_in, read};
 use model_spec::model::Model;
 
 use super::screen;
-use crate::data_fault::{DataFault, FaultKind};
+use crate::error::{DataFault, FaultKind};
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use dataset::synthesize::{Corruption, Plan, Spread, flights};
@@ -45,7 +45,7 @@ pub fn plan(flights: usize, seed: u64) -> Plan {
 
 pub fn found(model: &Model, dataset: &Dataset) -> Vec<DataFault> {
     let problem = FitProblem::new(model, dataset, &FitOptions::default()).expect("a problem");
-    screen(&problem, dataset, 2).faults
+    screen(&problem, dataset, 2).0
 }
 
 /// Releases of a disc: an ordinary throw, and throws at steep angles of attack, fast, slow and upside down.

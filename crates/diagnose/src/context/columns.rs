@@ -1,24 +1,19 @@
-//! Partition of the columns of the normal equations into nuisance and tested columns, and submatrices by index.
+//! Typed indices, the partition of the columns of the normal equations into nuisance and tested ones, and submatrices.
 
 use model_spec::index::Idx;
+use model_spec::index_type;
 use nalgebra::{DMatrix, DVector};
 
-use super::ids::ColumnId;
-
-/// Partition of the columns of the normal equations under a null hypothesis into nuisance and tested columns. A fixed
-/// unknown has no column.
+/// Partition of the columns under a null hypothesis into nuisance and tested ones.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Partition {
     /// Columns of the nuisance parameters: unknowns that are estimated under the null hypothesis.
     pub nuisance: Vec<ColumnId>,
-    /// Columns of the unknowns that are tested: fixed at their null value under the null hypothesis, in ascending
-    /// order.
+    /// Columns that are fixed at their null value under the null hypothesis, ascending.
     pub tested: Vec<ColumnId>,
 }
 
 impl Partition {
-    /// Creates the partition of the columns `0..columns` of the normal equations: the columns in `nuisance` belong to
-    /// nuisance parameters, all other columns are tested.
     pub fn new(nuisance: Vec<ColumnId>, columns: usize) -> Self {
         let all = (0..columns).map(ColumnId::new);
         Self {
@@ -43,6 +38,23 @@ pub(crate) fn select<R: Idx, C: Idx>(
 pub(crate) fn select_vector<I: Idx>(vector: &DVector<f64>, rows: &[I]) -> DVector<f64> {
     DVector::from_fn(rows.len(), |i, _| vector[rows[i].index()])
 }
+
+// Typed indices (newtypes) used in a diagnosis.
+
+index_type!(
+    /// Index of a candidate effect: an effect that the model may lack.
+    pub(crate) struct CandidateId;
+);
+
+index_type!(
+    /// Index of a library term: a product of variables that is added to one load.
+    pub(crate) struct TermId;
+);
+
+index_type!(
+    /// Index of a global column: the encompassing model's global parameters, then the library terms.
+    pub(crate) struct ColumnId;
+);
 
 #[cfg(test)]
 mod tests {

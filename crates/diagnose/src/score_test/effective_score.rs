@@ -14,27 +14,20 @@ pub(super) fn inverse_sqrt(value: f64) -> f64 {
 /// Score and information of the tested unknowns after the nuisance parameters are projected out.
 #[derive(Clone, Debug)]
 pub(super) struct EffectiveScore {
-    /// Effective information of the tested unknowns: the Schur complement H_tt − H_tn H_nn⁻¹ H_nt, with rows and
-    /// columns multiplied by the scale factors passed to [`EffectiveScore::new`]. H is the Hessian of half the sum of
-    /// squares; `t` denotes tested unknowns, `n` nuisance parameters.
+    /// Effective information: the Schur complement H_tt − H_tn H_nn⁻¹ H_nt, scaled on both sides. H is the Hessian of
+    /// half the sum of squares; `t` denotes tested unknowns, `n` nuisance parameters.
     pub information: DMatrix<f64>,
-    /// Effective score −(g_t − H_tn H_nn⁻¹ g_n) of the tested unknowns `t`, with each entry multiplied by the scale
-    /// factor passed to [`EffectiveScore::new`]. H and g are the Hessian and the gradient of half the sum of squares;
-    /// `n` denotes nuisance parameters.
+    /// Effective score −(g_t − H_tn H_nn⁻¹ g_n), scaled.
     pub score: DVector<f64>,
-    /// Projection coefficients H_nn⁻¹ H_nt, where H is the Hessian of half the sum of squares: one row for each
-    /// nuisance parameter `n`, one column for each tested unknown `t`. The columns are multiplied by the scale factors
-    /// passed to [`EffectiveScore::new`].
+    /// Projection coefficients H_nn⁻¹ H_nt, with scaled columns.
     pub nuisance_projection: DMatrix<f64>,
-    /// Step −H_nn⁻¹ g_n of the nuisance parameters `n` with the tested parameters fixed, from the Hessian H and the
-    /// gradient g of half the sum of squares.
+    /// Step −H_nn⁻¹ g_n of the nuisance parameters with the tested ones fixed.
     pub nuisance_step: DVector<f64>,
 }
 
 impl EffectiveScore {
-    /// Computes the effective score from the Hessian `h` and the gradient `g` of half the sum of squares. The rows and
-    /// columns of the tested unknowns are multiplied by `scale`. `None` if the information of the nuisance parameters
-    /// cannot be inverted.
+    /// Effective score from Hessian `h` and gradient `g`; rows and columns of tested unknowns are multiplied by
+    /// `scale`. `None` if the nuisance information cannot be inverted.
     pub fn new(
         (h, g): (&DMatrix<f64>, &DVector<f64>),
         partition: &Partition,

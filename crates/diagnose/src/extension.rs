@@ -7,23 +7,17 @@ use model_spec::model::Model;
 /// The model under test extended by the effects that a diagnosis selected.
 #[derive(Clone, Debug)]
 pub struct ExtendedModel {
-    /// Identifiers of the added effects: first existing effects (built in or from the model's file), then effects that
-    /// the diagnosis created from library terms.
+    /// Identifiers of the added effects: existing ones, then those created from library terms.
     pub effects: Vec<String>,
     /// The model with the added effects switched on.
     pub model: Model,
-    /// Source texts, in the model language, of the effects created from library terms. The order is that of the last
-    /// entries of `effects`, which are the identifiers of these effects.
+    /// Source texts of the effects created from library terms, the last ones of `effects`.
     pub written: Vec<String>,
     tree: ModelTree,
 }
 
 impl ExtendedModel {
-    /// Extends the model `base` by the effects in `names`, from the model's own file or built in, and then by the
-    /// effects `written`, which are created from library terms.
-    ///
-    /// # Errors
-    /// [`LoadError`] if the effects cannot be combined with the model or with one another.
+    /// Extends `base` by the effects in `names`, and then by `written`. An error if they cannot be combined.
     pub(crate) fn new(
         base: &Model,
         names: &[String],
@@ -47,8 +41,7 @@ impl ExtendedModel {
         &self.tree
     }
 
-    /// Source text of the extended model, with every effect merged into its equations. `note` is appended to the
-    /// first comment of the text.
+    /// Source text with every effect merged into the equations; `note` is appended to its first comment.
     pub fn text(&self, note: &str) -> String {
         self.tree.to_text(note)
     }

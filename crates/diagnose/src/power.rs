@@ -1,4 +1,4 @@
-//! Minimum detectable effects, and effects that these flights cannot identify.
+//! Power of the score tests: effects that these flights cannot identify, and minimum detectable effects of the others.
 
 use model_spec::sort_by_number;
 use serde::{Deserialize, Serialize};
@@ -6,23 +6,17 @@ use serde::{Deserialize, Serialize};
 use crate::context::{CandidateId, CandidateParameter, ColumnId, ScoreTestModel};
 use crate::score_test::{ScoreTests, ln_p_to_z};
 
-/// A column of the Jacobian counts as confounded with the initial states if at most this fraction of its squared norm
-/// remains after the initial states are eliminated.
+/// Fraction of a column's squared norm beyond the initial states, at which it is confounded with them.
 const MAX_LOCAL_TOLERANCE: f64 = 1e-9;
 
 /// Standard normal quantile of the probability 0.9, the power of the test at which an effect counts as detectable.
 const Z_OF_POWER: f64 = 1.281_551_565_544_6;
 
-/// Threshold for naming a nuisance parameter as confounded with a candidate. The candidate's Jacobian column is
-/// projected on the column of each nuisance parameter. A parameter is named if the length of its projection is at least
-/// this fraction of the longest projection.
-const MIN_SHARE: f64 = 0.25;
+/// Minimum projection on a nuisance column relative to the longest, for its parameter to be named, and maximum number of
+/// parameters named as confounded with one effect.
+const NAMED: (f64, usize) = (0.25, 8);
 
-/// Maximum number of parameters named in the report as confounded with one effect.
-const MAX_NAMED: usize = 8;
-
-/// Maximum ratio of a coefficient's minimum detectable size to the width of the coefficient's bounds. Above it, the
-/// effect of the coefficient counts as not identifiable.
+/// Maximum ratio of a minimum detectable size to the width of the bounds.
 const MAX_FRACTION_OF_BOUNDS: f64 = 0.5;
 
 /// An effect that the flights cannot distinguish from the parameters of the model under test.
@@ -30,8 +24,7 @@ const MAX_FRACTION_OF_BOUNDS: f64 = 0.5;
 pub struct NotIdentifiable {
     /// Display name of the effect: its identifier in the model language, with hyphens instead of underscores.
     pub name: String,
-    /// Names of the coefficients of the model under test with which the effect is confounded, or `initial states`;
-    /// empty if the effect does not influence these flights.
+    /// Coefficients of the model with which it is confounded, or `initial states`; empty without influence.
     pub confounded_with: Vec<String>,
 }
 
@@ -48,8 +41,8 @@ pub struct MinDetectableEffect {
     pub unit: String,
 }
 
-/// Returns the candidate effects that are not identifiable, and the minimum detectable sizes of the coefficients of the
-/// identifiable candidates. `detect` is the log p-value below which a test is significant.
+/// Candidates that are not identifiable, and minimum detectable sizes of the others; `detect` is the log p-value of
+/// detection.
 pub(crate) fn detectable(
     model: &ScoreTestModel<'_>,
     tests: &ScoreTests,
@@ -86,8 +79,7 @@ pub(crate) fn detectable(
     (hidden, detectable)
 }
 
-/// Minimum detectable difference of a coefficient from its null value, SI. `None` if it is not finite, or not less than
-/// half the width of the coefficient's bounds.
+/// Minimum detectable size of a coefficient, SI; `None` if too large for its bounds.
 fn detectable_size<Id>(
     tests: &ScoreTests,
     parameter: &CandidateParameter<Id>,
@@ -102,9 +94,8 @@ fn detectable_size<Id>(
     (size.is_finite() && size < MAX_FRACTION_OF_BOUNDS * width).then_some(size)
 }
 
-/// Names of the model parameters that are most confounded with the candidate effect `id`, in descending order of
-/// confounding: the length of the projection of the candidate's Jacobian columns on the column of the parameter. If the
-/// initial states of the flights reproduce a column of the candidate entirely, the result is only `initial states`.
+/// Parameters most confounded with a candidate, by projections of its columns; only `initial states` if these reproduce
+/// one.
 fn confounded_with(model: &ScoreTestModel<'_>, tests: &ScoreTests, id: CandidateId) -> Vec<String> {
     let own = model.columns_of(id);
     let mut shares: Vec<(&str, f64)> = Vec::new();
@@ -134,8 +125,8 @@ fn greatest_shares(mut shares: Vec<(&str, f64)>) -> Vec<String> {
     let greatest = shares.first().map_or(0.0, |first| first.1);
     shares
         .into_iter()
-        .filter(|(_, share)| *share >= MIN_SHARE * greatest && *share > 0.0)
-        .take(MAX_NAMED)
+        .filter(|(_, share)| *share >= NAMED.0 * greatest && *share > 0.0)
+        .take(NAMED.1)
         .map(|(name, _)| name.to_owned())
         .collect()
 }

@@ -1,0 +1,332 @@
+//! Fits from several starts: with another spin if samples are far apart, and from several guesses of every flight
+//! without measured positions, whose instruments do not determine the initial attitude and velocity.
+
+use flight::parallel;
+use nalgebra::DVector;
+
+use super::FitError;
+use super::horizon_continuation::{anneal_scale, continue_horizon};
+use super::initial_guess::{InitialGuesses, spin_note};
+use super::residual_cache::ResidualCache;
+use super::state::State;
+use crate::ids::FlightId;
+use crate::initial_state::InitialGuess;
+use crate::levels::ROUGHLY_NOISE;
+use dataset::statistics::median_of;
+
+/// Numbers of turns per sampling interval that are added to the slowest spin, the most probable first.
+const ALIASES: [i32; 3] = [0, -1, 1];
+
+/// Maximum ratio of the median residual scale to that of the best fit so far, for another spin to be preferred.
+const ACCEPTED_RATIO: f64 = 0.9;
+
+/// Decrease of the deviance, −2 ln of the likelihood, at which another spin is preferred although the scales are alike:
+/// odds of 150 to 1.
+const MIN_DEVIANCE: f64 = 10.0;
+
+/// Least relative difference of initial states of different fits: a turn per interval is most of a state.
+const ANOTHER: f64 = 0.1;
+
+/// Decrease of the deviance by which a minimum, or another initial state of a flight, is better.
+const SAME_MINIMUM: f64 = 1.0;
+
+/// Number of fits of all flights that are started from each speed.
+const STARTS: usize = 2;
+
+/// Maximum number of times that all flights are fitted again after single flights moved to better initial states.
+const EXCHANGES: usize = 3;
+
+/// Number of flights with which the minimum is searched where several instruments observe each; the others start there
+/// at their best initial states. Flights of one instrument determine the minimum only all together.
+const SEARCHED: usize = 4;
+
+/// Fits that arrived from several starts, with their residuals, and the first error of another start.
+#[derive(Default)]
+struct Arrivals<'a> {
+    fits: Vec<(State<'a>, ResidualCache)>,
+    failure: Option<FitError>,
+}
+
+impl<'a> Arrivals<'a> {
+    /// Fits from a start by `refine`; an error if the work is cancelled.
+    fn add(
+        &mut self,
+        mut start: State<'a>,
+        refine: impl Fn(&mut State<'a>) -> Result<ResidualCache, FitError>,
+    ) -> Result<(), FitError> {
+        match refine(&mut start) {
+            Ok(cache) => self.fits.push((start, cache)),
+            Err(FitError::Interrupted) => return Err(FitError::Interrupted),
+            Err(error) => {
+                self.failure.get_or_insert(error);
+            }
+        }
+        Ok(())
+    }
+
+    /// The fit with the index `best`, and `doubt` about it.
+    fn take(
+        mut self,
+        best: usize,
+        doubt: Option<String>,
+    ) -> Result<(State<'a>, ResidualCache), FitError> {
+        if self.fits.is_empty() {
+            return Err(self.failure.unwrap_or(FitError::Interrupted));
+        }
+        let (mut state, cache) = self.fits.swap_remove(best);
+        state.doubts.extend(doubt);
+        Ok((state, cache))
+    }
+}
+
+/// Fits all flights once for each alias of the spin, and returns the best fit.
+pub fn resolve_spin_aliases(
+    guesses: InitialGuesses<'_>,
+) -> Result<(State<'_>, ResidualCache), FitError> {
+    let (mut state, alternatives) = (guesses.state, &guesses.alternatives);
+    let all = alternatives.iter().flatten();
+    let aliases = ALIASES.into_iter();
+    let aliases = aliases.filter(|alias| all.clone().any(|guess| guess.turns == *alias));
+    let aliases: Vec<i32> = aliases.collect();
+    if aliases.iter().all(|alias| *alias == 0) {
+        let cache = continue_horizon(&mut state)?;
+        return Ok((state, cache));
+    }
+    let mut arrivals = Arrivals::default();
+    for alias in aliases {
+        arrivals.add(with_alias(&state, alternatives, alias), converged)?;
+    }
+    let fits = &arrivals.fits;
+    let scale = |place: usize| {
+        let (fit, cache) = &fits[place];
+        median_scale(cache, fit.excluded.len() - state.excluded.len())
+    };
+    let is_noise = |scale: f64| scale < ROUGHLY_NOISE * state.problem.sigma0;
+    let (mut best, mut is_doubtful) = (0, false);
+    for place in 1..fits.len() {
+        let ((tried, new), (other, before)) = (&fits[place], &fits[best]);
+        let [scale, least] = [place, best].map(scale);
+        let is_likelier = is_likelier(new, before, least);
+        let is_better = scale < ACCEPTED_RATIO * least
+            || ACCEPTED_RATIO * scale < least && is_noise(least) && is_likelier;
+        // Another spin that fits as well, or one that fits as badly, at residuals that are noise.
+        let is_as_good = is_another(tried, other)
+            && (ACCEPTED_RATIO * scale..scale / ACCEPTED_RATIO).contains(&least)
+            && is_noise(scale)
+            && !is_likelier
+            && !self::is_likelier(before, new, least);
+        is_doubtful = is_as_good || is_doubtful && !is_better;
+        if is_better {
+            best = place;
+        }
+    }
+    let doubt = "the spin is not determined: with a turn more or less per sampling interval the flights fit as well";
+    arrivals.take(best, is_doubtful.then(|| doubt.to_owned()))
+}
+
+/// Continues the horizon, and from residuals at the noise on to the minimum: likelihoods are compared at minima.
+fn converged(state: &mut State<'_>) -> Result<ResidualCache, FitError> {
+    let cache = continue_horizon(state)?;
+    if cache.median_scale() < ROUGHLY_NOISE * state.problem.sigma0 {
+        return anneal_scale(state);
+    }
+    Ok(cache)
+}
+
+/// Whether a flight has another initial state in another fit: with a gyroscope both may arrive at the same spin.
+fn is_another(one: &State<'_>, other: &State<'_>) -> bool {
+    let mut pairs = one.local.iter().zip(&other.local);
+    one.local.len() == other.local.len()
+        && pairs.any(|(one, other)| (one - other).norm() > ANOTHER * other.norm())
+}
+
+/// Whether the residuals `new` are likelier than `before` by [`MIN_DEVIANCE`], for noise of unknown size; `scale` is
+/// theirs, m.
+fn is_likelier(new: &ResidualCache, before: &ResidualCache, scale: f64) -> bool {
+    let [(new, count), (before, other)] = [new, before].map(|cache| cache.clipped_squares(scale));
+    count >= other && count as f64 * (before / new).ln() > MIN_DEVIANCE
+}
+
+/// A fit in progress in which each flight starts at its guess with `alias` additional turns, if it has one.
+fn with_alias<'a>(state: &State<'a>, alternatives: &[Vec<InitialGuess>], alias: i32) -> State<'a> {
+    let mut state = state.clone();
+    for (index, guesses) in alternatives.iter().enumerate() {
+        let mut guesses = guesses.iter();
+        let guess = guesses.find(|guess| guess.turns == alias && alias != 0);
+        if let Some(guess) = guess {
+            state.local[index].clone_from(&guess.state);
+            state.flights[index].notes.push(spin_note(alias));
+        }
+    }
+    state
+}
+
+/// Median of the flights' residual scales, m; flights that cannot be integrated or were `excluded` count as infinite.
+fn median_scale(cache: &ResidualCache, excluded: usize) -> f64 {
+    let scales = cache.scales().into_iter();
+    let flown = scales.map(|scale| scale.unwrap_or(f64::INFINITY));
+    let without = std::iter::repeat_n(f64::INFINITY, excluded);
+    median_of(flown.chain(without)).unwrap_or(0.0)
+}
+
+/// Finds the best minimum of the longest flights, and fits all flights from there.
+pub fn best_of_several(
+    guesses: InitialGuesses<'_>,
+) -> Result<(State<'_>, ResidualCache), FitError> {
+    let start = guesses.state;
+    let guesses = &Guesses {
+        ids: start.ids.clone(),
+        of_flights: &guesses.alternatives,
+    };
+    let mut longest: Vec<usize> = (0..start.flights.len()).collect();
+    longest.sort_by_key(|&flight| std::cmp::Reverse(start.flights[flight].times.len()));
+    longest.truncate(SEARCHED);
+    if longest.len() == start.flights.len() || start.problem.channels.len() == 1 {
+        return best_minimum(start, guesses);
+    }
+    let mut few = start.without_flights();
+    for &flight in &longest {
+        let (observations, local) = (&start.flights[flight], &start.local[flight]);
+        few.push(start.ids[flight], observations.clone(), local.clone());
+    }
+    let (found, _) = best_minimum(few, guesses)?;
+    let mut state = start;
+    state.global.clone_from(&found.global);
+    state.doubts.extend(found.doubts);
+    exchange(&mut state, guesses);
+    for (id, local) in found.ids.into_iter().zip(found.local) {
+        let place = state.ids.iter().position(|own| *own == id);
+        state.local[place.expect("one of the flights")] = local;
+    }
+    let cache = anneal_scale(&mut state)?;
+    Ok((state, cache))
+}
+
+/// Fits the flights from guesses of every speed, until two fits arrive at the least deviance. If none do, single
+/// flights are tried from their other guesses. If one fit alone arrives, this becomes a doubt of the fit.
+fn best_minimum<'a>(
+    start: State<'a>,
+    guesses: &Guesses<'_>,
+) -> Result<(State<'a>, ResidualCache), FitError> {
+    let mut arrivals = Arrivals::default();
+    for rank in 0..STARTS {
+        for speed in guesses.speeds() {
+            if start.options.is_past_deadline() && !arrivals.fits.is_empty() {
+                break;
+            }
+            let tried = guesses.start(&start, speed, rank);
+            arrivals.add(tried, |state| {
+                continue_horizon(state)?;
+                anneal_scale(state)
+            })?;
+        }
+        if least_deviance(&arrivals.fits).1 > 1 {
+            break;
+        }
+    }
+    if least_deviance(&arrivals.fits).1 < 2 {
+        for (state, cache) in &mut arrivals.fits {
+            exchange_initial_states(state, cache, guesses)?;
+        }
+    }
+    let (best, number) = least_deviance(&arrivals.fits);
+    let doubt = format!(
+        "the instruments do not determine the initial states: of {} starts of the fit only one arrives at this minimum, and a better one may exist",
+        arrivals.fits.len()
+    );
+    arrivals.take(best, (number < 2).then_some(doubt))
+}
+
+/// Index of the fit with the least deviance, and the number of fits that arrive at it.
+fn least_deviance(fits: &[(State<'_>, ResidualCache)]) -> (usize, usize) {
+    let scales = fits.iter().map(|(_, cache)| cache.median_scale());
+    let scale = scales.fold(f64::INFINITY, f64::min);
+    let deviance = |(state, cache): &(State<'_>, ResidualCache)| {
+        let (squares, count) = cache.clipped_squares(scale);
+        let count = count as f64;
+        // A fit that has lost flights is no better for it.
+        let lost = state.excluded.len() as f64;
+        (lost, count * (squares / count).ln())
+    };
+    let deviances: Vec<(f64, f64)> = fits.iter().map(deviance).collect();
+    let order = |a: &(f64, f64), b: &(f64, f64)| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1));
+    let Some(least) = deviances.iter().copied().min_by(order) else {
+        return (0, 0);
+    };
+    let is_same = |own: &&(f64, f64)| own.0 == least.0 && own.1 - least.1 < SAME_MINIMUM;
+    let best = deviances.iter().position(|own| *own == least);
+    let number = deviances.iter().filter(is_same).count();
+    (best.unwrap_or(0), number)
+}
+
+/// Initial guesses of flights, which may be excluded one after the other.
+struct Guesses<'g> {
+    ids: Vec<FlightId>,
+    of_flights: &'g [Vec<InitialGuess>],
+}
+
+impl Guesses<'_> {
+    fn speeds(&self) -> std::ops::RangeInclusive<usize> {
+        let speeds = self.of_flights.iter().flatten().map(|guess| guess.speed);
+        0..=speeds.max().unwrap_or(0)
+    }
+
+    /// Guesses of one flight, the best one first.
+    fn of(&self, flight: FlightId) -> &[InitialGuess] {
+        let index = self.ids.iter().position(|id| *id == flight);
+        index.map_or(&[], |index| &self.of_flights[index])
+    }
+
+    /// A fit in progress in which each flight starts at its guess number `rank` of a speed, or at the last one.
+    fn start<'a>(&self, start: &State<'a>, speed: usize, rank: usize) -> State<'a> {
+        let mut state = start.clone();
+        for (local, id) in state.local.iter_mut().zip(&state.ids) {
+            let guesses = self.of(*id).iter();
+            let of_speed: Vec<_> = guesses.filter(|guess| guess.speed == speed).collect();
+            if let Some(guess) = of_speed.get(rank).or(of_speed.last()) {
+                local.clone_from(&guess.state);
+            }
+        }
+        state
+    }
+}
+
+/// Moves flights to other initial states that are better at the parameters found, and fits all flights again.
+fn exchange_initial_states(
+    state: &mut State<'_>,
+    cache: &mut ResidualCache,
+    guesses: &Guesses<'_>,
+) -> Result<(), FitError> {
+    for _ in 0..EXCHANGES {
+        if state.options.is_past_deadline() || !exchange(state, guesses) {
+            break;
+        }
+        *cache = anneal_scale(state)?;
+    }
+    Ok(())
+}
+
+/// Moves each flight to the best initial state to which its guesses lead; returns whether one moved.
+fn exchange(state: &mut State<'_>, guesses: &Guesses<'_>) -> bool {
+    let (at, sigma0) = (state.fixed_global(), state.problem.sigma0);
+    let found = parallel::each_on(state.options.threads(), state.flights.len(), |flight| {
+        let observations = &state.flights[flight];
+        let fitted = |local: &DVector<f64>| {
+            at.fit_initial_state(observations, observations.times.len(), local.clone())
+                .ok()
+        };
+        let present = fitted(&state.local[flight]).map_or(f64::INFINITY, |(squares, _)| squares);
+        let others = guesses.of(state.ids[flight]).iter();
+        let best = others
+            .filter_map(|guess| fitted(&guess.state))
+            .min_by(|a, b| a.0.total_cmp(&b.0))?;
+        (best.0 < present - SAME_MINIMUM * sigma0 * sigma0).then_some(best.1)
+    });
+    let has_moved = found.iter().any(Option::is_some);
+    for (local, better) in state.local.iter_mut().zip(found) {
+        if let Some(better) = better {
+            *local = better;
+        }
+    }
+    has_moved
+}
