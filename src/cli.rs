@@ -5,19 +5,11 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 use report::FigureKind;
 
-mod bootstrap;
-mod design;
-mod fit_inputs;
-mod stability;
-mod sweep;
-mod throw;
+mod fits;
+mod throws;
 
-pub use bootstrap::Bootstrap;
-pub use design::Design;
-pub use fit_inputs::FitInputs;
-pub use stability::Stability;
-pub use sweep::Sweep;
-pub use throw::ThrowOptions;
+pub use fits::{Bootstrap, Diagnose, Fit, FitInputs};
+pub use throws::{Design, Stability, Sweep, ThrowOptions};
 
 /// Declare how a body flies, once; get checked, fast, verified code, and fit it to measured flights.
 #[derive(Parser)]
@@ -432,49 +424,6 @@ pub struct Import {
     /// Folder for the dataset: a new or an empty one
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
-}
-
-/// Arguments of `hyzer fit`.
-#[derive(Args)]
-pub struct Fit {
-    #[command(flatten)]
-    pub inputs: FitInputs,
-    /// Ignore the bounds of coefficients in the model
-    #[arg(long)]
-    pub unbounded: bool,
-    /// Compute the profile-likelihood interval of a coefficient; may be repeated
-    #[arg(long, value_name = "NAME")]
-    pub profile: Vec<String>,
-    /// Stop after this many seconds with the best answer so far; the result then says so
-    #[arg(long, value_name = "S")]
-    pub max_seconds: Option<f64>,
-    /// Also write every figure as pdf or png; may be repeated
-    #[arg(long, value_name = "KIND", value_parser = figure_kind, requires = "out")]
-    pub figures: Vec<FigureKind>,
-    /// Folder for report.html, report.json, fitted.hyz, figures and tables: new, empty, or of earlier results, which are
-    /// replaced; other files in it are kept
-    #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
-}
-
-/// Arguments of `hyzer diagnose`.
-#[derive(Args)]
-pub struct Diagnose {
-    #[command(flatten)]
-    pub inputs: FitInputs,
-    /// Exclude an effect from the tests; may be repeated
-    #[arg(long, value_name = "EFFECT")]
-    pub without: Vec<String>,
-    /// Stop after this many seconds with the best answer so far; the result then says so
-    #[arg(long, value_name = "S")]
-    pub max_seconds: Option<f64>,
-    /// Also write every figure as pdf or png; may be repeated
-    #[arg(long, value_name = "KIND", value_parser = figure_kind, requires = "out")]
-    pub figures: Vec<FigureKind>,
-    /// Folder for report.html, report.json, the extended model, figures and tables: new, empty, or of earlier results, which
-    /// are replaced; other files in it are kept
-    #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
 }
 
 /// Arguments of `hyzer effects`.

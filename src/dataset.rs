@@ -45,14 +45,14 @@ impl DatasetBuilder {
         self
     }
 
-    /// Adds a marker with its name and its position in the body frame, m.
+    /// Adds a marker: name, and position in the body frame, m.
     pub fn marker(mut self, name: &str, position: [f64; 3]) -> Self {
         let name = name.to_owned();
         self.dataset.markers.push(Marker { name, position });
         self
     }
 
-    /// Adds markers named `m1`, `m2`, … with their positions in the body frame, m.
+    /// Adds markers `m1`, `m2`, … by their positions in the body frame, m.
     pub fn markers(mut self, positions: &[[f64; 3]]) -> Self {
         for (i, position) in positions.iter().enumerate() {
             self = self.marker(&format!("m{}", i + 1), *position);
@@ -60,30 +60,28 @@ impl DatasetBuilder {
         self
     }
 
-    /// Sets the standard deviation of the noise of each measured coordinate, m, the same for all markers and axes. If
-    /// it is not set, a fit estimates it from the data.
+    /// Sets the standard deviation of the noise of each coordinate, m; by default a fit estimates it.
     pub fn sigma(mut self, sigma: f64) -> Self {
         self.dataset.sigma = Some(sigma);
         self
     }
 
-    /// Adds a sensor at a position on the body, m; poses, gyroscopes, accelerometers or speeds. Sensors are added before
-    /// the flights that have their [`readings`](DatasetBuilder::readings).
+    /// Adds a sensor at a position on the body, m, before the flights that have its
+    /// [`readings`](DatasetBuilder::readings) or [`poses`](DatasetBuilder::poses).
     pub fn sensor(mut self, name: &str, kind: SensorKind, position: [f64; 3]) -> Self {
         self.dataset.sensors.push(Sensor::new(name, kind, position));
         self
     }
 
-    /// Sets the readings of a sensor in the flight added last, one for each sample, `None` where it has none: a vector
-    /// in body axes (rad/s, m/s²), or a speed (m/s) as the first component. Has no effect for an unknown sensor, a pose
-    /// sensor ([`poses`](DatasetBuilder::poses)) or without a flight.
+    /// Sets the readings of a sensor in the flight added last, one for each sample: a vector in body axes (rad/s, m/s²), or
+    /// a speed (m/s) as the first component. No effect for an unknown sensor, a pose sensor or without a flight.
     pub fn readings(self, sensor: &str, readings: &[Option<[f64; 3]>]) -> Self {
         let channel = readings.iter().map(|r| r.map(|[x, y, z]| [x, y, z, 0.0]));
         self.channels(sensor, &[channel.collect()])
     }
 
-    /// Sets the poses of a pose sensor in the flight added last, one for each sample, `None` where it has none: position
-    /// in the inertial frame, m, and unit quaternion from body to inertial components, scalar part first.
+    /// Sets the poses of a pose sensor in the flight added last, one for each sample: position in the inertial frame, m,
+    /// and unit quaternion from body to inertial components, scalar part first.
     pub fn poses(self, sensor: &str, poses: &[Option<([f64; 3], [f64; 4])>]) -> Self {
         let position =
             |pose: &Option<([f64; 3], [f64; 4])>| pose.map(|([x, y, z], _)| [x, y, z, 0.0]);
@@ -95,20 +93,16 @@ impl DatasetBuilder {
     fn channels(mut self, sensor: &str, channels: &[Vec<Option<Reading>>]) -> Self {
         let sensors = &self.dataset.sensors;
         let count = |sensors: &[Sensor]| -> usize {
-            sensors
-                .iter()
-                .map(|sensor| sensor.kind.channels().len())
-                .sum()
+            let channels = sensors.iter().map(|sensor| sensor.kind.channels().len());
+            channels.sum()
         };
         let all = count(sensors);
         let Some(index) = sensors.iter().position(|own| own.name == sensor) else {
             return self;
         };
         let first = count(&sensors[..index]);
-        if sensors[index].kind.channels().len() != channels.len() {
-            return self;
-        }
-        if let Some(flight) = self.dataset.flights.last_mut() {
+        let is_kind = sensors[index].kind.channels().len() == channels.len();
+        if let Some(flight) = self.dataset.flights.last_mut().filter(|_| is_kind) {
             flight.readings.resize(flight.times.len(), Vec::new());
             for (sample, row) in flight.readings.iter_mut().enumerate() {
                 row.resize(all, None);
@@ -120,9 +114,8 @@ impl DatasetBuilder {
         self
     }
 
-    /// Adds a flight: its name (unique in the dataset), its role (fitted or held out), the times of its samples (s,
-    /// increasing), and the positions `[sample][marker]` in the inertial frame (m, z up), `None` for a marker that was
-    /// not measured.
+    /// Adds a flight: its name, its role, the increasing times of its samples (s), and the positions `[sample][marker]` in
+    /// the inertial frame (m, z up), `None` for a marker that was not measured.
     pub fn flight(
         mut self,
         name: &str,
@@ -140,8 +133,7 @@ impl DatasetBuilder {
         self
     }
 
-    /// Sets a value of the flight added last that is known from other measurements, such as the wind, by its name in
-    /// the model. Has no effect if no flight has been added.
+    /// Sets a value of the flight added last that is known from other measurements, such as the wind.
     pub fn known(mut self, name: &str, value: KnownValue) -> Self {
         if let Some(flight) = self.dataset.flights.last_mut() {
             flight.known.insert(name.to_owned(), value);
@@ -149,8 +141,7 @@ impl DatasetBuilder {
         self
     }
 
-    /// Checks the dataset in the same way as a dataset read from files, and returns it. For example, names must be
-    /// valid, times increasing and values finite.
+    /// Checks the dataset as one read from files, and returns it.
     ///
     /// # Errors
     /// [`Error::Dataset`] for the first fault found.

@@ -1,30 +1,11 @@
 //! Throws for a purpose.
 
-use analysis::design::{self, Bounds, SearchOptions, ThrownBody};
+use analysis::design::{self, Bounds, Goal, SearchOptions, ThrownBody};
 use flight::throw::Throw;
-use nalgebra::Vector3;
 
 use crate::{Error, Model, Release};
 
-/// Purpose of a throw. Points are in the inertial frame, m; the release is above the origin.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Goal {
-    /// Fly as far as possible before the landing.
-    Range,
-    /// Stay in the air as long as possible.
-    HangTime,
-    /// Pass through a point.
-    Hit([f64; 3]),
-    /// Pass through a point on a path that curves most.
-    Curve([f64; 3]),
-    /// Arrive at a point in level flight.
-    Flare([f64; 3]),
-    /// Land at a point with the least spread.
-    Spread([f64; 2]),
-}
-
-/// Options of a search for a throw, from [`Design::of`].
+/// Options of a search, from [`Design::of`].
 #[derive(Clone, Debug)]
 pub struct DesignBuilder {
     model: Model,
@@ -41,7 +22,7 @@ impl DesignBuilder {
         self
     }
 
-    /// Sets the seed of the starting points of the search; default 1.
+    /// Sets the seed of the starting points; default 1.
     pub fn seed(mut self, seed: u64) -> Self {
         self.search.seed = seed;
         self
@@ -72,25 +53,13 @@ impl DesignBuilder {
             }
             bounds.set(name, *least, *greatest);
         }
-        let found = design::design(&flights, self.goal(), &bounds, &self.search)?;
-        let state = flights
-            .state(&found.throw, None)
-            .map_err(design::ThrowFlightError::from)?;
+        let found = design::design(&flights, self.goal, &bounds, &self.search)?;
+        let state = flights.state(&found.throw, None);
+        let state = state.map_err(design::ThrowFlightError::from)?;
         Ok(Design {
             release: self.model.release_from(state),
             found,
         })
-    }
-
-    fn goal(&self) -> design::Goal {
-        match self.goal {
-            Goal::Range => design::Goal::Range,
-            Goal::HangTime => design::Goal::HangTime,
-            Goal::Hit(at) => design::Goal::Hit(Vector3::from(at)),
-            Goal::Curve(at) => design::Goal::Curve(Vector3::from(at)),
-            Goal::Flare(at) => design::Goal::Flare(Vector3::from(at)),
-            Goal::Spread([x, y]) => design::Goal::Spread(Vector3::new(x, y, 0.0)),
-        }
     }
 }
 

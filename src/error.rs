@@ -11,8 +11,7 @@ use ode::IntegrationError;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A model or an effect cannot be loaded: a missing file, an unknown name, or faults in
-    /// a text.
+    /// A model or an effect cannot be loaded.
     #[error(transparent)]
     Load(#[from] LoadError),
     /// A release file has faults.
@@ -21,7 +20,7 @@ pub enum Error {
     /// A trajectory cannot be computed.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
-    /// A dataset cannot be read or built, because its files or values have faults.
+    /// A dataset cannot be read or built.
     #[error(transparent)]
     Dataset(#[from] InputError),
     /// A model cannot be fitted to a dataset.
@@ -55,20 +54,20 @@ pub enum Error {
     /// There is no built-in release of the given name.
     #[error("no built-in release {name:?}; expected one of {}", known.join(", "))]
     UnknownRelease {
-        /// Name of the release that was requested.
+        /// Name that was requested.
         name: String,
         /// Names of the built-in releases.
         known: Vec<&'static str>,
     },
-    /// A release has an initial state in which no flight can begin, for the stated reason.
+    /// No flight can begin in the initial state of a release, for the stated reason.
     #[error("{0}")]
     InitialState(String),
-    /// A release sets a parameter or coefficient that the model does not have.
+    /// A release or a design names a quantity that the model does not have.
     #[error("the model {model} has no state, parameter or coefficient {name:?}")]
     UnknownName {
-        /// Name of the model to which the release was applied.
+        /// Name of the model.
         model: String,
-        /// Name that the release sets, but that is neither a parameter nor a coefficient of the model.
+        /// Name that it does not have.
         name: String,
     },
 }

@@ -124,8 +124,7 @@ pub struct Fit {
 }
 
 impl Fit {
-    /// Prepares a fit of a model by the output-error method: maximum likelihood with estimated noise, and a separate
-    /// initial state for each flight.
+    /// Prepares an output-error fit: maximum likelihood with estimated noise, and an initial state for each flight.
     ///
     /// ```no_run
     /// # fn main() -> Result<(), hyzer::Error> {
@@ -162,8 +161,7 @@ impl Fit {
         })
     }
 
-    /// Estimate of a coefficient, or of a parameter that the fit also estimated, by its name; `None` for an unknown
-    /// name.
+    /// Estimate of a coefficient or a freed parameter; `None` for an unknown name.
     pub fn coefficient(&self, name: &str) -> Option<Estimate> {
         let coefficient = self.report.coefficients.get(name)?;
         Some(Estimate {
@@ -174,15 +172,14 @@ impl Fit {
         })
     }
 
-    /// Names and estimates of all coefficients and of the parameters that the fit also estimated, in alphabetical
-    /// order.
+    /// Names and estimates of all coefficients and freed parameters, in alphabetical order.
     pub fn coefficients(&self) -> impl Iterator<Item = (&str, Estimate)> {
         let names = self.report.coefficients.keys();
         names.filter_map(|name| Some((name.as_str(), self.coefficient(name)?)))
     }
 
-    /// Root mean square residual of a kind of sensor over the fitted flights, such as `marker` (m) or `gyroscope`
-    /// (rad/s); `None` if there are no such measurements.
+    /// Root mean square residual of a kind of sensor over the fitted flights, such as `marker` (m); `None` without such
+    /// measurements.
     pub fn residual_rms(&self, kind: &str) -> Option<f64> {
         self.report.residual_rms.get(kind).map(|rms| rms.value)
     }

@@ -27,17 +27,14 @@ impl Flight {
         self.trajectory.end - self.trajectory.start
     }
 
-    /// Value of the state called `name` at time `t`, s since the release; `None` for an unknown name or a time outside
-    /// the flight.
+    /// Value of a state at time `t`, s; `None` for an unknown name or a time outside the flight.
     pub fn state(&self, name: &str, t: f64) -> Option<f64> {
         let state = self.model.compiled().layout().state(name)?;
         Some(self.trajectory.sample(t)?[state.index()])
     }
 
-    /// Positions of markers in the inertial frame, m, at the given times (s), as `[time][marker]`.
-    ///
-    /// `markers` are the positions of the markers in the body frame, m. Positions are `None` for times outside the
-    /// flight and for a model without a measurement equation.
+    /// Positions `[time][marker]` in the inertial frame, m, of markers at positions in the body frame, m. `None` for times
+    /// outside the flight and for a model without a measurement equation.
     pub fn marker_positions(
         &self,
         times: &[f64],
@@ -55,8 +52,7 @@ impl Flight {
         sampled.collect()
     }
 
-    /// CSV table with a header (`t` and the names of the states), `rate` rows per second and a final row at the end
-    /// of the flight; SI units.
+    /// CSV table of time and states, SI, with `rate` rows per second and one at the end of the flight.
     ///
     /// # Panics
     /// If the rate is not positive.

@@ -20,8 +20,6 @@
 #![forbid(unsafe_code)]
 
 #[cfg(feature = "cli")]
-mod answer;
-#[cfg(feature = "cli")]
 mod cli;
 #[cfg(feature = "cli")]
 mod commands;
@@ -46,7 +44,7 @@ mod sweep;
 mod verification;
 
 #[cfg(feature = "cli")]
-use answer::Answer;
+use commands::Answer;
 pub use error::Error;
 
 // Models and their flights.
@@ -76,12 +74,15 @@ pub use ::diagnose::{
 pub use diagnosis::{Diagnosis, DiagnosisBuilder};
 
 // Throws for a purpose, stability, many flights, verification.
-pub use design::{Design, DesignBuilder, Goal};
+pub use ::analysis::design::Goal;
+#[cfg(feature = "verification")]
+pub use ::verify::report::Outcome;
+pub use design::{Design, DesignBuilder};
 pub use stability::{Mode, Stability};
 #[cfg(feature = "sweep")]
 pub use sweep::{Sweep, sweep};
 #[cfg(feature = "verification")]
-pub use verification::{Outcome, Verification};
+pub use verification::Verification;
 
 /// Parts of a [`FitReport`].
 pub mod fit_report {

@@ -9,7 +9,7 @@ use ode::IntegrationOptions;
 
 use crate::{Error, Flight};
 
-/// Named change of a model: it adds a term, a coefficient or a state, or replaces a quantity.
+/// Named change of a model.
 #[derive(Clone)]
 pub struct Effect(EffectTree);
 
@@ -42,7 +42,7 @@ impl std::fmt::Debug for Effect {
     }
 }
 
-/// Checked model of a flying body, including the effects applied to it.
+/// Checked model of a flying body with the effects applied to it.
 ///
 /// ```
 /// # fn main() -> Result<(), hyzer::Error> {
@@ -75,8 +75,7 @@ impl Model {
         Model::check(ModelTree::parse(name, text)?)
     }
 
-    /// Returns the model extended by an effect: a name (of an effect in the model's own file or built in) or the path
-    /// of a file.
+    /// The model extended by an effect: a name in its own file or built in, or the path of a file.
     ///
     /// # Errors
     /// [`Error::Load`] if there is no such effect, or the extended model has faults.
@@ -85,7 +84,7 @@ impl Model {
         Model::check(self.tree.with(&effect)?)
     }
 
-    /// Returns the model extended by an effect.
+    /// The model extended by an effect.
     ///
     /// # Errors
     /// [`Error::Load`] if the extended model has faults.
@@ -93,8 +92,8 @@ impl Model {
         Model::check(self.tree.with(&effect.0)?)
     }
 
-    /// Returns the model with an effect that is declared and not applied: a candidate, which a
-    /// [`Diagnosis`](crate::Diagnosis) tests like the built-in ones.
+    /// The model with an effect that is declared and not applied, which a [`Diagnosis`](crate::Diagnosis) tests like the
+    /// built-in ones.
     ///
     /// # Errors
     /// [`Error::Load`] if the effect does not fit the model.
@@ -133,7 +132,7 @@ impl Model {
         self.tree.to_text("")
     }
 
-    /// The checked model, for the crates of the workspace.
+    /// The checked model.
     pub(crate) fn checked(&self) -> &model_spec::model::Model {
         &self.checked
     }
@@ -159,22 +158,20 @@ impl Model {
         }
     }
 
-    /// Returns a built-in release of this model by its name, such as `backhand`.
+    /// A built-in release of this model, such as `backhand`.
     ///
     /// # Errors
-    /// [`Error::UnknownRelease`] if there is no such release, or [`Error::Release`] if it is for a model with other
-    /// states.
+    /// [`Error::UnknownRelease`] for an unknown name, [`Error::Release`] if the model lacks its states.
     pub fn release(&self, name: &str) -> Result<Release, Error> {
-        let text = release::built_in(name).ok_or_else(|| Error::UnknownRelease {
+        let unknown = || Error::UnknownRelease {
             name: name.to_owned(),
             known: release::BUILT_IN.iter().map(|(name, _)| *name).collect(),
-        })?;
-        self.parse_release(name, text)
+        };
+        self.parse_release(name, release::built_in(name).ok_or_else(unknown)?)
     }
 
-    /// Parses a release of this model from the text of a release file (TOML); the model that the
-    /// text names is ignored. `name` is the file name in error messages. Wind profiles over height and gusts are
-    /// refused, because they change the model: see [`parse_release_in_wind`](Model::parse_release_in_wind).
+    /// Parses the text of a release file (TOML); the model that it names is ignored, and `name` is the file name in error
+    /// messages. Winds that change the model are refused: see [`parse_release_in_wind`](Model::parse_release_in_wind).
     ///
     /// # Errors
     /// [`Error::Release`] if the text has faults.
@@ -183,8 +180,8 @@ impl Model {
         Ok(release::read(name, text, |_| Ok(vocabulary))?)
     }
 
-    /// Parses a release as [`parse_release`](Model::parse_release) does, but accepts a wind profile over height and
-    /// gusts. Also returns the model extended by this wind, with which the release is to be flown.
+    /// Parses a release that may have a wind profile over height and gusts. Also returns the model extended by this wind,
+    /// with which the release is to be flown.
     ///
     /// # Errors
     /// [`Error::Release`] if the text has faults.
@@ -225,7 +222,8 @@ impl Model {
     ///
     /// # Errors
     /// [`Error::UnknownName`] if the release sets a parameter or coefficient that the model does not have;
-    /// [`Error::InitialState`] if an initial attitude quaternion does not have length 1; [`Error::Integration`] if the trajectory cannot be computed.
+    /// [`Error::InitialState`] if a quaternion does not have length 1; [`Error::Integration`] if the flight cannot be
+    /// computed.
     pub fn fly_within(&self, release: &Release, tolerance: f64) -> Result<Flight, Error> {
         let compiled = self.compiled();
         for (name, _) in release.parameters.iter().chain(&release.coefficients) {
@@ -239,11 +237,8 @@ impl Model {
         if let Some(fault) = quaternion_fault(&release.initial, self.checked.quaternions()) {
             return Err(Error::InitialState(fault));
         }
-        let trajectory = flight::simulate(
-            compiled,
-            release,
-            &IntegrationOptions::with_tolerance(tolerance),
-        )?;
+        let options = IntegrationOptions::with_tolerance(tolerance);
+        let trajectory = flight::simulate(compiled, release, &options)?;
         Ok(Flight::new(self.clone(), release, trajectory))
     }
 }

@@ -20,15 +20,14 @@ pub fn write(path: &Path, contents: impl AsRef<[u8]>) -> anyhow::Result<()> {
     progress::writing(whole).with_context(|| format!("cannot write {}", path.display()))
 }
 
-/// Folder of results that the option `--out` names, and the kinds of figures written there besides SVG.
+/// Folder of results, and the kinds of figures besides SVG.
 pub struct Results<'a> {
     folder: ResultFolder,
     path: &'a Path,
     kinds: &'a [FigureKind],
 }
 
-/// Opens the folder that the option `--out` names, if given, so that an unusable folder is an error before any work is
-/// done.
+/// Opens the folder of the option `--out`, so that an unusable one is an error before any work is done.
 pub fn results<'a>(
     out: Option<&'a Path>,
     kinds: &'a [FigureKind],
@@ -45,13 +44,10 @@ pub fn results<'a>(
 }
 
 impl Results<'_> {
-    /// Replaces the results of an earlier run by `files`, all at once, with each SVG figure in the other kinds too, and
-    /// tells where they are. `what` names them.
+    /// Replaces earlier results by `files`, all at once and with each figure in the other kinds too.
     pub fn write(&self, mut files: Vec<ResultFile>, what: &str) -> anyhow::Result<()> {
-        for kind in FigureKind::ALL
-            .iter()
-            .filter(|kind| self.kinds.contains(kind))
-        {
+        let kinds = FigureKind::ALL.iter();
+        for kind in kinds.filter(|kind| self.kinds.contains(kind)) {
             let mut drawn = Vec::new();
             for file in &files {
                 let Some(stem) = file.path.strip_suffix(".svg") else {
@@ -70,8 +66,7 @@ impl Results<'_> {
     }
 }
 
-/// Checks that an output folder can be created, before any work is done. A folder that already contains files is
-/// accepted here; its contents are checked when the results are written.
+/// Checks that a folder can be created, before any work is done; one with files is checked when results are written.
 pub fn new_folder(path: &Path) -> anyhow::Result<()> {
     let holds_files = std::fs::read_dir(path).is_ok_and(|mut entries| entries.next().is_some());
     if !holds_files {
@@ -92,7 +87,8 @@ pub fn print(text: impl AsRef<str>) -> anyhow::Result<()> {
 pub fn error_text(error: &anyhow::Error) -> String {
     let text = format!("{error:#}");
     // Rendered diagnostics of a model file already have headings.
-    if text.contains("] Error:") {
+    let has_heading = text.contains("] Error:");
+    if has_heading {
         text
     } else {
         format!("error: {text}")

@@ -8,50 +8,10 @@ use identify::FitError;
 
 use crate::{Answer, cli, commands, output, progress};
 
-/// What `hyzer check` prints of a model.
-pub mod check {
-    pub use crate::commands::check::report;
-}
-
-/// What `hyzer bootstrap` refits, prints and writes.
-pub mod bootstrap {
-    pub use crate::commands::bootstrap::{enough, refits, summary_json, table, text};
-}
-
-/// What `hyzer design` prints and writes of a throw.
-pub mod design {
-    pub use crate::commands::design::{Designed, aims};
-}
-
-/// What `hyzer stability` finds and writes.
-pub mod stability {
-    pub use crate::commands::stability::{files, found, json};
-}
-
-/// What `hyzer import` makes of recordings.
-pub mod import {
-    pub use crate::commands::import::Imported;
-}
-
-/// What `hyzer fit` prints and writes of a fit.
-pub mod fit {
-    pub use crate::commands::fit::{files, model_of, text};
-}
-
-/// What `hyzer diagnose` finds and writes.
-pub mod diagnose {
-    pub use crate::commands::diagnose::{diagnosis, files};
-}
-
-/// The plan that `hyzer sweep --example` prints.
-pub mod sweep {
-    pub use crate::commands::sweep::EXAMPLE;
-}
-
-/// What `hyzer simulate` writes of a flight.
-pub mod simulate {
-    pub use crate::commands::simulate::{Simulated, files, summary_json};
-}
+/// What the commands print and write, for the Python package.
+pub use crate::commands::{
+    bootstrap, check, design, diagnose, fit, import, simulate, stability, sweep,
+};
 
 /// Runs the program with its arguments, the first of which is the name of the program, and returns the exit status. It
 /// installs handlers of signals, and ends the process where the arguments are wrong or ask for help.
@@ -91,7 +51,7 @@ pub fn import_takes(arguments: &[OsString]) -> anyhow::Result<import::Imported> 
     }
 }
 
-/// Error of a fit that ended the command; `None` if the command ended for another reason.
+/// Error of a fit that ended the command.
 fn fit_error(error: &anyhow::Error) -> Option<&FitError> {
     match error.downcast_ref::<DiagnosisError>() {
         Some(DiagnosisError::Fit(error)) => Some(error),

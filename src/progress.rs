@@ -4,42 +4,40 @@
 //! write in progress is finished if that takes less than [`WRITING_LIMIT`]; result files and folders are atomic in
 //! any case.
 
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, AtomicU8, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// State of the `hyzer` process in which it computes; a signal then ends the process at once.
+/// The process computes; a signal ends it at once.
 const WORKING: u8 = 0;
-/// State of the `hyzer` process in which it writes result files; a signal then ends the process when the files are
-/// written.
+/// The process writes results; a signal ends it when they are written.
 const WRITING: u8 = 1;
-/// State of the `hyzer` process after a signal that arrived during the computation: the process is about to exit.
+/// A signal arrived while the process computed.
 const STOPPED: u8 = 2;
-/// State of the `hyzer` process after a signal that arrived while result files were written: the process exits when the
-/// files are complete.
+/// A signal arrived while results were written.
 const STOPPED_WRITING: u8 = 3;
 
 static PHASE: AtomicU8 = AtomicU8::new(WORKING);
 
-/// Whether a later run of the same command continues from the results computed before a signal.
+/// Whether a later run continues from what was computed before a signal.
 static RESUMES: AtomicBool = AtomicBool::new(false);
 
-/// The progress bar on display, kept here so that the signal handler can remove it.
+/// The progress bar on display, which the signal handler removes.
 static BAR: Mutex<Option<ProgressBar>> = Mutex::new(None);
 
-/// Exit status of a `hyzer` process that a signal interrupted (128 + SIGINT).
+/// Exit status after a signal (128 + SIGINT).
 const INTERRUPTED: u8 = 130;
 
-/// Maximum time that the signal handler waits for results to be written before it ends the `hyzer` process.
+/// Maximum time for results to be written after a signal.
 const WRITING_LIMIT: Duration = Duration::from_millis(400);
 
-/// Maximum time that `hyzer` waits, after a signal, for the message to be printed before it exits.
+/// Maximum time for the message to be printed after a signal.
 const MESSAGE_LIMIT: Duration = Duration::from_millis(200);
 
-/// Installs the handler of interrupt and termination signals, for all commands.
+/// Installs the handler of signals.
 pub fn handle_signals() -> anyhow::Result<()> {
     ctrlc::set_handler(|| {
         let change = |from, to| {
@@ -47,11 +45,10 @@ pub fn handle_signals() -> anyhow::Result<()> {
             changed.is_ok()
         };
         if change(WORKING, STOPPED) {
-            end(match RESUMES.load(Ordering::SeqCst) {
-                true => {
-                    "interrupted; what is done is kept, and the same command goes on from there"
-                }
-                false => "interrupted; nothing was written",
+            end(if RESUMES.load(Ordering::SeqCst) {
+                "interrupted; what is done is kept, and the same command goes on from there"
+            } else {
+                "interrupted; nothing was written"
             });
         }
         if change(WRITING, STOPPED_WRITING) {
@@ -64,16 +61,20 @@ pub fn handle_signals() -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Declares that the command writes its results part by part, so that results computed before a signal are kept.
+/// Declares that results are kept part by part.
 pub fn resumes() {
     RESUMES.store(true, Ordering::SeqCst);
 }
 
-/// Runs a function that writes results. A signal that arrives while the function runs ends `hyzer` only when the
-/// function returns.
+/// Runs a function that writes results; a signal ends the process when the function returns.
 pub fn writing<T>(write: impl FnOnce() -> T) -> T {
     remove_bar();
-    enter(WORKING, WRITING);
+    // After a signal nothing is written.
+    while PHASE.compare_exchange(WORKING, WRITING, Ordering::SeqCst, Ordering::SeqCst)
+        == Err(STOPPED)
+    {
+        thread::sleep(MESSAGE_LIMIT);
+    }
     let written = write();
     if PHASE.swap(WORKING, Ordering::SeqCst) == STOPPED_WRITING {
         end("interrupted; the results had been written");
@@ -81,17 +82,7 @@ pub fn writing<T>(write: impl FnOnce() -> T) -> T {
     written
 }
 
-/// Changes the state of the process, `PHASE`, from `from` to `to`. If a signal has already begun to end the process,
-/// the function does not return, so that nothing is written after the message of the signal handler.
-fn enter(from: u8, to: u8) {
-    let entered = PHASE.compare_exchange(from, to, Ordering::SeqCst, Ordering::SeqCst);
-    while entered == Err(STOPPED) {
-        thread::sleep(MESSAGE_LIMIT);
-    }
-}
-
-/// Prints `message` to standard error and exits with the status [`INTERRUPTED`]; exits without the message if printing
-/// blocks for longer than [`MESSAGE_LIMIT`].
+/// Prints a message and exits, without the message if printing blocks.
 fn end(message: &str) {
     // Standard error may be a full pipe that nobody reads, so that printing blocks.
     thread::spawn(|| {
@@ -115,13 +106,12 @@ fn remove_bar() {
 #[derive(Debug)]
 pub struct Progress {
     bar: ProgressBar,
-    stage: Mutex<String>,
-    parts: AtomicUsize,
-    done: AtomicUsize,
+    /// Name, number of flights and number of finished flights of the stage.
+    stage: Mutex<(String, usize, usize)>,
 }
 
 impl Progress {
-    /// Creates and draws a progress bar.
+    /// Draws a progress bar.
     pub fn new() -> anyhow::Result<Self> {
         let bar = ProgressBar::new(0);
         bar.set_style(
@@ -134,21 +124,21 @@ impl Progress {
         }
         Ok(Self {
             bar,
-            stage: Mutex::default(),
-            parts: AtomicUsize::new(0),
-            done: AtomicUsize::new(0),
+            stage: Mutex::new((String::new(), 1, 0)),
         })
     }
-}
 
-impl Progress {
-    /// Starts a stage of the work: the bar then shows the name `stage` and the total number of flights of the stage.
+    /// Starts a stage of the work, of so many flights.
     pub fn start(&self, stage: &str, flights: u64) {
         self.bar.set_length(flights);
         self.bar.set_message(stage.to_owned());
     }
 
-    /// Adds `flights` to the number of finished flights that the bar shows.
+    fn lock(&self) -> MutexGuard<'_, (String, usize, usize)> {
+        self.stage.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Adds to the number of finished flights.
     pub fn advance(&self, flights: u64) {
         self.bar.inc(flights);
     }
@@ -161,31 +151,23 @@ impl Drop for Progress {
 }
 
 impl identify::Progress for Progress {
-    fn stage_started(&self, stage: &str, parts: usize) {
-        *self
-            .stage
-            .lock()
-            .unwrap_or_else(std::sync::PoisonError::into_inner) = stage.to_owned();
-        self.parts.store(parts, Ordering::Relaxed);
-        self.done.store(0, Ordering::Relaxed);
+    fn stage_started(&self, stage: &str, flights: usize) {
+        *self.lock() = (stage.to_owned(), flights.max(1), 0);
         self.bar.reset();
-        self.bar.set_length(parts as u64);
-        self.bar.set_message(stage.to_owned());
+        self.start(stage, flights as u64);
     }
 
     fn flight_done(&self) {
-        let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
-        let parts = self.parts.load(Ordering::Relaxed).max(1);
+        let mut stage = self.lock();
+        let (name, flights, done) = &mut *stage;
+        *done += 1;
         // A stage may iterate over all flights until convergence.
-        if done > parts && done % parts == 1 {
-            let stage = self
-                .stage
-                .lock()
-                .unwrap_or_else(std::sync::PoisonError::into_inner);
+        if *done > *flights && *done % *flights == 1 {
+            let iteration = *done / *flights + 1;
             self.bar.reset();
             self.bar
-                .set_message(format!("{stage}, iteration {}", done / parts + 1));
+                .set_message(format!("{name}, iteration {iteration}"));
         }
-        self.bar.set_position(((done - 1) % parts + 1) as u64);
+        self.bar.set_position(((*done - 1) % *flights + 1) as u64);
     }
 }

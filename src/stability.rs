@@ -4,11 +4,11 @@ use analysis::stability::{Body, Instant, ModeKind, at};
 
 use crate::{Error, Model, Release};
 
-/// A mode of the linearised motion: a real eigenvalue, or a conjugate pair.
+/// A mode of the linearised motion: a real eigenvalue or a conjugate pair.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Mode {
-    /// Name of the mode by the variables that change most in it, such as `nutation`.
+    /// Name by the variables that change most, such as `nutation`.
     pub name: &'static str,
     /// Real part of the eigenvalue, 1/s; negative for a decaying mode.
     pub growth: f64,
@@ -49,8 +49,7 @@ impl Stability {
         })
     }
 
-    /// Gyroscopic stability factor: the axis is stable by spin and damping above 1; infinite or negative where the
-    /// pitching moment does not destabilise it.
+    /// Gyroscopic stability factor: above 1 the axis is stable; infinite or negative where nothing destabilises it.
     pub fn gyroscopic_factor(&self) -> f64 {
         self.0.criteria.gyroscopic_factor
     }

@@ -7,12 +7,11 @@ use serde_json::Value;
 
 use crate::Error;
 
-/// Simulates the flights of the sweep plan in a file on several threads and writes `flights.parquet` and `summary.json`
-/// to the folder `out`. The folder is new or empty, or that of an earlier call with the same plan, which is continued.
+/// Simulates the flights of the plan in a file, and writes `flights.parquet` and `summary.json` to the folder `out`: a new
+/// or empty one, or that of an earlier call with the same plan, which is continued.
 ///
 /// # Errors
-/// [`Error::Release`] if the plan has faults; [`Error::Sweep`] if the flights cannot be computed or the results
-/// cannot be written.
+/// [`Error::Release`] if the plan has faults; [`Error::Sweep`] if it cannot be computed or the results cannot be written.
 ///
 /// ```
 /// let folder = tempfile::tempdir()?;
@@ -44,26 +43,23 @@ pub struct Sweep {
 }
 
 impl Sweep {
-    /// Number of flights of the sweep, including those that did not reach the ground.
+    /// Number of flights, including those that did not reach the ground.
     pub fn flights(&self) -> u64 {
         self.summary["flights"].as_u64().unwrap_or(0)
     }
 
-    /// Number of flights of the sweep that ended with the status `status`, such as `landed` (reached the ground) or
-    /// `time` (reached the final time).
+    /// Number of flights with a status, such as `landed` or `time` (reached the final time).
     pub fn count(&self, status: &str) -> u64 {
         self.summary["statuses"][status].as_u64().unwrap_or(0)
     }
 
-    /// Mean of a column of the table of flights, over the flights that reached the intended end: the ground or, if a
-    /// duration is specified in the plan, the final time. `None` for an unknown column or without such flights.
+    /// Mean of a column of the table of flights over those that reached the intended end; `None` for an unknown column or
+    /// without such flights.
     pub fn mean(&self, column: &str) -> Option<f64> {
         self.summary["columns"][column]["mean"].as_f64()
     }
 
-    /// Sample standard deviation (divisor n − 1) of a column of the table of flights, over the flights that reached the
-    /// intended end: the ground or, if a duration is specified in the plan, the final time. 0 if there is only one such
-    /// flight; `None` for an unknown column or without such flights.
+    /// Sample standard deviation of a column, as for [`mean`](Sweep::mean); 0 for a single flight.
     pub fn standard_deviation(&self, column: &str) -> Option<f64> {
         self.summary["columns"][column]["sd"].as_f64()
     }

@@ -1,20 +1,9 @@
 //! Verification of a model against its reference.
 
 use verify::Options;
-use verify::report::{Outcome as Found, Report};
+use verify::report::{Outcome, Report};
 
 use crate::{Error, Model};
-
-/// Outcome of a verification.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outcome {
-    /// Every check that applies was made and holds.
-    Verified,
-    /// No check refutes the model, and one that applies could not be made.
-    NotVerified,
-    /// A check refutes the model.
-    Refuted,
-}
 
 /// Result of the independent checks of a model.
 pub struct Verification {
@@ -22,8 +11,7 @@ pub struct Verification {
 }
 
 impl Verification {
-    /// Runs the independent checks of a model at `cases` random points: identities, symmetries, derivatives, exact
-    /// arithmetic, invariants of flights.
+    /// Runs the independent checks of a model at `cases` random points.
     ///
     /// # Errors
     /// [`Error::Load`] if the text of the model cannot be read again.
@@ -49,11 +37,7 @@ impl Verification {
 
     /// Whether the model is verified, refuted, or neither.
     pub fn outcome(&self) -> Outcome {
-        match self.report.outcome() {
-            Found::Verified => Outcome::Verified,
-            Found::NotVerified => Outcome::NotVerified,
-            Found::Refuted => Outcome::Refuted,
-        }
+        self.report.outcome()
     }
 
     /// Names of the checks with their verdicts, in the order in which they were made.

@@ -13,7 +13,6 @@ use flight::files::ResultFile;
 use flight::release::Release;
 use hyzer::program;
 use identify::Progress;
-use nalgebra::Vector3;
 use pyo3::prelude::*;
 
 use crate::dataset::Dataset;
@@ -25,7 +24,6 @@ use crate::report::Report;
 use crate::work;
 
 fn goal(name: &str, target: Option<[f64; 3]>) -> PyResult<Goal> {
-    let target = target.map(Vector3::from);
     match (name, target) {
         ("range", None) => Ok(Goal::Range),
         ("hangtime", None) => Ok(Goal::HangTime),
@@ -33,10 +31,9 @@ fn goal(name: &str, target: Option<[f64; 3]>) -> PyResult<Goal> {
         ("hit", Some(target)) => Ok(Goal::Hit(target)),
         ("curve", Some(target)) => Ok(Goal::Curve(target)),
         ("flare", Some(target)) => Ok(Goal::Flare(target)),
-        ("spread", Some(target)) if target.z == 0.0 => Ok(Goal::Spread(target)),
-        ("spread", Some(target)) => Err(input(format!(
-            "target: found a height of {} m, expected a point on the ground, (x, y, 0)",
-            target.z
+        ("spread", Some([x, y, 0.0])) => Ok(Goal::Spread([x, y])),
+        ("spread", Some([.., z])) => Err(input(format!(
+            "target: found a height of {z} m, expected a point on the ground, (x, y, 0)"
         ))),
         ("hit" | "curve" | "flare" | "spread", None) => Err(input(format!(
             "the goal {name} needs a target, as in target=(30, 0, 0)"

@@ -1,31 +1,32 @@
 //! Command `hyzer bootstrap`: refits to flights drawn with replacement, and the distribution of their estimates.
 
-mod parts;
 mod summary;
 
+use std::fs;
+use std::path::Path;
+
 use analysis::sweep::folder::{PartsFolder, fingerprint, share_of};
-use anyhow::{Context, bail};
+use anyhow::{Context, ensure};
 use dataset::{Dataset, Role};
-use identify::{Fit, FitOptions};
+use identify::{Fit, FitError, FitOptions};
 use model_spec::model::Model;
+use report::CsvTable;
 use serde_json::{Value, json};
 
 use super::fit::Inputs;
-use crate::cli::{Bootstrap, FitInputs};
+use crate::cli::Bootstrap;
 use crate::progress::{self, Progress};
 use crate::{Answer, output};
 
-pub use parts::{refits, table};
 pub use summary::{json as summary_json, text};
 
-/// Minimum number of fitted flights for a bootstrap; with fewer flights, drawing with replacement gives too few
-/// different samples.
+/// Number of refits of a part; the last may have fewer.
+const LEN: u64 = 16;
+/// Minimum number of fitted flights; fewer have too few different draws.
 const MIN_FLIGHTS: usize = 5;
 
-/// Runs `hyzer bootstrap`: fits the model, and refits it to flights drawn with replacement. Only the refits that the
-/// output folder does not hold yet are computed. Prints the distribution of the estimates over all refits. Returns
-/// `Answer::No` if this run completes the refits and the fit to the original flights is not reliable.
-pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
+/// Runs `hyzer bootstrap`. `Answer::No` if all refits are done and the fit to the original flights is not reliable.
+pub(super) fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
     let share = options.part.as_deref().map(super::share).transpose()?;
     let inputs = Inputs::read(&options.inputs, None, &[])?;
     let (dataset, model) = (&inputs.dataset, &inputs.model);
@@ -34,7 +35,7 @@ pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
         ..inputs.options()
     };
     asked.validate()?;
-    let count = parts::count(options.refits);
+    let count = options.refits.div_ceil(LEN);
     let parts = match share {
         None => 0..count,
         Some(share) => share_of(count, share)?,
@@ -56,17 +57,11 @@ pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
     let fit = identify::fit(model, dataset, &shown);
     let fit = fit.with_context(|| inputs.failed("fit"))?;
     enough(&fit)?;
-    bar.start("refits", (parts.end - parts.start) * parts::LEN);
-    let work = parts::Work {
-        fit: &fit,
-        folder: &folder,
-        refits: options.refits,
-        seed: options.seed,
-        options: &asked,
-    };
+    bar.start("refits", (parts.end - parts.start) * LEN);
+    let progress = |done| bar.advance(done);
     let mut refits = Vec::new();
     for part in parts {
-        refits.extend(work.part(part, &|done| bar.advance(done))?);
+        refits.extend(self::part(part, &fit, &folder, options, &asked, &progress)?);
     }
     drop(bar);
     let out = options.out.display();
@@ -76,7 +71,7 @@ pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
         );
         return Ok(Answer::Yes);
     }
-    folder.write(&folder.file("refits.csv"), &parts::table(&fit, &refits))?;
+    folder.write(&folder.file("refits.csv"), &table(&fit, &refits))?;
     let mut summary = summary::json(&fit, &refits, options.seed);
     folder.write_summary(&mut summary)?;
     folder.discard_parts();
@@ -85,21 +80,20 @@ pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
     Ok(answer(&summary))
 }
 
-/// Refuses a fit to too few flights.
+/// Refuses a fit to too few flights, fewer than five.
 ///
 /// # Errors
-/// With fewer than five fitted flights.
+/// If there are too few.
 pub fn enough(fit: &Fit) -> anyhow::Result<()> {
     let fitted = flights(fit);
-    if fitted < MIN_FLIGHTS {
-        bail!(
-            "found {fitted} fitted flights, expected at least {MIN_FLIGHTS}: fewer have too few different draws"
-        );
-    }
+    ensure!(
+        fitted >= MIN_FLIGHTS,
+        "found {fitted} fitted flights, expected at least {MIN_FLIGHTS}: fewer have too few different draws"
+    );
     Ok(())
 }
 
-/// Whether the fit that was refitted is reliable, by the summary of the bootstrap. If it is not, prints the reasons.
+/// Whether the fit is reliable by the summary of the bootstrap; prints the reasons if it is not.
 fn answer(summary: &Value) -> Answer {
     if summary["reliable"] == json!(true) {
         return Answer::Yes;
@@ -110,30 +104,101 @@ fn answer(summary: &Value) -> Answer {
     Answer::No
 }
 
-/// Number of flights to which `fit` fitted the model, without the excluded flights.
 fn flights(fit: &Fit) -> usize {
     fit.report.used(Role::Fit).count()
 }
 
-/// Hash of everything on which the estimates of a bootstrap depend: program version, model, options and dataset. A run
-/// continues earlier results only if their hash is the same.
+/// Hash of everything on which the estimates depend; only a run with the same hash continues earlier results.
 fn work(options: &Bootstrap, dataset: &Dataset, model: &Model) -> String {
-    let Bootstrap {
-        inputs,
-        refits,
-        seed,
-        unbounded,
-        ..
-    } = options;
-    let FitInputs {
-        hold,
-        free,
-        prior,
-        trust_data,
-        ..
-    } = inputs;
     let (version, source) = (env!("CARGO_PKG_VERSION"), codegen::rust::source_hash(model));
+    let (refits, seed, unbounded) = (options.refits, options.seed, options.unbounded);
+    let inputs = &options.inputs;
+    let (hold, free, prior) = (&inputs.hold, &inputs.free, &inputs.prior);
+    let trust_data = inputs.trust_data;
     fingerprint(format_args!(
         "hyzer.bootstrap/1 {version} {source:x} {refits} {seed} {hold:?} {free:?} {prior:?} {unbounded} {trust_data} {dataset:?}"
     ))
+}
+
+/// Number of a refit and the estimates of the common parameters, SI; `None` if it did not converge.
+pub type Refit = (u64, Option<Vec<f64>>);
+
+/// The refits of a part, read from its file or else computed and written. `progress` is called with the number of refits
+/// finished since its last call.
+fn part(
+    part: u64,
+    fit: &Fit,
+    folder: &PartsFolder,
+    asked: &Bootstrap,
+    options: &FitOptions<'_>,
+    progress: &(dyn Fn(u64) + Sync),
+) -> anyhow::Result<Vec<Refit>> {
+    let numbers = part * LEN..((part + 1) * LEN).min(asked.refits);
+    let path = folder.part(part, "csv");
+    // A part that cannot be read is computed again.
+    if let Some(refits) = read(&path, fit.problem().globals.len())
+        && refits.iter().map(|refit| refit.0).eq(numbers.clone())
+    {
+        progress(numbers.end - numbers.start);
+        return Ok(refits);
+    }
+    let refits = refits(fit, asked.seed, numbers, options, progress)?;
+    folder.write(&path, &table(fit, &refits))?;
+    Ok(refits)
+}
+
+/// The refits with the given numbers; `progress` is called with the number finished since its last call.
+///
+/// # Errors
+/// If a refit fails for another reason than that it does not converge.
+pub fn refits(
+    fit: &Fit,
+    seed: u64,
+    numbers: std::ops::Range<u64>,
+    options: &FitOptions<'_>,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<Vec<Refit>, FitError> {
+    // One thread per refit: refits in parallel are faster than the flights of one refit in parallel.
+    let alone = FitOptions {
+        threads: Some(1),
+        ..*options
+    };
+    let len = (numbers.end - numbers.start) as usize;
+    let done = flight::parallel::each_on(options.threads(), len, |i| {
+        let number = numbers.start + i as u64;
+        let estimates = fit.bootstrap(seed, number, &alone)?;
+        progress(1);
+        let estimates = estimates.map(|estimates| estimates.iter().copied().collect());
+        Ok((number, estimates))
+    });
+    done.into_iter().collect()
+}
+
+/// CSV table of refits: number, whether it converged, and the estimates, SI, with all digits.
+pub fn table(fit: &Fit, refits: &[Refit]) -> String {
+    let mut table = CsvTable::of(refits)
+        .column("refit", |(number, _)| *number)
+        .column("converged", |(_, estimates)| estimates.is_some());
+    for (i, global) in fit.problem().globals.iter().enumerate() {
+        table = table.optional(&global.name, |(_, estimates)| {
+            estimates.as_ref().map(|all| format!("{:?}", all[i]))
+        });
+    }
+    table.text()
+}
+
+/// Reads refits with `width` estimates each; `None` if there is no such table.
+fn read(path: &Path, width: usize) -> Option<Vec<Refit>> {
+    let text = fs::read_to_string(path).ok()?;
+    let row = |line: &str| {
+        let mut cells = line.split(',');
+        let number = cells.next()?.parse().ok()?;
+        if cells.next()? == "false" {
+            return Some((number, None));
+        }
+        let estimates: Option<Vec<f64>> = cells.map(|cell| cell.parse().ok()).collect();
+        let estimates = estimates.filter(|all| all.len() == width)?;
+        Some((number, Some(estimates)))
+    };
+    text.lines().skip(1).map(row).collect()
 }

@@ -13,37 +13,31 @@ use model_spec::{render, summary, with_unit};
 use crate::cli::Check;
 use crate::{Answer, output};
 
-/// Runs `hyzer check`: checks each model. Returns `Answer::No` if any model has an error or fails one of its check
-/// cases (points of evaluation with expected values, specified in the model file).
-pub fn run(options: &Check) -> anyhow::Result<Answer> {
+/// Runs `hyzer check`. `Answer::No` if a model has an error or fails one of its check cases.
+pub(super) fn run(options: &Check) -> anyhow::Result<Answer> {
     let mut answer = Answer::Yes;
     for name in &options.models {
         let loaded = inspect(name, &super::names(&options.with))?;
-        match loaded.model {
-            Some(model) if loaded.diagnostics.is_empty() => {
-                let (report, passes) = report(&model);
-                output::print(report)?;
-                if !passes {
-                    answer = Answer::No;
-                }
-            }
-            _ => {
-                eprint!(
-                    "{}",
-                    render(
-                        &loaded.diagnostics,
-                        &loaded.sources,
-                        std::io::stderr().is_terminal()
-                    )
-                );
-                answer = Answer::No;
-            }
+        let passes = if let Some(model) = loaded.model.filter(|_| loaded.diagnostics.is_empty()) {
+            let (report, passes) = report(&model);
+            output::print(report)?;
+            passes
+        } else {
+            let is_terminal = std::io::stderr().is_terminal();
+            eprint!(
+                "{}",
+                render(&loaded.diagnostics, &loaded.sources, is_terminal)
+            );
+            false
+        };
+        if !passes {
+            answer = Answer::No;
         }
     }
     Ok(answer)
 }
 
-/// What a checked model declares and the results of its check cases, and whether all of them pass.
+/// What a model declares, the results of its check cases, and whether all of them pass.
 pub fn report(model: &Model) -> (String, bool) {
     let (cases, passes) = cases(model);
     let fault = inertia_fault(model);
@@ -54,7 +48,7 @@ pub fn report(model: &Model) -> (String, bool) {
     (text, passes && fault.is_none())
 }
 
-/// What is wrong with the products of inertia of the model's body at the default values; `None` if nothing is.
+/// What is wrong with the products of inertia at the default values.
 pub(super) fn inertia_fault(model: &Model) -> Option<String> {
     let rotation = model.body.as_ref()?.rotation.as_ref()?;
     let is_zero =
@@ -74,8 +68,7 @@ pub(super) fn inertia_fault(model: &Model) -> Option<String> {
     ))
 }
 
-/// Evaluates the check cases that a model declares (points of evaluation with expected values), and compares the
-/// results with the expected values. Returns the results as text, and whether all cases pass.
+/// Results of the check cases of a model as text, and whether all of them pass.
 fn cases(model: &Model) -> (String, bool) {
     let mut text = String::new();
     let mut all_pass = true;

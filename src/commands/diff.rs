@@ -8,9 +8,8 @@ use verify::difference::{compare, landing, operations};
 use crate::cli::Diff;
 use crate::{Answer, output};
 
-/// Runs `hyzer diff`: compares two models. Returns `Answer::No` if they differ in a time derivative of a state, a
-/// component of the measurement equation or a limit of validity.
-pub fn run(options: &Diff) -> anyhow::Result<Answer> {
+/// Runs `hyzer diff`. `Answer::No` if two models differ in a time derivative, the measurement equation or a limit.
+pub(super) fn run(options: &Diff) -> anyhow::Result<Answer> {
     let with = super::names(&options.with);
     let ((old, old_faults), (new, new_faults)) =
         (model(&options.old, &with)?, model(&options.new, &with)?);
@@ -26,24 +25,17 @@ pub fn run(options: &Diff) -> anyhow::Result<Answer> {
     } else {
         difference.text()
     })?;
-    Ok(if difference.is_changed() {
-        Answer::No
-    } else {
-        Answer::Yes
-    })
+    Ok(Answer::of(!difference.is_changed()))
 }
 
-/// Loads a model by name or path. Also returns the messages on inconsistent units.
+/// Loads a model; also returns the messages on inconsistent units.
 fn model(wanted: &str, with: &[&str]) -> anyhow::Result<(Model, Vec<String>)> {
     let loaded = inspect(wanted, with)?;
     let faults = loaded.diagnostics.iter().map(|d| d.message.clone());
     let faults = faults.collect();
-    match loaded.model {
-        Some(model) => Ok((model, faults)),
-        None => Err(LoadError::Faults {
-            diagnostics: loaded.diagnostics,
-            sources: loaded.sources,
-        }
-        .into()),
-    }
+    let model = loaded.model.ok_or(LoadError::Faults {
+        diagnostics: loaded.diagnostics,
+        sources: loaded.sources,
+    })?;
+    Ok((model, faults))
 }

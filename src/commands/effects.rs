@@ -5,9 +5,8 @@ use report::effects::{listed, not_offered, page};
 use crate::cli::Effects;
 use crate::{Answer, output};
 
-/// Runs `hyzer effects`: writes the effects of a model, or all built-in effects, as Markdown to a file or standard
-/// output. Always returns `Answer::Yes`.
-pub fn run(options: &Effects) -> anyhow::Result<Answer> {
+/// Runs `hyzer effects`: writes the effects of a model, or all built-in effects, as Markdown.
+pub(super) fn run(options: &Effects) -> anyhow::Result<Answer> {
     let model = options.model.as_deref();
     let effects = listed(model)?;
     let refused = model.map_or_else(|| Ok(Vec::new()), not_offered)?;

@@ -3,8 +3,8 @@
 use crate::cli::Export;
 use crate::{Answer, output};
 
-/// Runs `hyzer export`: writes a model as JSON to a file or standard output. Always returns `Answer::Yes`.
-pub fn run(options: &Export) -> anyhow::Result<Answer> {
+/// Runs `hyzer export`: writes a model as JSON.
+pub(super) fn run(options: &Export) -> anyhow::Result<Answer> {
     let model = model_spec::load::load(&options.model, &super::names(&options.with))?;
     let json = codegen::ir::json(&model)?;
     match &options.out {

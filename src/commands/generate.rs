@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, bail};
+use anyhow::{Context, ensure};
 use codegen::backend::{Backend, SourceFile};
 use codegen::generate::{self, Difference};
 use model_spec::load;
@@ -11,24 +11,20 @@ use model_spec::model::Model;
 use crate::cli::Generate;
 use crate::{Answer, output, progress};
 
-/// Folder of the generated Rust sources, relative to the root of the repository.
 const SOURCES: &str = "crates/generated/src";
-/// Folder of the model files, relative to the root of the repository.
 const MODELS: &str = "model-spec/models";
 /// Models whose code is committed in `crates/generated`; the others run by tape.
 const GENERATED: [&str; 2] = ["ball", "disc"];
 
-/// Runs `hyzer generate`: writes the generated files that changed. With `--check` prints the differences instead, and
-/// returns `Answer::No` if there are any.
-pub fn run(options: &Generate) -> anyhow::Result<Answer> {
+/// Runs `hyzer generate`. `Answer::No` if `--check` finds differences.
+pub(super) fn run(options: &Generate) -> anyhow::Result<Answer> {
     match &options.out {
         Some(out) => generate_modules(options, out),
         None => generate_crate(options),
     }
 }
 
-/// Generates one Rust module per model in the folder `out` (option `--out`) and lists the files that changed. With
-/// `--check`, writes nothing and returns `Answer::No` if a file in the folder differs from the generated one.
+/// Generates a module per model in the folder `out`.
 fn generate_modules(options: &Generate, out: &Path) -> anyhow::Result<Answer> {
     let files = modules(options)?;
     let folder = out.display().to_string();
@@ -43,30 +39,29 @@ fn generate_modules(options: &Generate, out: &Path) -> anyhow::Result<Answer> {
 }
 
 fn modules(options: &Generate) -> anyhow::Result<Vec<SourceFile>> {
-    let backend = match options.lanes {
-        true => &codegen::rust::LanesRust as &dyn Backend,
-        false => codegen::backend(&options.backend)
-            .with_context(|| format!("no backend is called {}", options.backend))?,
+    let backend = if options.lanes {
+        &codegen::rust::LanesRust as &dyn Backend
+    } else {
+        codegen::backend(&options.backend)
+            .with_context(|| format!("no backend is called {}", options.backend))?
     };
     let effects = super::names(&options.with);
     let mut files: Vec<SourceFile> = Vec::new();
     for name in &options.models {
         let model = load::load(name, &effects)?;
         for file in generate::generate_with(backend, &[model]) {
-            if files.iter().any(|other| other.path == file.path) {
-                bail!(
-                    "two models would be written to {}: rename one of them",
-                    file.path
-                );
-            }
+            let path = &file.path;
+            ensure!(
+                !files.iter().any(|other| other.path == *path),
+                "two models would be written to {path}: rename one of them"
+            );
             files.push(file);
         }
     }
     Ok(files)
 }
 
-/// Generates the sources of the crate `generated` of this repository and lists the files that changed. With `--check`,
-/// writes nothing and returns `Answer::No` if a file of the crate differs from the generated one.
+/// Generates the sources of the crate `generated` of this repository.
 fn generate_crate(options: &Generate) -> anyhow::Result<Answer> {
     let root = match &options.root {
         Some(root) => root.clone(),
@@ -75,12 +70,13 @@ fn generate_crate(options: &Generate) -> anyhow::Result<Answer> {
     let models = models(&root.join(MODELS))?;
     let sources = root.join(SOURCES);
     if options.check {
-        let differences = generate::check(&sources, &models)
-            .with_context(|| format!("cannot read {}", sources.display()))?;
+        let differences = generate::check(&sources, &models);
+        let differences =
+            differences.with_context(|| format!("cannot read {}", sources.display()))?;
         return report(&differences, SOURCES, models.len());
     }
-    let changed = generate::write(&sources, &models)
-        .with_context(|| format!("cannot write {}", sources.display()))?;
+    let changed = generate::write(&sources, &models);
+    let changed = changed.with_context(|| format!("cannot write {}", sources.display()))?;
     list(&changed, SOURCES, models.len())
 }
 
@@ -105,24 +101,20 @@ fn list(changed: &[String], folder: &str, models: usize) -> anyhow::Result<Answe
     Ok(Answer::Yes)
 }
 
-/// Root folder of the `hyzer` repository that contains the current folder; an error if the current folder is outside of
-/// the repository.
+/// Root of the repository around the current folder.
 fn repository() -> anyhow::Result<PathBuf> {
     let here = std::env::current_dir()?;
-    match here
-        .ancestors()
-        .find(|folder| folder.join(SOURCES).is_dir() && folder.join(MODELS).is_dir())
-    {
-        Some(root) => Ok(root.to_path_buf()),
-        None => bail!(
+    let is_root = |folder: &&Path| folder.join(SOURCES).is_dir() && folder.join(MODELS).is_dir();
+    let root = here.ancestors().find(is_root).with_context(|| {
+        format!(
             "found no {MODELS} and {SOURCES} in {} or above it; give models and --out DIR, or --root DIR",
             here.display()
-        ),
-    }
+        )
+    })?;
+    Ok(root.to_path_buf())
 }
 
-/// Loads the models of `crates/generated` from their files in the repository, which may differ from the models built
-/// into `hyzer`.
+/// Loads the models of `crates/generated` from the repository, where they may differ from the built-in ones.
 fn models(folder: &Path) -> anyhow::Result<Vec<Model>> {
     let load = |name: &&str| {
         // Only the file name: the location of the repository must not appear in the generated text.

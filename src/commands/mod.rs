@@ -21,11 +21,26 @@ mod synthesize;
 mod verify;
 mod wind;
 
-use crate::Answer;
 use crate::cli::Command;
 
-/// Runs a command of `hyzer` and returns its outcome, which determines the exit status.
-pub fn run(command: Command) -> anyhow::Result<Answer> {
+/// Outcome of a command, which determines the exit status; invalid input is an error instead.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Answer {
+    Yes,
+    /// Such as a failed check.
+    No,
+    Undecided,
+}
+
+impl Answer {
+    /// `Yes` or `No`.
+    fn of(answer: bool) -> Answer {
+        if answer { Answer::Yes } else { Answer::No }
+    }
+}
+
+/// Runs a command of `hyzer`.
+pub(super) fn run(command: Command) -> anyhow::Result<Answer> {
     match command {
         Command::Check(options) => check::run(&options),
         Command::Generate(options) => generate::run(&options),
@@ -49,12 +64,11 @@ pub fn run(command: Command) -> anyhow::Result<Answer> {
     }
 }
 
-/// Names of the effects given by the option `--with`, as string slices for the model loader.
 fn names(with: &[String]) -> Vec<&str> {
     with.iter().map(String::as_str).collect()
 }
 
-/// Parses the value of a command-line option as a finite number (SI units); `option` names it in messages.
+/// Parses a finite number, the value of an option, SI.
 fn number(option: &str, text: &str) -> anyhow::Result<f64> {
     match text.trim().parse::<f64>() {
         Ok(number) if number.is_finite() => Ok(number),
@@ -62,8 +76,7 @@ fn number(option: &str, text: &str) -> anyhow::Result<f64> {
     }
 }
 
-/// Parses the value `I/N` of the option `--part`, which selects share number I, counted from 1, of N equal shares of
-/// the work.
+/// Parses the value `I/N` of the option `--part`: share number I, from 1, of N shares of the work.
 fn share(text: &str) -> anyhow::Result<(u64, u64)> {
     let numbers = text.split_once('/');
     let numbers = numbers.and_then(|(part, of)| Some((part.parse().ok()?, of.parse().ok()?)));
@@ -73,8 +86,7 @@ fn share(text: &str) -> anyhow::Result<(u64, u64)> {
     }
 }
 
-/// Parses the value `X,Y,Z` of a command-line option as three finite numbers; `option` and `unit` appear in messages
-/// only.
+/// Parses three finite numbers `X,Y,Z`, the value of an option.
 fn vector(option: &str, text: &str, unit: &str) -> anyhow::Result<[f64; 3]> {
     let parts: Vec<&str> = text.split(',').collect();
     let [x, y, z] = parts[..] else {

@@ -8,7 +8,7 @@ pub(super) mod throws;
 use std::fmt::Write;
 use std::path::Path;
 
-use anyhow::{Context, anyhow, bail};
+use anyhow::{Context, anyhow, bail, ensure};
 use flight::files::ResultFile;
 use flight::release::{
     BUILT_IN, Release, Stop, Vocabulary, built_in, quaternion_fault, read, read_file,
@@ -28,17 +28,12 @@ use crate::{Answer, output};
 
 pub use flown::json as summary_json;
 
-/// Runs `hyzer simulate`: simulates the flight from the launch conditions (release), prints a summary, and writes the
-/// result files if an output folder is given. Returns `Answer::No` only if all throws of a launch monitor's file are
-/// requested and one of them could not be simulated.
-pub fn run(options: &Simulate) -> anyhow::Result<Answer> {
+/// Runs `hyzer simulate`. `Answer::No` only if all throws of a launch monitor's file are flown and one cannot be.
+pub(super) fn run(options: &Simulate) -> anyhow::Result<Answer> {
     if options.list {
         for (name, text) in BUILT_IN {
-            let about = text
-                .lines()
-                .next()
-                .unwrap_or_default()
-                .trim_start_matches(['#', ' ']);
+            let about = text.lines().next().unwrap_or_default();
+            let about = about.trim_start_matches(['#', ' ']);
             output::print(format!("{name:9} {about}\n"))?;
         }
         return Ok(Answer::Yes);
@@ -57,12 +52,9 @@ pub fn run(options: &Simulate) -> anyhow::Result<Answer> {
     if options.throw.techdisc.is_some() && options.throw.row.is_none() {
         return launches::run(options, &rows, (&model, &body, &release), out.as_ref());
     }
-    let is_bare = options.release.is_none();
-    let throw = match rows.first() {
-        Some(row) => Some(row.throw),
-        None => is_bare.then(|| Throw::at_speed(0.0)),
-    };
-    throws::apply(&options.throw, throw, &model, &mut release)?;
+    let first = rows.first().map(|row| row.throw);
+    let bare = options.release.is_none().then(|| Throw::at_speed(0.0));
+    throws::apply(&options.throw, first.or(bare), &model, &mut release)?;
     let settings = IntegrationOptions::with_tolerance(options.tolerance);
     let flight = simulate(&body, &release, &settings)?;
     let flown = FlownThrow::of(&model, &body, &release, &flight);
@@ -79,11 +71,9 @@ pub fn run(options: &Simulate) -> anyhow::Result<Answer> {
             release: &release,
             flight: &flight,
         };
-        let what = match &flown {
-            Some(_) => "trajectory.csv, summary.json, flight.svg and flight.html",
-            None => "trajectory.csv, flight.svg and flight.html",
-        };
-        out.write(files(&simulated, flown.as_ref(), options.rate), what)?;
+        let summary = flown.as_ref().map_or("", |_| "summary.json, ");
+        let what = format!("trajectory.csv, {summary}flight.svg and flight.html");
+        out.write(files(&simulated, flown.as_ref(), options.rate), &what)?;
     }
     let mut text = summary(&model, &body, &flight);
     text.extend(flown.iter().map(flown::table));
@@ -91,17 +81,15 @@ pub fn run(options: &Simulate) -> anyhow::Result<Answer> {
     Ok(Answer::Yes)
 }
 
-/// Result file `path` with the characteristics of a simulated flight, such as duration and range, as JSON.
+/// Result file with the characteristics of a flight as JSON.
 fn summary_file(path: &str, flown: &FlownThrow, model: &Model) -> ResultFile {
     let text = format!("{:#}\n", flown::json(flown, &model.name));
     ResultFile::new(path, text)
 }
 
-/// Maximum number of rows of `trajectory.csv`, about 200 MB.
 const MAX_ROWS: f64 = 1e6;
 
-/// Returns an error if `trajectory.csv` would have too many rows for a flight of `seconds`; the message states which
-/// option to change.
+/// Refuses too many rows of `trajectory.csv` for a flight of `seconds`.
 fn check_rows(options: &Simulate, seconds: f64) -> anyhow::Result<()> {
     let (rate, rows) = (options.rate, seconds * options.rate);
     if options.out.is_some() && rows > MAX_ROWS {
@@ -115,33 +103,37 @@ fn check_rows(options: &Simulate, seconds: f64) -> anyhow::Result<()> {
 }
 
 fn check_numbers(options: &Simulate) -> anyhow::Result<()> {
-    if !(options.rate > 0.0 && options.rate <= 1e6) {
-        bail!(
-            "--rate: found {}, expected rows per second above 0, at most 1e6",
-            options.rate
-        );
-    }
-    if !(1e-14..=0.1).contains(&options.tolerance) {
-        bail!(
-            "--tolerance: found {}, expected 1e-14 to 0.1",
-            options.tolerance
-        );
-    }
+    let (rate, tolerance) = (options.rate, options.tolerance);
+    ensure!(
+        rate > 0.0 && rate <= 1e6,
+        "--rate: found {rate}, expected rows per second above 0, at most 1e6"
+    );
+    ensure!(
+        (1e-14..=0.1).contains(&tolerance),
+        "--tolerance: found {tolerance}, expected 1e-14 to 0.1"
+    );
     Ok(())
 }
 
-/// Loads the model and the release, and applies the changes to the release that are given on the command line, such as
-/// wind and parameters.
+/// The model and the release with the changes by options, such as wind and parameters.
 fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
-    let (mut model, mut release) = match &options.release {
-        Some(name) => released_in_wind(name, options.model.as_deref(), &options.with)?,
-        None if throws::are_enough(&options.throw) => throws::bare(options)?,
-        None => {
+    let is_thrown = options.throw.speed.is_some() || options.throw.techdisc.is_some();
+    let (mut model, mut release) = match (&options.release, &options.model) {
+        (Some(name), model) => released_in_wind(name, model.as_deref(), &options.with)?,
+        (None, _) if !is_thrown => {
             let names: Vec<&str> = BUILT_IN.iter().map(|(name, _)| *name).collect();
             bail!(
                 "no --release: name one of {} or a TOML file, or state a throw by --speed or --techdisc",
                 names.join(", ")
             );
+        }
+        (None, None) => bail!(
+            "no MODEL: expected one before the options of a throw, as in hyzer simulate disc --speed 20"
+        ),
+        (None, Some(name)) => {
+            let model = load(name, &super::names(&options.with))?;
+            let release = throws::at_defaults(name, &model);
+            (model, release)
         }
     };
     if let Some(wind) = &options.wind {
@@ -167,8 +159,7 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     Ok((model, release))
 }
 
-/// Loads a release by name or file, with the model given on the command line or else the one that the release names.
-/// Returns an error if the release has a wind profile over height or gusts.
+/// A release by name or file, with the model of an option or else its own; winds that change the model are refused.
 pub(super) fn released(
     name: &str,
     named: Option<&str>,
@@ -190,8 +181,7 @@ pub(super) fn released(
     Ok((model, release))
 }
 
-/// Loads a release by name or file, with the model given on the command line or else the one that the release names.
-/// The model returned includes a wind profile over height and gusts that the release specifies.
+/// As [`released`], with the wind in the model.
 fn released_in_wind(
     name: &str,
     named: Option<&str>,
@@ -209,7 +199,7 @@ fn released_in_wind(
     Ok((Model::clone(&model), release))
 }
 
-/// Applies the assignments `NAME=VALUE` of the option `--set` (values in SI units) to the release.
+/// Applies the values `NAME=VALUE` of the option `--set`, SI.
 pub(super) fn apply_all(
     sets: &[String],
     model: &Model,
@@ -231,12 +221,10 @@ pub(super) fn apply_all(
     }
 }
 
-/// Applies an assignment `NAME=VALUE` of the option `--set` (value in SI units) to a parameter, coefficient or initial
-/// state of the release.
+/// Sets a parameter, coefficient or initial state.
 fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> {
-    let (name, value) = set
-        .split_once('=')
-        .with_context(|| format!("--set: found {set:?}, expected NAME=VALUE"))?;
+    let expected = || format!("--set: found {set:?}, expected NAME=VALUE");
+    let (name, value) = set.split_once('=').with_context(expected)?;
     let (name, value) = (name.trim(), number("--set", value)?);
     let vocabulary = Vocabulary::of(model);
     for (names, values) in [
@@ -257,54 +245,41 @@ fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> 
         values.push((name.to_owned(), value));
         return Ok(());
     }
-    match release.initial.iter_mut().find(|(known, _)| known == name) {
-        Some((_, state)) => *state = value,
-        None => {
-            let constants = vocabulary.parameters.iter().chain(&vocabulary.coefficients);
-            let mut known: Vec<&str> = constants.map(|constant| constant.name.as_str()).collect();
-            known.extend(release.initial.iter().map(|(name, _)| name.as_str()));
-            bail!(
-                "--set: the model {} has no {name:?}; it has {}",
-                model.name,
-                known.join(", ")
-            );
-        }
-    }
+    let Some((_, state)) = release.initial.iter_mut().find(|(known, _)| known == name) else {
+        let constants = vocabulary.parameters.iter().chain(&vocabulary.coefficients);
+        let mut known: Vec<&str> = constants.map(|constant| constant.name.as_str()).collect();
+        known.extend(release.initial.iter().map(|(name, _)| name.as_str()));
+        let (model, known) = (&model.name, known.join(", "));
+        bail!("--set: the model {model} has no {name:?}; it has {known}");
+    };
+    *state = value;
     Ok(())
 }
 
 fn summary(model: &Model, body: &CompiledModel, flight: &Trajectory) -> String {
-    let end = |name: &str| {
-        body.layout()
-            .state(name)
-            .map(|state| flight.end_state[state.index()])
-    };
+    let layout = body.layout();
     let why = flight.terminal_event.as_deref().unwrap_or("time");
     let mut text = format!("{}: {:.4} s, ended by {why}\n", model.name, flight.end);
     for state in &model.states {
-        let value = end(&state.name).unwrap_or(f64::NAN);
+        let end = layout.state(&state.name);
+        let value = end.map_or(f64::NAN, |state| flight.end_state[state.index()]);
         let _ = writeln!(text, "  {:9} {value:>13.6} {}", state.name, state.unit_text);
     }
     for event in &flight.events {
-        let z = body.layout().state("z").map(|z| event.state[z.index()]);
-        let _ = writeln!(
-            text,
-            "  {} at {:.4} s, z = {:.4} m",
-            event.event,
-            event.time,
-            z.unwrap_or(f64::NAN)
-        );
+        let z = layout
+            .state("z")
+            .map_or(f64::NAN, |z| event.state[z.index()]);
+        let (name, time) = (&event.event, event.time);
+        let _ = writeln!(text, "  {name} at {time:.4} s, z = {z:.4} m");
     }
-    let by = if body.is_generated() {
+    let is_generated = body.is_generated();
+    let by = if is_generated {
         "generated code"
     } else {
         "the tape"
     };
-    let _ = writeln!(
-        text,
-        "  {} steps, {} evaluations of {by}",
-        flight.stats.steps, flight.stats.evaluations
-    );
+    let (steps, evaluations) = (flight.stats.steps, flight.stats.evaluations);
+    let _ = writeln!(text, "  {steps} steps, {evaluations} evaluations of {by}");
     text
 }
 
@@ -322,8 +297,7 @@ pub struct Simulated<'a> {
     pub flight: &'a Trajectory,
 }
 
-/// Result files of the simulation of one flight: the trajectory at `rate` rows per second, the figure, the
-/// three-dimensional view and, of a body that can be thrown, the summary.
+/// Result files of a flight: trajectory, figure, three-dimensional view and, of a thrown body, the summary.
 pub fn files(simulated: &Simulated<'_>, flown: Option<&FlownThrow>, rate: f64) -> Vec<ResultFile> {
     let Simulated {
         title,
@@ -332,11 +306,7 @@ pub fn files(simulated: &Simulated<'_>, flown: Option<&FlownThrow>, rate: f64) -
         release,
         flight,
     } = simulated;
-    let names: Vec<&str> = model
-        .states
-        .iter()
-        .map(|state| state.name.as_str())
-        .collect();
+    let names: Vec<&str> = model.states.iter().map(|state| &*state.name).collect();
     let labels = model.states.iter().map(|state| StateLabel {
         name: &state.name,
         unit: &state.unit_text,
@@ -346,11 +316,8 @@ pub fn files(simulated: &Simulated<'_>, flown: Option<&FlownThrow>, rate: f64) -
         ResultFile::new("trajectory.csv", trajectory_csv(flight, &names, rate)),
         ResultFile::new("flight.svg", picture(title, flight, &labels)),
     ];
-    let view = View::of_trajectory(title, model, body, release, flight);
-    files.extend(
-        view.html(title)
-            .map(|html| ResultFile::new("flight.html", html)),
-    );
+    let view = View::of_trajectory(title, model, body, release, flight).html(title);
+    files.extend(view.map(|html| ResultFile::new("flight.html", html)));
     files.extend(flown.map(|flown| summary_file("summary.json", flown, model)));
     files
 }

@@ -2,14 +2,13 @@
 //! flight, stability criteria, and maps over speed and spin.
 
 use analysis::stability::{Body, StabilityError, along, at, map, modes, trim};
-use anyhow::bail;
+use anyhow::ensure;
 use flight::files::ResultFile;
 use flight::release::Release;
 use flight::simulate;
 use flight::throw::Throw;
 use model_spec::model::Model;
 use ode::{IntegrationError, IntegrationOptions};
-use report::Figure;
 use report::stability::{self, Found};
 
 use super::simulate::{apply_all, released, throws};
@@ -17,24 +16,22 @@ use super::vector;
 use crate::cli::Stability as Options;
 use crate::{Answer, output};
 
-/// Speeds, m/s, of the grid of speed and spin for which modes and stability criteria are computed.
+/// Speeds of the grid, m/s.
 const SPEEDS: [f64; 12] = [
     6.0, 8.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 31.0,
 ];
-/// Spins of the grid of speed and spin, evenly spaced from 0: number of intervals, and maximum, rpm.
+/// Spins of the grid, from 0: number of intervals, and maximum, rpm.
 const SPINS: (u32, f64) = (24, 1200.0);
-/// Speed (m/s) and spin (rpm) of the throw if they are specified neither in a release nor by options.
+/// Speed (m/s) and spin (rpm) of the throw by default.
 const THROW: (f64, f64) = (16.0, 700.0);
 
-/// Runs `hyzer stability`: computes modes and stability criteria, prints them, and writes the result files if an output
-/// folder is given. Always returns `Answer::Yes`, whether the flight is stable or not.
-pub fn run(options: &Options) -> anyhow::Result<Answer> {
+/// Runs `hyzer stability`: computes modes and criteria, prints them, and writes the result files.
+pub(super) fn run(options: &Options) -> anyhow::Result<Answer> {
     let out = output::results(options.out.as_deref(), &options.figures)?;
-    if options.throw.techdisc.is_some() {
-        bail!(
-            "--techdisc: expected a throw by --speed and others; `hyzer simulate` flies a launch monitor's table"
-        );
-    }
+    ensure!(
+        options.throw.techdisc.is_none(),
+        "--techdisc: expected a throw by --speed and others; `hyzer simulate` flies a launch monitor's table"
+    );
     let (model, mut release, throw) = match &options.release {
         Some(name) => {
             let (model, release) = released(name, Some(&options.model), &options.with)?;
@@ -72,8 +69,7 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
     Ok(Answer::Yes)
 }
 
-/// Modes and criteria of a body at a release, at a number `times` of instants along its flight and in steady flight; also the reason
-/// why there are none along the flight.
+/// Modes and criteria at a release, along its flight and in steady flight; and why there are none along the flight.
 ///
 /// # Errors
 /// If the motion cannot be linearised.
@@ -90,9 +86,8 @@ pub fn found(
         Err(error) => (Vec::new(), Some(error)),
     };
     let spin = first.throw.rotation_rate();
-    let spins: Vec<f64> = (0..=SPINS.0)
-        .map(|k| SPINS.1 * f64::from(k) / f64::from(SPINS.0))
-        .collect();
+    let spins = (0..=SPINS.0).map(|k| SPINS.1 * f64::from(k) / f64::from(SPINS.0));
+    let spins: Vec<f64> = spins.collect();
     let found = Found {
         map: map(&bound, &first.throw, &SPEEDS, &spins),
         trim: trim(&bound, spin).map(|trim| {
@@ -105,20 +100,18 @@ pub fn found(
     Ok((found, missing))
 }
 
-/// The modes and criteria as JSON, for the file `stability.json`.
+/// The modes and criteria as JSON.
 pub fn json(model: &Model, found: &Found) -> String {
     format!("{:#}\n", stability::json(&model.name, found))
 }
 
 /// Result files of `hyzer stability`.
 pub fn files(model: &Model, found: &Found) -> Vec<ResultFile> {
-    let (page, figures) = stability::page(&model.name, found);
     let mut files = vec![
         ResultFile::new("stability.json", json(model, found)),
-        ResultFile::new("report.html", page.html()),
         ResultFile::new("modes.csv", stability::csv(&found.flight)),
         ResultFile::new("map.csv", stability::csv(&found.map)),
     ];
-    files.extend(figures.into_iter().flat_map(Figure::files));
+    files.extend(stability::page(&model.name, found).files());
     files
 }

@@ -19,10 +19,8 @@ pub const EXAMPLE: &str = include_str!("sweep/backhands.toml");
 /// Name of the built-in sweep plan, and its text.
 const BUILT_IN: (&str, &str) = ("backhands", EXAMPLE);
 
-/// Runs `hyzer sweep`: simulates the flights of the sweep plan and prints the summary. If only a share of the flights
-/// is simulated, prints instead where its results are and how to join them with those of the other shares. Always
-/// returns `Answer::Yes`.
-pub fn run(options: &Sweep) -> anyhow::Result<Answer> {
+/// Runs `hyzer sweep`: flies a plan and prints the summary, or for a share where its results are.
+pub(super) fn run(options: &Sweep) -> anyhow::Result<Answer> {
     if options.example {
         output::print(BUILT_IN.1)?;
         return Ok(Answer::Yes);
@@ -37,15 +35,14 @@ pub fn run(options: &Sweep) -> anyhow::Result<Answer> {
         None => flight::parallel::threads(),
     };
     // A file takes precedence over the built-in name.
-    let plan = match path.as_os_str() == BUILT_IN.0 && !path.is_file() {
-        true => plan::read(BUILT_IN.0, BUILT_IN.1, Path::new("."))?,
-        false => plan::read_file(path)?,
+    let plan = if path.as_os_str() == BUILT_IN.0 && !path.is_file() {
+        plan::read(BUILT_IN.0, BUILT_IN.1, Path::new("."))?
+    } else {
+        plan::read_file(path)?
     };
     let bar = Progress::new()?;
-    bar.start(
-        &plan.model.name,
-        share.map_or(plan.flights, |(_, of)| plan.flights / of),
-    );
+    let flights = share.map_or(plan.flights, |(_, of)| plan.flights / of);
+    bar.start(&plan.model.name, flights);
     progress::resumes();
     let start = Instant::now();
     let settings = SweepOptions {
@@ -57,11 +54,15 @@ pub fn run(options: &Sweep) -> anyhow::Result<Answer> {
     };
     let summary = fly(&plan, out, &settings).context("--out")?;
     drop(bar);
-    let seconds = start.elapsed().as_secs_f64();
     match summary {
         Some(summary) => {
             output::print(table(&plan, &summary))?;
-            tell(&plan, out, options.csv, seconds);
+            let csv = if options.csv { ", flights.csv" } else { "" };
+            let rate = plan.flights as f64 / start.elapsed().as_secs_f64();
+            eprintln!(
+                "flights.parquet{csv} and summary.json are in {}; {rate:.0} flights a second",
+                out.display()
+            );
         }
         None => eprintln!(
             "the parts of this share are in {}; `hyzer sweep` without --part joins them when all are there",
@@ -71,26 +72,14 @@ pub fn run(options: &Sweep) -> anyhow::Result<Answer> {
     Ok(Answer::Yes)
 }
 
-/// Prints on standard error in which folder the results of the sweep are, and how many flights were simulated per
-/// second; this rate is not part of the results.
-fn tell(plan: &Plan, out: &Path, csv: bool, seconds: f64) {
-    let csv = if csv { ", flights.csv" } else { "" };
-    eprintln!(
-        "flights.parquet{csv} and summary.json are in {}; {:.0} flights a second",
-        out.display(),
-        plan.flights as f64 / seconds
-    );
-}
-
-/// The summary of a sweep as a text table.
 fn table(plan: &Plan, summary: &Value) -> String {
     let mut text = format!("{}: {} flights", plan.model.name, plan.flights);
     for (status, count) in summary["statuses"].as_object().into_iter().flatten() {
         let _ = write!(text, ", {count} {status}");
     }
-    let number = |value: &Value| match value.as_f64() {
-        Some(value) => format!("{value:.5}"),
-        None => "–".to_owned(),
+    let number = |value: &Value| {
+        let value = value.as_f64();
+        value.map_or("–".to_owned(), |value| format!("{value:.5}"))
     };
     let mut rows = Table::of(summary["columns"].as_object().into_iter().flatten())
         .name("", |(name, _)| *name)

@@ -8,14 +8,13 @@ use dataset::{Marker, write_with};
 use flight::release::Release;
 use model_spec::model::Model;
 
-use super::number;
 use super::simulate::{apply_all, released};
+use super::vector;
 use crate::cli::Synthesize;
 use crate::{Answer, output, progress};
 
-/// Runs `hyzer synthesize`: simulates flights from releases, writes the dataset and the file `truth.toml` with the true
-/// values, and prints a summary. Always returns `Answer::Yes`.
-pub fn run(options: &Synthesize) -> anyhow::Result<Answer> {
+/// Runs `hyzer synthesize`: makes flights from releases, and writes the dataset and the true values.
+pub(super) fn run(options: &Synthesize) -> anyhow::Result<Answer> {
     output::new_folder(&options.out)?;
     let (model, releases) = prepare(options)?;
     let plan = plan(options)?;
@@ -36,8 +35,7 @@ pub fn run(options: &Synthesize) -> anyhow::Result<Answer> {
     Ok(Answer::Yes)
 }
 
-/// Loads the releases and the model that all of them have in common, and applies the changes given on the command line
-/// to every release.
+/// The releases, with the changes by options, and the model that they have in common.
 fn prepare(options: &Synthesize) -> anyhow::Result<(Model, Vec<Release>)> {
     let mut model: Option<Model> = None;
     let mut releases = Vec::with_capacity(options.release.len());
@@ -59,16 +57,13 @@ fn prepare(options: &Synthesize) -> anyhow::Result<(Model, Vec<Release>)> {
 }
 
 fn plan(options: &Synthesize) -> anyhow::Result<Plan> {
+    let markers = options.marker.iter().map(|text| marker(text));
     Ok(Plan {
         flights: options.flights,
         held_out: options.held_out,
         duration: options.duration,
         rate: options.rate,
-        markers: options
-            .marker
-            .iter()
-            .map(|text| marker(text))
-            .collect::<anyhow::Result<_>>()?,
+        markers: markers.collect::<anyhow::Result<_>>()?,
         spread: Spread {
             fraction: options.spread,
             ..Spread::default()
@@ -85,22 +80,14 @@ fn plan(options: &Synthesize) -> anyhow::Result<Plan> {
     })
 }
 
-/// Parses a marker `NAME=X,Y,Z` of the command line; X, Y and Z are its position in the body frame, m.
+/// Parses a marker `NAME=X,Y,Z`: its position in the body frame, m.
 fn marker(text: &str) -> anyhow::Result<Marker> {
     let Some((name, position)) = text.split_once('=') else {
         bail!("--marker: found {text:?}, expected NAME=X,Y,Z in m");
     };
-    let position: Vec<&str> = position.split(',').collect();
-    let [x, y, z] = position[..] else {
-        bail!("--marker: found {text:?}, expected three numbers X,Y,Z in m");
-    };
     Ok(Marker {
         name: name.trim().to_owned(),
-        position: [
-            number("--marker", x)?,
-            number("--marker", y)?,
-            number("--marker", z)?,
-        ],
+        position: vector("--marker", position, "m")?,
     })
 }
 

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use anyhow::{Context, bail};
+use anyhow::{Context, ensure};
 use model_spec::load::{Loaded, MODELS, inspect};
 use model_spec::model::Model;
 use serde_json::{Value, json};
@@ -15,21 +15,19 @@ use verify::{Options, Report};
 use crate::cli::Verify;
 use crate::{Answer, output};
 
-/// Built-in models that describe the same motion in different formulations, which `hyzer verify` compares with each
-/// other.
+/// Built-in models of the same motion, which are compared with each other.
 const SAME: [&str; 3] = ["disc", "disc_appendix", "disc_quaternion"];
 
-/// A model to be verified: the name or path and the effects by which it was loaded, and what was loaded.
+/// A model to be verified: name or path, effects, and what was loaded.
 struct Candidate<'a> {
     source: &'a str,
     with: Vec<&'a str>,
     loaded: Loaded,
 }
 
-/// Runs `hyzer verify`: verifies each model. Returns `Answer::No` if any check of any model fails, and
-/// `Answer::Undecided` if none fails but some applicable checks could not be made. With `--check`, answers whether an
-/// earlier verification has the same hashes and verdicts.
-pub fn run(options: &Verify) -> anyhow::Result<Answer> {
+/// Runs `hyzer verify`. `Answer::No` if a check fails, `Answer::Undecided` if none fails and one that applies could not be
+/// made; with `--check`, whether an earlier verification has the same hashes and verdicts.
+pub(super) fn run(options: &Verify) -> anyhow::Result<Answer> {
     if let Some(path) = &options.check {
         return check(path, options.json);
     }
@@ -47,12 +45,10 @@ pub fn run(options: &Verify) -> anyhow::Result<Answer> {
     };
     let with = super::names(&options.with);
     let candidate = |source| -> anyhow::Result<Candidate<'_>> {
-        let loaded = inspect(source, &with)?;
-        let with = with.clone();
         Ok(Candidate {
             source,
-            with,
-            loaded,
+            with: with.clone(),
+            loaded: inspect(source, &with)?,
         })
     };
     let candidates = names.into_iter().map(candidate);
@@ -69,7 +65,6 @@ pub fn run(options: &Verify) -> anyhow::Result<Answer> {
 }
 
 /// Verifies models, prints their tables if `print`, and returns the worst outcome and the verification as JSON.
-/// `rounding` adds the rounding errors.
 fn verify_all(
     candidates: Vec<Candidate<'_>>,
     settings: &Options,
@@ -129,7 +124,7 @@ fn verify_all(
     Ok((outcome, value))
 }
 
-/// The verification of one model as JSON: its report, where its text is from, and the hashes of text and code.
+/// The verification of one model as JSON, with the hashes of text and code.
 fn of_model(
     candidate: &Candidate<'_>,
     model: &Model,
@@ -144,8 +139,7 @@ fn of_model(
     Ok(value)
 }
 
-/// Repeats the verification whose JSON is in the file `path`, and prints the differences of hashes and verdicts.
-/// Returns `Answer::No` if there are any.
+/// Repeats the verification whose JSON is in a file, and prints the differences of hashes and verdicts.
 fn check(path: &Path, json: bool) -> anyhow::Result<Answer> {
     let shown = path.display();
     let record = read(path).with_context(|| format!("--check: {shown}"))?;
@@ -178,7 +172,7 @@ fn check(path: &Path, json: bool) -> anyhow::Result<Answer> {
     } else {
         differences.join("\n") + "\n"
     })?;
-    Ok(if agrees { Answer::Yes } else { Answer::No })
+    Ok(Answer::of(agrees))
 }
 
 fn read(path: &Path) -> anyhow::Result<Record> {
@@ -192,9 +186,10 @@ fn read(path: &Path) -> anyhow::Result<Record> {
 }
 
 fn check_cases(what: &str, cases: usize) -> anyhow::Result<()> {
-    if cases == 0 || cases > 100_000 {
-        bail!("{what}: found {cases}, expected 1 to 100000");
-    }
+    ensure!(
+        (1..=100_000).contains(&cases),
+        "{what}: found {cases}, expected 1 to 100000"
+    );
     Ok(())
 }
 

@@ -9,9 +9,7 @@ use model_spec::model::Model;
 
 use super::vector;
 
-/// Sets the wind of a release from the value `text` of the option `--wind`, and returns the model with which to
-/// simulate the release. Three numbers are a constant wind, m/s; anything else is the path of a TOML file with a table
-/// `[wind]`.
+/// Sets the wind of a release by the option `--wind`; returns the model with which to fly the release.
 pub fn apply(text: &str, model: Model, release: &mut Release) -> anyhow::Result<Model> {
     if release.wind_field.is_some() {
         bail!("--wind: the release states a wind by height or gusts, expected one wind alone");
@@ -32,7 +30,7 @@ pub fn apply(text: &str, model: Model, release: &mut Release) -> anyhow::Result<
     }
 }
 
-/// Returns the model unchanged, or an error if the wind is not zero and the model has no input `wind`.
+/// Refuses a constant wind for a model without an input `wind`.
 fn with_input(model: Model, wind: [f64; 3]) -> anyhow::Result<Model> {
     if wind != [0.0; 3] && !model.inputs.iter().any(|input| input.name == "wind") {
         bail!(

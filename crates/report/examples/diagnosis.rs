@@ -10,7 +10,7 @@ mod made;
 use std::path::PathBuf;
 
 use diagnose::Verdict;
-use report::diagnosis::{DiagnosisPage, html_and_figures};
+use report::diagnosis::DiagnosisPage;
 
 fn main() -> std::io::Result<()> {
     let mut arguments = std::env::args().skip(1);
@@ -39,7 +39,7 @@ fn main() -> std::io::Result<()> {
         extended: extended.then_some(found::EXTENDED),
     };
     println!("{}", report::diagnosis::text(&report));
-    let (html, figures) = html_and_figures(&page);
+    let (html, figures) = report::diagnosis::page(&page).parts();
     std::fs::create_dir_all(&folder)?;
     std::fs::write(folder.join("report.html"), html)?;
     for figure in figures {

@@ -5,7 +5,7 @@ mod made;
 
 use std::path::PathBuf;
 
-use report::fit::{FitPage, html_and_figures};
+use report::fit::FitPage;
 
 fn main() -> std::io::Result<()> {
     let mut arguments = std::env::args().skip(1);
@@ -22,7 +22,7 @@ fn main() -> std::io::Result<()> {
     };
     println!("{}", report::fit::text(&page));
     std::fs::create_dir_all(&folder)?;
-    let (html, figures) = html_and_figures(&page);
+    let (html, figures) = report::fit::page(&page).parts();
     std::fs::write(folder.join("report.html"), html)?;
     for figure in figures {
         std::fs::write(folder.join(figure.name + ".svg"), figure.svg)?;

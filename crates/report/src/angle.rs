@@ -5,9 +5,7 @@ use model_spec::model::{Expr, ExprKind, State};
 /// Unit, as text, by which a quantity is recognised as an angle.
 const RADIAN: &str = "rad";
 
-/// Whether an expression is an angle: an inverse tangent or a function call with unit rad. Products and quotients with
-/// unit rad are excluded, because they may be dimensionless ratios, such as the spin ratio (spin rate times length over
-/// speed).
+/// Whether an expression is an angle; a product with the unit rad may be a dimensionless ratio, such as the spin ratio.
 pub(crate) fn is_angle(expr: &Expr) -> bool {
     let is_function = matches!(expr.kind, ExprKind::Atan2(..) | ExprKind::Call(..));
     is_function && expr.unit.to_string() == RADIAN

@@ -1,7 +1,5 @@
 //! Standard errors of the predictions of held-out flights.
 
-use std::collections::BTreeMap;
-
 use identify::{
     CONDITIONING_FRACTION, Coefficient, Fit, FitReport, FlightId, each_residual, pseudo_inverse,
 };
@@ -10,21 +8,19 @@ use nalgebra::{DMatrix, DVector};
 /// Half width of a 95 % confidence interval, in standard errors.
 pub(crate) const WIDTH_95: f64 = 1.96;
 
-/// Standard errors of the predicted marker positions of a held-out flight, for the confidence bands of a figure.
+/// Standard errors of the predicted marker positions of a held-out flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PredictionBand {
     /// File name of the held-out flight.
     pub file: String,
-    /// `std_error[sample][marker]`: standard error of the predicted position along each axis of the inertial frame, m,
-    /// from the covariances of the coefficients and of the initial state; NaN where the marker was not measured.
-    /// Measurement noise is not included.
+    /// `std_error[sample][marker]`: standard error along each axis of the inertial frame, m, from the covariances of the
+    /// coefficients and of the initial state, without measurement noise; NaN where the marker was not measured.
     pub std_error: Vec<Vec<[f64; 3]>>,
-    /// Index of the first predicted sample of the flight; the initial state is fitted to the samples before it.
+    /// First predicted sample; the initial state is fitted to the samples before it.
     pub first: usize,
 }
 
-/// Standard error of a coefficient: the larger of the Cramér–Rao and the cluster-robust value; 0 if the
-/// coefficient is fixed.
+/// The larger of the Cramér–Rao and the cluster-robust standard error; 0 for a fixed coefficient.
 pub(crate) fn std_error(coefficient: &Coefficient) -> f64 {
     let clustered = coefficient.std_error_cluster_robust.unwrap_or(0.0);
     if coefficient.fixed {
@@ -34,25 +30,21 @@ pub(crate) fn std_error(coefficient: &Coefficient) -> f64 {
     }
 }
 
-/// Covariance matrix of the estimates of the coefficients `names`, in this order and in SI units, from their standard
-/// errors and correlations; entries are 0 if unknown or if a coefficient is fixed.
+/// Covariance matrix of the estimates of the coefficients `names`, SI; entries are 0 if unknown or fixed.
 pub(crate) fn covariance(report: &FitReport, names: &[&str]) -> DMatrix<f64> {
-    let known: &BTreeMap<String, Coefficient> = &report.coefficients;
-    let error = |name: &str| known.get(name).map(std_error).filter(|e| e.is_finite());
+    let error = |name: &str| {
+        let error = report.coefficients.get(name).map(std_error);
+        error.filter(|e| e.is_finite()).unwrap_or(0.0)
+    };
     DMatrix::from_fn(names.len(), names.len(), |i, j| {
-        let correlation = if i == j {
-            Some(1.0)
-        } else {
-            let row = report.correlations.get(names[i]);
-            row.and_then(|row| row.get(names[j])).copied()
-        };
+        let row = report.correlations.get(names[i]);
+        let correlation = row.and_then(|row| row.get(names[j])).copied();
         let correlation = correlation.filter(|c| c.is_finite()).unwrap_or(0.0);
-        error(names[i]).unwrap_or(0.0) * error(names[j]).unwrap_or(0.0) * correlation
+        error(names[i]) * error(names[j]) * if i == j { 1.0 } else { correlation }
     })
 }
 
-/// Derivatives of one predicted marker position: one row for each axis, with the derivatives with respect to the
-/// initial state, then with respect to the parameters common to all flights.
+/// Derivatives of one predicted position, a row for each axis: by the initial state, then by the common parameters.
 struct Sensitivity {
     sample: usize,
     channel: usize,
@@ -60,8 +52,7 @@ struct Sensitivity {
     rows: [DVector<f64>; 3],
 }
 
-/// Standard errors of the predicted marker positions of a held-out flight; `None` if the flight is excluded, or its
-/// first samples do not determine its initial state.
+/// `None` if the flight is excluded, or its first samples do not determine its initial state.
 pub fn prediction_band(fit: &Fit, flight: FlightId) -> Option<PredictionBand> {
     let (observations, local) = fit.flight(flight)?;
     let (problem, global) = (fit.problem(), fit.global());

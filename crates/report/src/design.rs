@@ -1,31 +1,24 @@
-//! The report page of a design: path from above and from the side, landings, and the effect of each quantity of the
-//! throw.
+//! The page and text of a design.
 
-use analysis::design::{
-    Band, Bounds, Design, Landings, Path, QUANTILES, Sensitivity, Spread, numbers,
-};
+use analysis::design::{Band, Bounds, Design, Landings, Path, QUANTILES, Sensitivity, Spread};
 use flight::throw::FIELDS;
-use nalgebra::{Vector2, Vector3};
+use nalgebra::{Rotation2, Vector2, Vector3};
 
 use crate::figures::{Layout, Look, Mark, Panel};
 use crate::thin::{MAX_DOTS, stride};
 use crate::{Figure, Html, Page, Table, hundredths};
 
-/// Number of line segments with which the figures of a throw design show a path; an ellipse has half as many.
+/// Number of line segments of a path; an ellipse has half as many.
 const POINTS: usize = 200;
 
-/// Report page of a throw design, the result of `hyzer design`, and its figures.
+/// The page of a throw design.
 pub fn page(
     title: &str,
     found: &Design,
     bounds: &Bounds,
     spread: &Spread,
     path: &Path<'_>,
-) -> (Page, [Figure; 2]) {
-    let figures = [
-        figure_of_path(found, bounds, path, spread),
-        figure_of_landings(found, bounds, spread),
-    ];
+) -> Page {
     let mut body = Html::new();
     for text in lead(found) {
         body.paragraph(text);
@@ -39,25 +32,24 @@ pub fn page(
     section.table(&throw(found, bounds));
     body.section("throw", "Throw", section);
     let mut section = Html::new();
-    section.figure(&figures[0], true);
+    section.figure(figure_of_path(found, bounds, path, spread), true);
     body.section("", "Path", section);
     let mut section = Html::new();
     for text in spread_words(spread, bounds) {
         section.paragraph(text);
     }
-    section.figure(&figures[1], true);
+    section.figure(figure_of_landings(found, bounds, spread), true);
     body.section("spread", "Spread of the landings", section);
     body.note(concat!("hyzer ", env!("CARGO_PKG_VERSION")));
-    let page = Page {
+    Page {
         kind: "hyzer design",
         title: title.into(),
         body,
         ..Page::default()
-    };
-    (page, figures)
+    }
 }
 
-/// Text of a throw design for the terminal: the throw, its landing and the spread of the landings.
+/// Text of a throw design.
 pub fn text(found: &Design, bounds: &Bounds, spread: &Spread) -> String {
     let sentences = nearest(found).into_iter().chain(lead(found));
     let lines: String = sentences.map(|sentence| sentence + "\n").collect();
@@ -71,19 +63,18 @@ fn nearest(found: &Design) -> Option<String> {
         format!(
             "{}: not possible within these bounds, as far as {} throws and the descents from the best of them can tell; what comes \
              nearest misses by {:.3} m.",
-            found.goal.name(),
+            found.goal_name(),
             found.flown,
             found.miss
         )
     })
 }
 
-/// Sentences on the goal, the landing and the way there.
 fn lead(found: &Design) -> Vec<String> {
-    let (figure, unit) = found.goal.figure();
+    let (figure, unit) = found.figure_name();
     let mut words = vec![format!(
         "{}: {figure} {:.4} {unit} without scatter. The throw lands at x {:.2} m, y {:.2} m after {:.2} s.",
-        found.goal.name(),
+        found.goal_name(),
         found.figure,
         hundredths(found.landing.x),
         hundredths(found.landing.y),
@@ -101,12 +92,11 @@ fn lead(found: &Design) -> Vec<String> {
     words
 }
 
-/// Table of the numbers of the throw, their bounds, and what a unit of each does.
+/// Table of the quantities of the throw, their bounds, and what a unit of each does.
 fn throw(found: &Design, bounds: &Bounds) -> Table {
     let value = |s: &Sensitivity| {
-        let name = FIELDS[s.field].0;
-        let value = numbers(&found.throw).find(|(own, _)| *own == name);
-        format!("{:.3}", value.map_or(f64::NAN, |(_, value)| value))
+        let value = found.throw.field(FIELDS[s.field].0);
+        format!("{:.3}", value.unwrap_or(f64::NAN))
     };
     let range = |s: &Sensitivity| {
         let range = bounds.ranges.iter().find(|range| range.0 == s.field);
@@ -137,33 +127,28 @@ fn throw(found: &Design, bounds: &Bounds) -> Table {
 }
 
 fn figure_of_path(found: &Design, bounds: &Bounds, path: &Path<'_>, spread: &Spread) -> Figure {
-    let places: Vec<Vector3<f64>> = (0..=POINTS)
-        .map(|k| path.position(path.duration() * k as f64 / POINTS as f64))
-        .collect();
+    let place = |k: usize| path.position(path.duration() * k as f64 / POINTS as f64);
+    let places: Vec<Vector3<f64>> = (0..=POINTS).map(place).collect();
     let length = spread.linear.mean.norm().max(1e-6);
     let along = spread.linear.mean / length;
     let left = Vector2::new(-along.y, along.x);
-    let bands = spread
-        .sampled
-        .as_ref()
-        .map_or(&[][..], |sampled| &sampled.bands);
+    let sampled = spread.sampled.as_ref();
+    let bands = sampled.map_or(&[][..], |sampled| &sampled.bands);
     // The bands lie along the line to the landing, so the map is turned to it.
     let turned = |of: Vector2<f64>| (of.dot(&along), of.dot(&left));
-    let mut marks = vec![
-        Mark::new("release", (0.0, 0.0)),
-        Mark::new("landing", turned(found.landing.xy())),
-    ];
+    let landing = Mark::new("landing", turned(found.landing.xy()));
+    let mut marks = vec![Mark::new("release", (0.0, 0.0)), landing];
     let mut side_marks = vec![Mark::new("release", (0.0, places[0].z))];
-    if let Some(target) = found.goal.target() {
+    if let Some(target) = found.target() {
         let at = turned(target.xy());
         marks.push(Mark::new("target", at));
         side_marks.push(Mark::new("target", (at.0, target.z)));
     }
     let ribbon = |of: &dyn Fn(&Band) -> [f64; 3]| {
-        bands
+        let points = bands
             .iter()
-            .map(|band| (band.distance, of(band)[0], of(band)[2]))
-            .collect::<Vec<_>>()
+            .map(|band| (band.distance, of(band)[0], of(band)[2]));
+        points.collect::<Vec<_>>()
     };
     let panel = |title: &str, marks, ribbon| Panel {
         marks,
@@ -203,7 +188,7 @@ fn figure_of_landings(found: &Design, bounds: &Bounds, spread: &Spread) -> Figur
             .line("sampled", points(ellipse(&sampled.landings)))
             .dots(Look::Pale, landings);
     }
-    let aim = found.goal.target().filter(|target| target.z == 0.0);
+    let aim = found.target().filter(|target| target.z == 0.0);
     let aim = aim.unwrap_or(found.landing).xy();
     let panel = panel.line("circle", points(circle(aim, bounds.circle)));
     let caption = "Ellipses that half of the landings are inside of, were they normal: blue by the exact derivatives, red dashed of \
@@ -211,7 +196,6 @@ fn figure_of_landings(found: &Design, bounds: &Bounds, spread: &Spread) -> Figur
     Figure::of_panels("landings", "Landings", caption, Layout::COLUMN, &[panel])
 }
 
-/// Sentences on the spread of the landings of a throw whose release, wind and parameters vary at random.
 fn spread_words(spread: &Spread, bounds: &Bounds) -> Vec<String> {
     let of = |landings: &Landings| {
         let (long, short, _) = landings.ellipse(0.5);
@@ -233,14 +217,17 @@ fn spread_words(spread: &Spread, bounds: &Bounds) -> Vec<String> {
         bounds.circle
     ));
     let drawn = sampled.points.len() + sampled.failed;
+    let (circle, percent) = (bounds.circle, |share: f64| 100.0 * share);
     words.extend(spread.near_target.map(|share| {
-        let percent = 100.0 * share;
+        let near = percent(share);
+        format!("Of {drawn} scattered throws {near:.1} % pass within {circle} m of the target.")
+    }));
+    words.extend(spread.touching.map(|share| {
         format!(
-            "Of {drawn} scattered throws {percent:.1} % pass within {} m of the target.",
-            bounds.circle
+            "{:.1} % of the scattered flights touch the obstacle: a larger radius in [obstacle] keeps the throw clear of it.",
+            percent(share)
         )
     }));
-    words.extend(touching_words(spread));
     words.extend(spread.agreement.map(|agreement| {
         let (least, greatest) = agreement.ratios;
         let shift = agreement.shift;
@@ -260,36 +247,19 @@ fn spread_words(spread: &Spread, bounds: &Bounds) -> Vec<String> {
     words
 }
 
-/// Sentence on the scattered throws that touch the obstacle; `None` without an obstacle.
-fn touching_words(spread: &Spread) -> Option<String> {
-    let percent = 100.0 * spread.touching?;
-    Some(format!(
-        "{percent:.1} % of the scattered flights touch the obstacle: a larger radius in [obstacle] keeps the throw clear of it."
-    ))
-}
-
 fn ellipse(landings: &Landings) -> Vec<Vector2<f64>> {
     let (long, short, direction) = landings.ellipse(0.5);
-    let (sin, cos) = direction.sin_cos();
-    round()
-        .map(|(c, s)| {
-            landings.mean
-                + Vector2::new(
-                    cos * long * c - sin * short * s,
-                    sin * long * c + cos * short * s,
-                )
-        })
-        .collect()
+    let turn = Rotation2::new(direction);
+    let points = round().map(|(c, s)| landings.mean + turn * Vector2::new(long * c, short * s));
+    points.collect()
 }
 
 fn circle(place: Vector2<f64>, radius: f64) -> Vec<Vector2<f64>> {
-    round()
-        .map(|(c, s)| place + Vector2::new(c, s) * radius)
-        .collect()
+    let points = round().map(|(c, s)| place + Vector2::new(c, s) * radius);
+    points.collect()
 }
 
-/// Points (cosine, sine) of the unit circle at `POINTS / 2` evenly spaced angles. The first point is repeated at the
-/// end, so that a line through the points is closed.
+/// Points (cosine, sine) of the unit circle; the first is repeated at the end.
 fn round() -> impl Iterator<Item = (f64, f64)> {
     (0..=POINTS / 2).map(|k| {
         let (s, c) = (std::f64::consts::TAU * k as f64 / (POINTS / 2) as f64).sin_cos();

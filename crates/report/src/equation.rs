@@ -20,8 +20,7 @@ pub(crate) fn mathml(latex: &str) -> Option<String> {
     (!text.contains("<merror")).then_some(text)
 }
 
-/// Equations of the model that the effect named `effect` added or replaced, as MathML: auxiliary variables, then
-/// forces, then moments. Empty if the effect is not switched on in `model`.
+/// Equations that an effect added or replaced, as MathML; empty if it is not switched on.
 pub(crate) fn of_effect(model: &Model, effect: &str) -> Vec<String> {
     let Some(index) = model.effects.iter().position(|known| known.name == effect) else {
         return Vec::new();

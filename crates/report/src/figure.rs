@@ -8,26 +8,25 @@ use crate::figures::svg::escape;
 use crate::figures::triangle::Triangle;
 use crate::figures::{Layout, Panel, figure_of};
 
-/// Figure of a report, written as an SVG file and as a CSV table of its data.
+/// Figure of a report.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Figure {
     /// File name without `.svg`; consists of letters, digits and hyphens.
     pub name: String,
-    /// Title of the figure.
+    /// Title.
     pub title: String,
-    /// Caption, which explains how to read the figure; also the description for screen readers.
+    /// Caption: how to read the figure; also the description for screen readers.
     pub caption: String,
-    /// SVG text of the figure.
+    /// SVG text.
     pub svg: String,
-    /// SVG text of a second version for narrow screens; `None` if the first version fits them.
+    /// SVG text for narrow screens; `None` if the first fits them.
     pub narrow: Option<String>,
-    /// CSV table of the data shown in the figure; empty if the page does not offer it.
+    /// CSV table of the data shown; empty if the page does not offer it.
     pub csv: String,
 }
 
 impl Figure {
-    /// Creates a figure from its caption and CSV table (`texts`) by calling `draw` for the layout `wide` and, if that
-    /// is not the small layout, also for the small one, for narrow screens.
+    /// Figure from its caption and CSV table (`texts`), drawn for the layout `wide` and for narrow screens.
     pub(crate) fn in_layouts(
         name: impl Into<String>,
         title: &str,
@@ -46,8 +45,7 @@ impl Figure {
         }
     }
 
-    /// Creates a figure of panels, with their data as CSV table, for the layout `wide` and, if that is not the small
-    /// layout, also for narrow screens.
+    /// Figure of panels, with their data as CSV table.
     pub fn of_panels(
         name: impl Into<String>,
         title: &str,
@@ -61,7 +59,6 @@ impl Figure {
         })
     }
 
-    /// Creates a figure of a chart for the layout `wide` and for narrow screens.
     pub(crate) fn of_chart(name: &str, chart: &Chart, caption: &str, wide: Layout) -> Figure {
         let texts = [caption.to_owned(), chart.csv()];
         Figure::in_layouts(name, &chart.title, texts, wide, &|layout| {
@@ -69,7 +66,6 @@ impl Figure {
         })
     }
 
-    /// Creates a figure of correlations for the layout `wide` and for narrow screens.
     pub(crate) fn of_triangle(
         name: &str,
         triangle: &Triangle<'_>,
@@ -82,24 +78,12 @@ impl Figure {
         })
     }
 
-    /// Copy of the figure in which the points with tooltips can receive the keyboard focus, so that their values can
-    /// be read without a pointer.
-    pub(crate) fn reachable(mut self) -> Figure {
-        for svg in [Some(&mut self.svg), self.narrow.as_mut()]
-            .into_iter()
-            .flatten()
-        {
-            *svg = svg.replace("tabindex=\"-1\"", "tabindex=\"0\"");
-        }
-        self
-    }
-
     /// Path of the CSV table, beside the page.
     pub(crate) fn table_path(&self) -> String {
         format!("figure-data/{}.csv", self.name)
     }
 
-    /// Result files of the figure: its SVG, and the CSV table of the values plotted in it.
+    /// Result files of the figure: SVG and CSV table.
     pub fn files(self) -> [ResultFile; 2] {
         let table = self.table_path();
         [

@@ -1,26 +1,44 @@
 //! HTML text in which everything from outside is escaped.
 
+use crate::figure::Figure;
 use crate::figures::svg::escape;
 
-/// HTML text. Conversion from a string escapes it; tags and classes are fixed texts of the program.
+/// HTML text, and the figures in it. Conversion from a string escapes it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Html(String);
+pub struct Html {
+    text: String,
+    /// In order of appearance.
+    pub(crate) figures: Vec<Figure>,
+}
 
 impl From<&str> for Html {
     fn from(text: &str) -> Html {
-        Html(escape(text))
+        Html::trusted(escape(text))
     }
 }
 
 impl From<String> for Html {
     fn from(text: String) -> Html {
-        Html(escape(&text))
+        text.as_str().into()
     }
 }
 
 impl From<&String> for Html {
     fn from(text: &String) -> Html {
-        Html(escape(text))
+        text.as_str().into()
+    }
+}
+
+impl From<usize> for Html {
+    fn from(number: usize) -> Html {
+        Html::trusted(number.to_string())
+    }
+}
+
+impl From<Option<String>> for Html {
+    /// A dash stands for `None`.
+    fn from(text: Option<String>) -> Html {
+        text.unwrap_or_else(|| "–".to_owned()).into()
     }
 }
 
@@ -30,18 +48,24 @@ impl Html {
         Html::default()
     }
 
-    /// Markup that is valid HTML and contains no unescaped text from outside, such as MathML.
+    /// Markup without unescaped text from outside, such as MathML.
     pub(crate) fn trusted(markup: impl Into<String>) -> Html {
-        Html(markup.into())
+        Html {
+            text: markup.into(),
+            figures: Vec::new(),
+        }
+    }
+
+    /// Element with attributes, which may be empty, and its content.
+    fn with(tag: &str, attributes: &str, content: impl Into<Html>) -> Html {
+        let Html { text, figures } = content.into();
+        let text = format!("<{tag}{attributes}>{text}</{tag}>");
+        Html { text, figures }
     }
 
     /// Element with a class, which may be empty, and its content.
     pub fn of(tag: &'static str, class: &str, content: impl Into<Html>) -> Html {
-        let class = match class {
-            "" => String::new(),
-            class => format!(" class=\"{class}\""),
-        };
-        Html(format!("<{tag}{class}>{}</{tag}>", content.into().0))
+        Html::with(tag, &attribute("class", class), content)
     }
 
     /// Emphasised text.
@@ -61,52 +85,56 @@ impl Html {
 
     /// Link to `to`, whose part after `#` must be percent-encoded.
     pub fn link(to: &str, text: impl Into<Html>) -> Html {
-        Html(format!("<a href=\"{}\">{}</a>", escape(to), text.into().0))
+        Html::with("a", &attribute("href", &escape(to)), text)
     }
 
     /// Whether the text is empty.
     pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.text.is_empty()
     }
 
     /// The HTML text.
     pub fn as_str(&self) -> &str {
-        &self.0
+        &self.text
     }
 
-    /// The text without its markup.
     pub(crate) fn text(&self) -> String {
-        let outside = self.0.split('<').enumerate().map(|(i, part)| match i {
+        let outside = self.text.split('<').enumerate().map(|(i, part)| match i {
             0 => part,
             _ => part.split_once('>').map_or("", |(_, text)| text),
         });
-        let text: String = outside.collect();
-        let text = text.replace("&lt;", "<").replace("&gt;", ">");
-        text.replace("&quot;", "\"")
-            .replace("&amp;", "&")
-            .trim()
-            .to_owned()
+        let mut text = outside.collect::<String>();
+        for (entity, c) in [
+            ("&lt;", "<"),
+            ("&gt;", ">"),
+            ("&quot;", "\""),
+            ("&amp;", "&"),
+        ] {
+            text = text.replace(entity, c);
+        }
+        text.trim().to_owned()
     }
 
     /// This text followed by `more`.
     #[must_use]
     pub fn then(mut self, more: impl Into<Html>) -> Html {
-        self.0 += &more.into().0;
+        self.push(more);
         self
     }
 
     /// Appends `more`.
     pub fn push(&mut self, more: impl Into<Html>) {
-        self.0 += &more.into().0;
+        let more = more.into();
+        self.text += &more.text;
+        self.figures.extend(more.figures);
     }
 
     /// Appends an element on a line of its own.
     pub fn element(&mut self, tag: &'static str, class: &str, content: impl Into<Html>) {
-        self.push(Html::of(tag, class, content));
-        self.0.push('\n');
+        self.element_with_id(tag, "", class, content);
     }
 
-    /// Appends an element with an id, on a line of its own.
+    /// Appends an element with an id.
     pub fn element_with_id(
         &mut self,
         tag: &'static str,
@@ -114,15 +142,16 @@ impl Html {
         class: &str,
         content: impl Into<Html>,
     ) {
-        let element = Html::of(tag, class, content);
-        let rest = &element.0[1 + tag.len()..];
-        self.0 += &format!("<{tag} id=\"{}\"{rest}\n", escape(id));
+        let attributes = attribute("id", &escape(id)) + &attribute("class", class);
+        self.push(Html::with(tag, &attributes, content));
+        self.text.push('\n');
     }
 
-    /// Appends an element that may be wider than the page, and is then scrolled, by the keyboard too.
+    /// Appends an element that is scrolled where it is wider than the page, by the keyboard too.
     pub fn scrolled(&mut self, tag: &'static str, class: &str, content: impl Into<Html>) {
-        let content = content.into().0;
-        self.0 += &format!("<{tag} class=\"{class}\" tabindex=\"0\">{content}</{tag}>\n");
+        let attributes = format!(" class=\"{class}\" tabindex=\"0\"");
+        self.push(Html::with(tag, &attributes, content));
+        self.text.push('\n');
     }
 
     /// Appends a paragraph.
@@ -151,14 +180,11 @@ impl Html {
         }
     }
 
-    /// Appends a part of the page that is folded until its summary is clicked; nothing if it is empty.
+    /// Appends a part that is folded until its summary is clicked; nothing if it is empty.
     pub fn folded(&mut self, summary: impl Into<Html>, content: Html) {
         if !content.is_empty() {
-            self.element(
-                "details",
-                "",
-                Html::of("summary", "", summary).then("\n").then(content),
-            );
+            let summary = Html::of("summary", "", summary).then("\n");
+            self.element("details", "", summary.then(content));
         }
     }
 
@@ -174,16 +200,18 @@ impl Html {
 
     /// Appends a section with a heading; nothing if its content is empty. `id` may be empty.
     pub fn section(&mut self, id: &str, title: &str, content: Html) {
-        if content.is_empty() {
-            return;
+        if !content.is_empty() {
+            let title = Html::of("h2", "", title).then("\n");
+            let content = Html::from("\n").then(title).then(content);
+            self.element_with_id("section", id, "", content);
         }
-        let content = Html::trusted("\n<h2>")
-            .then(title)
-            .then(Html::trusted("</h2>\n"))
-            .then(content);
-        match id {
-            "" => self.element("section", "", content),
-            id => self.element_with_id("section", id, "", content),
-        }
+    }
+}
+
+/// Attribute of an element with a space before it; nothing without a value.
+fn attribute(name: &str, value: &str) -> String {
+    match value {
+        "" => String::new(),
+        value => format!(" {name}=\"{value}\""),
     }
 }

@@ -26,7 +26,7 @@ pub mod viewer;
 pub use bands::{PredictionBand, prediction_band};
 pub use figure::Figure;
 pub use figure_file::{FigureError, FigureKind};
-pub use figures::csv::{CsvCell, CsvTable};
+pub use figures::csv::CsvTable;
 pub use html::Html;
 pub use page::Page;
 pub use table::{Cell, Rows, Table};

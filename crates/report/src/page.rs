@@ -1,5 +1,6 @@
 //! Self-contained HTML pages: paragraphs, tables and figures in sections.
 
+use flight::files::ResultFile;
 use identify::DataFault;
 
 use crate::figure::Figure;
@@ -21,40 +22,50 @@ impl Html {
     }
 
     /// Appends a figure, with its caption if `captioned`.
-    pub fn figure(&mut self, figure: &Figure, captioned: bool) {
-        let svg = without_style(&figure.svg);
-        let svg = match &figure.narrow {
-            Some(narrow) => format!(
-                "<div class=\"wide\">{svg}</div><div class=\"narrow\">{}</div>",
-                without_style(narrow)
-            ),
-            None => svg,
-        };
+    pub fn figure(&mut self, figure: Figure, captioned: bool) {
+        self.drawn(figure, captioned, "-1");
+    }
+
+    /// Appends a figure with its caption, in which the keyboard reaches the points with tooltips.
+    pub(crate) fn leading_figure(&mut self, figure: Option<Figure>) {
+        if let Some(figure) = figure {
+            self.drawn(figure, true, "0");
+        }
+    }
+
+    fn drawn(&mut self, figure: Figure, captioned: bool, tab_index: &str) {
+        let mut svg = without_style(&figure.svg);
+        if let Some(narrow) = &figure.narrow {
+            let narrow = without_style(narrow);
+            svg = format!("<div class=\"wide\">{svg}</div><div class=\"narrow\">{narrow}</div>");
+        }
+        let index = format!("tabindex=\"{tab_index}\"");
         let mut caption = Html::new();
         if captioned {
             caption.push(&figure.caption);
         }
         if !figure.csv.is_empty() {
             caption.push(if captioned { " " } else { "" });
-            caption.push(table_link(figure));
+            caption.push(table_link(&figure));
         }
-        let mut content = Html::trusted(svg + "\n");
+        let mut content = Html::trusted(svg.replace("tabindex=\"-1\"", &index) + "\n");
         if !caption.is_empty() {
             content.push(Html::of("figcaption", "", caption));
         }
         self.element_with_id("figure", &figure.name, "", content);
+        self.figures.push(figure);
     }
 
     /// Appends figures one below the other.
-    pub fn figures<'a>(&mut self, figures: impl IntoIterator<Item = &'a Figure>, captioned: bool) {
+    pub fn figures(&mut self, figures: impl IntoIterator<Item = Figure>, captioned: bool) {
         for figure in figures {
             self.figure(figure, captioned);
         }
     }
 
     /// Appends small figures side by side; those beyond the first `open` are folded.
-    pub fn grid(&mut self, figures: &[Figure], open: usize, captioned: bool) {
-        let grid = |figures: &[Figure]| {
+    pub fn grid(&mut self, mut figures: Vec<Figure>, open: usize, captioned: bool) {
+        let grid = |figures: Vec<Figure>| {
             let (mut content, mut grid) = (Html::new(), Html::new());
             content.figures(figures, captioned);
             if !content.is_empty() {
@@ -62,8 +73,8 @@ impl Html {
             }
             grid
         };
-        let (first, rest) = figures.split_at(open.min(figures.len()));
-        self.push(grid(first));
+        let rest = figures.split_off(open.min(figures.len()));
+        self.push(grid(figures));
         self.folded(format!("{} more", rest.len()), grid(rest));
     }
 
@@ -90,8 +101,8 @@ impl Html {
             counted(faults.len(), "fault")
         ));
         content.table(&data_faults(faults));
-        if faults.len() > MAX_ROWS {
-            let all = faults.len();
+        let all = faults.len();
+        if all > MAX_ROWS {
             content.note(format!(
                 "The first {MAX_ROWS} of {all}; all are in report.json."
             ));
@@ -100,7 +111,7 @@ impl Html {
     }
 }
 
-/// Heading of a page: two names, and between them words that stand back.
+/// Heading of a page: two names, and between them words in small letters.
 pub(crate) fn heading(name: &str, words: &'static str, other: &str) -> Html {
     let words = Html::of("span", "", words);
     Html::from(name).then(" ").then(words).then(" ").then(other)
@@ -109,13 +120,13 @@ pub(crate) fn heading(name: &str, words: &'static str, other: &str) -> Html {
 /// One HTML page.
 #[derive(Clone, Debug, Default)]
 pub struct Page {
-    /// Command that created the page, such as `hyzer design`.
+    /// Command that created the page.
     pub kind: &'static str,
-    /// Title of the page, as text for the browser.
+    /// Title for the browser.
     pub title: String,
-    /// Heading of the page, whose secondary words may be in `span` elements; empty if it is the title.
+    /// Heading, whose secondary words may be in `span` elements; empty if it is the title.
     pub heading: Html,
-    /// Content of the page.
+    /// Content.
     pub body: Html,
 }
 
@@ -123,11 +134,8 @@ impl Page {
     /// Renders the page as one self-contained file.
     pub fn html(&self) -> String {
         let title = Html::from(&self.title);
-        let heading = if self.heading.is_empty() {
-            &title
-        } else {
-            &self.heading
-        };
+        let has_heading = !self.heading.is_empty();
+        let heading = if has_heading { &self.heading } else { &title };
         format!(
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
@@ -140,6 +148,18 @@ impl Page {
             heading.as_str(),
             self.body.as_str(),
         )
+    }
+
+    /// The page as one self-contained file, and its figures in order of appearance.
+    pub fn parts(self) -> (String, Vec<Figure>) {
+        (self.html(), self.body.figures)
+    }
+
+    /// Result files of the page: `report.html`, and those of its figures.
+    pub fn files(self) -> impl Iterator<Item = ResultFile> {
+        let (html, figures) = self.parts();
+        let page = std::iter::once(ResultFile::new("report.html", html));
+        page.chain(figures.into_iter().flat_map(Figure::files))
     }
 }
 
@@ -167,8 +187,7 @@ fn table_link(figure: &Figure) -> Html {
     ))
 }
 
-/// Percent-encodes the characters that the path of a data URI or the fragment of a link must not contain; control
-/// characters are dropped.
+/// Percent-encodes the path of a data URI or the fragment of a link.
 pub(crate) fn encoded(text: &str) -> String {
     let mut encoded = String::with_capacity(text.len() + text.len() / 8);
     for c in text.chars() {
@@ -183,7 +202,7 @@ pub(crate) fn encoded(text: &str) -> String {
     encoded
 }
 
-/// Link to a flight in the page of flights in three dimensions; `name` is its name there.
+/// Link to a flight, by its name in the page of flights in three dimensions.
 pub(crate) fn flight_link(name: &str, text: &str) -> Html {
     Html::link(&format!("flights.html#{}", encoded(name)), text)
 }
@@ -211,7 +230,7 @@ mod tests {
         let mut body = Html::new();
         body.table(&table);
         body.figure(
-            &Figure::of_panels("path", "", "", Layout::COLUMN, &[panel]),
+            Figure::of_panels("path", "", "", Layout::COLUMN, &[panel]),
             true,
         );
         let page = Page {

@@ -3,22 +3,20 @@
 use crate::figures::svg::escape;
 use crate::html::Html;
 
-/// Kind of the cells of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Column {
-    /// What the row is about; the header of the row.
+    /// What the row is about, or a formula; the header of the row.
     Name,
-    /// Formula or other code that the row is about; the header of the row.
     Code,
-    /// Number, aligned to the right.
+    /// Aligned to the right.
     Number,
-    /// Word or unit that is not broken into lines.
+    /// Not broken into lines.
     Plain,
-    /// Text that is broken into lines.
+    /// Broken into lines.
     Text,
-    /// Text that is broken into lines, and left out on a terminal.
+    /// Broken into lines, and left out on a terminal.
     Detail,
-    /// Name of a file, which is broken where it is long.
+    /// Name of a file, broken where it is long.
     File,
 }
 
@@ -29,54 +27,21 @@ pub struct Cell {
     is_doubtful: bool,
 }
 
-impl From<Html> for Cell {
-    fn from(content: Html) -> Cell {
+impl<T: Into<Html>> From<T> for Cell {
+    fn from(content: T) -> Cell {
         Cell {
-            content,
+            content: content.into(),
             is_doubtful: false,
         }
-    }
-}
-
-impl From<&str> for Cell {
-    fn from(text: &str) -> Cell {
-        Html::from(text).into()
-    }
-}
-
-impl From<&String> for Cell {
-    fn from(text: &String) -> Cell {
-        Html::from(text).into()
-    }
-}
-
-impl From<String> for Cell {
-    fn from(text: String) -> Cell {
-        Html::from(text).into()
-    }
-}
-
-impl From<usize> for Cell {
-    fn from(number: usize) -> Cell {
-        Html::from(number.to_string()).into()
-    }
-}
-
-impl From<Option<String>> for Cell {
-    /// A dash stands for `None`.
-    fn from(text: Option<String>) -> Cell {
-        text.unwrap_or_else(|| "–".to_owned()).into()
     }
 }
 
 impl Cell {
     /// Marks a number that is doubtful.
     #[must_use]
-    pub fn doubtful_if(self, is_doubtful: bool) -> Cell {
-        Cell {
-            is_doubtful,
-            ..self
-        }
+    pub fn doubtful_if(mut self, is_doubtful: bool) -> Cell {
+        self.is_doubtful = is_doubtful;
+        self
     }
 }
 
@@ -88,7 +53,7 @@ pub struct Table {
     is_stacked: bool,
 }
 
-/// Table that is built column by column; every column has a heading and a function from a row to its cell.
+/// Table that is built column by column: a heading, and a function from a row to its cell.
 #[derive(Clone, Debug)]
 pub struct Rows<T> {
     rows: Vec<T>,
@@ -176,11 +141,9 @@ impl Table {
 
     /// Shows each row as a list of its cells on a narrow screen.
     #[must_use]
-    pub fn stacked(self) -> Table {
-        Table {
-            is_stacked: true,
-            ..self
-        }
+    pub fn stacked(mut self) -> Table {
+        self.is_stacked = true;
+        self
     }
 
     /// Whether the table has no rows.
@@ -193,7 +156,7 @@ impl Table {
         self.rows.len()
     }
 
-    /// The first `most` rows as text for a terminal, with aligned columns; columns without content are left out.
+    /// The first `most` rows as text with aligned columns; columns without content are left out.
     pub fn text(&self, most: usize) -> String {
         let rows = self.rows.iter().take(most);
         let rows: Vec<Vec<String>> = rows
@@ -234,19 +197,14 @@ impl Table {
 
     /// The table as HTML. A header without text is left out.
     pub(crate) fn html(&self) -> Html {
-        let mut html = if self.is_stacked {
-            "<table class=\"stacked\">\n".to_owned()
-        } else {
-            "<table>\n".to_owned()
-        };
+        let stacked = self.is_stacked;
+        let class = if stacked { " class=\"stacked\"" } else { "" };
+        let mut html = format!("<table{class}>\n");
         if self.columns.iter().any(|(head, _)| !head.is_empty()) {
             html += "<thead><tr>";
             for (head, kind) in &self.columns {
-                let class = if *kind == Column::Number {
-                    " class=\"n\""
-                } else {
-                    ""
-                };
+                let is_number = *kind == Column::Number;
+                let class = if is_number { " class=\"n\"" } else { "" };
                 html += &format!("<th{class} scope=\"col\">{}</th>", escape(head));
             }
             html += "</tr></thead>\n";
@@ -273,11 +231,10 @@ impl Table {
             (Column::Text | Column::Detail, _) => " class=\"doc\"",
             (Column::File, _) => " class=\"file\"",
         };
-        let of = if self.is_stacked {
-            format!(" data-of=\"{}\"", escape(head))
-        } else {
-            String::new()
-        };
+        let mut of = String::new();
+        if self.is_stacked {
+            of = format!(" data-of=\"{}\"", escape(head));
+        }
         format!("<td{class}{of}>{content}</td>")
     }
 }

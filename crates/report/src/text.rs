@@ -4,13 +4,10 @@ use identify::DataFault;
 
 use crate::page::data_faults;
 
-/// Maximum number of rows of a table on a terminal.
 pub(crate) const MAX_ROWS: usize = 20;
-/// Maximum width of a line of sentences, characters.
 const WIDTH: usize = 100;
 
-/// Text of the reasons not to rely on a result (`what`, such as a fit), and of the faults of the data with instructions
-/// for correcting them; empty if there are neither reasons nor faults.
+/// Reasons not to rely on a result, `what`, and faults of the data with their corrections.
 pub(crate) fn cautions(what: &str, reasons: &[String], faults: &[DataFault]) -> String {
     let mut text = String::new();
     if !reasons.is_empty() {

@@ -19,8 +19,7 @@ pub(crate) fn stride<T: Copy>(points: &[T], most: usize) -> Vec<T> {
     points.iter().copied().step_by(step).collect()
 }
 
-/// Thins a curve over time to about `most` points: of each segment, the first, the lowest and the highest point are
-/// retained, so that peaks remain visible. Gaps (NaN) are retained.
+/// Thins a curve to about `most` points, so that peaks and gaps (NaN) remain.
 pub(crate) fn curve(points: &[(f64, f64)], most: usize) -> Vec<(f64, f64)> {
     if points.len() <= most {
         return points.to_vec();

@@ -18,36 +18,31 @@ use crate::figures::svg::escape;
 use crate::thin::MAX_FIGURES;
 use samples::{FlightModel, flown, recorded};
 
-/// Maximum number of samples with which the 3D view shows a flight.
 const MAX_SAMPLES: usize = 240;
 
-/// Shape with which the 3D view draws a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 enum Shape {
-    /// A disc, for a rigid body with its third axis as axis of symmetry.
+    /// For a rigid body with its third axis as axis of symmetry.
     Disc,
-    /// Three lines from the origin of the body frame along its axes, for a rigid body whose third axis is not an axis
-    /// of symmetry.
+    /// Lines along the three axes, for any other rigid body.
     Cross,
-    /// A ball, for a body modelled as a point mass.
+    /// For a point mass.
     Ball,
 }
 
-/// Content of a page that animates flights in 3D: the flights shown together, and the shape of their common body.
+/// Flights of one body that a page animates together.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct View {
     shape: Shape,
-    /// Maximum distance of a marker from the origin of the body frame, m, which sets the size of the drawn body; `None`
-    /// if unknown.
+    /// Largest distance of a marker from the origin of the body frame, m, which sets the size of the body.
     radius: Option<f64>,
     flights: Vec<samples::Flight>,
 }
 
 impl View {
-    /// 3D view of the flights of a fit, measured and predicted, in the order of the dataset. If there are more than
-    /// `MAX_FIGURES` flights, evenly spaced ones are selected. `by` names the predicting model, to distinguish flights
-    /// of two models, and may be empty.
+    /// The flights of a fit, measured and predicted; evenly spaced ones if there are more than `MAX_FIGURES`. `by` names
+    /// the predicting model, to distinguish flights of two models, and may be empty.
     pub fn of_fit(fit: &Fit, by: &str) -> View {
         let problem = fit.problem();
         let used = (0..fit.report.flights.len()).filter(|&i| fit.report.flights[i].is_used());
@@ -57,8 +52,11 @@ impl View {
             let id = FlightId::new(i);
             let evidence = fit.evidence(id)?;
             let (observations, _) = fit.flight(id)?;
-            let parameters = observations.parameters(problem, fit.global());
-            let flight_model = FlightModel::new(&problem.model, &problem.body, parameters);
+            let flight_model = FlightModel {
+                model: &problem.model,
+                body: &problem.body,
+                parameters: observations.parameters(problem, fit.global()),
+            };
             let role = match evidence.role {
                 Role::Fit => "fitted",
                 Role::HeldOut => "not fitted",
@@ -80,7 +78,7 @@ impl View {
         }
     }
 
-    /// 3D view of a single simulated flight.
+    /// A simulated flight.
     pub fn of_trajectory(
         name: &str,
         model: &Model,
@@ -88,7 +86,11 @@ impl View {
         release: &Release,
         trajectory: &Trajectory,
     ) -> View {
-        let flight_model = FlightModel::new(model, body, body.release_parameters(release));
+        let flight_model = FlightModel {
+            model,
+            body,
+            parameters: body.release_parameters(release),
+        };
         View {
             shape: shape(model),
             radius: None,
@@ -96,13 +98,13 @@ impl View {
         }
     }
 
-    /// Adds to this 3D view the flights of another view of the same body.
+    /// Adds the flights of another view of the same body.
     pub fn join(mut self, other: View) -> View {
         self.flights.extend(other.flights);
         self
     }
 
-    /// Renders the 3D view as an HTML page; `None` if there is no flight to show.
+    /// The view as a page; `None` if there is no flight.
     pub fn html(&self, title: &str) -> Option<String> {
         if self.flights.is_empty() {
             return None;
@@ -118,8 +120,7 @@ impl View {
     }
 }
 
-/// Shape with which the body of a model is drawn: a ball for a point mass (no moments of inertia), a disc for a rigid
-/// body whose first two moments of inertia are the same expression, three lines along the axes for any other.
+/// A ball without moments of inertia, a disc if the first two are the same expression.
 fn shape(model: &Model) -> Shape {
     let inertia: Option<&[[Expr; 3]; 3]> = match (&model.body, &model.claim) {
         (Some(body), _) => body.rotation.as_ref().map(|r| &r.inertia),

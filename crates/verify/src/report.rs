@@ -30,7 +30,7 @@ impl Outcome {
     }
 
     /// Outcome in words for messages.
-    pub fn words(self) -> &'static str {
+    pub(crate) fn words(self) -> &'static str {
         match self {
             Self::Verified => "verified",
             Self::NotVerified => "NOT VERIFIED",

@@ -5,10 +5,9 @@ use identify::numbers::Digits;
 use report::Table;
 use serde_json::{Map, Value, json};
 
-use super::parts::Refit;
+use super::Refit;
 
-/// Contents of the `summary.json` of a bootstrap: standard errors, 95 % percentile intervals and correlations of the
-/// estimates; SI.
+/// Contents of `summary.json`; SI.
 pub fn json(fit: &Fit, refits: &[Refit], seed: u64) -> Value {
     let converged = refits.iter().filter_map(|refit| refit.1.as_deref());
     let converged: Vec<&[f64]> = converged.collect();
@@ -54,7 +53,7 @@ pub fn json(fit: &Fit, refits: &[Refit], seed: u64) -> Value {
     })
 }
 
-/// Estimates of one parameter in the converged refits of a bootstrap, with their mean and standard deviation.
+/// Estimates of one parameter in the converged refits.
 struct Estimates {
     sorted: Vec<f64>,
     mean: f64,
@@ -75,14 +74,11 @@ impl Estimates {
         }
     }
 
-    /// Quantile at the probability `p` (0 to 1) of the parameter's estimates over the converged refits, by linear
-    /// interpolation between the order statistics; NaN if no refit converged.
+    /// Quantile, by linear interpolation; NaN if no refit converged.
     fn quantile(&self, p: f64) -> f64 {
         let at = p * (self.sorted.len() as f64 - 1.0);
-        let value = |k: f64| {
-            let value = self.sorted.get(k.max(0.0) as usize);
-            value.copied().unwrap_or(f64::NAN)
-        };
+        let value = |k: f64| self.sorted.get(k.max(0.0) as usize).copied();
+        let value = |k: f64| value(k).unwrap_or(f64::NAN);
         let (low, high) = (value(at.floor()), value(at.ceil()));
         low + (high - low) * at.fract()
     }
@@ -96,7 +92,7 @@ fn correlation(refits: &[&[f64]], columns: &[Estimates], i: usize, j: usize) -> 
     products.sum::<f64>() / (refits.len() as f64 - 1.0) / (a.sd * b.sd)
 }
 
-/// The summary of a bootstrap (its `summary.json`) as text for the terminal.
+/// The summary as text.
 pub fn text(summary: &Value) -> String {
     let number = |column: &Value, key: &str| column[key].as_f64().unwrap_or(f64::NAN);
     let digits = |column: &Value| Digits::of(number(column, "value"), number(column, "std_error"));

@@ -6,10 +6,10 @@ use analysis::design::CoefficientErrors;
 use anyhow::{Context, bail};
 use serde_json::Value;
 
-/// Maximum size of the file `report.json` of a fit, from which standard errors are read, bytes.
+/// Maximum size of `report.json`, bytes.
 const MAX_BYTES: u64 = 64 << 20;
 
-/// Reads the standard errors and correlations of the coefficients from the `report.json` of `hyzer fit`.
+/// Reads standard errors and correlations from the `report.json` of `hyzer fit`.
 pub fn read(file: &Path) -> anyhow::Result<CoefficientErrors> {
     let place = || format!("--fit: {}", file.display());
     let size = std::fs::metadata(file).with_context(place)?.len();

@@ -1,26 +1,23 @@
 //! Command `hyzer design`: searches for a throw that serves a purpose; writes its release and a report.
 
 mod errors;
-mod made;
 
 use analysis::design::{
-    Bounds, Goal, SampleOptions, Scattered, SearchOptions, ThrownBody, design, spread,
+    Aims, Bounds, Design, Goal, SampleOptions, Scattered, SearchOptions, Spread, ThrowFlightError,
+    ThrowFlights, ThrownBody, design, spread,
 };
-use anyhow::{Context, bail};
+use anyhow::bail;
+use flight::files::ResultFile;
 use flight::release::Release;
-use nalgebra::Vector3;
+use report::viewer::View;
 
 use super::simulate::{apply_all, throws};
 use super::vector;
 use crate::cli::Design as Options;
 use crate::{Answer, output};
 
-pub use made::{Designed, aims};
-
-/// Runs `hyzer design`: searches for the throw that serves a goal best, prints it, and writes the result files if an
-/// output folder is given. Returns `Answer::No` if this throw violates a constraint of the goal, such as hitting the
-/// target.
-pub fn run(options: &Options) -> anyhow::Result<Answer> {
+/// Runs `hyzer design`. `Answer::No` if the throw violates a constraint of the goal.
+pub(super) fn run(options: &Options) -> anyhow::Result<Answer> {
     let out = output::results(options.out.as_deref(), &options.figures)?;
     let mut model = model_spec::load::load(&options.model, &super::names(&options.with))?;
     let mut release = Release {
@@ -47,9 +44,8 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
     if options.bounds.is_none() && is_calm && matches!(goal, Goal::Range | Goal::HangTime) {
         bounds.set("heading", 0.0, 0.0);
     }
-    let threads = options
-        .threads
-        .map_or_else(flight::parallel::threads, |n| n as usize);
+    let threads = options.threads.map(|n| n as usize);
+    let threads = threads.unwrap_or_else(flight::parallel::threads);
     let search = SearchOptions {
         starts: options.starts as usize,
         seed: options.seed,
@@ -84,41 +80,89 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
         let what = "release.toml, design.json, report.html and flight.html";
         out.write(made.files(&flights)?, what)?;
     }
-    Ok(if made.found.feasible {
-        Answer::Yes
-    } else {
-        Answer::No
-    })
+    Ok(Answer::of(made.found.feasible))
 }
 
-/// The goal of the throw that the options specify, with its target point.
 fn goal(options: &Options) -> anyhow::Result<Goal> {
     let name = options.goal.as_str();
-    let target = options
-        .target
-        .as_deref()
-        .map(|text| vector("--target", text, "m"));
-    let target = target.transpose()?.map(Vector3::from);
-    let goal: anyhow::Result<Goal> = match (name, target) {
-        ("range", None) => Ok(Goal::Range),
-        ("hangtime", None) => Ok(Goal::HangTime),
+    let target = options.target.as_deref();
+    let target = target.map(|text| vector("--target", text, "m"));
+    Ok(match (name, target.transpose()?) {
+        ("range", None) => Goal::Range,
+        ("hangtime", None) => Goal::HangTime,
         ("range" | "hangtime", Some(_)) => {
             bail!("--target: the goal {name} has no target; expected none")
         }
-        ("hit", Some(target)) => Ok(Goal::Hit(target)),
-        ("curve", Some(target)) => Ok(Goal::Curve(target)),
-        ("flare", Some(target)) => Ok(Goal::Flare(target)),
-        ("spread", Some(target)) => {
-            if target.z == 0.0 {
-                Ok(Goal::Spread(target))
-            } else {
-                bail!(
-                    "--target: found a height of {} m, expected a point on the ground, X,Y,0",
-                    target.z
-                )
-            }
+        ("hit", Some(target)) => Goal::Hit(target),
+        ("curve", Some(target)) => Goal::Curve(target),
+        ("flare", Some(target)) => Goal::Flare(target),
+        ("spread", Some([x, y, 0.0])) => Goal::Spread([x, y]),
+        ("spread", Some([.., z])) => {
+            bail!("--target: found a height of {z} m, expected a point on the ground, X,Y,0")
         }
         _ => bail!("no --target: the goal {name} needs one, as in --target 30,0,0"),
+    })
+}
+
+/// A throw that was found, with the spread of its landings.
+pub struct Designed<'a> {
+    /// Name or path of the model, as it is written to `release.toml`.
+    pub model: &'a str,
+    /// Parameters and wind of the flights.
+    pub release: &'a Release,
+    /// The throw and its flight.
+    pub found: Design,
+    /// Bounds of the search.
+    pub bounds: Bounds,
+    /// Distribution of the landings.
+    pub spread: Spread,
+}
+
+/// What the spread of the landings is judged by.
+pub fn aims(found: &Design, bounds: &Bounds) -> Aims {
+    let (ground, air) = match found.target() {
+        Some(target) if target.z == 0.0 => (Some(target), None),
+        other => (None, other),
     };
-    goal.context("--goal")
+    Aims {
+        landing: ground.unwrap_or(found.landing).xy(),
+        circle: bounds.circle,
+        target: air,
+        obstacle: bounds.obstacle,
+    }
+}
+
+impl Designed<'_> {
+    /// Summary for the terminal.
+    pub fn text(&self) -> String {
+        report::design::text(&self.found, &self.bounds, &self.spread)
+    }
+
+    /// Text of the file `design.json`; `model` is the name of the model.
+    pub fn json(&self, model: &str) -> String {
+        format!("{:#}\n", self.found.json(model, Some(&self.spread)))
+    }
+
+    /// Result files of `hyzer design`.
+    ///
+    /// # Errors
+    /// If the throw cannot be flown.
+    pub fn files(&self, flights: &ThrowFlights<'_>) -> Result<Vec<ResultFile>, ThrowFlightError> {
+        let (found, body) = (&self.found, flights.body);
+        let settings = ode::IntegrationOptions::with_tolerance(1e-9);
+        let path = flights.fly(&found.throw, None, &settings)?;
+        let title = format!("{} · {}", body.model.name, found.goal_name());
+        let page = report::design::page(&title, found, &self.bounds, &self.spread, &path);
+        let release = found.release_toml(self.model, self.release);
+        let mut files = vec![
+            ResultFile::new("release.toml", release),
+            ResultFile::new("design.json", self.json(&body.model.name)),
+        ];
+        files.extend(page.files());
+        let (model, compiled) = (&body.model, &body.compiled);
+        let view = View::of_trajectory(&title, model, compiled, self.release, &path.trajectory);
+        let view = view.html(&title);
+        files.extend(view.map(|html| ResultFile::new("flight.html", html)));
+        Ok(files)
+    }
 }

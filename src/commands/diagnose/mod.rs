@@ -7,27 +7,23 @@ use dataset::Dataset;
 use flight::files::ResultFile;
 use identify::FitOptions;
 use model_spec::model::Model;
-use report::Figure;
 use report::diagnosis::{DiagnosisPage, Fits, tables};
 use report::viewer::View;
 
-use super::fit::{FLIGHTS, Inputs, deadline, drawn, evidence};
+use super::fit::{FLIGHTS, Inputs, deadline, drawn, evidence, reliable};
 use crate::cli::Diagnose;
 use crate::progress::Progress;
 use crate::{Answer, output};
 
-/// File name of the extended model: the model with the effects that the diagnosis added.
 const EXTENDED: &str = "extended.hyz";
 
-/// Name of the folder with the generated code of the extended model.
 const CODE: &str = "extended";
 
-/// Number of random states for each verification check of the extended model; `hyzer verify` uses more.
+/// Number of random states for each check of the extended model; `hyzer verify` uses more.
 const CASES: usize = 12;
 
-/// Runs `hyzer diagnose`: tests a model for missing effects, prints a summary, and writes the result files if an output
-/// folder is given. Returns `Answer::No` if there are reasons not to rely on the diagnosis.
-pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
+/// Runs `hyzer diagnose`. `Answer::No` if there are reasons not to rely on the diagnosis.
+pub(super) fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     let deadline = deadline(options.max_seconds)?;
     let out = options.out.as_deref();
     let inputs = Inputs::read(&options.inputs, out, &options.figures)?;
@@ -43,28 +39,22 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
         },
         ..DiagnosisOptions::default()
     };
-    asked
-        .validate(model)
-        .map_err(|error| anyhow::anyhow!("--without: {error}"))?;
+    let checked = asked.validate(model);
+    checked.map_err(|error| anyhow::anyhow!("--without: {error}"))?;
     let found = diagnosis(model, dataset, &asked);
     drop(progress);
     let mut found = found.with_context(|| inputs.failed("diagnose"))?;
     if let Some(out) = &inputs.out {
-        let extended = if found.after.is_some() {
-            "the extended model, "
-        } else {
-            ""
-        };
+        let extended = found.after.as_ref().map_or("", |_| "the extended model, ");
         let what = format!("report.html, report.json, {extended}figures and tables");
         out.write(files(&mut found, dataset)?, &what)?;
     }
     output::print(report::diagnosis::text(&found.report))?;
-    if found.report.reliable {
-        return Ok(Answer::Yes);
-    }
-    let cautions = found.report.cautions.join("; ");
-    eprintln!("do not rely on this diagnosis: {cautions}");
-    Ok(Answer::No)
+    Ok(reliable(
+        "diagnosis",
+        found.report.reliable,
+        &found.report.cautions,
+    ))
 }
 
 /// Diagnoses a model, and verifies its extension.
@@ -83,15 +73,13 @@ pub fn diagnosis(
     Ok(found)
 }
 
-/// Sentence appended to the documentation of the model that a diagnosis extended: the added effects and the dataset.
+/// Sentence in the documentation of an extended model.
 fn note(effects: &[String], dataset: &str) -> String {
-    format!(
-        "Extended by {}, found in {dataset} by `hyzer diagnose`.",
-        effects.join(" and ")
-    )
+    let effects = effects.join(" and ");
+    format!("Extended by {effects}, found in {dataset} by `hyzer diagnose`.")
 }
 
-/// Runs the checks of `hyzer verify` on the model that a diagnosis extended, given as text.
+/// Runs the checks of `hyzer verify` on the text of an extended model.
 fn verified(text: &str) -> anyhow::Result<Verified> {
     let loaded = model_spec::load::inspect_text(EXTENDED, text, &[])?;
     if loaded.model.is_none() || !loaded.diagnostics.is_empty() {
@@ -107,10 +95,8 @@ fn verified(text: &str) -> anyhow::Result<Verified> {
     };
     let report = verify::run(&loaded, &settings);
     let checks = report.rows.iter().map(|row| {
-        (
-            row.check.to_string(),
-            format!("{:?}", row.verdict).to_lowercase(),
-        )
+        let verdict = format!("{:?}", row.verdict).to_lowercase();
+        (row.check.to_string(), verdict)
     });
     Ok(Verified {
         holds: report.refuted.is_empty() && report.holds(),
@@ -118,8 +104,7 @@ fn verified(text: &str) -> anyhow::Result<Verified> {
     })
 }
 
-/// Result files of `hyzer diagnose`, which are written to the folder `--out`. The report then names the file of the
-/// extended model.
+/// Result files of a diagnosis, whose report then names the file of the extended model.
 ///
 /// # Errors
 /// If the report has no form in JSON, or the estimates cannot be written into the text of the extended model.
@@ -141,8 +126,7 @@ pub fn files(found: &mut Diagnosis, dataset: &Dataset) -> anyhow::Result<Vec<Res
         let note = note(&extension.effects, name) + " Its default values were fitted to it.";
         let text = fitted.fitted_text(extension.tree(), dataset, &note)?;
         let model = model_spec::load::from_text(EXTENDED, &text, &[])?;
-        let code = generate_with(&codegen::rust::PlainRust, &[model]);
-        let code = code.into_iter();
+        let code = generate_with(&codegen::rust::PlainRust, &[model]).into_iter();
         files.extend(code.map(|file| ResultFile::new(format!("{CODE}/{}", file.path), file.text)));
         files.extend(written_effects(extension));
         files.push(ResultFile::new(EXTENDED, text.clone()));
@@ -160,9 +144,7 @@ pub fn files(found: &mut Diagnosis, dataset: &Dataset) -> anyhow::Result<Vec<Res
         }),
         extended: extended.as_deref(),
     };
-    let (html, figures) = report::diagnosis::html_and_figures(&page);
-    files.push(ResultFile::new("report.html", html));
-    files.extend(figures.into_iter().flat_map(Figure::files));
+    files.extend(report::diagnosis::page(&page).files());
     let view = match after {
         Some((_, fitted)) => {
             View::of_fit(fitted, "extended").join(View::of_fit(&found.before, "original"))
@@ -174,7 +156,6 @@ pub fn files(found: &mut Diagnosis, dataset: &Dataset) -> anyhow::Result<Vec<Res
     Ok(files)
 }
 
-/// Files with the texts of the effects that the diagnosis generated itself, one file `NAME.hyz` per effect.
 fn written_effects(extension: &ExtendedModel) -> Vec<ResultFile> {
     let each = extension.written.iter().filter_map(|effect| {
         let declares = |name: &&String| effect.contains(&format!("effect {name} "));

@@ -1,17 +1,15 @@
 //! Command `hyzer fit`: estimates the coefficients of a model from measured flights.
-
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use anyhow::{Context, bail};
+use anyhow::{Context, ensure};
 use dataset::{Dataset, Role};
 use flight::files::ResultFile;
 use identify::{FitOptions, FlightEvidence, FlightId, Prior};
-use model_spec::ModelTree;
 use model_spec::model::Model;
-use model_spec::sort_by_number;
+use model_spec::{ModelTree, sort_by_number};
 use report::FigureKind;
-use report::fit::{Figure, FitPage, tables};
+use report::fit::{FitPage, tables};
 use report::viewer::View;
 
 use super::number;
@@ -19,15 +17,12 @@ use crate::cli::{Fit, FitInputs};
 use crate::progress::Progress;
 use crate::{Answer, output};
 
-/// File name of the copy of the model whose default values are the fitted ones.
 const FITTED: &str = "fitted.hyz";
 
-/// File name of the three-dimensional view of the measured and predicted flights.
 pub(super) const FLIGHTS: &str = "flights.html";
 
-/// Runs `hyzer fit`: fits a model to a dataset, prints a summary, and writes the result files if an output folder is
-/// given. Returns `Answer::No` if the estimates are not reliable.
-pub fn run(options: &Fit) -> anyhow::Result<Answer> {
+/// Runs `hyzer fit`. `Answer::No` if the estimates are not reliable.
+pub(super) fn run(options: &Fit) -> anyhow::Result<Answer> {
     let deadline = deadline(options.max_seconds)?;
     let out = options.out.as_deref();
     let inputs = Inputs::read(&options.inputs, out, &options.figures)?;
@@ -51,17 +46,22 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
         out.write(files(&fitted, model, dataset)?, &what)?;
     }
     output::print(text(&fitted, model))?;
-    if fitted.report.reliable {
-        return Ok(Answer::Yes);
-    }
-    eprintln!(
-        "do not rely on this fit: {}",
-        fitted.report.cautions.join("; ")
-    );
-    Ok(Answer::No)
+    Ok(reliable(
+        "fit",
+        fitted.report.reliable,
+        &fitted.report.cautions,
+    ))
 }
 
-/// Dataset, model and options that the arguments of a fit name, and the folder of its results.
+/// Whether a result, `what`, is reliable; prints the reasons if it is not.
+pub(super) fn reliable(what: &str, is_reliable: bool, cautions: &[String]) -> Answer {
+    if !is_reliable {
+        eprintln!("do not rely on this {what}: {}", cautions.join("; "));
+    }
+    Answer::of(is_reliable)
+}
+
+/// Dataset, model and options of the arguments of a fit, and the folder of its results.
 pub(super) struct Inputs<'a> {
     given: &'a FitInputs,
     fixed: Vec<(String, Option<f64>)>,
@@ -99,7 +99,6 @@ impl<'a> Inputs<'a> {
         })
     }
 
-    /// Options of the fit.
     pub(super) fn options(&self) -> FitOptions<'_> {
         FitOptions {
             fixed: &self.fixed,
@@ -117,15 +116,13 @@ impl<'a> Inputs<'a> {
     }
 }
 
-/// Maximum numbers of flights shown in figures: first, of fitted flights, taken in the order of the dataset; second, of
-/// the remaining fitted flights, taken in descending order of their residuals; third, of held-out flights.
+/// Maximum numbers of drawn flights: the first fitted ones, further ones with the largest residuals, held-out ones.
 const DRAWN: (usize, usize, usize) = (6, 3, 3);
 
 pub(super) fn drawn(fitted: &identify::Fit) -> Vec<usize> {
     let flights = &fitted.report.flights;
-    let of_role = |role: Role| {
-        (0..flights.len()).filter(move |&i| flights[i].role == role && flights[i].is_used())
-    };
+    let is_of = |i: usize, role: Role| flights[i].role == role && flights[i].is_used();
+    let of_role = |role: Role| (0..flights.len()).filter(move |&i| is_of(i, role));
     let mut drawn: Vec<usize> = of_role(Role::Fit).take(DRAWN.0).collect();
     let mut worst: Vec<usize> = of_role(Role::Fit).skip(DRAWN.0).collect();
     sort_by_number(&mut worst, |&index| -flights[index].rms());
@@ -135,15 +132,15 @@ pub(super) fn drawn(fitted: &identify::Fit) -> Vec<usize> {
     drawn
 }
 
-/// Measurements and predictions of the flights whose indices in the dataset are `flights`; flights without predictions,
-/// such as excluded ones, are omitted.
+/// Measurements and predictions of flights by index; those without predictions are omitted.
 pub(super) fn evidence(fitted: &identify::Fit, flights: &[usize]) -> Vec<FlightEvidence> {
-    let each = flights.iter();
-    each.filter_map(|&flight| fitted.evidence(FlightId::new(flight)))
+    let flights = flights.iter().copied().map(FlightId::new);
+    flights
+        .filter_map(|flight| fitted.evidence(flight))
         .collect()
 }
 
-/// Summary of a fit for the terminal.
+/// Summary of a fit.
 pub fn text(fitted: &identify::Fit, model: &Model) -> String {
     report::fit::text(&page(fitted, model, &[]))
 }
@@ -162,7 +159,7 @@ fn page<'a>(
     }
 }
 
-/// Result files of `hyzer fit`, which are written to the folder `--out`.
+/// Result files of a fit.
 ///
 /// # Errors
 /// If the report has no form in JSON, or the estimates cannot be written into the text of the model.
@@ -174,12 +171,11 @@ pub fn files(
     let name = &fitted.report.dataset;
     let json = serde_json::to_string_pretty(&fitted.report)?;
     let evidence = evidence(fitted, &drawn(fitted));
-    let (html, figures) = report::fit::html_and_figures(&page(fitted, model, &evidence));
+    let page = report::fit::page(&page(fitted, model, &evidence));
     let note = format!("Default values fitted to {name} by `hyzer fit`.");
     let fitted_model = fitted.fitted_text(&ModelTree::of(model), dataset, &note)?;
     let mut files = vec![
         ResultFile::new("report.json", json + "\n"),
-        ResultFile::new("report.html", html),
         ResultFile::new(FITTED, fitted_model),
         ResultFile::new("coefficients.csv", tables::coefficients(&fitted.report)),
         ResultFile::new("correlations.csv", tables::correlations(&fitted.report)),
@@ -190,14 +186,13 @@ pub fn files(
         let table = tables::sensor_residuals(fitted);
         files.push(ResultFile::new("sensors.csv", table));
     }
-    files.extend(figures.into_iter().flat_map(Figure::files));
+    files.extend(page.files());
     let view = View::of_fit(fitted, "").html(&format!("{} · {name}", model.name));
     files.extend(view.map(|html| ResultFile::new(FLIGHTS, html)));
     Ok(files)
 }
 
-/// Path or name of the model: `asked`, the value of the option `--model`, or else the model specified in the dataset,
-/// where a path is relative to the dataset's folder.
+/// Path or name of the model of the option `--model`, or else that of the dataset, whose paths are relative to its folder.
 pub fn model_of(
     asked: Option<&String>,
     folder: &Path,
@@ -215,20 +210,20 @@ pub fn model_of(
     }
 }
 
-/// Deadline of a computation that the option `--max-seconds` limits to `seconds`; `None` without this option, or if the
-/// clock cannot represent the deadline. An error if `seconds` is not a finite number above 0.
+/// Time at which a computation with the option `--max-seconds` ends.
 pub(super) fn deadline(seconds: Option<f64>) -> anyhow::Result<Option<Instant>> {
     let Some(seconds) = seconds else {
         return Ok(None);
     };
-    if !(seconds > 0.0 && seconds.is_finite()) {
-        bail!("--max-seconds: found {seconds}, expected a number above 0");
-    }
+    ensure!(
+        seconds > 0.0 && seconds.is_finite(),
+        "--max-seconds: found {seconds}, expected a number above 0"
+    );
     let limit = Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX);
     Ok(Instant::now().checked_add(limit))
 }
 
-/// Parses one coefficient to hold fixed, `NAME` or `NAME=VALUE`; the value (SI) is `None` if not given.
+/// Parses a coefficient to hold, `NAME` or `NAME=VALUE`.
 fn held(text: &str) -> anyhow::Result<(String, Option<f64>)> {
     match text.split_once('=') {
         None => Ok((text.to_owned(), None)),
@@ -236,19 +231,20 @@ fn held(text: &str) -> anyhow::Result<(String, Option<f64>)> {
     }
 }
 
-/// Parses one Gaussian prior of the option `--prior`, `NAME=VALUE+-SIGMA` or with `±`; SI units.
+/// Parses a prior, `NAME=VALUE+-SIGMA` or with `±`.
 fn prior(text: &str) -> anyhow::Result<Prior> {
-    let expected = "NAME=VALUE+-SIGMA, such as C_D0=0.1+-0.02";
-    let Some((name, rest)) = text.split_once('=') else {
-        bail!("--prior: found {text:?}, expected {expected}");
-    };
-    let Some((value, sigma)) = rest.split_once("+-").or_else(|| rest.split_once('±')) else {
-        bail!("--prior: found {text:?}, expected {expected}");
-    };
+    let parts = text.split_once('=').and_then(|(name, rest)| {
+        let (value, sigma) = rest.split_once("+-").or_else(|| rest.split_once('±'))?;
+        Some((name, value, sigma))
+    });
+    let (name, value, sigma) = parts.with_context(|| {
+        format!("--prior: found {text:?}, expected NAME=VALUE+-SIGMA, such as C_D0=0.1+-0.02")
+    })?;
     let (value, sigma) = (number("--prior", value)?, number("--prior", sigma)?);
-    if sigma <= 0.0 {
-        bail!("--prior: found a standard deviation of {sigma} in {text:?}, expected one above 0");
-    }
+    ensure!(
+        sigma > 0.0,
+        "--prior: found a standard deviation of {sigma} in {text:?}, expected one above 0"
+    );
     Ok(Prior {
         name: name.to_owned(),
         value,

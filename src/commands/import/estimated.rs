@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use anyhow::{Context, bail};
+use anyhow::{Context, ensure};
 use dataset::takes::words::{listed, shown};
 use dataset::takes::{FreeFlight, ReadOptions, Take, ThrowOptions, Throws, estimate_template};
 use dataset::{BodyTemplate, Marker};
@@ -11,34 +11,29 @@ use dataset::{BodyTemplate, Marker};
 use super::no_throw;
 use crate::cli::Import;
 
-/// Maximum magnitude of the value of `--centre-height`, m; larger values suggest millimetres.
+/// Maximum magnitude of `--centre-height`, m; larger values suggest millimetres.
 const MAX_HEIGHT: f64 = 2.0;
 
-/// A template estimated from recordings, a text on how it was estimated, and for
-/// each marker the comment that is written above its position in `dataset.toml`.
+/// A template estimated from recordings, a text on how it was estimated, and a comment for each marker.
 pub struct Estimated {
     pub template: BodyTemplate,
     pub decisions: String,
     pub comments: Vec<String>,
-    /// Standard errors of the estimated centre of mass along the axes of the body, m.
+    /// Standard errors of the centre of mass along the axes of the body, m.
     pub origin_error: [f64; 3],
-    /// Standard error of the direction of the third body axis relative to the markers, rad.
+    /// Standard error of the direction of the third axis, rad.
     pub axis_error: f64,
 }
 
-/// Estimates the positions on the body of the points that move as one rigid body in every recording with a throw.
-/// `names` maps labels of the recordings to marker names. For each label that is not a valid marker name and has no
-/// entry, an entry with a valid name is added.
+/// Estimates the template of the points that move as one rigid body in all throws; adds valid names to `names`.
 pub fn estimated(
     options: &Import,
     reading: &ReadOptions,
     names: &mut BTreeMap<String, String>,
 ) -> anyhow::Result<Estimated> {
-    if let Some(height) = options
-        .centre_height
-        .filter(|h| h.is_nan() || h.abs() > MAX_HEIGHT)
-    {
-        bail!(
+    if let Some(height) = options.centre_height {
+        ensure!(
+            height.abs() <= MAX_HEIGHT,
             "--centre-height: found {height}, expected metres, at most {MAX_HEIGHT} (millimetres?)"
         );
     }
@@ -55,33 +50,28 @@ pub fn estimated(
             thrown.push((turned, found));
         }
     }
-    if thrown.is_empty() {
-        bail!(
-            "{} to estimate the template from, or a template by --markers",
-            no_throw()
-        );
-    }
+    ensure!(
+        !thrown.is_empty(),
+        "{} to estimate the template from, or a template by --markers",
+        no_throw()
+    );
     let (labels, left_out) = labels(&thrown);
     let mut flights = Vec::new();
     for (take, found) in &thrown {
-        let points = labels
-            .iter()
-            .map(|label| take.points.iter().position(|p| p.label == *label));
-        let points: Vec<Option<usize>> = points.collect();
+        let place = |label: &String| take.points.iter().position(|p| p.label == *label);
+        let points: Vec<Option<usize>> = labels.iter().map(place).collect();
         for throw in &found.throws {
             let row = |sample: usize| -> Vec<Option<[f64; 3]>> {
-                let each = points.iter();
-                each.map(|point| take.points[(*point)?].positions[sample])
-                    .collect()
+                let position = |point: &Option<usize>| take.points[(*point)?].positions[sample];
+                points.iter().map(position).collect()
             };
             let rows: Vec<_> = throw.samples().map(row).collect();
             flights.push((&take.times[throw.samples()], rows));
         }
     }
-    let flights: Vec<FreeFlight<'_>> = flights
-        .iter()
-        .map(|(times, positions)| FreeFlight { times, positions })
-        .collect();
+    let flights = flights.iter();
+    let flights = flights.map(|(times, positions)| FreeFlight { times, positions });
+    let flights: Vec<FreeFlight<'_>> = flights.collect();
     let mut decisions = "template\n".to_owned();
     for label in &labels {
         let name = name(label);
@@ -108,37 +98,31 @@ pub fn estimated(
         let [x, y, z] = marker.std_error.map(|error| format!("{error:.6}"));
         format!("estimated from the takes; standard errors of the position, m: {x}, {y}, {z}")
     });
+    let markers = found.markers.iter().map(|marker| Marker {
+        name: marker.label.clone(),
+        // More digits than a nanometre would suggest a precision that no estimate has.
+        position: marker.position.map(|x| (x * 1e9).round() / 1e9 + 0.0),
+    });
     Ok(Estimated {
         origin_error: found.origin_error(),
         axis_error: found.axis_error(),
         comments: comments.collect(),
         template: BodyTemplate {
-            model: None,
-            parameters: BTreeMap::new(),
-            markers: found
-                .markers
-                .iter()
-                .map(|marker| Marker {
-                    name: marker.label.clone(),
-                    // More digits than a nanometre would suggest a precision that no estimate has.
-                    position: marker.position.map(|x| (x * 1e9).round() / 1e9 + 0.0),
-                })
-                .collect(),
+            markers: markers.collect(),
+            ..BodyTemplate::default()
         },
         decisions,
     })
 }
 
-/// Valid marker name made from the label of a recording: every character except letters, digits, `_`, `-` and `.` is
-/// replaced by `_`.
+/// Marker name of a label: letters, digits, `_`, `-` and `.`; `_` stands for other characters.
 pub(super) fn name(label: &str) -> String {
     let is_kept = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '.');
     let each = label.chars().map(|c| if is_kept(c) { c } else { '_' });
     each.collect()
 }
 
-/// Labels of the points that move as one rigid body in all recordings, and labels of the remaining points; each list is
-/// in the order of first occurrence.
+/// Labels of the points that move as one rigid body in all recordings, and of the others, by first occurrence.
 fn labels(thrown: &[(Take, Throws)]) -> (Vec<String>, Vec<String>) {
     let is_rigid = |label: &String| thrown.iter().all(|(_, found)| found.labels.contains(label));
     let mut all: Vec<String> = Vec::new();

@@ -6,22 +6,16 @@ use flight::throw::{FlownThrow, Throw};
 use report::{Table, hundredths};
 use serde_json::{Value, json};
 
-/// The characteristics of the flight as a short text table for the terminal.
+/// Table of the characteristics of a flight.
 pub fn table(flown: &FlownThrow) -> String {
     let mut text = String::new();
-    let side = if flown.sideways < 0.0 {
-        "right"
-    } else {
-        "left"
-    };
+    let is_right = flown.sideways < 0.0;
+    let side = if is_right { "right" } else { "left" };
+    let [x, y, z] = flown.landing.map(hundredths);
+    let (range, sideways) = (flown.range, flown.sideways.abs());
     let _ = writeln!(
         text,
-        "  range {:.2} m, {:.2} m to the {side} of the throw's line; lands at x {:.2}, y {:.2}, z {:.2} m",
-        flown.range,
-        flown.sideways.abs(),
-        hundredths(flown.landing[0]),
-        hundredths(flown.landing[1]),
-        hundredths(flown.landing[2])
+        "  range {range:.2} m, {sideways:.2} m to the {side} of the throw's line; lands at x {x:.2}, y {y:.2}, z {z:.2} m"
     );
     let _ = writeln!(
         text,
@@ -45,7 +39,7 @@ pub fn table(flown: &FlownThrow) -> String {
     text + &table.text(usize::MAX)
 }
 
-/// The characteristics of the flight as JSON, with units in the keys.
+/// The characteristics of a flight as JSON, with units in the keys.
 pub fn json(flown: &FlownThrow, model: &str) -> Value {
     let motion = |throw: &Throw| {
         json!({

@@ -13,12 +13,11 @@ use super::{check_rows, summary_file, throws};
 use crate::cli::Simulate;
 use crate::{Answer, output};
 
-/// A throw of a launch monitor and its flight, or why it could not be flown.
+/// A throw and its flight, or why it could not be flown.
 type Flight<'r> = (&'r Row, Result<FlownThrow, String>);
 
-/// Simulates every throw recorded by a launch monitor; prints the table of results, and writes the table and a folder
-/// per flight if an output folder is given. Returns `Answer::No` if a throw could not be simulated.
-pub fn run(
+/// Flies every throw of a launch monitor. `Answer::No` if one could not be flown.
+pub(super) fn run(
     options: &Simulate,
     rows: &[Row],
     (model, body, release): (&Model, &CompiledModel, &Release),
@@ -60,14 +59,9 @@ pub fn run(
         out.write(files, what)?;
     }
     output::print(table(&flights))?;
-    Ok(if flights.iter().all(|(_, flown)| flown.is_ok()) {
-        Answer::Yes
-    } else {
-        Answer::No
-    })
+    Ok(Answer::of(flights.iter().all(|(_, flown)| flown.is_ok())))
 }
 
-/// Table of the throws for the terminal.
 fn table(flights: &[Flight<'_>]) -> String {
     let number = |flown: &Result<FlownThrow, String>, of: fn(&FlownThrow) -> f64| {
         let flown = flown.as_ref().ok();
@@ -90,7 +84,6 @@ fn table(flights: &[Flight<'_>]) -> String {
         .text(usize::MAX)
 }
 
-/// CSV table of the throws.
 fn csv(flights: &[Flight<'_>]) -> String {
     type Number = (&'static str, fn(&FlownThrow) -> Option<f64>);
     let numbers: [Number; 13] = [
@@ -112,15 +105,15 @@ fn csv(flights: &[Flight<'_>]) -> String {
         .column("id", |(row, _)| &row.id)
         .column("row", |(row, _)| row.number);
     for (name, of) in numbers {
-        table = table.column(name, |(_, flown)| {
+        table = table.optional(name, |(_, flown)| {
             let number = flown.as_ref().ok().and_then(of);
             number.map(|number| format!("{:.4}", number + 0.0))
         });
     }
+    let status = |flown: &Result<FlownThrow, String>| flown.as_ref().err().cloned();
     table
-        .column("status", |(_, flown)| match flown {
-            Ok(_) => "flown".to_owned(),
-            Err(why) => why.clone(),
+        .column("status", |(_, flown)| {
+            status(flown).unwrap_or_else(|| "flown".to_owned())
         })
         .text()
 }

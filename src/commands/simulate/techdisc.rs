@@ -3,20 +3,16 @@
 use std::io::Read;
 use std::path::Path;
 
-use anyhow::{Context, bail};
+use anyhow::{Context, bail, ensure};
 use flight::throw::Throw;
 
-/// Maximum size of a TechDisc file, bytes.
 const MAX_BYTES: u64 = 4 << 20;
-/// Maximum number of throws in a TechDisc file.
 const MAX_ROWS: usize = 1000;
-/// Maximum number of columns in a TechDisc file.
 const MAX_COLUMNS: usize = 200;
-/// Maximum relative difference between the two speeds of one throw in the file, one in mph and one in km/h.
+/// Maximum relative difference between the speeds of one throw in mph and in km/h.
 const SPEED_DIFFERENCE: f64 = 0.01;
 
-/// Columns of a TechDisc file: name of the column, name of the quantity of a throw, factor that converts the value to the
-/// unit of the quantity, and whether the column is required. One of those of the speed is required.
+/// Columns: name, quantity of a throw, factor to its unit, and whether the column is required. One of the speed's is.
 const COLUMNS: [(&str, &str, f64, bool); 7] = [
     ("speedMph", SPEED, 0.44704, false),
     ("speedKmh", SPEED, 1.0 / 3.6, false),
@@ -26,43 +22,43 @@ const COLUMNS: [(&str, &str, f64, bool); 7] = [
     ("hyzerAngle", "hyzer", 1.0, true),
     ("wobbleAngle", "wobble", 1.0, false),
 ];
-/// Name of the quantity of a throw that two columns state.
+/// The quantity that two columns state.
 const SPEED: &str = "speed";
 
-/// One throw recorded by a launch monitor: a row of its CSV file.
+/// One throw of a launch monitor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// Text of the column `id`; the number of the throw in the file if that column is empty or missing.
+    /// Text of the column `id`, or the number.
     pub id: String,
-    /// Number of the throw in the file, from 1.
+    /// Number in the file, from 1.
     pub number: usize,
-    /// Line number in the file, from 1.
+    /// Line in the file, from 1.
     pub line: u64,
-    /// The recorded throw; its heading is along +x and its height is the default height.
+    /// The throw, with its heading along +x and the default height.
     pub throw: Throw,
 }
 
-/// Reads a TechDisc file, a table of throws recorded by a launch monitor.
+/// Reads a table of throws of TechDisc.
 ///
 /// # Errors
-/// If the file cannot be read, is too large or has faults; the first fault is reported, with its line and column.
+/// If the file cannot be read or has faults; the first one is reported.
 pub fn read(path: &Path) -> anyhow::Result<Vec<Row>> {
     let name = path.display();
-    let unreadable = || format!("{name}: cannot be read");
-    let file = std::fs::File::open(path).with_context(unreadable)?;
     let mut bytes = Vec::new();
-    let mut file = file.take(MAX_BYTES + 1);
-    file.read_to_end(&mut bytes).with_context(unreadable)?;
-    if bytes.len() as u64 > MAX_BYTES {
-        bail!("{name}: found more than {MAX_BYTES} bytes, expected at most that");
-    }
+    let file = std::fs::File::open(path);
+    file.and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes))
+        .with_context(|| format!("{name}: cannot be read"))?;
+    ensure!(
+        bytes.len() as u64 <= MAX_BYTES,
+        "{name}: found more than {MAX_BYTES} bytes, expected at most that"
+    );
     parse(&name.to_string(), &bytes)
 }
 
-/// Parses the text of a TechDisc file, a table of throws recorded by a launch monitor; `file` is its name in messages.
+/// Parses a table of throws; `file` is its name in messages.
 ///
 /// # Errors
-/// Those of [`read`], except for reading the file.
+/// If it has faults; the first one is reported.
 pub fn parse(file: &str, bytes: &[u8]) -> anyhow::Result<Vec<Row>> {
     let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
     let mut reader = csv::ReaderBuilder::new()
@@ -89,24 +85,23 @@ pub fn parse(file: &str, bytes: &[u8]) -> anyhow::Result<Vec<Row>> {
             Some(header) => rows.push(header.row(&place, &record, line, rows.len() + 1)?),
         }
     }
-    if rows.is_empty() {
-        bail!("{file}: found no throw, expected a header and at least one row");
-    }
+    ensure!(
+        !rows.is_empty(),
+        "{file}: found no throw, expected a header and at least one row"
+    );
     Ok(rows)
 }
 
-/// Selects the throw that the option `--row` names, by its id or else by its number in the file.
+/// Selects a throw by its id or else by its number.
 ///
 /// # Errors
 /// If there is no such throw, or if several throws have this id.
 pub fn choose(rows: Vec<Row>, name: &str) -> anyhow::Result<Row> {
-    let of_id = |row: &&Row| row.id == name;
-    let count = rows.iter().filter(of_id).count();
-    if count > 1 {
-        bail!(
-            "--row: found {count} throws of the id {name:?}, expected one; name it by its number"
-        );
-    }
+    let count = rows.iter().filter(|row| row.id == name).count();
+    ensure!(
+        count <= 1,
+        "--row: found {count} throws of the id {name:?}, expected one; name it by its number"
+    );
     let last = rows.len();
     let number = name.parse::<usize>().ok();
     let is_it = |row: &Row| match count {
@@ -118,7 +113,7 @@ pub fn choose(rows: Vec<Row>, name: &str) -> anyhow::Result<Row> {
     })
 }
 
-/// Indices of the columns of a TechDisc file that are read, and the total number of columns.
+/// Indices of the columns that are read.
 struct Header {
     columns: usize,
     id: Option<usize>,
@@ -129,9 +124,10 @@ struct Header {
 impl Header {
     fn read(place: &str, record: &csv::StringRecord) -> anyhow::Result<Header> {
         let columns = record.len();
-        if columns > MAX_COLUMNS {
-            bail!("{place}: found {columns} columns, expected at most {MAX_COLUMNS}");
-        }
+        ensure!(
+            columns <= MAX_COLUMNS,
+            "{place}: found {columns} columns, expected at most {MAX_COLUMNS}"
+        );
         let column = |name: &str| {
             let mut found = record.iter().enumerate().filter(|(_, cell)| *cell == name);
             let first = found.next().map(|(at, _)| at);
@@ -151,11 +147,10 @@ impl Header {
                 bail!("{place}: found no column {name}, expected a table of TechDisc with it");
             }
         }
-        if quantities[..2] == [None, None] {
-            bail!(
-                "{place}: found no column speedMph or speedKmh, expected a table of TechDisc with one"
-            );
-        }
+        ensure!(
+            quantities[..2] != [None, None],
+            "{place}: found no column speedMph or speedKmh, expected a table of TechDisc with one"
+        );
         Ok(Header {
             columns,
             id,
@@ -171,9 +166,10 @@ impl Header {
         number: usize,
     ) -> anyhow::Result<Row> {
         let (found, expected) = (record.len(), self.columns);
-        if found != expected {
-            bail!("{place}: found {found} cells, expected {expected} as in the header");
-        }
+        ensure!(
+            found == expected,
+            "{place}: found {found} cells, expected {expected} as in the header"
+        );
         let mut throw = Throw::at_speed(0.0);
         let mut speed: Option<f64> = None;
         for (at, (name, field, factor, is_needed)) in self.quantities.iter().zip(COLUMNS) {

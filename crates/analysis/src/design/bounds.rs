@@ -7,39 +7,31 @@ use nalgebra::DVector;
 use crate::design::goal::Obstacle;
 use crate::design::throw_flight::ThrownBody;
 
-/// Ranges and constraints within which a throw is searched, and the random variation between repeated throws (of their
-/// quantities, such as the speed, of the wind and of the parameters).
+/// Ranges and constraints of a search, and the random variation between repeated throws.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bounds {
-    /// Minimum and maximum of each quantity that a throw of the body can have, in the unit that [`FIELDS`] (list of the
-    /// quantities of a throw) states. Each entry is (index in [`FIELDS`], minimum, maximum). A quantity whose minimum
-    /// and maximum are equal is fixed.
+    /// Range of each quantity that a throw of the body can have: index in [`FIELDS`], minimum, maximum (equal: fixed).
     pub ranges: Vec<(usize, f64, f64)>,
-    /// Obstacle that the path of the thrown body must avoid; `None` without an obstacle.
+    /// Obstacle that the path must avoid.
     pub obstacle: Option<Obstacle>,
     /// Radius of the circle about the target within which a landing counts as good, m.
     pub circle: f64,
-    /// Random variation between repeated throws: of their quantities, such as the speed, of the wind and of the
-    /// parameters.
+    /// Random variation between repeated throws.
     pub scatter: Scatter,
 }
 
 /// Standard deviations of the quantities that differ from throw to throw; the quantities vary independently.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scatter {
-    /// Standard deviations of quantities of the throw, such as its speed: (index in [`FIELDS`], the list of these
-    /// quantities; value in the unit that [`FIELDS`] states).
+    /// Of quantities of the throw: index in [`FIELDS`], and value in its unit.
     pub release: Vec<(usize, f64)>,
-    /// Standard deviations of the components x, y, z of the wind, m/s, in the frame in which the model declares its
-    /// input `wind`. The wind is constant during a flight.
+    /// Of the constant wind: x, y, z in the frame of the model's input `wind`, m/s.
     pub wind: [f64; 3],
-    /// Standard deviations of parameters and coefficients of the model: (index among the parameters of the compiled
-    /// model, value in the parameter's unit).
+    /// Of parameters and coefficients: index among the parameters of the compiled model, and value in its unit.
     pub parameters: Vec<(usize, f64)>,
 }
 
-/// Default ranges of the quantities of a throw: name, minimum and maximum, in the units given in [`FIELDS`]. They are
-/// typical of good throwers, with a release at the height of the hand.
+/// Default ranges, typical of good throwers with a release at the height of the hand.
 const RANGES: [(&str, f64, f64); 8] = [
     ("speed", 8.0, 27.0),
     ("heading", -45.0, 45.0),
@@ -51,8 +43,7 @@ const RANGES: [(&str, f64, f64); 8] = [
     ("wobble", 0.0, 0.0),
 ];
 
-/// Default standard deviations of the quantities of a throw, in the units given in [`FIELDS`]: an assumption of the
-/// order of magnitude that launch monitors show for practised throwers, not a measurement.
+/// Default standard deviations, of the order that launch monitors show for practised throwers; not a measurement.
 const SCATTER: [(&str, f64); 6] = [
     ("speed", 0.5),
     ("heading", 2.0),
@@ -89,36 +80,27 @@ impl Bounds {
         }
     }
 
-    /// Sets the minimum and maximum of the quantity of a throw called `name`, such as `speed`, in the unit given in
-    /// [`FIELDS`]; ignored if a throw of the body does not have this quantity.
+    /// Sets the range of the quantity called `name`; ignored if a throw of the body does not have it.
     pub fn set(&mut self, name: &str, least: f64, greatest: f64) {
-        for range in self
-            .ranges
-            .iter_mut()
-            .filter(|range| FIELDS[range.0].0 == name)
-        {
+        let own = |range: &&mut (usize, f64, f64)| FIELDS[range.0].0 == name;
+        if let Some(range) = self.ranges.iter_mut().find(own) {
             (range.1, range.2) = (least, greatest);
         }
     }
 
-    /// Returns the bounds with the minimum and maximum of the quantity of a throw called `name`, such as `speed`,
-    /// replaced. They are in the unit given in [`FIELDS`], and ignored if a throw of the body does not have this
-    /// quantity.
+    /// The bounds with the range of one quantity replaced, as by [`Bounds::set`].
     pub fn with(mut self, name: &str, least: f64, greatest: f64) -> Bounds {
         self.set(name, least, greatest);
         self
     }
 
-    /// The entries (index in [`FIELDS`], minimum, maximum) of `ranges` that the search for a throw may vary: those
-    /// whose minimum is less than the maximum.
+    /// Ranges that the search may vary: those whose minimum is less than the maximum.
     pub fn free(&self) -> impl Iterator<Item = &(usize, f64, f64)> {
-        self.ranges
-            .iter()
-            .filter(|(_, least, greatest)| least < greatest)
+        let ranges = self.ranges.iter();
+        ranges.filter(|(_, least, greatest)| least < greatest)
     }
 
-    /// Maps a point of the unit box, whose coordinates are the free quantities scaled from their ranges to [0, 1], to a
-    /// throw. All other quantities have their fixed values.
+    /// Throw at a point of the unit box, whose coordinates are the free quantities scaled to [0, 1].
     pub fn throw(&self, at: &DVector<f64>) -> Throw {
         let mut throw = Throw::at_speed(1.0);
         let mut free = at.iter();

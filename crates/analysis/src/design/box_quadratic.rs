@@ -2,8 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// Step δ between the bounds `low` and `high` (which enclose 0) that minimizes ½ δᵀHδ + gᵀδ, for a Hessian H that is
-/// positive definite or nearly so.
+/// Step δ between `low` and `high`, which enclose 0, that minimizes ½ δᵀHδ + gᵀδ for a nearly positive definite H.
 pub fn minimum(
     hessian: &DMatrix<f64>,
     slope: &DVector<f64>,
@@ -48,15 +47,12 @@ pub fn minimum(
     step
 }
 
-/// Whether a variable is at one of its bounds and a descent would move it beyond the bound; `slope` is the derivative
-/// of the minimized function with respect to the variable, and `step` is the current change of the variable, with the
-/// bounds `low` and `high`.
+/// Whether a variable is at a bound, and a descent by `slope` would move it beyond.
 fn outward(slope: f64, step: f64, low: f64, high: f64) -> bool {
     step <= low && slope >= 0.0 || step >= high && slope <= 0.0
 }
 
-/// Newton step −H⁻¹g, with the Hessian H and the gradient g restricted to the variables whose indices are `free`, in
-/// this order. A ridge is added to a Hessian that is not positive definite.
+/// Newton step −H⁻¹g of the variables `free`, with a ridge where the Hessian is not positive definite.
 fn newton(hessian: &DMatrix<f64>, gradient: &DVector<f64>, free: &[usize]) -> DVector<f64> {
     let m = free.len();
     let part = DMatrix::from_fn(m, m, |i, j| hessian[(free[i], free[j])]);

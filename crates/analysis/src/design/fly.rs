@@ -2,14 +2,13 @@
 
 use flight::release::Release;
 use flight::throw::Throw;
-use ode::{AlignedVec, Event, IntegrationOptions};
+use ode::{AlignedVec, Event, IntegrationOptions, Sensitivities};
 
 use crate::design::path::Path;
 use crate::design::throw_flight::{By, ThrowFlightError, ThrowFlights};
 
 impl ThrowFlights<'_> {
-    /// Integrates the flight of a throw to the ground. `near` is the release state (initial state) of a similar throw,
-    /// which speeds up the search for the release state of this throw.
+    /// Integrates the flight of a throw to the ground. `near` is the release state of a similar throw, or none.
     ///
     /// # Errors
     /// [`ThrowFlightError`] if no state has the motion of the throw, or if the flight leaves the model's limits or
@@ -22,12 +21,16 @@ impl ThrowFlights<'_> {
     ) -> Result<Path<'_>, ThrowFlightError> {
         let state = self.state(throw, near)?;
         let trajectory = self.trajectory(&state, options)?;
-        Ok(Path::new(self, None, trajectory, Vec::new()))
+        Ok(Path {
+            flights: self,
+            layout: None,
+            trajectory,
+            columns: Vec::new(),
+        })
     }
 
-    /// Integrates the flight of a throw to the ground, with the derivatives of its path with respect to the quantities
-    /// in `by`, exact up to the integration tolerance. `near` is the release state (initial state) of a similar throw,
-    /// which speeds up the search for the release state of this throw.
+    /// Integrates the flight of a throw to the ground with the derivatives of its path with respect to the quantities
+    /// `by`, exact up to the integration tolerance. `near` is the release state of a similar throw, or none.
     ///
     /// # Errors
     /// [`ThrowFlightError`] if no state has the motion of the throw, or if the flight leaves the model's limits or
@@ -40,52 +43,39 @@ impl ThrowFlights<'_> {
         options: &IntegrationOptions,
     ) -> Result<Path<'_>, ThrowFlightError> {
         let state = self.state(throw, near)?;
-        let of_throw: Vec<usize> = by
-            .iter()
-            .filter_map(|by| match by {
-                By::Throw(field) => Some(*field),
-                By::Parameter(_) => None,
-            })
-            .collect();
-        let of_parameters: Vec<usize> = by
-            .iter()
-            .filter_map(|by| match by {
-                By::Parameter(index) => Some(*index),
-                By::Throw(_) => None,
-            })
-            .collect();
-        let start = self
-            .body
-            .thrown
-            .bind(&self.parameters)
-            .state_by_throw(throw, &state);
-        let mut rhs = self.sensitivities(of_throw.len(), &of_parameters);
-        let mut entries = Vec::new();
-        for (column, field) in of_throw.iter().enumerate() {
-            entries.extend((0..state.len()).map(|s| (s, column, start[(s, *field)])));
+        let thrown = self.body.thrown.bind(&self.parameters);
+        let start = thrown.state_by_throw(throw, &state);
+        let throws = by.iter().filter(|by| matches!(by, By::Throw(_))).count();
+        let (mut columns, mut of_parameters, mut entries) = (Vec::new(), Vec::new(), Vec::new());
+        for by in by {
+            let (column, moved): (usize, Vec<f64>) = match *by {
+                By::Throw(field) => {
+                    let moved = start.column(field).iter().copied().collect();
+                    (columns.len() - of_parameters.len(), moved)
+                }
+                By::Parameter(parameter) => {
+                    of_parameters.push(parameter);
+                    let moved = self.state_by_parameter(throw, &state, parameter);
+                    (throws + of_parameters.len() - 1, moved)
+                }
+            };
+            let moved = moved.into_iter().enumerate();
+            entries.extend(moved.map(|(s, value)| (s, column, value)));
+            columns.push(column);
         }
-        for (column, parameter) in of_parameters.iter().enumerate() {
-            let moved = self.state_by_parameter(throw, &state, *parameter);
-            let column = of_throw.len() + column;
-            entries.extend(
-                moved
-                    .into_iter()
-                    .enumerate()
-                    .map(|(s, value)| (s, column, value)),
-            );
-        }
+        let rhs = self.bound.rhs();
+        // The state indices of the first columns are irrelevant: these columns start along directions of the throw.
+        let mut rhs = Sensitivities::new(rhs, &vec![0; throws], &of_parameters);
         let augmented = rhs.initial_state_with(&state, &entries);
         let mut events = self.bound.limits_on::<AlignedVec>();
         events.push(Event::falls_to("ground", self.body.position[2], 0.0).terminal());
         let end = Release::MAX_DURATION;
         let trajectory = rhs.integrate_to_event((0.0, &augmented), end, options, &mut events)?;
-        let mut throws = 0..of_throw.len();
-        let mut parameters = of_throw.len()..by.len();
-        let columns = by.iter().map(|by| match by {
-            By::Throw(_) => throws.next(),
-            By::Parameter(_) => parameters.next(),
-        });
-        let columns = columns.flatten().collect();
-        Ok(Path::new(self, Some(rhs.layout()), trajectory, columns))
+        Ok(Path {
+            flights: self,
+            layout: Some(rhs.layout()),
+            trajectory,
+            columns,
+        })
     }
 }

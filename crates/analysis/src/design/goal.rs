@@ -5,41 +5,38 @@ use nalgebra::{DMatrix, DVector, Vector2, Vector3};
 use crate::design::optimise::Values;
 use crate::design::path::Path;
 
-/// Purpose of a throw, for which the best throw is searched.
+/// Purpose of a throw. Points are in the inertial frame, m; the release is above the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Goal {
-    /// The path passes through the given point (x, y, z in m), or lands there if its height is 0. Of all such throws,
-    /// the one nearest the middle of the bounds is preferred.
-    Hit(Vector3<f64>),
-    /// The horizontal distance from release to landing is as large as possible.
+    /// Pass through a point, or land there if its height is 0; the throw is near the middle of the bounds.
+    Hit([f64; 3]),
+    /// Fly as far as possible before the landing.
     Range,
-    /// The duration of the flight is as long as possible.
+    /// Stay in the air as long as possible.
     HangTime,
-    /// The path passes through the given point (x, y, z in m), or lands there if its height is 0, and avoids the
-    /// obstacle specified in [`Bounds`](crate::design::bounds::Bounds).
-    Curve(Vector3<f64>),
-    /// The path is level at the given point (x, y, z in m), neither falling nor climbing, and passes it as slowly as
-    /// possible, like an aircraft that flares.
-    Flare(Vector3<f64>),
-    /// The throw lands at the given point (x, y, z in m). Of all such throws, the one whose landings spread least if
-    /// the release, wind and parameters scatter.
-    Spread(Vector3<f64>),
+    /// As [`Hit`](Goal::Hit), past the obstacle of the bounds.
+    Curve([f64; 3]),
+    /// Arrive at a point in level flight, as slowly as possible.
+    Flare([f64; 3]),
+    /// Land at a point with the least spread as release, wind and parameters scatter.
+    Spread([f64; 2]),
 }
 
-/// Name of each goal of a throw in files and options, in the order of [`Goal`].
+/// Names of the goals in files and options, in the order of [`Goal`].
 pub const GOALS: [&str; 6] = ["hit", "range", "hangtime", "curve", "flare", "spread"];
 
 /// Side on which the path passes an obstacle, seen in the direction of flight.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
-    /// The path is to the left of the obstacle.
+    /// Left of the obstacle.
     Left,
-    /// The path is to the right of the obstacle.
+    /// Right of the obstacle.
     Right,
 }
 
 impl Side {
-    /// Sign of the side as a lateral coordinate, left positive: 1 for left, −1 for right.
+    /// 1 for left, −1 for right.
     fn sign(self) -> f64 {
         match self {
             Side::Left => 1.0,
@@ -61,8 +58,7 @@ impl Side {
 pub struct Obstacle {
     /// Horizontal coordinates x, y of the cylinder's axis, m.
     pub place: Vector2<f64>,
-    /// Radius, m, including a margin for the size of the body: only the path of the mass centre is compared with the
-    /// cylinder.
+    /// Radius, m, with a margin for the size of the body: the path is that of the mass centre.
     pub radius: f64,
     /// Side on which the path must pass the obstacle; `None` allows either side.
     pub side: Option<Side>,
@@ -70,29 +66,28 @@ pub struct Obstacle {
 
 impl Goal {
     /// Name of the goal in files and options, such as `hit`.
-    pub fn name(&self) -> &'static str {
-        match self {
-            Goal::Hit(_) => "hit",
-            Goal::Range => "range",
-            Goal::HangTime => "hangtime",
-            Goal::Curve(_) => "curve",
-            Goal::Flare(_) => "flare",
-            Goal::Spread(_) => "spread",
-        }
+    pub(crate) fn name(&self) -> &'static str {
+        GOALS[match self {
+            Goal::Hit(_) => 0,
+            Goal::Range => 1,
+            Goal::HangTime => 2,
+            Goal::Curve(_) => 3,
+            Goal::Flare(_) => 4,
+            Goal::Spread(_) => 5,
+        }]
     }
 
     /// Target point of the goal, m; `None` for a goal without a point.
-    pub fn target(&self) -> Option<Vector3<f64>> {
+    pub(crate) fn target(&self) -> Option<Vector3<f64>> {
         match *self {
-            Goal::Hit(point) | Goal::Curve(point) | Goal::Flare(point) | Goal::Spread(point) => {
-                Some(point)
-            }
+            Goal::Hit(at) | Goal::Curve(at) | Goal::Flare(at) => Some(at.into()),
+            Goal::Spread([x, y]) => Some(Vector3::new(x, y, 0.0)),
             Goal::Range | Goal::HangTime => None,
         }
     }
 
     /// Name and unit of the value by which the goal is judged, such as `range` and `m`.
-    pub fn figure(&self) -> (&'static str, &'static str) {
+    pub(crate) fn figure(&self) -> (&'static str, &'static str) {
         match self {
             Goal::Hit(_) | Goal::Curve(_) => ("distance from the target", "m"),
             Goal::Range => ("range", "m"),
@@ -102,12 +97,12 @@ impl Goal {
         }
     }
 
-    /// Distance, m, of the path from the goal's target point at the time at which the path is nearest to it; horizontal
-    /// for a point on the ground, 0 for a goal without a point.
+    /// Smallest distance of the path from the target, m; horizontal for a target on the ground, 0 without a target.
     pub(crate) fn miss(&self, path: &Path<'_>) -> f64 {
         self.target().map_or(0.0, |target| {
             let away = path.position(self.time(path)) - target;
-            if target.z > 0.0 {
+            let in_air = target.z > 0.0;
+            if in_air {
                 away.norm()
             } else {
                 away.xy().norm()
@@ -115,9 +110,8 @@ impl Goal {
         })
     }
 
-    /// Time, s, at which the path is nearest to the goal's target point; the end of the flight for a point on the
-    /// ground and for a goal without a point.
-    pub fn time(&self, path: &Path<'_>) -> f64 {
+    /// Time at which the path is nearest to a target in the air, otherwise the end of the flight, s.
+    pub(crate) fn time(&self, path: &Path<'_>) -> f64 {
         match self.target() {
             Some(target) if target.z > 0.0 => {
                 let times = path.nearest_times(target, false);
@@ -129,10 +123,9 @@ impl Goal {
         }
     }
 
-    /// Objective and constraints of the goal for a flight, with derivatives with respect to the same quantities as
-    /// those of `path`. The objective is 0 for [`Spread`](Goal::Spread), which needs the scatter, not only the path. It
-    /// is also 0 for [`Hit`](Goal::Hit) and [`Curve`](Goal::Curve), which only constrain the path.
-    pub fn values(&self, path: &Path<'_>, obstacle: Option<(&Obstacle, Side)>) -> Values {
+    /// Objective and constraints of the goal for a flight, with the derivatives that `path` has. The objective is 0 for
+    /// [`Spread`](Goal::Spread), which needs the scatter, and for goals that only constrain the path.
+    pub(crate) fn values(&self, path: &Path<'_>, obstacle: Option<(&Obstacle, Side)>) -> Values {
         let landing = path.landing();
         let columns = landing.time_by.len();
         let mut rows: Vec<(f64, Vec<f64>)> = Vec::new();
@@ -177,10 +170,8 @@ impl Goal {
             }
             _ => {}
         }
-        let mut margins = Vec::new();
-        if let Some((obstacle, side)) = obstacle {
-            margins.push(clearance(path, obstacle, side));
-        }
+        let margins = obstacle.map(|(obstacle, side)| clearance(path, obstacle, side));
+        let margins: Vec<_> = margins.into_iter().collect();
         let stacked = |rows: &[(f64, Vec<f64>)]| {
             let values = DVector::from_iterator(rows.len(), rows.iter().map(|row| row.0));
             (
@@ -201,10 +192,8 @@ impl Goal {
     }
 }
 
-/// Minimum lateral distance, m, of the path from the surface of the obstacle on the given side. It is negative if the
-/// path enters the obstacle or passes it on the opposite side. Also returns the derivatives of the distance with
-/// respect to the quantities by which the path is differentiated. They are taken at the fixed time of the nearest
-/// approach, because the derivative of the distance with respect to time is 0 there.
+/// Smallest lateral distance of the path from the surface of the obstacle on the given side, m, negative inside or on
+/// the other side, with its derivatives. They are those at a fixed time, since the nearest approach is stationary.
 fn clearance(path: &Path<'_>, obstacle: &Obstacle, side: Side) -> (f64, Vec<f64>) {
     let place = Vector3::new(obstacle.place.x, obstacle.place.y, 0.0);
     let passes = path.nearest_times(place, true).into_iter().map(|t| {

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use flight::release::Release;
 use flight::throw::FIELDS;
-use nalgebra::{Matrix2, Vector2};
+use nalgebra::{Matrix2, Vector2, Vector3};
 use serde_json::{Map, Value, json};
 
 use crate::design::search::{Design, numbers};
@@ -12,19 +12,33 @@ use crate::design::sensitivity::Sensitivity;
 use crate::design::spread::{Landings, Spread};
 
 impl Design {
-    /// The design as JSON of the schema `hyzer.design/1`; lengths in m, times in s, quantities of the throw in the
-    /// units of [`FIELDS`].
+    /// Name of the goal in files and options, such as `hit`.
+    pub fn goal_name(&self) -> &'static str {
+        self.goal.name()
+    }
+
+    /// Target point of the goal, m; `None` for a goal without a point.
+    pub fn target(&self) -> Option<Vector3<f64>> {
+        self.goal.target()
+    }
+
+    /// Name and unit of the value by which the goal is judged, such as `range` and `m`.
+    pub fn figure_name(&self) -> (&'static str, &'static str) {
+        self.goal.figure()
+    }
+
+    /// The design as JSON of the schema `hyzer.design/1`.
     pub fn json(&self, model: &str, spread: Option<&Spread>) -> Value {
         let throw: Map<String, Value> = numbers(&self.throw)
-            .map(|(name, value)| (name.into(), json!(value)))
+            .map(|(name, _, value)| (name.into(), json!(value)))
             .collect();
         let sensitivity: Map<String, Value> = self.sensitivity.iter().map(of_number).collect();
-        let (figure, unit) = self.goal.figure();
+        let (figure, unit) = self.figure_name();
         json!({
             "schema": "hyzer.design/1",
             "model": model,
-            "goal": self.goal.name(),
-            "target": self.goal.target().map(|target| [target.x, target.y, target.z]),
+            "goal": self.goal_name(),
+            "target": self.target().map(|target| [target.x, target.y, target.z]),
             "feasible": self.feasible,
             "throw": throw,
             "miss_m": self.miss,
@@ -40,18 +54,14 @@ impl Design {
         })
     }
 
-    /// Text of a release file that `hyzer simulate` can fly: the throw of the design, with parameters, coefficients,
-    /// wind and known inputs of `release`, whose initial states are not used. `model` is the model's name or path.
+    /// Text of a release file: the throw of the design, with parameters, coefficients, wind and known inputs of
+    /// `release`. `model` is the model's name or path.
     pub fn release_toml(&self, model: &str, release: &Release) -> String {
         let mut text = format!(
             "model = {}\nuntil = \"ground\"\n\n[throw]\n",
             toml::Value::from(model)
         );
-        for (name, value) in numbers(&self.throw) {
-            let unit = FIELDS
-                .iter()
-                .find(|(field, ..)| *field == name)
-                .map_or("", |(_, unit, ..)| unit);
+        for (name, unit, value) in numbers(&self.throw) {
             let _ = writeln!(text, "{name} = {value:?}  # {unit}");
         }
         for (key, values) in [

@@ -14,7 +14,7 @@
 //!
 //! let body = ThrownBody::new(model_spec::load::load("ball", &[])?)?;
 //! let flights = body.with_parameters(body.compiled.layout().default_parameters());
-//! let goal = Goal::Hit(nalgebra::Vector3::new(4.0, 1.0, 0.0));
+//! let goal = Goal::Hit([4.0, 1.0, 0.0]);
 //! let found = design(&flights, goal, &Bounds::standard(&body), &SearchOptions::default())?;
 //! assert!(found.feasible && (found.landing.x - 4.0).abs() < 1e-3);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -27,7 +27,6 @@ mod goal;
 mod json;
 mod optimise;
 mod path;
-mod point;
 mod read_bounds;
 mod search;
 mod sensitivity;
@@ -38,11 +37,10 @@ pub use bounds::{Bounds, Scatter};
 pub use flight::release::ReleaseError as BoundsError;
 pub use goal::{GOALS, Goal, Obstacle, Side};
 pub use path::{Landing, Path};
-pub use point::Point;
 pub use search::{Design, DesignError, SearchOptions, design, numbers};
 pub use sensitivity::{OneUnit, Sensitivity, sensitivities};
 pub use spread::{
     Agreement, Aims, Band, CoefficientErrors, Landings, QUANTILES, SampleOptions, Sampled,
     Scattered, Spread, TOLERATED, landing_covariance, spread,
 };
-pub use throw_flight::{By, ThrowFlightError, ThrowFlights, ThrownBody};
+pub use throw_flight::{By, Point, ThrowFlightError, ThrowFlights, ThrownBody};

@@ -11,29 +11,28 @@ use crate::design::box_quadratic::minimum;
 /// Objective and constraints of an optimization problem at a point, with derivatives with respect to the variables.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Values {
-    /// Value of the objective, which is to be minimized.
+    /// Objective, to be minimized.
     pub objective: f64,
-    /// Values of the equality constraints, which are to be 0; scaled so that 1 is a large violation.
+    /// Equality constraints, to be 0; 1 is a large violation.
     pub equalities: DVector<f64>,
-    /// Values of the inequality constraints, which are to be nonnegative; scaled so that −1 is a large violation.
+    /// Inequality constraints, to be nonnegative; −1 is a large violation.
     pub margins: DVector<f64>,
-    /// Gradient of the objective with respect to the variables.
+    /// Gradient of the objective.
     pub gradient: DVector<f64>,
-    /// Jacobian of the equality constraints: one row per constraint, one column per variable.
+    /// Jacobian of the equality constraints: a row per constraint.
     pub equalities_by: DMatrix<f64>,
-    /// Jacobian of the inequality constraints: one row per constraint, one column per variable.
+    /// Jacobian of the inequality constraints: a row per constraint.
     pub margins_by: DMatrix<f64>,
 }
 
 impl Values {
-    /// Euclidean norm of the violations of all equality and inequality constraints.
+    /// Root sum square of the violations of all constraints.
     pub fn violation(&self) -> f64 {
         let short = self.margins.iter().map(|margin| margin.min(0.0).powi(2));
         (self.equalities.norm_squared() + short.sum::<f64>()).sqrt()
     }
 
-    /// Objective and constraints, at the same point, of the problem to minimize [`Values::violation`] without
-    /// constraints.
+    /// The problem to minimize [`Values::violation`] without constraints, at the same point.
     pub fn violation_alone(&self) -> Values {
         let n = self.gradient.len();
         let violation = self.violation();
@@ -52,63 +51,47 @@ impl Values {
     }
 
     fn is_finite(&self) -> bool {
-        self.objective.is_finite()
-            && self.gradient.iter().all(|v| v.is_finite())
-            && self
-                .equalities
-                .iter()
-                .chain(&self.equalities_by)
-                .all(|v| v.is_finite())
-            && self
-                .margins
-                .iter()
-                .chain(&self.margins_by)
-                .all(|v| v.is_finite())
+        let equalities = self.equalities.iter().chain(&self.equalities_by);
+        let margins = self.margins.iter().chain(&self.margins_by);
+        let mut all = equalities.chain(margins).chain(&self.gradient);
+        self.objective.is_finite() && all.all(|v| v.is_finite())
     }
 }
 
-/// An optimization problem: a function that returns objective and constraints at a point of the unit box (every
-/// variable between 0 and 1), or `None` if they cannot be computed there. If the second argument is `false`, the
-/// objective is not needed.
+/// An optimization problem: objective and constraints at a point of the unit box, or `None` if they cannot be computed
+/// there. The objective is not needed if the second argument is `false`.
 pub type Problem<'p> = &'p dyn Fn(&DVector<f64>, bool) -> Option<Values>;
 
-/// Result of an optimization: the point reached, with the objective and constraints there.
+/// Point reached by an optimization.
 #[derive(Clone, Debug)]
 pub struct Arrival {
-    /// The point reached in the unit box, in which every variable is scaled to [0, 1].
+    /// The point in the unit box.
     pub at: DVector<f64>,
-    /// Objective and constraints at the point reached.
+    /// Objective and constraints there.
     pub values: Values,
 }
 
-/// Initial radius of the trust region: the maximum change of a variable, scaled to [0, 1], in the first step.
+/// Initial radius of the trust region, for variables scaled to [0, 1].
 const TRUST: f64 = 0.15;
-/// Radius of the trust region, for variables scaled to [0, 1], below which an optimization ends.
+/// Radius of the trust region below which an optimization ends.
 const MIN_TRUST: f64 = 1e-6;
-/// Maximum numbers of evaluations of the problem: for the first minimization of the constraint violation, and for the
-/// return to the constraints after each step of the minimization of the objective.
+/// Maximum numbers of evaluations: of the first way to the constraints, and of the return to them after each step.
 const MAX_EVALUATIONS: (usize, usize) = (40, 5);
-/// Maximum number of steps of a minimization of the objective.
 const MAX_STEPS: usize = 25;
-/// Decrease of the objective predicted for a step, divided by 1 plus the magnitude of the objective, below which a
-/// minimization ends.
+/// Predicted decrease of the objective, relative to 1 plus its magnitude, below which a minimization ends.
 const SETTLED: f64 = 1e-6;
-/// Maximum constraint violation at which a point counts as satisfying the constraints; an inequality constraint with a
-/// value below it counts as active.
+/// Constraint violation up to which a point satisfies the constraints, and margin below which a constraint is active.
 const ON: f64 = 1e-4;
 /// Weight of the linearized constraints relative to the curvature of the Lagrangian in the quadratic model.
 const STIFF: f64 = 1e6;
 
-/// Minimizes the violation of the constraints in the unit box (every variable between 0 and 1), by Gauss–Newton steps
-/// in a trust region. `None` if the problem has no finite values at the start.
+/// Minimizes the violation of the constraints by Gauss–Newton steps in a trust region. `None` if the problem has no
+/// finite values at the start.
 pub fn meet(problem: Problem<'_>, from: &DVector<f64>) -> Option<Arrival> {
     let at = from.map(|v| v.clamp(0.0, 1.0));
     let values = problem(&at, false).filter(Values::is_finite)?;
-    Some(meet_from(
-        problem,
-        Arrival { at, values },
-        MAX_EVALUATIONS.0,
-    ))
+    let start = Arrival { at, values };
+    Some(meet_from(problem, start, MAX_EVALUATIONS.0))
 }
 
 fn meet_from(problem: Problem<'_>, start: Arrival, most: usize) -> Arrival {
@@ -160,8 +143,7 @@ fn gauss_newton(values: &Values) -> (DMatrix<f64>, DVector<f64>) {
     )
 }
 
-/// Lower and upper bounds of a step from `at` that stays in the unit box (0 to 1 for each variable) and in the trust
-/// region of radius `trust`.
+/// Bounds of a step from `at` that stays in the unit box and in the trust region.
 fn room(at: &DVector<f64>, trust: f64) -> (DVector<f64>, DVector<f64>) {
     (
         at.map(|v| (-v).max(-trust)),
@@ -169,10 +151,9 @@ fn room(at: &DVector<f64>, trust: f64) -> (DVector<f64>, DVector<f64>) {
     )
 }
 
-/// Minimizes the objective from the point `from`, which must satisfy the constraints. Each iteration steps along the
-/// constraints by a quadratic model of the Lagrangian and then moves back until they are satisfied. The new point is
-/// accepted only if its objective is smaller than that of the last accepted point. Returns the last accepted point,
-/// which is `from` if no step is accepted; `None` if the problem has no finite values at `from`.
+/// Minimizes the objective from a point that satisfies the constraints. Each iteration steps along the constraints by a
+/// quadratic model of the Lagrangian and then returns to them; a step that does not decrease the objective is refused.
+/// `None` if the problem has no finite values at `from`.
 pub fn descend(problem: Problem<'_>, from: &DVector<f64>) -> Option<Arrival> {
     let values = problem(from, true).filter(Values::is_finite)?;
     let mut now = Arrival {
@@ -212,8 +193,7 @@ pub fn descend(problem: Problem<'_>, from: &DVector<f64>) -> Option<Arrival> {
     Some(now)
 }
 
-/// Moves a point until its constraint violation is at most [`ON`], and evaluates the objective there; `None` if such a
-/// small violation is not reached or the problem has no values there.
+/// Moves a point to the constraints and evaluates the objective there; `None` if [`ON`] is not reached.
 fn reached(problem: Problem<'_>, there: DVector<f64>) -> Option<Arrival> {
     let first = problem(&there, false).filter(Values::is_finite)?;
     let is_free = first.equalities.len() + first.margins.len() == 0;
@@ -234,8 +214,7 @@ fn reached(problem: Problem<'_>, there: DVector<f64>) -> Option<Arrival> {
     Some(Arrival { at: met.at, values })
 }
 
-/// Step of the variables, between `low` and `high`, that minimizes a quadratic model of the Lagrangian with a penalty
-/// on the linearized constraints.
+/// Step between `low` and `high` that minimizes the quadratic model with a penalty on the linearized constraints.
 fn along(
     values: &Values,
     curvature: &DMatrix<f64>,
@@ -262,9 +241,7 @@ fn along(
     step
 }
 
-/// Least-squares Lagrange multipliers of the constraints, in the order of the rows of [`stacked`]: equality
-/// constraints, then inequality constraints, 0 for inactive ones. They make the gradient computed by [`lagrangian`] as
-/// small as possible.
+/// Least-squares Lagrange multipliers of the constraints, in the order of the rows of [`stacked`].
 fn multipliers(values: &Values) -> DVector<f64> {
     let rows = stacked(values);
     if rows.nrows() == 0 {
@@ -276,8 +253,7 @@ fn multipliers(values: &Values) -> DVector<f64> {
         .unwrap_or_else(|_| DVector::zeros(rows.nrows()))
 }
 
-/// Jacobian of all constraints: rows of the equality constraints, then of the inequality constraints; the rows of
-/// inactive inequalities are 0.
+/// Jacobian of the equality, then of the inequality constraints; the rows of inactive inequalities are 0.
 fn stacked(values: &Values) -> DMatrix<f64> {
     let (m, k, n) = (
         values.equalities.len(),
@@ -291,14 +267,11 @@ fn stacked(values: &Values) -> DMatrix<f64> {
     })
 }
 
-/// Gradient of the Lagrangian with respect to the variables. The Lagrangian is the objective plus the sum of the
-/// equality constraints and active inequality constraints, each times its multiplier.
 fn lagrangian(values: &Values, multipliers: &DVector<f64>) -> DVector<f64> {
     &values.gradient + stacked(values).tr_mul(multipliers)
 }
 
-/// Powell's damped BFGS update of the Hessian approximation `matrix`, for a step and the change of the gradient of the
-/// Lagrangian over this step.
+/// Powell's damped BFGS update of a Hessian approximation.
 fn update(matrix: &mut DMatrix<f64>, step: &DVector<f64>, change: &DVector<f64>) {
     let moved = &*matrix * step;
     let along = step.dot(&moved);
@@ -306,7 +279,8 @@ fn update(matrix: &mut DMatrix<f64>, step: &DVector<f64>, change: &DVector<f64>)
     if along <= 1e-300 || !sy.is_finite() {
         return;
     }
-    let theta = if sy >= 0.2 * along {
+    let curved = sy >= 0.2 * along;
+    let theta = if curved {
         1.0
     } else {
         0.8 * along / (along - sy)

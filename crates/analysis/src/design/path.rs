@@ -6,64 +6,44 @@
 use nalgebra::Vector3;
 use ode::{SensitivityLayout, Trajectory};
 
-use crate::design::point::Point;
-use crate::design::throw_flight::ThrowFlights;
+use crate::design::throw_flight::{Point, ThrowFlights};
 
-/// Ratio of the duration of a flight to the minimum length of the time intervals in which a nearest approach of the
-/// path to a point is searched. The intervals are at most about twice as long as this minimum.
+/// Flights are divided into intervals of at least the duration over this number to search nearest approaches.
 const FINEST: f64 = 128.0;
-/// Maximum number of steps of the secant method that determines the time of a nearest approach to a point.
+/// Maximum number of secant steps to a nearest approach.
 const MAX_STEPS: usize = 40;
 
-/// Flight of a throw, with the derivatives of its path with respect to quantities such as the speed if they were
-/// requested.
+/// Flight of a throw, with the derivatives of its path if they were requested.
 pub struct Path<'f> {
-    flights: &'f ThrowFlights<'f>,
-    layout: Option<SensitivityLayout>,
-    /// Integrated trajectory. If derivatives were requested, each state vector is followed by the sensitivity matrix S,
-    /// the derivatives of the states, row by row and with padding (see [`SensitivityLayout`]).
+    pub(crate) flights: &'f ThrowFlights<'f>,
+    pub(crate) layout: Option<SensitivityLayout>,
+    /// Integrated trajectory. With derivatives, each state vector is followed by the sensitivity matrix S, row by row
+    /// and with padding (see [`SensitivityLayout`]).
     pub trajectory: Trajectory,
-    /// For each quantity with respect to which the path is differentiated, its column of the sensitivity matrix S, the
-    /// derivatives of the states.
-    columns: Vec<usize>,
+    /// Column of S of each quantity with respect to which the path is differentiated.
+    pub(crate) columns: Vec<usize>,
 }
 
-/// Landing of a thrown body (end of its flight on the ground), with derivatives with respect to the quantities by which
-/// the path is differentiated.
+/// End of a flight on the ground, with derivatives with respect to the quantities by which the path is differentiated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Landing {
     /// Duration of the flight, s.
     pub time: f64,
     /// Position of the mass centre at landing, m.
     pub position: Vector3<f64>,
-    /// Derivatives of the duration, s per unit of each quantity with respect to which the path is differentiated.
+    /// Derivatives of the duration, s per unit of each quantity.
     pub time_by: Vec<f64>,
-    /// Derivatives of the landing position, m per unit of each quantity with respect to which the path is
-    /// differentiated; their z components are 0, because the landing is always on the ground.
+    /// Derivatives of the landing position, m per unit of each quantity; their z components are 0.
     pub position_by: Vec<Vector3<f64>>,
 }
 
-impl<'f> Path<'f> {
-    pub(crate) fn new(
-        flights: &'f ThrowFlights<'f>,
-        layout: Option<SensitivityLayout>,
-        trajectory: Trajectory,
-        columns: Vec<usize>,
-    ) -> Path<'f> {
-        Path {
-            flights,
-            layout,
-            trajectory,
-            columns,
-        }
-    }
-
+impl Path<'_> {
     /// Duration of the flight, s.
     pub fn duration(&self) -> f64 {
         self.trajectory.end
     }
 
-    /// Motion of the mass centre at time `t` (s since release), which is clamped to the duration of the flight.
+    /// Motion of the mass centre at time `t`, s, which is clamped to the duration of the flight.
     pub fn point(&self, t: f64) -> Point {
         let t = t.clamp(self.trajectory.start, self.trajectory.end);
         let x = self.trajectory.sample(t);
@@ -72,15 +52,14 @@ impl<'f> Path<'f> {
         self.flights.point(t, &x, s)
     }
 
-    /// Position of the mass centre at a time within the flight, m; `t` in s since release.
+    /// Position of the mass centre at a time within the flight, m.
     pub fn position(&self, t: f64) -> Vector3<f64> {
         let x = self.trajectory.sample(t);
         let x = x.as_ref().unwrap_or(&self.trajectory.end_state);
         self.flights.place(x)
     }
 
-    /// Time and position of the landing, with derivatives with respect to the quantities by which the path is
-    /// differentiated.
+    /// Time and position of the landing, with derivatives.
     pub fn landing(&self) -> Landing {
         let end = self.point(self.trajectory.end);
         // From z(T) = 0: dT = −dz / ż.
@@ -95,9 +74,8 @@ impl<'f> Path<'f> {
         }
     }
 
-    /// Times, s since release, at which the distance between the path and the point `to` (m) has a local minimum,
-    /// including minima at the ends of the flight. If `horizontally`, the distance is that to the vertical line through
-    /// the point.
+    /// Times, s, at which the distance of the path from a point (or, if `horizontally`, from the vertical line through
+    /// it) has a local minimum, those at the ends of the flight among them.
     pub fn nearest_times(&self, to: Vector3<f64>, horizontally: bool) -> Vec<f64> {
         let flat = |v: Vector3<f64>| {
             if horizontally {
@@ -131,9 +109,8 @@ impl<'f> Path<'f> {
         found
     }
 
-    /// Time between `from` and `until`, s, at which the path is nearest to the point `to` (m). It is the time at which
-    /// the derivative of the squared distance changes sign from negative to positive; without such a change of sign it
-    /// is one of the two ends of the interval.
+    /// Time in an interval, s, at which the derivative of the squared distance from the point `to` becomes positive; an
+    /// end of the interval if it does not.
     fn refined(
         &self,
         mut from: f64,

@@ -18,14 +18,14 @@ use crate::design::sensitivity::{Sensitivity, sensitivities};
 use crate::design::spread::landing_covariance;
 use crate::design::throw_flight::{By, ThrowFlightError, ThrowFlights};
 
-/// Options of the search for the throw that serves a goal best; see [`design`](fn@design).
+/// Options of a search; see [`design`](fn@design).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SearchOptions {
-    /// Number of starting throws that are simulated; local descents start at the best of them. Default 384.
+    /// Number of starting throws that are simulated; default 384.
     pub starts: usize,
-    /// Number of local descents, each from a starting throw; default 12.
+    /// Number of local descents, from the best starting throws; default 12.
     pub descents: usize,
-    /// Seed of the random shift that is applied to the starting points of the search; default 1.
+    /// Seed of the random shift of the starting throws; default 1.
     pub seed: u64,
     /// Number of threads, which does not affect the result; default: all processors.
     pub threads: usize,
@@ -42,41 +42,37 @@ impl Default for SearchOptions {
     }
 }
 
-/// Result of a search for the throw that serves a goal best: the throw that was found, and its flight.
+/// The throw that serves a goal best, and its flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Design {
-    /// Goal of the throw for which the search was made.
+    /// Goal of the search.
     pub goal: Goal,
-    /// Whether the throw meets the constraints of the goal: the path reaches the target point, avoids the obstacle and,
-    /// for a flare, is level at the target point. The root sum square of the violations, in m and for a flare also in
-    /// m/s, must be below 1e-3.
+    /// Whether the throw meets the constraints of the goal: target, obstacle, level flight. The root sum square of the
+    /// violations, in m and m/s, is then below 1e-3.
     pub feasible: bool,
-    /// The throw that was found; if no throw meets the constraints, the one that violates them least.
+    /// The throw; if none meets the constraints, the one that violates them least.
     pub throw: Throw,
-    /// Minimum distance between the path and the goal's target point, m. For a point on the ground, the horizontal
-    /// distance between the point and the landing; 0 for a goal without a point.
+    /// Smallest distance of the path from the target, m; horizontal for a target on the ground, 0 without a target.
     pub miss: f64,
-    /// Vertical velocity at the goal's target point, m/s, upwards positive: the remaining error of a flare (level
-    /// flight at the point). `None` for other goals.
+    /// Vertical velocity at the target of a flare, m/s, upwards positive.
     pub vertical_speed: Option<f64>,
-    /// Minimum lateral distance, m, of the path from the surface of the obstacle on the side `side`; negative if the
-    /// path enters the obstacle or passes it on the opposite side. `None` without an obstacle.
+    /// Smallest lateral distance of the path from the obstacle, m; negative inside it or on the wrong side.
     pub clearance: Option<f64>,
-    /// Side on which the path is required to pass the obstacle; `None` without an obstacle.
+    /// Side on which the path is required to pass the obstacle.
     pub side: Option<Side>,
     /// Position of the mass centre at landing, m, in the inertial frame: x = y = 0 at release, z upwards.
     pub landing: Vector3<f64>,
     /// Duration of the flight, s.
     pub time: f64,
-    /// Value by which the goal is judged, such as the range, m; [`Goal::figure`] gives its name and unit.
+    /// Value by which the goal is judged; [`Design::figure_name`] gives its name and unit.
     pub figure: f64,
-    /// Influence of each quantity of the throw, such as the speed, on the landing.
+    /// Influence of each quantity of the throw on the landing.
     pub sensitivity: Vec<Sensitivity>,
     /// Number of starting throws that could be flown to the ground.
     pub flown: usize,
 }
 
-/// Reason why a search finds no throw that serves the goal.
+/// Reason why a search finds no throw.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum DesignError {
     /// None of the starting throws could be flown to the ground.
@@ -84,9 +80,9 @@ pub enum DesignError {
         "none of {tried} throws within the bounds could be flown to the ground; the last one: {last}"
     )]
     NoFlight {
-        /// Number of throws that were attempted.
+        /// Number of starting throws.
         tried: usize,
-        /// Reason why the last attempted throw could not be flown.
+        /// Reason why the last one could not be flown.
         last: ThrowFlightError,
     },
     /// Throws can be flown, but their derivatives cannot be computed.
@@ -99,38 +95,32 @@ pub enum DesignError {
         "the goal curve needs an obstacle; expected [obstacle] in the bounds, with x, y and radius"
     )]
     NoObstacle,
-    /// The goal's target point is below the ground, by the given depth, m.
+    /// The target is below the ground, by the given depth, m.
     #[error("the target is {0} m below the ground; expected a height of 0 or more")]
     Buried(f64),
-    /// The goal is a flare (level flight at a point), and its point is on the ground; a flare is defined only above the
-    /// ground.
+    /// The goal is a flare at a point on the ground.
     #[error("the goal flare needs a target above the ground; found a height of 0")]
     FlareOnGround,
-    /// The throw that the search found cannot be flown at the final, tightest tolerance of the integration.
+    /// The throw that was found cannot be flown at the final tolerance.
     #[error(transparent)]
     Flight(#[from] ThrowFlightError),
 }
 
-/// Limit on the root sum square of the constraint violations, in m and for a flare (level flight at a point) also in
-/// m/s, below which a throw counts as feasible.
+/// Root sum square of the constraint violations, in m and m/s, below which a throw is feasible.
 const SERVES: f64 = 1e-3;
-/// Relative tolerances of the integration of flights: for the starting throws, for the descents, and for the final
-/// flight.
+/// Relative tolerances of the integration: of the starting throws, the descents and the final flight.
 const TOLERANCES: [f64; 3] = [1e-4, 1e-6, 1e-9];
-/// Bases of the Halton sequence from which starting throws are drawn, one per quantity of a throw.
+/// Bases of the Halton sequence of the starting throws, one per quantity.
 const BASES: [u64; 8] = [2, 3, 5, 7, 11, 13, 17, 19];
-/// Minimum Euclidean distance between the starting points of any two local descents, with each quantity scaled from its
-/// range to [0, 1].
+/// Minimum distance of the starting points of two descents in the unit box.
 const APART: f64 = 0.1;
-/// Step of the finite differences of the spread of the landings, for the goal [`Goal::Spread`]; each quantity is scaled
-/// from its range to [0, 1].
 const SPREAD_STEP: f64 = 1e-4;
 
 /// Searches for the throw within bounds that serves a goal best.
 ///
 /// # Errors
-/// [`DesignError`] if the goal and bounds contradict each other or no throw can be flown. Constraints that cannot be
-/// met are not an error: see [`Design::feasible`].
+/// [`DesignError`] if goal and bounds contradict each other or no throw can be flown. Constraints that cannot be met are
+/// no error: see [`Design::feasible`].
 pub fn design(
     flights: &ThrowFlights<'_>,
     goal: Goal,
@@ -140,7 +130,9 @@ pub fn design(
     match (goal, goal.target()) {
         (Goal::Curve(_), _) if bounds.obstacle.is_none() => return Err(DesignError::NoObstacle),
         (_, Some(target)) if target.z < 0.0 => return Err(DesignError::Buried(-target.z)),
-        (Goal::Flare(target), _) if target.z == 0.0 => return Err(DesignError::FlareOnGround),
+        (Goal::Flare(_), Some(target)) if target.z == 0.0 => {
+            return Err(DesignError::FlareOnGround);
+        }
         _ => {}
     }
     let task = Task {
@@ -148,22 +140,17 @@ pub fn design(
         goal,
         bounds,
     };
-    let sides = match bounds.obstacle {
+    let sides = match bounds.obstacle.map(|obstacle| obstacle.side) {
         None => vec![None],
-        Some(obstacle) => match obstacle.side {
-            Some(side) => vec![Some(side)],
-            None => vec![Some(Side::Left), Some(Side::Right)],
-        },
+        Some(None) => vec![Some(Side::Left), Some(Side::Right)],
+        Some(side) => vec![side],
     };
     let starts = task.explore(&sides, options)?;
     let mut jobs: Vec<(Option<Side>, DVector<f64>)> = Vec::new();
+    let count = options.descents.div_ceil(sides.len());
     for (k, side) in sides.iter().enumerate() {
-        let count = options.descents.div_ceil(sides.len());
-        jobs.extend(
-            task.chosen(&starts, k, count)
-                .into_iter()
-                .map(|at| (*side, at)),
-        );
+        let chosen = task.chosen(&starts, k, count).into_iter();
+        jobs.extend(chosen.map(|at| (*side, at)));
     }
     let met = each_on(options.threads, jobs.len(), |k| {
         let (side, at) = &jobs[k];
@@ -171,53 +158,49 @@ pub fn design(
     });
     let mut met: Vec<(Option<Side>, Arrival)> = met.into_iter().flatten().collect();
     // The sort is stable: equal results stay in the order of the starts.
-    met.sort_by(|a, b| {
-        task.rank(&a.1.values)
-            .partial_cmp(&task.rank(&b.1.values))
-            .unwrap_or(Ordering::Equal)
-    });
+    let order = |a: &Values, b: &Values| task.rank(a).partial_cmp(&task.rank(b));
+    met.sort_by(|(_, a), (_, b)| order(&a.values, &b.values).unwrap_or(Ordering::Equal));
     // All starts are moved to the constraints, but only the best of them along the constraints.
     if jobs.iter().any(|(side, _)| task.is_constrained(*side)) {
         met.truncate(options.descents.div_ceil(4));
     }
     let best = each_on(options.threads, met.len(), |k| {
         let (side, from) = &met[k];
-        let serves = from.values.violation() < SERVES;
-        let better = match serves {
-            true => task.least(*side, &from.at),
-            false => task.nearest(*side, &from.at),
+        let better = if from.values.violation() < SERVES {
+            task.least(*side, &from.at)
+        } else {
+            task.nearest(*side, &from.at)
         };
         (*side, better.unwrap_or_else(|| from.clone()))
     });
-    let best = best.into_iter().reduce(|best, other| {
-        match task.rank(&other.1.values) < task.rank(&best.1.values) {
-            true => other,
-            false => best,
+    let is_better = |a: &Arrival, b: &Arrival| task.rank(&a.values) < task.rank(&b.values);
+    let best = best.into_iter();
+    let best = best.reduce(|best, other| {
+        if is_better(&other.1, &best.1) {
+            other
+        } else {
+            best
         }
     });
     let Some((side, best)) = best else {
         return Err(DesignError::NoDescent);
     };
-    let last = match best.values.violation() < SERVES {
-        true => task.met(side, &best.at, 2).unwrap_or(best),
-        false => best,
-    };
-    task.finished(side, &last, starts.len())
+    let refined = (best.values.violation() < SERVES).then(|| task.met(side, &best.at, 2));
+    task.finished(side, &refined.flatten().unwrap_or(best), starts.len())
 }
 
-/// A search for the throw that serves a goal best: the body with its parameters, the goal and the bounds.
+/// A search: the body with its parameters, the goal and the bounds.
 struct Task<'t> {
     flights: &'t ThrowFlights<'t>,
     goal: Goal,
     bounds: &'t Bounds,
 }
 
-/// Starting throw that could be flown to the ground.
+/// Starting throw that can be flown to the ground.
 struct Start {
-    /// Point in the unit box, whose coordinates are the free quantities scaled linearly from their ranges to [0, 1].
+    /// Point in the unit box.
     at: DVector<f64>,
-    /// (Constraint violation, objective) of the throw for each side of the obstacle on which the path may pass, left
-    /// before right; a single pair without an obstacle.
+    /// Constraint violation and objective for each side of the obstacle, left before right; one pair without obstacle.
     of_sides: Vec<(f64, f64)>,
 }
 
@@ -248,13 +231,10 @@ impl Task<'_> {
             Ok(Start { at, of_sides })
         });
         let mut last = None;
-        let mut starts = Vec::new();
-        for result in tried {
-            match result {
-                Ok(start) => starts.push(start),
-                Err(error) => last = Some(error),
-            }
-        }
+        let mut keep = |result: Result<Start, ThrowFlightError>| {
+            result.map_err(|error| last = Some(error)).ok()
+        };
+        let starts: Vec<Start> = tried.into_iter().filter_map(&mut keep).collect();
         match last {
             Some(last) if starts.is_empty() => Err(DesignError::NoFlight {
                 tried: options.starts.max(1),
@@ -270,9 +250,7 @@ impl Task<'_> {
             .values(path, obstacle.and_then(|obstacle| Some((obstacle, side?))))
     }
 
-    /// Starting points of the descents, in the unit box, for the obstacle side with the index `side` in
-    /// [`Start::of_sides`]: at most `count`, in order of constraint violation, then of objective. Points within
-    /// [`APART`] of a better one are skipped.
+    /// The best `count` starting points for the side with this index, at least [`APART`] from each other.
     fn chosen(&self, starts: &[Start], side: usize, count: usize) -> Vec<DVector<f64>> {
         let mut order: Vec<&Start> = starts.iter().collect();
         // The sort is stable: equal points stay in the order of the starts.
@@ -292,13 +270,13 @@ impl Task<'_> {
         chosen
     }
 
-    /// Sort key of the results of a search, the best result having the smallest key: feasible results are ordered by
-    /// objective, then infeasible ones by constraint violation.
+    /// Sort key of results: feasible ones by objective, then infeasible ones by constraint violation.
     fn rank(&self, values: &Values) -> (f64, f64) {
         let violation = values.violation();
-        match violation < SERVES {
-            true => (0.0, values.objective),
-            false => (violation, 0.0),
+        if violation < SERVES {
+            (0.0, values.objective)
+        } else {
+            (violation, 0.0)
         }
     }
 
@@ -306,10 +284,7 @@ impl Task<'_> {
         self.goal.target().is_some() || side.is_some()
     }
 
-    /// Changes the starting throw `from`, a point of the unit box, by Gauss–Newton steps until it meets the constraints
-    /// (with the obstacle passed on `side`; `None` without an obstacle) or violates them as little as the bounds allow.
-    /// `accuracy` is an index into [`TOLERANCES`]. `None` if the starting throw cannot be flown, or if the objective of
-    /// the final throw cannot be computed.
+    /// Moves a starting point as near to the constraints as possible; `accuracy` is an index into [`TOLERANCES`].
     fn met(&self, side: Option<Side>, from: &DVector<f64>, accuracy: usize) -> Option<Arrival> {
         let near = RefCell::new(None);
         if !self.is_constrained(side) {
@@ -326,8 +301,7 @@ impl Task<'_> {
         Some(arrival)
     }
 
-    /// Minimizes the objective among throws that meet the constraints with the obstacle, if any, passed on `side`. The
-    /// starting throw `from`, a point of the unit box, must meet them. `None` if the starting throw cannot be flown.
+    /// Minimizes the objective from a point that meets the constraints. `None` if the throw there cannot be flown.
     fn least(&self, side: Option<Side>, from: &DVector<f64>) -> Option<Arrival> {
         let near = RefCell::new(None);
         let problem =
@@ -335,9 +309,7 @@ impl Task<'_> {
         descend(&problem, from)
     }
 
-    /// Minimizes the constraint violation from `from`, a point of the unit box at which [`Task::met`] ended without
-    /// meeting the constraints. Unlike [`Task::met`], this method accounts for the curvature of the constraints, which
-    /// matters when the remaining violation is large. `None` if the throw at `from` cannot be flown.
+    /// Minimizes a remaining violation; unlike [`Task::met`] accounts for the curvature of the constraints.
     fn nearest(&self, side: Option<Side>, from: &DVector<f64>) -> Option<Arrival> {
         let near = RefCell::new(None);
         let problem = |at: &DVector<f64>, _: bool| {
@@ -351,9 +323,7 @@ impl Task<'_> {
         })
     }
 
-    /// Objective of the goal at a point of the unit box (quantities scaled from their ranges to [0, 1]). `of_path` is
-    /// the objective from [`Goal::values`], which is returned for goals whose objective depends on the path alone.
-    /// `None` if the throw cannot be flown.
+    /// Objective of the goal at a point of the unit box; `of_path` is that of [`Goal::values`].
     fn objective(&self, at: &DVector<f64>, of_path: f64) -> Option<f64> {
         match self.goal {
             Goal::Hit(_) | Goal::Curve(_) => Some(0.5 * at.map(|v| v - 0.5).norm_squared()),
@@ -365,9 +335,8 @@ impl Task<'_> {
         }
     }
 
-    /// Objective and constraints at a point of the unit box (quantities scaled from their ranges to [0, 1]), with
-    /// derivatives with respect to the coordinates of the point. The objective of [`Goal::Spread`] is computed only if
-    /// `objective` is true. `None` if the throw cannot be flown.
+    /// Objective and constraints at a point of the unit box, with derivatives with respect to its coordinates. The
+    /// objective of [`Goal::Spread`] is computed only if `objective` is true. `None` if the throw cannot be flown.
     fn values(
         &self,
         side: Option<Side>,
@@ -406,19 +375,15 @@ impl Task<'_> {
                     self.rms_spread(&self.bounds.throw(at), first.as_deref(), &settings)
                 };
                 values.objective = spread(at)?;
-                let slopes: Option<Vec<f64>> = (0..at.len())
-                    .map(|k| {
-                        let mut moved = at.clone();
-                        // A step inwards, so that the throw stays within the bounds.
-                        let step = if at[k] > 0.5 {
-                            -SPREAD_STEP
-                        } else {
-                            SPREAD_STEP
-                        };
-                        moved[k] += step;
-                        Some((spread(&moved)? - values.objective) / step)
-                    })
-                    .collect();
+                let slope = |k: usize| {
+                    let mut moved = at.clone();
+                    // A step inwards, so that the throw stays within the bounds.
+                    let is_high = at[k] > 0.5;
+                    let step = if is_high { -SPREAD_STEP } else { SPREAD_STEP };
+                    moved[k] += step;
+                    Some((spread(&moved)? - values.objective) / step)
+                };
+                let slopes: Option<Vec<f64>> = (0..at.len()).map(slope).collect();
                 values.gradient = DVector::from_vec(slopes?);
             }
             _ => {}
@@ -426,17 +391,15 @@ impl Task<'_> {
         Some(values)
     }
 
-    /// Root mean square distance of landings from their mean, m, to first order in the scatter of release, wind and
-    /// parameters ([`Bounds::scatter`]). `near` is the release state of a similar throw, which speeds up the search for
-    /// the release state of `throw`. `None` if the throw cannot be flown.
+    /// Root mean square distance of landings from their mean, m, to first order; `near` is a similar state at release.
     fn rms_spread(
         &self,
         throw: &Throw,
         near: Option<&[f64]>,
         settings: &IntegrationOptions,
     ) -> Option<f64> {
-        let covariance =
-            landing_covariance(self.flights, throw, near, &self.bounds.scatter, settings).ok()?;
+        let scatter = &self.bounds.scatter;
+        let covariance = landing_covariance(self.flights, throw, near, scatter, settings).ok()?;
         Some(covariance.trace().sqrt())
     }
 
@@ -478,7 +441,7 @@ impl Task<'_> {
     }
 }
 
-/// Radical inverse of an integer: its digits in the given base, mirrored at the radix point; a value in [0, 1).
+/// Digits of an integer in the given base, mirrored at the radix point; in [0, 1).
 fn radical_inverse(mut index: u64, base: u64) -> f64 {
     let (mut value, mut unit) = (0.0, 1.0 / base as f64);
     while index > 0 {
@@ -489,10 +452,8 @@ fn radical_inverse(mut index: u64, base: u64) -> f64 {
     value
 }
 
-/// Names and values of the quantities of a throw that have a value, in the order and units of [`FIELDS`], the list of
-/// all quantities of a throw.
-pub fn numbers(throw: &Throw) -> impl Iterator<Item = (&'static str, f64)> {
-    FIELDS
-        .iter()
-        .filter_map(|(name, ..)| Some((*name, throw.field(name)?)))
+/// Names, units and values of the quantities that a throw has, in the order of [`FIELDS`].
+pub fn numbers(throw: &Throw) -> impl Iterator<Item = (&'static str, &'static str, f64)> {
+    let fields = FIELDS.iter();
+    fields.filter_map(|(name, unit, ..)| Some((*name, *unit, throw.field(name)?)))
 }

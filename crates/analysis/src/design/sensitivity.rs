@@ -7,38 +7,34 @@ use ode::IntegrationOptions;
 use crate::design::goal::Goal;
 use crate::design::throw_flight::{By, ThrowFlightError, ThrowFlights};
 
-/// Influence of one quantity of a throw, such as the speed, on the position and time of the landing.
+/// Influence of one quantity of a throw on the landing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensitivity {
-    /// Index of the quantity of the throw in [`FIELDS`], the list of these quantities.
+    /// Index of the quantity in [`FIELDS`].
     pub field: usize,
     /// Derivative of the landing position, m per unit of the quantity.
     pub landing: Vector3<f64>,
     /// Derivative of the duration of the flight, s per unit of the quantity.
     pub time: f64,
-    /// Derivative of the value by which the goal is judged (see [`Goal::figure`]), per unit of the quantity; `None` for
-    /// a goal judged by a distance from its target or by a spread.
+    /// Derivative of the value by which the goal is judged ([`Design::figure`](crate::design::Design::figure)), per unit of the quantity; `None` for a
+    /// distance from a target or a spread.
     pub figure: Option<f64>,
-    /// Changes of the flight if the quantity decreases and if it increases by one unit, each from a separate flight;
-    /// `None` if the throw with the changed quantity cannot be flown.
+    /// What one unit less and one unit more change, each from a separate flight; `None` if it cannot be flown.
     pub one_unit: [Option<OneUnit>; 2],
 }
 
-/// Change of the flight of a throw if one quantity of the throw changes by one unit: the unit that [`FIELDS`] states
-/// for the quantity.
+/// Change of a flight if one quantity of the throw changes by its unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OneUnit {
-    /// Change of the landing position that the change of the quantity causes, m.
+    /// Change of the landing position, m.
     pub landing: Vector3<f64>,
-    /// Increase of the duration of the flight that the change of the quantity causes, s; negative for a shorter flight.
+    /// Change of the duration, s.
     pub time: f64,
-    /// Minimum distance between the path of the throw with the changed quantity and the goal's target point, m; 0 for a
-    /// goal without a point.
+    /// Smallest distance of the changed path from the target, m; 0 without a target.
     pub miss: f64,
 }
 
-/// Computes the influence of the quantities of a throw on its landing, in the order of [`FIELDS`]. Quantities without a
-/// value in the throw, or that the body cannot have (such as the spin of a point mass), are omitted.
+/// Influence of each quantity that the throw and the body have on the landing, in the order of [`FIELDS`].
 ///
 /// # Errors
 /// [`ThrowFlightError`] if the throw cannot be flown.

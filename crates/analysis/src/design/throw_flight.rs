@@ -5,13 +5,10 @@ use flight::release::Release;
 use flight::throw::{FIELDS, Throw, ThrowError, ThrownModel};
 use flight::{BoundModel, CompiledModel};
 use model_spec::model::Model;
-use nalgebra::Vector3;
+use nalgebra::{Vector2, Vector3};
 use ode::{
-    DifferentiableRhs, Event, IntegrationError, IntegrationOptions, Sensitivities,
-    SensitivityLayout, Trajectory,
+    DifferentiableRhs, Event, IntegrationError, IntegrationOptions, SensitivityLayout, Trajectory,
 };
-
-use crate::design::point::Point;
 
 /// Reason why the flight of a throw cannot be computed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -33,10 +30,10 @@ pub enum ThrowFlightError {
     },
 }
 
-/// Quantity with respect to which the path of a thrown body is differentiated.
+/// Quantity with respect to which a path is differentiated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum By {
-    /// A quantity of the throw, such as its speed, by its index in [`FIELDS`], the list of these quantities.
+    /// A quantity of the throw, by its index in [`FIELDS`].
     Throw(usize),
     /// A parameter, coefficient or component of an input, by its index among the parameters of the compiled model.
     Parameter(usize),
@@ -44,11 +41,11 @@ pub enum By {
 
 /// A compiled model of a body that can be thrown, with the conversion between throws and its states.
 pub struct ThrownBody {
-    /// The model that was compiled.
+    /// The model.
     pub model: Model,
-    /// Compiled functions of the model.
+    /// Its compiled functions.
     pub compiled: CompiledModel,
-    /// Conversion between throws and the states of the model.
+    /// Conversion between throws and states.
     pub thrown: ThrownModel,
     /// Indices of the states that are the position x, y, z of the mass centre, m.
     pub(crate) position: [usize; 3],
@@ -92,8 +89,7 @@ impl ThrownBody {
         self.with_parameters(self.compiled.release_parameters(release))
     }
 
-    /// Prepares flights of the body with the given parameter values, which are in the order of the compiled model's
-    /// parameters.
+    /// Prepares flights with values of the parameters, in the order of the compiled model.
     pub fn with_parameters(&self, parameters: Vec<f64>) -> ThrowFlights<'_> {
         ThrowFlights {
             body: self,
@@ -102,8 +98,7 @@ impl ThrownBody {
         }
     }
 
-    /// Indices in [`FIELDS`], the list of the quantities of a throw, of those that a throw of this body can have; a
-    /// point mass has no attitude and no spin.
+    /// Indices in [`FIELDS`] of the quantities that a throw of this body can have; a point mass has no attitude.
     pub fn fields(&self) -> Vec<usize> {
         let has_attitude = self.thrown.has_attitude();
         let of_point = ["speed", "heading", "launch", "height"];
@@ -113,19 +108,17 @@ impl ThrownBody {
     }
 }
 
-/// Computes flights of a body with given parameters. All start above the origin and end when the height of the mass
-/// centre falls to 0.
+/// Flights of a body with given parameters, from above the origin to where the height of the mass centre falls to 0.
 pub struct ThrowFlights<'b> {
     /// The body that flies.
     pub body: &'b ThrownBody,
     pub(crate) bound: BoundModel<'b>,
-    /// Parameter values of the model, in the order of the compiled model's parameters.
+    /// Parameter values, in the order of the compiled model.
     pub parameters: Vec<f64>,
 }
 
 impl ThrowFlights<'_> {
-    /// Finds the state of the model at release for which the body has the motion of the throw. `near` is the release
-    /// state of a similar throw, which speeds up the search.
+    /// State at release for which the body has the motion of the throw. `near` is that of a similar throw, or none.
     ///
     /// # Errors
     /// [`ThrowError`] if no state has the motion of the throw.
@@ -137,7 +130,7 @@ impl ThrowFlights<'_> {
         }
     }
 
-    /// Integrates the flight from a release state (initial state) to the ground, without derivatives.
+    /// Integrates the flight from a state at release to the ground, without derivatives.
     ///
     /// # Errors
     /// [`IntegrationError`] if the integration fails, or the flight leaves the model's limits or does not end.
@@ -154,19 +147,8 @@ impl ThrowFlights<'_> {
             .integrate_to_event((0.0, &start), end, options, &mut events)
     }
 
-    pub(crate) fn sensitivities(
-        &self,
-        of_throw: usize,
-        of_parameters: &[usize],
-    ) -> Sensitivities<'_> {
-        let rhs = self.bound.rhs();
-        // The state indices of the first columns are irrelevant: these columns start along directions of the throw.
-        Sensitivities::new(rhs, &vec![0; of_throw], of_parameters)
-    }
-
-    /// Derivative of the release state (initial state) of a throw with respect to a parameter, from central
-    /// differences. It is 0 unless the throw has a wobble or the parameter affects how the state determines the motion
-    /// of the body.
+    /// Derivative of the state at release of a throw with respect to a parameter, by central differences. It is 0 unless
+    /// the throw has a wobble or the parameter affects how the state determines the motion.
     pub(crate) fn state_by_parameter(
         &self,
         throw: &Throw,
@@ -198,10 +180,8 @@ impl ThrowFlights<'_> {
         }
     }
 
-    /// Position (m), velocity (m/s) and acceleration (m/s²) of the mass centre, in the inertial frame, at the state `x`.
-    /// `x` holds the states, followed by the sensitivity matrix S, the derivatives of the states with respect to initial
-    /// states and parameters, in the layout that `s` gives. For each column of S that `s` lists, the result has the
-    /// derivatives of position and velocity; it has none if `s` is `None`.
+    /// Motion of the mass centre at the states `x`, which the sensitivity matrix S follows in the layout that `s` gives;
+    /// with its derivatives for the columns of S that `s` lists.
     pub(crate) fn point(
         &self,
         t: f64,
@@ -242,5 +222,44 @@ impl ThrowFlights<'_> {
     /// Position of the mass centre at a state, m.
     pub(crate) fn place(&self, x: &[f64]) -> Vector3<f64> {
         Vector3::from(self.body.position.map(|state| x[state]))
+    }
+}
+
+/// Motion of the mass centre at a point of its path, SI units, inertial frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point {
+    /// Time since release, s.
+    pub t: f64,
+    /// Position of the mass centre in the inertial frame, m.
+    pub position: Vector3<f64>,
+    /// Velocity of the mass centre in the inertial frame, m/s.
+    pub velocity: Vector3<f64>,
+    /// Acceleration of the mass centre in the inertial frame, m/s².
+    pub acceleration: Vector3<f64>,
+    /// Derivatives of the position at fixed time, m per unit of each quantity by which the path is differentiated.
+    pub position_by: Vec<Vector3<f64>>,
+    /// Derivatives of the velocity at fixed time, m/s per unit of each quantity.
+    pub velocity_by: Vec<Vector3<f64>>,
+}
+
+impl Point {
+    /// Derivatives of the time at which the path is nearest to the point `to`, s per unit of each quantity; `self` must
+    /// be the nearest point of the path.
+    pub fn nearest_time_by(&self, to: Vector3<f64>) -> Vec<f64> {
+        let away = self.position - to;
+        let slope = self.velocity.norm_squared() + away.dot(&self.acceleration);
+        let both = self.position_by.iter().zip(&self.velocity_by);
+        both.map(|(p, v)| -(p.dot(&self.velocity) + away.dot(v)) / slope)
+            .collect()
+    }
+
+    /// Horizontal unit vector to the left of the path, x and y.
+    pub fn left(&self) -> Vector2<f64> {
+        let along = self.velocity.normalize();
+        let left = Vector3::z().cross(&along);
+        match left.norm() {
+            size if size > 1e-9 => (left / size).xy(),
+            _ => Vector2::y(),
+        }
     }
 }

@@ -28,7 +28,7 @@ use nalgebra::{Complex, DMatrix, Vector3};
 
 use crate::stability::linearise::Linearised;
 
-/// Direction in which a body flies relative to its third axis, which decides the criteria that apply to it.
+/// Direction in which a body flies relative to its third axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FlightDirection {
     /// The axis is nearer to the normal of the air velocity than to its direction, as for a disc.
@@ -37,65 +37,51 @@ pub enum FlightDirection {
     AlongAxis,
 }
 
-/// Derivatives of the linearised motion that determine how the axis of the body moves in the air stream.
+/// Derivatives of the linearised motion that determine how the axis of a body moves in the air stream.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisDerivatives {
-    /// Direction of flight relative to the body axis.
+    /// Direction of flight.
     pub flight: FlightDirection,
-    /// Decay rate a of the angle of attack due to lift, 1/s. For the built-in discs a = q A (C_La + C_D)/(m V) with the
-    /// dynamic pressure q, the area A, the mass m and the airspeed V.
+    /// Decay rate a of the angle of attack due to lift, 1/s: q A (C_La + C_D)/(m V) for the built-in discs.
     pub lift: f64,
-    /// Decay rate δ of the angular rates normal to the body axis due to aerodynamic damping, 1/s: −q A d C_Mq/I_d with
-    /// the dynamic pressure q, the area A, the diameter d, the damping coefficient C_Mq (s) and the diametral moment of
-    /// inertia I_d.
+    /// Decay rate δ of the angular rates normal to the axis due to damping, 1/s: −q A d C_Mq/I_d.
     pub damping: f64,
-    /// Angular acceleration κ due to the pitching moment, per rad of the angle of attack, 1/s²: −q A d C_Ma/I_d with
-    /// the dynamic pressure q, the area A, the diameter d and the diametral moment of inertia I_d. It is positive if
-    /// the moment raises the nose of a body with a positive angle of attack, so that deviations grow.
+    /// Angular acceleration κ due to the pitching moment, per rad of the angle of attack, 1/s²: −q A d C_Ma/I_d; positive
+    /// if deviations grow.
     pub pitching: f64,
-    /// Angular acceleration μ due to the Magnus moment, normal to the plane of the angle of attack, per rad of that
-    /// angle, 1/s², of a body that flies along its axis; 0 for others.
+    /// Angular acceleration μ due to the Magnus moment, normal to the plane of the angle of attack, per rad of it, 1/s²; 0
+    /// for a body that does not fly along its axis.
     pub magnus: f64,
-    /// Frequency ν of the nutation without aerodynamic moments, rad/s: I_a r/I_d with the axial and the diametral
-    /// moment of inertia I_a and I_d and the spin r.
+    /// Frequency ν of the nutation without aerodynamic moments, rad/s: I_a r/I_d with the spin r.
     pub gyroscopic: f64,
-    /// Aerodynamic moment about d2, the axis to the left and normal to the body axis, divided by the diametral moment
-    /// of inertia, 1/s²; at the state about which the motion is linearised.
+    /// Aerodynamic moment about d2, to the left and normal to the axis, divided by I_d, 1/s²; at the state about which the
+    /// motion is linearised.
     pub moment: f64,
 }
 
-/// Criteria for the stability of the axis of a body in the air stream.
+/// Criteria for the stability of the axis of a body in the air stream; the symbols are those of [`AxisDerivatives`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Criteria {
-    /// Gyroscopic stability factor S = (ν² + δ² + 2 a δ)/κ. The symbols are the fields of [`AxisDerivatives`]: a
-    /// `lift`, δ `damping`, κ `pitching`, ν `gyroscopic`. For a body that flies along its axis S_g = ν²/(4 (κ − a δ)).
-    /// Spin and damping stabilise the axis if S > 1; S is infinite or negative if κ ≤ 0, where the pitching moment does
-    /// not destabilise the axis.
+    /// Gyroscopic stability factor S = (ν² + δ² + 2 a δ)/κ, or S_g = ν²/(4 (κ − a δ)) along the axis. Spin and damping
+    /// stabilise the axis if it is above 1; it is infinite or negative where the pitching moment does not destabilise it.
     pub gyroscopic_factor: f64,
     /// Dynamic stability factor S_d = 2 (μ + a ν)/((a + δ) ν) of a spinning body that flies along its axis; both
-    /// motions of the axis decay if 1/S_g < S_d (2 − S_d). `None` for other bodies.
+    /// motions of the axis decay if 1/S_g < S_d (2 − S_d).
     pub dynamic_factor: Option<f64>,
-    /// Gyroscopic condition: whether ν² + δ² + 2 a δ > κ, or S_g > 1 (or κ ≤ a δ) for a body that flies along its axis.
-    /// The symbols are the fields of [`AxisDerivatives`]: a `lift`, δ `damping`, κ `pitching`, ν `gyroscopic`.
+    /// Whether ν² + δ² + 2 a δ > κ; along the axis, whether S_g > 1 or κ ≤ a δ.
     pub gyroscopic: bool,
-    /// Condition for the decay of the slow motion of the body axis: whether a (ν² + δ²) > κ δ. Lift then turns the
-    /// flight path towards the plane normal to the axis faster than damping lets the axis drift. For a body that flies
-    /// along its axis: whether the slower of its two circular motions decays. The symbols are the
-    /// fields of [`AxisDerivatives`]: a `lift`, δ `damping`, κ `pitching`, ν `gyroscopic`.
+    /// Whether a (ν² + δ²) > κ δ: lift turns the path faster than damping lets the axis drift. Along the axis, whether
+    /// the slower of its two circular motions decays.
     pub slow: bool,
-    /// Condition for the decay of the wobble: whether (2 δ + a)(ν² + δ² + 2 a δ − κ) > a (ν² + δ²) − κ δ. For a body that
-    /// flies along its axis: whether the faster of its two circular motions decays. The symbols are the fields of [`AxisDerivatives`]: a `lift`, δ `damping`, κ `pitching`, ν `gyroscopic`.
+    /// Whether the wobble decays: (2 δ + a)(ν² + δ² + 2 a δ − κ) > a (ν² + δ²) − κ δ. Along the axis, whether the faster of
+    /// its two circular motions decays.
     pub wobble: bool,
-    /// Frequency of the nutation, |ν| − κ/(2 |ν|), rad/s, accurate to first order in κ/ν². The symbols are the fields
-    /// of [`AxisDerivatives`]: κ `pitching`, ν `gyroscopic`.
+    /// Frequency of the nutation, |ν| − κ/(2 |ν|), rad/s, to first order in κ/ν².
     pub nutation: f64,
-    /// Decay rate of the nutation, δ − κ (a − δ)/(2 ν²), 1/s. The symbols are the fields of [`AxisDerivatives`]: a
-    /// `lift`, δ `damping`, κ `pitching`, ν `gyroscopic`.
+    /// Decay rate of the nutation, δ − κ (a − δ)/(2 ν²), 1/s.
     pub nutation_decay: f64,
-    /// Rate at which the body axis tilts sideways (roll), rad/s, positive if it tilts to the right. It is −M/(I_a r),
-    /// with the aerodynamic moment M about the left axis d2 (positive nose down) at the state about which the motion is
-    /// linearised, the axial moment of inertia I_a and the spin r: closed form of Crowther and Potts for straight
-    /// flight. NaN for a body that flies along its axis.
+    /// Rate at which the axis tilts to the right, rad/s: −M/(I_a r) with the moment M about d2 (Crowther and Potts). NaN
+    /// for a body that flies along its axis.
     pub roll_rate: f64,
 }
 
@@ -133,8 +119,7 @@ impl AxisDerivatives {
         }
     }
 
-    /// Derivatives of a body that flies along its axis with the air velocity `velocity`, m/s: means over the two
-    /// directions normal to the axis, which are equal for a body of revolution.
+    /// Derivatives of a body that flies along its axis: means over the two directions normal to the axis.
     fn along_axis(linearised: &Linearised, velocity: Vector3<f64>) -> AxisDerivatives {
         let n = linearised.axis;
         let backwards = n.dot(&velocity).signum();
@@ -165,25 +150,19 @@ impl AxisDerivatives {
         }
     }
 
-    /// Eigenvalues of the motion of the axis, 1/s: the zeros of (s + a)[(s + δ)² + ν²] − κ (s + δ), where a is `lift`, δ is
-    /// `damping`, ν is `gyroscopic` and κ is `pitching`; or the zeros of s² + (H − i ν) s − (M + i W), the faster and the
-    /// slower circular motion of the axis, of a body that flies along it.
+    /// Eigenvalues of the motion of the axis, 1/s: the zeros of (s + a)[(s + δ)² + ν²] − κ (s + δ), or the two of
+    /// s² + (H − i ν) s − (M + i W) for a body that flies along its axis.
     pub fn eigenvalues(&self) -> Vec<Complex<f64>> {
         if self.flight == FlightDirection::AlongAxis {
             return self.circular_motions().to_vec();
         }
-        let AxisDerivatives {
-            lift: a,
-            damping: d,
-            pitching: k,
-            gyroscopic: h,
-            ..
-        } = *self;
+        let (a, d) = (self.lift, self.damping);
+        let (k, h) = (self.pitching, self.gyroscopic);
         let matrix = DMatrix::from_row_slice(3, 3, &[-d, -h, 0.0, h, -d, -k, 0.0, -1.0, -a]);
         matrix.complex_eigenvalues().iter().copied().collect()
     }
 
-    /// Evaluates the criteria for the stability of the body axis with these derivatives.
+    /// The criteria with these derivatives.
     pub fn criteria(&self) -> Criteria {
         match self.flight {
             FlightDirection::AcrossAxis => self.criteria_across_axis(),
@@ -191,13 +170,9 @@ impl AxisDerivatives {
         }
     }
 
-    /// Zeros of s² + (H − i ν) s − (M + i W), 1/s: the faster and the slower circular motion of the axis.
+    /// Zeros of s² + (H − i ν) s − (M + i W), 1/s: the faster and the slower circular motion.
     fn circular_motions(&self) -> [Complex<f64>; 2] {
-        let AxisDerivatives {
-            lift: a,
-            damping: d,
-            ..
-        } = *self;
+        let (a, d) = (self.lift, self.damping);
         let half = Complex::new(a + d, -self.gyroscopic) / 2.0;
         let stiffness = Complex::new(self.pitching - a * d, self.magnus + a * self.gyroscopic);
         let root = (half * half + stiffness).sqrt();
@@ -207,12 +182,7 @@ impl AxisDerivatives {
     }
 
     fn criteria_along_axis(&self) -> Criteria {
-        let AxisDerivatives {
-            lift: a,
-            damping: d,
-            gyroscopic: h,
-            ..
-        } = *self;
+        let (a, d, h) = (self.lift, self.damping, self.gyroscopic);
         let stiffness = self.pitching - a * d;
         let [fast, slow] = self.circular_motions();
         let dynamic = 2.0 * (self.magnus + a * h) / ((a + d) * h);
@@ -229,14 +199,8 @@ impl AxisDerivatives {
     }
 
     fn criteria_across_axis(&self) -> Criteria {
-        let AxisDerivatives {
-            lift: a,
-            damping: d,
-            pitching: k,
-            gyroscopic: h,
-            moment,
-            ..
-        } = *self;
+        let (a, d) = (self.lift, self.damping);
+        let (k, h) = (self.pitching, self.gyroscopic);
         let stiff = h * h + d * d;
         let held = stiff + 2.0 * a * d;
         let slow = a * stiff - k * d;
@@ -248,14 +212,13 @@ impl AxisDerivatives {
             wobble: (2.0 * d + a) * (held - k) > slow,
             nutation: h.abs() - k / (2.0 * h.abs()),
             nutation_decay: d - k * (a - d) / (2.0 * h * h),
-            roll_rate: -moment / h,
+            roll_rate: -self.moment / h,
         }
     }
 }
 
 impl Criteria {
-    /// Whether the conditions `gyroscopic`, `slow` and `wobble` are all satisfied, so that every motion of the axis
-    /// relative to the air stream decays.
+    /// Whether all three conditions hold, so that every motion of the axis relative to the air stream decays.
     pub fn is_stable(&self) -> bool {
         self.gyroscopic && self.slow && self.wobble
     }

@@ -11,9 +11,9 @@ use model_spec::model::Model;
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use ode::{DifferentiableRhs, OdeRhs};
 
-/// Time step, s, of the sixth-order central differences by which the motion along a flight is differentiated.
+/// Time step of the sixth-order central differences along a flight, s.
 const STEP: f64 = 1e-4;
-/// Weights of the sixth-order central differences, for the values 1, 2 and 3 time steps before and after the instant.
+/// Weights of the values 1, 2 and 3 time steps before and after the instant.
 const WEIGHTS: [f64; 3] = [45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0];
 
 /// Largest part of a unit change of the motion (m, m/s, rad, rad/s) that the states of a free rigid body may miss, by
@@ -23,38 +23,38 @@ const REACHED: f64 = 1e-2;
 /// Reason why the motion of a body cannot be linearised.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum StabilityError {
-    /// The model has no body, or no values of its states have the requested motion of the body.
+    /// The model has no body, or none of its states has the requested motion.
     #[error(transparent)]
     Throw(#[from] ThrowError),
     /// The model is a point mass, which has no attitude.
     #[error("the model {model} is a point mass, which has no attitude; expected a rigid body")]
     PointMass {
-        /// Name of the model of a point mass.
+        /// Name of the model.
         model: String,
     },
-    /// The states of the model do not reach every motion of a free rigid body near the state.
+    /// The states do not reach every motion of a free rigid body near the state.
     #[error(
         "the motion of {model} is constrained: its states do not reach every small change of position, velocity, \
          attitude and angular velocity; expected a free rigid body"
     )]
     Constrained {
-        /// Name of the model of a constrained body.
+        /// Name of the model.
         model: String,
     },
-    /// The linearised motion has infinite or undefined elements at the state about which the motion is linearised.
+    /// The linearised motion is not finite at the state.
     #[error(
         "the linearised motion is not finite there; expected a state within the model's limits"
     )]
     NotFinite,
 }
 
-/// A rigid body with the compiled functions of its model that a linearisation requires.
+/// A rigid body with the compiled functions of its model.
 pub struct Body {
-    /// Model of the body.
+    /// The model.
     pub model: Model,
-    /// Compiled functions of the body's model.
+    /// Its compiled functions.
     pub compiled: CompiledModel,
-    /// Conversion between the states of the model and the motion of the body.
+    /// Conversion between states and motion.
     pub thrown: ThrownModel,
 }
 
@@ -77,7 +77,7 @@ impl Body {
         })
     }
 
-    /// Binds the body to parameter values, in the order of the compiled model's parameters ([`CompiledModel::layout`]).
+    /// Binds the body to parameter values, in the order of the compiled model.
     pub fn with_parameters(&self, parameters: Vec<f64>) -> BoundBody<'_> {
         BoundBody {
             body: self,
@@ -87,40 +87,37 @@ impl Body {
     }
 }
 
-/// A rigid body together with values of its model's parameters.
+/// A rigid body with values of its parameters.
 pub struct BoundBody<'b> {
-    /// The rigid body, whose compiled functions apply to any parameter values.
+    /// The rigid body.
     pub body: &'b Body,
     bound: BoundModel<'b>,
-    /// Parameter values, in the order of the compiled model's parameters ([`CompiledModel::layout`]).
+    /// Parameter values, in the order of the compiled model.
     pub parameters: Vec<f64>,
 }
 
-/// Linearised motion of a body about a state, with the motion and its time derivatives at the state; vectors are in
-/// inertial axes.
+/// Linearised motion of a body about a state, and the motion there; vectors are in inertial axes.
 #[derive(Clone, Debug)]
 pub struct Linearised {
-    /// Position, velocity and attitude of the body at the state about which the motion is linearised.
+    /// Motion at the state.
     pub motion: Motion,
-    /// Third axis of the body at this state, as a unit vector in inertial axes.
+    /// Third axis of the body.
     pub axis: Vector3<f64>,
-    /// Angular velocity of the body at this state, rad/s, in inertial axes.
+    /// Angular velocity, rad/s.
     pub rates: Vector3<f64>,
-    /// Acceleration of the mass centre at this state, m/s², in inertial axes.
+    /// Acceleration of the mass centre, m/s².
     pub acceleration: Vector3<f64>,
-    /// Angular acceleration of the body at this state, rad/s², in inertial axes.
+    /// Angular acceleration, rad/s².
     pub angular_acceleration: Vector3<f64>,
-    /// Moment of inertia about the third body axis, and mean of the moments of inertia about the axes normal to it, kg
-    /// m².
+    /// Moment of inertia about the third axis, and mean of those about the axes normal to it, kg m².
     pub inertia: (f64, f64),
-    /// 12 × 12 matrix A of the linear system ẋ = A x with x = (displacement, change of velocity, small rotation, change
-    /// of angular velocity), each in inertial axes, SI.
+    /// 12 × 12 matrix A of ẋ = A x with x = (displacement, change of velocity, small rotation, change of angular
+    /// velocity), SI.
     pub matrix: DMatrix<f64>,
 }
 
 impl BoundBody<'_> {
-    /// Linearises the motion about `state`, the values of the model's states in the order of its `Layout`, at time `t`,
-    /// s.
+    /// Linearises the motion about a state of the model at time `t`, s.
     ///
     /// # Errors
     /// [`StabilityError::Constrained`] if the states of the model do not reach every motion near the state;
@@ -213,8 +210,8 @@ impl BoundBody<'_> {
         })
     }
 
-    /// Acceleration of the mass centre (m/s²) and angular acceleration of the body (rad/s²) in inertial axes at a state
-    /// of the model; `None` if a component is not finite.
+    /// Acceleration of the mass centre (m/s²) and angular acceleration (rad/s²) in inertial axes at a state; `None` if a
+    /// component is not finite.
     pub fn accelerations(&self, state: &[f64]) -> Option<(Vector3<f64>, Vector3<f64>)> {
         let mut f: Box<[f64]> = vec![0.0; state.len()].into();
         self.bound.rhs().derivative(0.0, &state.into(), &mut f);
@@ -236,7 +233,7 @@ impl BoundBody<'_> {
             .then_some((acceleration, angular))
     }
 
-    /// Compiled model, bound to the parameter values of this body, for the integration of flights.
+    /// Compiled model with the parameter values.
     pub fn bound(&self) -> &BoundModel<'_> {
         &self.bound
     }

@@ -5,8 +5,8 @@ use nalgebra::{Complex, DMatrix, DVector, Vector3};
 
 use crate::stability::linearise::Linearised;
 
-/// Bound on the elements of a column of the linearised system's matrix, relative to the norm of the matrix. If all
-/// elements are below the bound, no rate of change depends on the coordinate that belongs to the column.
+/// Greatest element of a column of the linearised system, relative to the norm of its matrix, for a coordinate on which
+/// no rate of change depends.
 const IGNORABLE: f64 = 1e-9;
 
 /// Kind of a mode of the linearised motion, by the variables that change most in it.
@@ -34,7 +34,7 @@ pub enum ModeKind {
 }
 
 impl ModeKind {
-    /// Name of the kind of a mode in tables and files, such as `nutation`.
+    /// Name in tables and files, such as `nutation`.
     pub fn name(self) -> &'static str {
         match self {
             ModeKind::Nutation => "nutation",
@@ -54,11 +54,10 @@ impl ModeKind {
 pub struct Mode {
     /// Eigenvalue, 1/s; for a conjugate pair the one with a positive imaginary part.
     pub value: Complex<f64>,
-    /// Kind of the mode, by the variables that change most in it.
+    /// Kind of the mode.
     pub kind: ModeKind,
-    /// Fractions of the squared amplitude of the mode that are, in this order, tilt of the body axis, change of the
-    /// direction of flight, relative change of speed and relative change of spin; they sum to 1. Changes of a spin
-    /// below 1 rad/s are taken relative to 1 rad/s.
+    /// Fractions of the squared amplitude that are tilt of the axis, change of the direction of flight, relative change
+    /// of speed, and relative change of spin (of at least 1 rad/s); they sum to 1.
     pub shares: [f64; 4],
 }
 
@@ -88,17 +87,15 @@ impl Mode {
 pub struct Modes {
     /// Modes in order of decreasing magnitude of the eigenvalue.
     pub modes: Vec<Mode>,
-    /// Names of the coordinates of the motion on which no rate of change depends; they are removed from the linearised
-    /// system.
+    /// Names of the coordinates on which no rate of change depends.
     pub ignorable: Vec<&'static str>,
-    /// Whether no rate of change depends on the rotation angle about the body's axis, as for a body of revolution.
-    /// Otherwise the linearised motion of a spinning body changes within every turn, and eigenvalues at an instant have
-    /// little meaning.
+    /// Whether no rate of change depends on the rotation angle about the axis, as for a body of revolution. Otherwise the
+    /// linearised motion of a spinning body changes within every turn.
     pub is_symmetric: bool,
 }
 
-/// Computes the modes of a linearised motion in axes that rotate about the vertical at the rate `turn`, rad/s. The rate
-/// is 0 for an instant of a flight, and the rate of change of the heading for a steady turn.
+/// Modes of a linearised motion in axes that rotate about the vertical at the rate `turn`, rad/s: 0 for an instant of a
+/// flight, and the rate of change of the heading in a steady turn.
 pub fn modes(linearised: &Linearised, turn: f64) -> Modes {
     let n = linearised.axis;
     // Coordinates: displacement 3, velocity 3, tilt of the axis 2, turn about it 1, angular velocity 3.
@@ -183,8 +180,7 @@ pub fn modes(linearised: &Linearised, turn: f64) -> Modes {
     }
 }
 
-/// Assigns a kind to each mode by the variables that change most in it; `gyroscopic` is the frequency of the nutation
-/// without aerodynamic moments, rad/s, and `size` the norm of the matrix of the linearised motion.
+/// Assigns the kinds; `gyroscopic` is the nutation without aerodynamic moments, rad/s, `size` the norm of the matrix.
 fn name(modes: &mut [Mode], gyroscopic: f64, size: f64) {
     let (mut has_nutation, mut has_incidence) = (false, false);
     for mode in modes {

@@ -12,23 +12,21 @@ use nalgebra::{DMatrix, DVector, Rotation3, Vector3};
 
 use crate::stability::linearise::{BoundBody, Linearised, StabilityError};
 
-/// A steady (trimmed) flight of a body, straight or in a turn.
+/// A steady flight of a body, straight or in a turn.
 #[derive(Clone, Debug)]
 pub struct Trim {
-    /// State of the model in the steady flight, with the mass centre above the origin at the default height of a throw.
+    /// State of the model, with the mass centre above the origin at the default height of a throw.
     pub state: Vec<f64>,
-    /// Motion of the body in the steady flight, expressed by the quantities of a throw, such as speed, angles and spin.
+    /// Motion, by the quantities of a throw.
     pub throw: Throw,
     /// Rate of change of the heading, positive to the left, rad/s; 0 in straight flight.
     pub turn: f64,
-    /// Motion linearised about the state of the steady flight.
+    /// Motion linearised about the state.
     pub linearised: Linearised,
 }
 
-/// Norm of the residual accelerations of the body, in units of 10 m/s² and 10 rad/s², below which a flight counts as
-/// steady.
+/// Norm of the residual accelerations, in units of 10 m/s² and 10 rad/s², below which a flight is steady.
 const STEADY: f64 = 1e-9;
-/// Maximum number of Newton steps of the search for a steady flight from one starting point.
 const MAX_STEPS: usize = 60;
 /// Starting points of the search for a steady flight: speed (m/s), climb angle, nose angle and hyzer angle (rad).
 const STARTS: [[f64; 4]; 8] = [
@@ -42,8 +40,8 @@ const STARTS: [[f64; 4]; 8] = [
     [15.0, -0.3, 0.05, -1.0],
 ];
 
-/// Finds a steady flight with the given spin, rad/s about the body's third axis (negative for a right-hander's
-/// backhand). Of several such flights the one with the slowest turn is returned; `None` if none is found.
+/// Steady flight with the given spin, rad/s about the third axis (negative for a right-hander's backhand); of several
+/// that with the slowest turn, `None` if none is found.
 pub fn trim(body: &BoundBody<'_>, spin: f64) -> Option<Trim> {
     let found = STARTS
         .into_iter()
@@ -54,8 +52,7 @@ pub fn trim(body: &BoundBody<'_>, spin: f64) -> Option<Trim> {
     found.min_by(|a, b| a.turn.abs().total_cmp(&b.turn.abs()))
 }
 
-/// Motion of a steady flight with a given spin, rad/s. The elements of `of` are speed (m/s), climb angle, nose angle,
-/// hyzer angle (rad) and rate of change of the heading (rad/s).
+/// Motion of a steady flight with a given spin, rad/s; `of` is speed (m/s), climb, nose, hyzer (rad) and turn (rad/s).
 fn motion(of: &DVector<f64>, spin: f64) -> Motion {
     let course = Rotation3::from_axis_angle(&Vector3::y_axis(), -of[1]);
     let attitude = course
@@ -73,11 +70,9 @@ fn motion(of: &DVector<f64>, spin: f64) -> Motion {
     }
 }
 
-/// Residuals of the condition that a motion is a steady flight: three components of the acceleration and two of the
-/// angular acceleration (normal to the body axis) minus those of the steady flight, in units of 10 m/s² and 10 rad/s².
-/// The motion has the given spin, rad/s; the elements of `of` are speed (m/s), climb angle, nose angle, hyzer angle
-/// (rad) and rate of change of the heading (rad/s). Also returns the state with this motion. `None` if no state has the
-/// motion or a residual is not finite.
+/// Acceleration (three components) and angular acceleration (two, normal to the axis) of a motion, as in [`motion`],
+/// less those of steady flight, in units of 10 m/s² and 10 rad/s²; also the state. `None` if no state has the motion or
+/// a residual is not finite.
 fn residual(
     body: &BoundBody<'_>,
     of: &DVector<f64>,

@@ -10,24 +10,19 @@ use rand_distr::{Distribution, StandardNormal};
 
 use crate::sweep::plan::{Axis, AxisKind, Plan, Target, constant};
 
-/// Data from which the inputs of every flight of a sweep plan are made: the initial state and parameters of the plan's
-/// release, and the model.
+/// Data from which the inputs of all flights are made.
 pub(crate) struct InputModel {
     x: Vec<f64>,
     p: Vec<f64>,
     thrown: Option<ThrownModel>,
     vocabulary: Vocabulary,
-    /// If every flight has different random gusts: the seed of the gusts, and the indices of the parameters that are
-    /// the phases of the gusts. Otherwise `None`.
+    /// Seed of the gusts and indices of the parameters that are their phases, if every flight has gusts of its own.
     gusts: Option<(u64, Vec<usize>)>,
 }
 
 impl InputModel {
     pub(crate) fn new(plan: &Plan, compiled: &CompiledModel) -> Result<InputModel, ThrowError> {
-        let is_thrown = plan.throw.is_some();
-        let thrown = is_thrown
-            .then(|| ThrownModel::new(&plan.model))
-            .transpose()?;
+        let thrown = plan.throw.map(|_| ThrownModel::new(&plan.model));
         let field = plan.release.wind_field.as_ref();
         let gusts = field.and_then(|field| field.gusts.as_ref());
         let place = |(name, _): (String, f64)| compiled.layout().parameter(&name);
@@ -42,25 +37,24 @@ impl InputModel {
             gusts,
             x: plan.release.state(),
             p: compiled.release_parameters(&plan.release),
-            thrown,
+            thrown: thrown.transpose()?,
             vocabulary: Vocabulary::of(&plan.model),
         })
     }
 
-    /// Parameters of the plan's release, in the order of the model's layout; each flight replaces those that the plan
-    /// varies.
+    /// Parameters of the plan's release, in the order of the model's layout.
     pub(crate) fn parameters(&self) -> &[f64] {
         &self.p
     }
 }
 
-/// Draws the inputs of the flights of a sweep, one flight after the other.
+/// Draws the inputs of flights, one after the other.
 pub(crate) struct Inputs<'p> {
     plan: &'p Plan,
     model: &'p InputModel,
     near: Option<NearThrows<'p>>,
     throw: Option<Throw>,
-    /// Independent standard normal values drawn for the current flight, one per normally distributed quantity.
+    /// Independent standard normal values of the current flight, one per normal quantity.
     independent: Vec<f64>,
     random: ChaCha8Rng,
     is_random: bool,
@@ -86,8 +80,7 @@ impl<'p> Inputs<'p> {
         }
     }
 
-    /// Draws the values of the varied quantities for flight number `flight` and writes them to `values`, in the order
-    /// of the plan's list of varied quantities (`axes`).
+    /// Draws the values of the varied quantities of a flight, in the order of the plan's axes.
     pub(crate) fn draw(&mut self, flight: u64, values: &mut [f64]) {
         let plan = self.plan;
         if self.is_random {
@@ -115,9 +108,9 @@ impl<'p> Inputs<'p> {
         }
     }
 
-    /// Writes the initial states `x` and the parameters `p` of a flight for the drawn `values` of the varied
-    /// quantities. An attitude quaternion of which a component varies is scaled to length 1. Returns `false` if a value is out of its bounds or no state of the model has the motion of the
-    /// throw; such a flight is not simulated.
+    /// Writes the initial states `x` and the parameters `p` of a flight for the drawn `values`; a varied quaternion is
+    /// scaled to length 1. `false` if a value is out of its bounds or no state has the motion of the throw: such a flight
+    /// is not simulated.
     pub(crate) fn start(
         &mut self,
         flight: u64,

@@ -5,7 +5,6 @@
 //! threads and any division of the work. Flights are grouped in parts, each written to a file as a whole; a run
 //! continues where an earlier, interrupted run ended.
 
-mod error;
 pub mod folder;
 mod inputs;
 pub mod plan;
@@ -15,7 +14,6 @@ mod sketch;
 mod summary;
 mod table;
 
-pub use error::SweepError;
 pub use plan::Plan;
 pub use rows::STATUSES;
-pub use run::{SweepOptions, run};
+pub use run::{SweepError, SweepOptions, run};

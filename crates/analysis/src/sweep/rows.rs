@@ -6,7 +6,7 @@ use ode::{FlightEnd, FlightOutcome, FlightQueue, FlightSpan};
 use crate::sweep::inputs::{InputModel, Inputs};
 use crate::sweep::plan::{Plan, Target};
 
-/// Possible values of the column `status` of the table of flights, which states how a flight ended.
+/// Values of the column `status`: how a flight ended.
 pub const STATUSES: [&str; 8] = [
     "landed",
     "time",
@@ -18,8 +18,7 @@ pub const STATUSES: [&str; 8] = [
     "refused",
 ];
 
-/// Index in [`STATUSES`] of a flight that was not integrated: an input is out of bounds, or no state of the model has
-/// the motion of the throw.
+/// Index in [`STATUSES`] of a flight that was not integrated.
 const REFUSED: u8 = 7;
 
 fn status(outcome: FlightOutcome) -> u8 {
@@ -34,30 +33,28 @@ fn status(outcome: FlightOutcome) -> u8 {
     }
 }
 
-/// Column of the table of flights of a sweep: one value per flight.
+/// Column of the table of flights: an input or a result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
-    /// Name of the column; it is the name of the input or result.
+    /// Name of the column.
     pub name: String,
-    /// Whether the column is an input of the flights rather than a result.
+    /// Whether it is an input.
     pub is_input: bool,
-    /// Value of each flight; NaN if the flight has no such value.
+    /// Value of each flight; NaN if it has none.
     pub values: Vec<f64>,
 }
 
-/// Table of the flights of one part of a sweep, a block of consecutive flights.
-#[derive(Clone, Debug, PartialEq)]
+/// Table of consecutive flights: one part of a sweep.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rows {
-    /// Number of the first flight in the table; the flights of a table have consecutive numbers.
+    /// Number of the first flight.
     pub first: u64,
-    /// Numeric columns: the inputs that vary, then the results.
+    /// Columns: the inputs that vary, then the results.
     pub columns: Vec<Column>,
-    /// How each flight ended, such as `landed`, as an index into [`STATUSES`].
+    /// Index in [`STATUSES`] of how each flight ended.
     pub status: Vec<u8>,
 }
 
-/// Data shared by all parts of a sweep: the plan, the compiled model, the function that computes speed and spin from a
-/// state, and the condition that ends a flight.
 pub(crate) struct Flier<'p> {
     pub plan: &'p Plan,
     pub inputs: &'p InputModel,
@@ -69,16 +66,16 @@ pub(crate) struct Flier<'p> {
     pub has_spin: bool,
 }
 
-/// Supplies the flights of one part of a sweep to the integrator, one after the other, and collects their results.
-struct Part<'f, 'p> {
+/// Supplies the flights of one part to the integrator, and collects their results.
+struct Part<'p> {
     inputs: Inputs<'p>,
     first: u64,
     next: u64,
     last: u64,
     values: Vec<f64>,
-    /// Drawn values of the varied quantities: one vector per quantity, with one value per flight.
-    axes: &'f mut [Vec<f64>],
-    /// State at the end of each flight: one vector per state variable, with one value per flight.
+    /// Drawn values: one vector per varied quantity, with one value per flight.
+    axes: Vec<Vec<f64>>,
+    /// State at the end: one vector per state variable, with one value per flight.
     states: Vec<Vec<f64>>,
     start: [Vec<f64>; 2],
     time: Vec<f64>,
@@ -89,7 +86,7 @@ struct Part<'f, 'p> {
     position: [Option<usize>; 3],
 }
 
-impl FlightQueue for Part<'_, '_> {
+impl FlightQueue for Part<'_> {
     fn next(&mut self, x: &mut [f64], p: &mut [f64]) -> Option<u64> {
         while self.next < self.last {
             let flight = self.next;
@@ -123,22 +120,19 @@ impl FlightQueue for Part<'_, '_> {
 }
 
 impl Flier<'_> {
-    /// Simulates the flights of part number `part` of the sweep, a block of consecutive flights, and returns their
-    /// table.
     pub(crate) fn fly(&self, part: u64) -> Rows {
         let plan = self.plan;
         let first = part * plan.part_len();
         let last = (first + plan.part_len()).min(plan.flights);
         let len = (last - first) as usize;
         let missing = || vec![f64::NAN; len];
-        let mut axes: Vec<Vec<f64>> = plan.axes.iter().map(|_| missing()).collect();
         let mut flown = Part {
             inputs: Inputs::new(plan, self.inputs),
             first,
             next: first,
             last,
             values: vec![0.0; plan.axes.len()],
-            axes: &mut axes,
+            axes: plan.axes.iter().map(|_| missing()).collect(),
             states: plan.model.states.iter().map(|_| missing()).collect(),
             start: [missing(), missing()],
             time: missing(),
@@ -150,6 +144,7 @@ impl Flier<'_> {
         };
         self.model.fly(&mut flown, &self.span, &plan.options, None);
         let Part {
+            axes,
             states,
             start,
             time,
@@ -168,15 +163,12 @@ impl Flier<'_> {
             });
         };
         let motion = self.observer.map(|observer| {
-            let varied: Vec<(usize, &[f64])> = plan
-                .axes
-                .iter()
-                .zip(&axes)
-                .filter_map(|(axis, values)| match axis.target {
-                    Target::Parameter(index) => Some((index, values.as_slice())),
-                    _ => None,
-                })
-                .collect();
+            let varied = plan.axes.iter().zip(&axes);
+            let varied = varied.filter_map(|(axis, values)| match axis.target {
+                Target::Parameter(index) => Some((index, values.as_slice())),
+                _ => None,
+            });
+            let varied: Vec<(usize, &[f64])> = varied.collect();
             observer.observe(&states, self.inputs.parameters(), &varied)
         });
         for (axis, values) in plan.axes.iter().zip(axes) {

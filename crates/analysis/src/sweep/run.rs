@@ -1,52 +1,77 @@
 //! Runs a sweep: computes the parts on several threads, writes each part to a file, and skips parts whose file
 //! exists.
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
-use std::collections::BTreeMap;
-use std::path::Path;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::{Condvar, Mutex, PoisonError, mpsc};
-
-use flight::CompiledModel;
-use flight::release::{Release, Stop};
-use flight::throw::{ThrownModel, speed_and_spin};
-use flight::{LaneModel, LaneObserver};
+use flight::parallel::each_on;
+use flight::release::{Release, ReleaseError, Stop};
+use flight::throw::{ThrowError, ThrownModel, speed_and_spin};
+use flight::{CompiledModel, LaneModel, LaneObserver};
 use ode::FlightSpan;
+use parquet::errors::ParquetError;
 use serde_json::{Value, json};
 
-use crate::sweep::error::SweepError;
-use crate::sweep::folder::{PartsFolder, share_of};
+use crate::sweep::folder::{FolderError, PartsFolder, share_of};
 use crate::sweep::inputs::InputModel;
 use crate::sweep::plan::Plan;
 use crate::sweep::rows::Flier;
 use crate::sweep::summary::Summary;
 use crate::sweep::table;
 
-/// Options of running a sweep; none of them affects the results.
+/// Reason why a sweep cannot be computed or its results cannot be written.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum SweepError {
+    /// The plan has faults; the message lists all of them.
+    #[error(transparent)]
+    Plan(#[from] ReleaseError),
+    /// No state of the model has the motion of the table `[throw]`.
+    #[error(transparent)]
+    Throw(#[from] ThrowError),
+    /// The flights end at the ground, but the model has no state `z`.
+    #[error(
+        "the model {model} has no state z, whose fall to 0 is the landing; expected a plan with duration = … (s)"
+    )]
+    NoHeight {
+        /// Name of the model.
+        model: String,
+    },
+    /// The output folder cannot be used.
+    #[error(transparent)]
+    Folder(#[from] FolderError),
+    /// A table of flights cannot be read or written.
+    #[error("{}: {source}", path.display())]
+    Table {
+        /// Path of the table.
+        path: PathBuf,
+        /// Error of reading or writing.
+        source: ParquetError,
+    },
+}
+
+/// Options of a sweep; none of them affects the results.
 #[derive(Clone, Copy)]
 pub struct SweepOptions<'a> {
-    /// Number of threads that simulate flights; at least 1.
+    /// Number of threads; at least 1.
     pub threads: usize,
-    /// If several processes compute one sweep in the same folder: the share of the parts to compute, as (share number
-    /// from 1, number of shares). `None` computes all parts and joins them.
+    /// Share of the parts to compute, if several processes share one folder: its number from 1, and the number of shares.
+    /// `None` computes all parts and joins them.
     pub share: Option<(u64, u64)>,
     /// Whether the table of flights is also written as CSV.
     pub csv: bool,
-    /// Called after each completed part, with the number of flights in the part.
+    /// Called after each part, with its number of flights.
     pub progress: &'a (dyn Fn(u64) + Sync),
-    /// Whether to stop; asked before each part. The parts computed until then are kept.
+    /// Whether to stop, asked before each part; the parts computed until then are kept.
     pub is_cancelled: &'a (dyn Fn() -> bool + Sync),
 }
 
-/// Maximum number of parts, per thread, that are computed while an earlier part is not yet merged into the summary; it
-/// bounds the memory.
+/// Parts per thread that are computed before they are merged; bounds the memory.
 const AHEAD: u64 = 8;
 
-/// File name of the Parquet table of all flights of the sweep.
 const FLIGHTS: &str = "flights.parquet";
 
 /// Simulates the flights of a plan and writes `flights.parquet` and `summary.json` to the folder `out`, which is new,
-/// empty or holds earlier parts of the same plan. Returns the contents of `summary.json`; `None` if `options.share`
-/// restricts the computation to a share of the parts, or if the caller cancelled it.
+/// empty or holds earlier parts of the same plan. Returns the summary; `None` for a share, or if the caller cancelled.
 ///
 /// # Errors
 /// [`SweepError`] if the plan needs a state that the model does not have, or a file cannot be read or written. A flight
@@ -62,12 +87,8 @@ pub fn run(
         Some(share) => share_of(count, share)?,
     };
     let compiled = CompiledModel::new(&plan.model);
-    let state = |name: &str| {
-        compiled
-            .layout()
-            .state(name)
-            .map(codegen::layout::StateId::index)
-    };
+    let layout = compiled.layout();
+    let state = |name: &str| layout.state(name).map(codegen::layout::StateId::index);
     let position = ["x", "y", "z"].map(state);
     let until_ground = plan.release.stop == Stop::Ground;
     if until_ground && position[2].is_none() {
@@ -140,7 +161,7 @@ pub fn run(
     finish(&folder, plan, options, json).map(Some)
 }
 
-/// Finishes a completed sweep: removes the files of the parts, writes the CSV if requested, and returns `summary`.
+/// Removes the files of the parts, and writes the CSV if requested.
 fn finish(
     folder: &PartsFolder,
     plan: &Plan,
@@ -156,8 +177,7 @@ fn finish(
     Ok(summary)
 }
 
-/// Calls `work` for each part with its number, on several threads, and merges the summaries in the order of the parts.
-/// `None` if `parts` is empty; the first error or `None` of `work` that arrives stops all threads.
+/// Computes the parts on several threads, and merges their summaries in order; `None` if `work` stops.
 fn in_order(
     parts: std::ops::Range<u64>,
     options: &SweepOptions<'_>,
@@ -165,64 +185,35 @@ fn in_order(
     work: &(dyn Fn(u64) -> Result<Option<Summary>, SweepError> + Sync),
 ) -> Result<Option<Summary>, SweepError> {
     let threads = options.threads.max(1);
-    let next = AtomicU64::new(parts.start);
     let is_stopped = AtomicBool::new(false);
-    // The first part that is not merged yet, and a signal of its change.
-    let merged = (Mutex::new(parts.start), Condvar::new());
-    let (sender, receiver) = mpsc::channel();
-    std::thread::scope(|scope| {
-        for _ in 0..threads {
-            let sender = sender.clone();
-            let (next, is_stopped, merged, last) = (&next, &is_stopped, &merged, parts.end);
-            scope.spawn(move || {
-                loop {
-                    let part = next.fetch_add(1, Ordering::Relaxed);
-                    if part >= last {
-                        return;
-                    }
-                    let ahead = |first: &mut u64| {
-                        part >= *first + AHEAD * threads as u64
-                            && !is_stopped.load(Ordering::Relaxed)
-                    };
-                    let first = merged.0.lock().unwrap_or_else(PoisonError::into_inner);
-                    drop(merged.1.wait_while(first, ahead));
-                    if is_stopped.load(Ordering::Relaxed) {
-                        return;
-                    }
-                    if sender.send((part, work(part))).is_err() {
-                        return;
-                    }
-                }
-            });
-        }
-        drop(sender);
-        let mut waiting = BTreeMap::new();
-        let mut total: Option<Summary> = None;
-        let mut first = parts.start;
-        for (part, summary) in receiver {
-            match summary {
-                Ok(Some(summary)) => waiting.insert(part, summary),
-                stopped => {
-                    // Stored under the lock, so that no thread starts to wait between the store and the notification.
-                    let lock = merged.0.lock().unwrap_or_else(PoisonError::into_inner);
-                    is_stopped.store(true, Ordering::Relaxed);
-                    drop(lock);
-                    merged.1.notify_all();
-                    return stopped;
-                }
-            };
-            let len = plan.part_len();
-            (options.progress)((plan.flights - part * len).min(len));
-            while let Some(summary) = waiting.remove(&first) {
-                match &mut total {
-                    Some(total) => total.merge(&summary),
-                    None => total = Some(summary),
-                }
-                first += 1;
+    let mut total: Option<Summary> = None;
+    for first in parts.clone().step_by(AHEAD as usize * threads) {
+        let count = (parts.end - first).min(AHEAD * threads as u64);
+        let summaries = each_on(threads, count as usize, |i| {
+            if is_stopped.load(Ordering::Relaxed) {
+                return Ok(None);
             }
-            *merged.0.lock().unwrap_or_else(PoisonError::into_inner) = first;
-            merged.1.notify_all();
+            let part = first + i as u64;
+            let summary = work(part);
+            if matches!(summary, Ok(Some(_))) {
+                let len = plan.part_len();
+                (options.progress)((plan.flights - part * len).min(len));
+            } else {
+                is_stopped.store(true, Ordering::Relaxed);
+            }
+            summary
+        });
+        // An error is reported although parts before it were left out because of it.
+        let summaries = summaries.into_iter().collect::<Result<Vec<_>, _>>()?;
+        for summary in summaries {
+            let Some(summary) = summary else {
+                return Ok(None);
+            };
+            match &mut total {
+                Some(total) => total.merge(&summary),
+                None => total = Some(summary),
+            }
         }
-        Ok(total)
-    })
+    }
+    Ok(total)
 }

@@ -1,28 +1,25 @@
 //! Quantiles of a stream of values from counts in logarithmic bins (Masson, Rim & Lee, "DDSketch", PVLDB 12, 2019).
 //! Counts add up, so the result does not depend on the order of the values or on how they are divided into parts.
 
-/// Maximum relative error of a quantile that is estimated from the bins of a [`Sketch`].
+/// Maximum relative error of a quantile.
 pub(crate) const ACCURACY: f64 = 1e-4;
-/// Smallest magnitude that the bins of the quantile sketch resolve. Smaller nonzero magnitudes are counted in the bin
-/// of their sign that is nearest to zero.
+/// Smallest magnitude that the bins resolve; smaller ones are in the bin of their sign that is nearest to zero.
 const MIN_MAGNITUDE: f64 = 1e-9;
-/// Maximum bin number of the quantile sketch, which counts all magnitudes of about 1e12 and above; together with
-/// [`MIN_MAGNITUDE`] it limits the number of bins and thus the memory.
+/// Maximum bin number, for magnitudes from about 1e12; it limits the memory.
 const MAX_BIN: i32 = 242_000;
 
-/// Counts of values in logarithmic bins, from which quantiles are estimated: (bin, count) pairs of the nonempty bins,
-/// in ascending order of the values. Negative bins hold negative values, and bin 0 holds zeros.
+/// Counts of values in logarithmic bins: pairs of bin and count in ascending order of the values. Negative bins hold
+/// negative values, bin 0 zeros.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Sketch(Vec<(i32, u64)>);
 
-/// Natural logarithm of the ratio of the upper to the lower bound of a bin of the quantile sketch; all bins have the
-/// same ratio.
+/// Natural logarithm of the ratio of the bounds of a bin.
 fn log_ratio() -> f64 {
     ((1.0 + ACCURACY) / (1.0 - ACCURACY)).ln()
 }
 
 impl Sketch {
-    /// Counts the values in the bins; none of the values may be NaN.
+    /// Counts values, none of which is NaN.
     pub(crate) fn of(values: impl Iterator<Item = f64>) -> Sketch {
         let one_over = 1.0 / log_ratio();
         let class = |value: f64| {
@@ -47,7 +44,7 @@ impl Sketch {
         Sketch(counts)
     }
 
-    /// Adds the counts of the bins of another sketch to those of this one.
+    /// Adds the counts of another sketch.
     pub(crate) fn merge(&mut self, other: &Sketch) {
         let mut merged = Vec::with_capacity(self.0.len() + other.0.len());
         let (mut a, mut b) = (self.0.iter().peekable(), other.0.iter().peekable());
@@ -67,7 +64,7 @@ impl Sketch {
         self.0 = merged;
     }
 
-    /// Estimate of the quantile of the counted values at the probability `q`, from 0 to 1; NaN if there are no values.
+    /// Quantile at the probability `q`; NaN if there are no values.
     pub(crate) fn quantile(&self, q: f64) -> f64 {
         let total: u64 = self.0.iter().map(|(_, count)| count).sum();
         let rank = q * (total.saturating_sub(1)) as f64;

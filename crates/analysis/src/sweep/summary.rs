@@ -7,7 +7,6 @@ use crate::sweep::plan::Plan;
 use crate::sweep::rows::{Rows, STATUSES};
 use crate::sweep::sketch::{ACCURACY, Sketch};
 
-/// Quantiles in the summary of each column of the table of flights: JSON key and probability.
 const QUANTILES: [(&str, f64); 7] = [
     ("0.01", 0.01),
     ("0.05", 0.05),
@@ -18,32 +17,29 @@ const QUANTILES: [(&str, f64); 7] = [
     ("0.99", 0.99),
 ];
 
-/// Summary statistics of a sweep. The statistics of the table columns include only flights that reached the intended
-/// end: the ground, or the final time of a plan with a duration.
+/// Summary of a sweep; the statistics include only flights that reached the intended end: ground or final time.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Summary {
     flights: u64,
     statuses: [u64; STATUSES.len()],
     columns: Vec<(String, ColumnSummary)>,
-    /// Means of the x and y coordinates of the landing points, m, and sum over the flights of the products of the
-    /// deviations of x and y from these means, m².
+    /// Of the landing points x and y.
     landing: Joint,
 }
 
-/// Mean, sum of squared deviations, extremes and quantiles of one column of the table of flights.
+/// Mean, sum of squared deviations, extremes and quantiles of one column.
 #[derive(Clone, Debug, PartialEq)]
 struct ColumnSummary {
     count: u64,
     mean: f64,
-    /// Sum of the squared deviations of the values from their mean.
+    /// Sum of the squared deviations from the mean.
     squares: f64,
     least: f64,
     greatest: f64,
     sketch: Sketch,
 }
 
-/// Means of two columns of the table of flights, and the sum over the flights of the products of their deviations from
-/// the means.
+/// Means of two columns, and sum of the products of the deviations from them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Joint {
     count: u64,
@@ -52,8 +48,7 @@ struct Joint {
 }
 
 impl Summary {
-    /// Summary of the flights of one part of a sweep; `end` is the index in [`STATUSES`] of flights that reached the
-    /// intended end, the ground or the final time.
+    /// Summary of one part; `end` is the index in [`STATUSES`] of the intended end.
     pub(crate) fn of(rows: &Rows, end: u8) -> Summary {
         let mut statuses = [0; STATUSES.len()];
         for status in &rows.status {
@@ -80,7 +75,6 @@ impl Summary {
         }
     }
 
-    /// Merges the summary of the next part of the sweep, a block of consecutive flights, into this one.
     pub(crate) fn merge(&mut self, next: &Summary) {
         self.flights += next.flights;
         for (own, more) in self.statuses.iter_mut().zip(next.statuses) {
@@ -92,16 +86,10 @@ impl Summary {
         self.landing.merge(&next.landing);
     }
 
-    /// Each status that occurs in the sweep (how a flight ended, such as `landed`), with its number of flights.
-    fn statuses(&self) -> impl Iterator<Item = (&'static str, u64)> {
-        let counts = STATUSES.into_iter().zip(self.statuses);
-        counts.filter(|(_, count)| *count > 0)
-    }
-
-    /// Contents of `summary.json`, schema `hyzer.sweep/1`.
     pub(crate) fn json(&self, plan: &Plan) -> Value {
-        let statuses: Map<String, Value> = self
-            .statuses()
+        let statuses = STATUSES.into_iter().zip(self.statuses);
+        let statuses = statuses.filter(|(_, count)| *count > 0);
+        let statuses: Map<String, Value> = statuses
             .map(|(name, count)| (name.to_owned(), count.into()))
             .collect();
         let columns: Map<String, Value> = self

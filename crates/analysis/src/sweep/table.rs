@@ -23,8 +23,7 @@ const FLIGHT: &str = "flight";
 /// Name of the last column of the table of flights: how the flight ended, a value of [`STATUSES`].
 const STATUS: &str = "status";
 
-/// Writes the table of one part of a sweep to a file atomically. The file is not synced to the disk, because a part
-/// whose file cannot be read is computed again.
+/// Writes the table of one part atomically, without a sync: a part that cannot be read is computed again.
 pub(crate) fn write(path: &Path, rows: &Rows) -> Result<(), ParquetError> {
     let properties = properties(&rows.columns);
     let schema = schema(rows.columns.iter().map(|column| column.name.as_str()))?;
@@ -100,15 +99,10 @@ fn properties(columns: &[Column]) -> WriterProperties {
     properties.build()
 }
 
-/// Reads the table of one part of a sweep from a file; the first `inputs` numeric columns are the inputs of the
-/// flights.
+/// Reads the table of one part; the first `inputs` numeric columns are inputs.
 pub(crate) fn read(path: &Path, inputs: usize) -> Result<Rows, ParquetError> {
     let reader = SerializedFileReader::new(File::open(path)?)?;
-    let mut rows = Rows {
-        first: 0,
-        columns: Vec::new(),
-        status: Vec::new(),
-    };
+    let mut rows = Rows::default();
     for group in 0..reader.num_row_groups() {
         let part = row_group(&reader, group, inputs)?;
         if group == 0 {
@@ -123,7 +117,7 @@ pub(crate) fn read(path: &Path, inputs: usize) -> Result<Rows, ParquetError> {
     Ok(rows)
 }
 
-/// Reads one row group of a Parquet table of flights; the first `inputs` numeric columns are the inputs of the flights.
+/// Reads one row group; the first `inputs` numeric columns are inputs.
 fn row_group(
     reader: &SerializedFileReader<File>,
     group: usize,
@@ -131,18 +125,10 @@ fn row_group(
 ) -> Result<Rows, ParquetError> {
     let group = reader.get_row_group(group)?;
     let len = group.metadata().num_rows().max(0) as usize;
-    let mut rows = Rows {
-        first: 0,
-        columns: Vec::new(),
-        status: Vec::new(),
-    };
+    let mut rows = Rows::default();
     for index in 0..group.num_columns() {
-        let name = group
-            .metadata()
-            .column(index)
-            .column_descr()
-            .name()
-            .to_owned();
+        let column = group.metadata().column(index).column_descr();
+        let name = column.name().to_owned();
         match group.get_column_reader(index)? {
             ColumnReader::Int64ColumnReader(mut column) => {
                 let mut numbers = Vec::with_capacity(1);
@@ -163,10 +149,9 @@ fn row_group(
                 let mut texts = Vec::with_capacity(len);
                 column.read_records(len, None, None, &mut texts)?;
                 let of = |text: &ByteArray| {
-                    STATUSES
-                        .iter()
-                        .position(|status| status.as_bytes() == text.data())
-                        .unwrap_or(0) as u8
+                    let mut statuses = STATUSES.iter();
+                    let own = statuses.position(|status| status.as_bytes() == text.data());
+                    own.unwrap_or(0) as u8
                 };
                 rows.status = texts.iter().map(of).collect();
             }
@@ -180,8 +165,7 @@ fn row_group(
     Ok(rows)
 }
 
-/// Joins the Parquet files of the parts of a sweep into one file, with one row group per part, copying the column data
-/// without decoding it.
+/// Joins the tables of the parts, one row group per part, without decoding the columns.
 pub(crate) fn join(
     path: &Path,
     parts: impl Iterator<Item = std::path::PathBuf>,
@@ -222,8 +206,7 @@ pub(crate) fn join(
     })
 }
 
-/// Converts the Parquet table of flights `from` to the CSV file `to`, one row group at a time; missing values become
-/// empty cells. The first `inputs` numeric columns are the inputs of the flights.
+/// Converts the table of flights to CSV, one row group at a time; missing values become empty cells.
 pub(crate) fn to_csv(from: &Path, to: &Path, inputs: usize) -> Result<(), ParquetError> {
     let reader = SerializedFileReader::new(File::open(from)?)?;
     write_atomic_with(to, Durability::Synced, |file| {
@@ -242,9 +225,10 @@ pub(crate) fn to_csv(from: &Path, to: &Path, inputs: usize) -> Result<(), Parque
                 for column in &rows.columns {
                     let value = column.values[row];
                     // A missing value is an empty cell, as in datasets.
-                    match value.is_nan() {
-                        true => write!(out, ",")?,
-                        false => write!(out, ",{value}")?,
+                    if value.is_nan() {
+                        write!(out, ",")?;
+                    } else {
+                        write!(out, ",{value}")?;
                     }
                 }
                 writeln!(out, ",{}", STATUSES[usize::from(*status)])?;

@@ -159,7 +159,7 @@ fn a_throw_is_found_in_the_wind_and_its_release_states_it() {
     };
     let bounds = Bounds::standard(&body);
     let target = Vector3::new(8.0, 1.0, 0.0);
-    let found = design(&flights, Goal::Hit(target), &bounds, &options).expect("a search");
+    let found = design(&flights, Goal::Hit(target.into()), &bounds, &options).expect("a search");
     assert!(
         found.feasible && (found.landing - target).norm() < 1e-3,
         "{:?}",

@@ -1,54 +1,51 @@
 //! Evidence of a diagnosis: score tests, predictions, residuals, coefficient curves, and the flights one by one.
-
 use dataset::Role;
 use diagnose::{CandidateTest, FlightGain, LackOfFit, Report};
 use identify::SmoothMisfit;
-use identify::wording::count;
+use identify::numbers::{
+    equivalent_z, millimetres, percent, plain, probability, probability_of_ln, quantity,
+    significant,
+};
+use identify::wording::{count, names, short};
 
-use super::draw::{Figures, unmoved};
-use super::{DiagnosisPage, OPEN, words};
+use super::{DiagnosisPage, OPEN, draw, words};
+use crate::figure::Figure;
+use crate::fit::draw::residuals;
 use crate::fit::words::{PREDICTIONS, RESIDUALS};
 use crate::html::Html;
 use crate::page::flight_link;
 use crate::table::{Cell, Table};
 use crate::thin::{MAX_ROWS, largest_first};
-use identify::numbers::{
-    equivalent_z, millimetres, percent, plain, probability, probability_of_ln, quantity,
-    significant,
-};
-use identify::wording::{names, short};
 
-/// Maximum number of one-step estimates that a row of the table of score tests shows.
 const MAX_ESTIMATES: usize = 6;
 
-/// The section's content; empty without evidence.
-pub(super) fn section(page: &DiagnosisPage<'_>, figures: &Figures) -> Html {
+pub(super) fn section(page: &DiagnosisPage<'_>) -> Html {
     let report = page.report;
     let mut content = Html::new();
-    score_tests(&mut content, report, figures);
-    if let Some(first) = figures.predictions.first() {
+    score_tests(&mut content, report);
+    let predictions = draw::held_out(page);
+    if let Some(first) = predictions.first() {
         content.heading(PREDICTIONS);
         content.note(&first.caption);
-        content.grid(&figures.predictions, usize::MAX, false);
+        content.grid(predictions, usize::MAX, false);
     }
-    if !figures.residuals.is_empty() {
+    let residuals = residuals(page.before, page.after, report.leading_noise());
+    if !residuals.is_empty() {
         content.heading(RESIDUALS);
-        content.figures(&figures.residuals, true);
+        content.figures(residuals, true);
     }
-    if content.is_empty() && figures.curves.is_empty() && report.flights.is_empty() {
+    let curves = draw::curves(report);
+    if content.is_empty() && curves.is_empty() && report.flights.is_empty() {
         return content;
     }
-    if let Some(test) = report
-        .lack_of_fit
-        .as_ref()
-        .filter(|t| !t.largest_misfits.is_empty())
-    {
+    let test = report.lack_of_fit.as_ref();
+    if let Some(test) = test.filter(|test| !test.largest_misfits.is_empty()) {
         let title = "Lack of fit: where the residuals are not noise";
         content.element_with_id("h3", "lack-of-fit", "", title);
         content.table(&misfits(test));
     }
-    if !figures.curves.is_empty() {
-        let unchanged = match names(&unmoved(page)).as_str() {
+    if !curves.is_empty() {
+        let unchanged = match names(&draw::unmoved(page)).as_str() {
             "" => String::new(),
             names => format!("Unchanged by the extension: {names}. "),
         };
@@ -56,32 +53,29 @@ pub(super) fn section(page: &DiagnosisPage<'_>, figures: &Figures) -> Html {
         content.note(format!(
             "{unchanged}Medians of the flights’ samples; where there are few samples, a curve is mostly an extrapolation."
         ));
-        content.grid(&figures.curves, OPEN, false);
+        content.grid(curves, OPEN, false);
     }
     if !report.flights.is_empty() {
         content.heading("Flight by flight");
-        content.grid(figures.flights.clone().as_slice(), 1, true);
+        content.grid(draw::flights(report).into_iter().collect(), 1, true);
         let all = report.flights.len();
-        let worst = if all > MAX_ROWS {
-            format!("The worst {MAX_ROWS} of ")
-        } else {
-            String::new()
-        };
+        let mut worst = String::new();
+        if all > MAX_ROWS {
+            worst = format!("The worst {MAX_ROWS} of ");
+        }
         let mut table = Html::new();
-        table.table(&flights(page, figures));
+        table.table(&flights(page, &content.figures));
         content.folded(format!("{worst}{} in numbers", count(all, "flight")), table);
     }
     content
 }
 
-/// Figures and table of the score tests; the figures are folded if the explanations account for the significant tests.
-fn score_tests(content: &mut Html, report: &Report, figures: &Figures) {
+/// Figures and table of the score tests; the figures are folded if the explanations account for them.
+fn score_tests(content: &mut Html, report: &Report) {
     let tested = count(report.tests.len(), "effect");
     let alarms = report.tests.iter().filter(|c| c.significant).count();
-    let shown = figures
-        .score_tests
-        .iter()
-        .chain(&figures.score_correlations);
+    let shown = draw::score_tests(report).into_iter();
+    let shown = shown.chain(draw::score_correlations(report));
     let mut drawn = Html::new();
     drawn.figures(shown, true);
     if !drawn.is_empty() {
@@ -94,10 +88,10 @@ fn score_tests(content: &mut Html, report: &Report, figures: &Figures) {
         if report.explanations.is_empty() || alarms == 0 {
             content.push(two);
         } else {
-            content.folded(
-                format!("{alarms} of {tested} are significant when tested alone; {accounts} for the others"),
-                two,
+            let summary = format!(
+                "{alarms} of {tested} are significant when tested alone; {accounts} for the others"
             );
+            content.folded(summary, two);
         }
     }
     let mut table = Html::new();
@@ -109,13 +103,10 @@ fn score_tests(content: &mut Html, report: &Report, figures: &Figures) {
              counts its identifiable directions.",
         );
     }
-    content.folded(
-        format!("Score tests of {tested}, {alarms} significant"),
-        table,
-    );
+    let summary = format!("Score tests of {tested}, {alarms} significant");
+    content.folded(summary, table);
 }
 
-/// Table of the score tests of candidate effects, in the order of the report: the most significant candidate first.
 pub(super) fn scores(report: &Report) -> Table {
     let estimates = |test: &CandidateTest| {
         let estimates = test.one_step_estimates.iter().take(MAX_ESTIMATES);
@@ -136,7 +127,6 @@ pub(super) fn scores(report: &Report) -> Table {
         .table()
 }
 
-/// Table of the largest smooth deviations of the residuals from zero, smallest p-value first.
 fn misfits(test: &LackOfFit) -> Table {
     let size = |misfit: &SmoothMisfit| quantity(misfit.size_m, &misfit.unit);
     Table::of(test.largest_misfits.iter().take(MAX_ROWS))
@@ -149,9 +139,8 @@ fn misfits(test: &LackOfFit) -> Table {
         .table()
 }
 
-/// Table of the flights, in dataset order. If there are more than [`MAX_ROWS`], only the flights with the largest RMS
-/// residuals, in descending order.
-fn flights(page: &DiagnosisPage<'_>, figures: &Figures) -> Table {
+/// Table of the flights, the worst first if there are more than [`MAX_ROWS`].
+fn flights(page: &DiagnosisPage<'_>, figures: &[Figure]) -> Table {
     let report = page.report;
     let all: Vec<&FlightGain> = report.flights.iter().collect();
     let all = largest_first(all, MAX_ROWS, |flight| flight.rms_before_m);
@@ -171,22 +160,18 @@ fn flights(page: &DiagnosisPage<'_>, figures: &Figures) -> Table {
         .table()
 }
 
-/// Links to the flight in three dimensions and to the figure of its prediction.
-fn links(page: &DiagnosisPage<'_>, figures: &Figures, file: &str) -> Html {
-    let by = if page.after.is_empty() {
-        ""
-    } else {
-        " · extended"
-    };
+fn links(page: &DiagnosisPage<'_>, figures: &[Figure], file: &str) -> Html {
+    let is_extended = !page.after.is_empty();
+    let by = if is_extended { " · extended" } else { "" };
     let mut links = flight_link(&format!("{file}{by}"), file);
-    for figure in figures.predictions.iter().filter(|f| f.title == file) {
+    for figure in figures.iter().filter(|f| f.title == file) {
         links.push(" ");
         links.push(Html::link(&format!("#{}", figure.name), "prediction"));
     }
     links
 }
 
-/// Remarks on a flight: whether it is held out, left out of the comparison of prediction errors, or excluded.
+/// Whether a flight is held out, set apart or excluded.
 fn remarks(report: &Report, flight: &FlightGain) -> Html {
     let mut remarks = Html::new();
     if flight.role == Role::HeldOut {

@@ -13,7 +13,7 @@ use identify::numbers::{
 };
 use identify::wording::{sentence, short};
 
-/// The accepted explanations of the report, best fit first, and the proposed throw.
+/// The accepted explanations, best first, and the proposed throw.
 pub(super) fn section(page: &DiagnosisPage<'_>) -> Html {
     let report = page.report;
     let number = report.explanations.len();
@@ -77,22 +77,18 @@ fn card(page: &DiagnosisPage<'_>, explanation: &Explanation, name: &str) -> Html
     card
 }
 
-/// Sentences on the misfit that the explanation takes away, and on what remains.
+/// Sentences on what the explanation takes away, and what remains.
 pub(super) fn share(explanation: &Explanation) -> String {
-    let with = if explanation.effects.len() > 1 {
-        "them"
-    } else {
-        "it"
-    };
-    let explained = if explanation.explained_fraction > 0.0 {
-        format!(
+    let is_joint = explanation.effects.len() > 1;
+    let with = if is_joint { "them" } else { "it" };
+    let mut explained = String::new();
+    if explanation.explained_fraction > 0.0 {
+        explained = format!(
             " It explains {} of the misfit; {} rms remain beyond the noise.",
             percent(explanation.explained_fraction),
             millimetres(explanation.remaining_rms_m)
-        )
-    } else {
-        String::new()
-    };
+        );
+    }
     let remaining = match &explanation.strongest_remaining {
         Some(effect) => format!(
             "The strongest remaining effect is {} (p = {}).",
@@ -107,8 +103,7 @@ pub(super) fn share(explanation: &Explanation) -> String {
     )
 }
 
-/// Equations that the effect called `name` adds to the model or replaces, as MathML. They are taken from the extended
-/// model or, if it lacks the effect, from the model extended by this effect only. Empty if the fits are not available.
+/// Equations that an effect adds or replaces, as MathML: in the extended model, or in the model with this effect alone.
 fn equations(page: &DiagnosisPage<'_>, name: &str) -> Vec<String> {
     let Some(fits) = &page.fits else {
         return Vec::new();
@@ -124,30 +119,25 @@ fn equations(page: &DiagnosisPage<'_>, name: &str) -> Vec<String> {
     alone.map_or_else(|_| Vec::new(), |model| of_effect(&model, &identifier))
 }
 
-/// Table of the coefficients of the effects of an explanation; an effect without coefficients has one row.
+/// Table of the coefficients of an explanation; an effect without coefficients has one row.
 pub(super) fn estimates(explanation: &Explanation) -> Table {
     let is_joint = explanation.effects.len() > 1;
     let mut rows: Vec<(&ExplanationEffect, Option<(&String, &Estimate)>)> = Vec::new();
     for effect in &explanation.effects {
-        rows.extend(
-            effect
-                .estimates
-                .iter()
-                .map(|estimate| (effect, Some(estimate))),
-        );
+        let estimates = effect.estimates.iter();
+        rows.extend(estimates.map(|estimate| (effect, Some(estimate))));
         if effect.estimates.is_empty() {
             rows.push((effect, None));
         }
     }
     let digits = |e: &Estimate| Digits::of(e.value, e.std_error);
     let site = |effect: &ExplanationEffect| {
-        let site = Html::from(words::site(&effect.site));
+        let mut site = Html::from(words::site(&effect.site));
         if effect.negligible {
-            let tag = Html::tag("below the smallest effect of interest");
-            site.then(" ").then(tag)
-        } else {
-            site
+            site.push(" ");
+            site.push(Html::tag("below the smallest effect of interest"));
         }
+        site
     };
     let variables = |effect: &ExplanationEffect| {
         let names = short(&effect.variables.join(", "));
@@ -179,11 +169,11 @@ pub(super) fn estimates(explanation: &Explanation) -> Table {
         .stacked()
 }
 
-/// The throw that would best distinguish the explanations, in the quantities common for disc throws.
 fn throw(next: &ProposedThrow) -> Html {
     let degrees = |radians: f64| format!("{}°", plain(radians.to_degrees(), 1));
     let speed = format!("{}\u{a0}m/s", plain(next.speed, 1));
     let spin = format!("{}\u{a0}rpm", plain(next.spin / flight::throw::RPM, 0));
+    let hyzer = "hyzer angle (tilt about the velocity, positive: left edge lower)";
     let quantities = [
         ("speed", speed),
         (
@@ -191,10 +181,7 @@ fn throw(next: &ProposedThrow) -> Html {
             degrees(next.launch),
         ),
         ("nose angle (angle of attack)", degrees(next.nose)),
-        (
-            "hyzer angle (tilt about the velocity, positive: left edge lower)",
-            degrees(next.hyzer),
-        ),
+        (hyzer, degrees(next.hyzer)),
         ("spin (positive: clockwise from above)", spin),
         (
             "heading, from the x axis to the left",

@@ -1,40 +1,36 @@
 //! HTML report of a diagnosis: one self-contained file, and each figure as a separate SVG file.
 
-mod coefficients;
 mod draw;
 mod evidence;
 mod explanations;
 mod finding;
-mod limits;
 mod page;
 pub mod tables;
 mod text;
 mod words;
 
-use crate::figure::Figure;
 use diagnose::Report;
 
 use identify::{Fit, FlightEvidence};
 
+pub use page::page;
 pub use text::text;
 
-/// Maximum number of figures of missing loads, and of coefficient curves, that are expanded when the page is opened.
+/// Number of figures of missing loads, and of coefficient curves, that are open.
 const OPEN: usize = 6;
 
-/// Input of the HTML report of a diagnosis.
+/// Input of the report of a diagnosis.
 #[derive(Clone, Copy, Debug)]
 pub struct DiagnosisPage<'a> {
-    /// Report of the diagnosis, as written to `report.json`: verdict, tests and estimates.
+    /// Report of the diagnosis.
     pub report: &'a Report,
-    /// Measured flights with predictions of the model under test; at most the first twelve are drawn.
+    /// Flights with predictions of the model under test; the first twelve are drawn.
     pub before: &'a [FlightEvidence],
-    /// Measured flights with the predictions of the extended model, to be drawn; empty if the model was not extended.
+    /// Flights with the predictions of the extended model; empty without one.
     pub after: &'a [FlightEvidence],
-    /// Fits of the model under test and of the extended model, from which curves and confidence bands are computed;
-    /// `None` omits these figures.
+    /// Fits, for curves and confidence bands; `None` omits these figures.
     pub fits: Option<Fits<'a>>,
-    /// Text of the effect that the diagnosis added, or of the extended model file, in the model language; `None` if the
-    /// model was not extended.
+    /// Text of the added effect, or of the extended model.
     pub extended: Option<&'a str>,
 }
 
@@ -43,7 +39,7 @@ pub struct DiagnosisPage<'a> {
 pub struct Fits<'a> {
     /// Fit of the model under test.
     pub before: &'a Fit,
-    /// Fit of the extended model; `None` if the model was not extended.
+    /// Fit of the extended model, if there is one.
     pub after: Option<&'a Fit>,
 }
 
@@ -54,12 +50,4 @@ impl std::fmt::Debug for Fits<'_> {
         shown.field("before", &model(self.before));
         shown.field("after", &self.after.map(model)).finish()
     }
-}
-
-/// Renders the HTML report of a diagnosis as one self-contained page, and returns it with its figures in the order in
-/// which they appear on the page.
-pub fn html_and_figures(page: &DiagnosisPage<'_>) -> (String, Vec<Figure>) {
-    let (finding, figure) = finding::finding(page);
-    let figures = draw::Figures::of(page, figure);
-    (page::html(page, &finding, &figures), figures.in_order())
 }

@@ -1,27 +1,35 @@
-//! HTML page of a diagnosis.
+//! Page of a diagnosis.
 
 use dataset::Role;
-use diagnose::Report;
+use diagnose::{Coefficient, NotIdentifiable, Report, StepwiseTerm};
+use identify::numbers::{Digits, plain, significant, unit};
+use identify::wording::{counted, durations, names, sentence, short, truncated};
+use model_spec::sort_by_number;
 
-use super::draw::Figures;
-use super::finding::Finding;
-use super::{DiagnosisPage, coefficients, evidence, explanations, limits, words};
+use super::finding::{Finding, finding};
+use super::{DiagnosisPage, draw, evidence, explanations, words};
 use crate::figure::Figure;
 use crate::html::Html;
 use crate::page::{Page, heading, watch};
-use crate::table::Table;
+use crate::table::{Cell, Table};
 use crate::thin::MAX_ROWS;
-use identify::wording::{counted, durations, names, sentence, short, truncated};
 
-/// Maximum number of characters of the extended model's text shown in the HTML report.
 const MAX_TEXT: usize = 60_000;
 
-/// Renders the self-contained HTML page of the diagnosis.
-pub(super) fn html(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figures) -> String {
+/// The page of the report of a diagnosis.
+pub fn page(page: &DiagnosisPage<'_>) -> Page {
     let report = page.report;
+    let (finding, mut picture) = finding(page);
+    let mut channels = draw::channels(report);
+    // Without a figure of the finding, the first missing load opens the page.
+    let is_opened = picture.is_none() && !channels.is_empty();
+    if is_opened {
+        picture = Some(channels.remove(0));
+    }
     let mut body = Html::new();
     body.unreliable(&report.cautions, "diagnosis");
-    body.element_with_id("section", "summary", "", summary(page, finding, figures));
+    let summary = summary(report, &finding, picture);
+    body.element_with_id("section", "summary", "", summary);
     body.data_faults(&report.data_faults);
     let title = match report.explanations.len() {
         0 => "No explanation",
@@ -29,13 +37,16 @@ pub(super) fn html(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figure
         _ => "Possible explanations",
     };
     body.section("explanations", title, explanations::section(page));
-    body.section("evidence", "Evidence", evidence::section(page, figures));
-    let coefficients = coefficients::section(report);
-    body.section("coefficients", "Coefficients", coefficients);
-    body.section("limits", "Limits of these flights", limits::section(report));
+    body.section("evidence", "Evidence", evidence::section(page));
+    body.section("coefficients", "Coefficients", coefficients(report));
+    body.section("limits", "Limits of these flights", limits(report));
     if report.unattributed.is_some() {
         let title = "Terms outside the catalogue";
-        body.section("unattributed", title, unattributed(report, figures));
+        body.section(
+            "unattributed",
+            title,
+            unattributed(report, channels, is_opened),
+        );
     }
     body.section("extension", "Extended model", extension(page));
     body.section("how", "How it was computed", how(report));
@@ -49,11 +60,9 @@ pub(super) fn html(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figure
         heading: model.then(heading("", "tested with", &report.dataset)),
         body,
     }
-    .html()
 }
 
-fn summary(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figures) -> Html {
-    let report = page.report;
+fn summary(report: &Report, finding: &Finding, figure: Option<Figure>) -> Html {
     let verdict = format!("verdict {}", report.verdict.name());
     let mut lead = Html::from("\n");
     if !finding.what.is_empty() {
@@ -67,11 +76,9 @@ fn summary(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figures) -> Ht
     ] {
         lead.element("p", "", Html::strong(what).then(" ").then(text));
     }
-    let mut picture = Html::new();
-    let shown = figures.finding.clone().map(Figure::reachable);
-    picture.figures(shown.iter().chain(figures.opening_channel()), true);
-    let mut gain = Html::new();
-    gain.figures(figures.gain.clone().map(Figure::reachable).iter(), true);
+    let (mut picture, mut gain) = (Html::new(), Html::new());
+    picture.leading_figure(figure);
+    gain.leading_figure(draw::gain(report));
     let mut opening = Html::from("\n");
     opening.element("div", "words lead", lead);
     opening.element("div", "picture", picture);
@@ -94,8 +101,8 @@ fn summary(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figures) -> Ht
     content
 }
 
-/// Loads and terms outside the catalogue of effects in which the misfit lies.
-fn unattributed(report: &Report, figures: &Figures) -> Html {
+/// Loads and terms outside the catalogue; the first load is not among `channels` if it opens the page.
+fn unattributed(report: &Report, mut channels: Vec<Figure>, is_opened: bool) -> Html {
     let mut content = Html::new();
     let Some(found) = &report.unattributed else {
         return content;
@@ -104,17 +111,16 @@ fn unattributed(report: &Report, figures: &Figures) -> Html {
     if !description.is_empty() {
         content.paragraph(description);
     }
-    let (first, rest) = figures
-        .channels
-        .split_at(figures.channels.len().min(super::OPEN));
-    let opening = figures.opening_channel().count();
-    for (i, figure) in first.iter().enumerate().skip(opening) {
-        content.figure(figure, i == 0);
+    let open = super::OPEN - usize::from(is_opened);
+    let rest = channels.split_off(channels.len().min(open));
+    for (i, figure) in channels.into_iter().enumerate() {
+        content.figure(figure, i == 0 && !is_opened);
     }
+    let summary = format!("{} more", rest.len());
     let mut more = Html::new();
     more.figures(rest, false);
-    content.folded(format!("{} more", rest.len()), more);
-    let terms = limits::terms(&found.terms);
+    content.folded(summary, more);
+    let terms = terms(&found.terms);
     if !terms.is_empty() {
         content.heading("Candidate terms");
         content.table(&terms);
@@ -122,7 +128,6 @@ fn unattributed(report: &Report, figures: &Figures) -> Html {
     content
 }
 
-/// Extended model: its file, its text and its verification.
 fn extension(page: &DiagnosisPage<'_>) -> Html {
     let mut content = Html::new();
     if let Some(file) = &page.report.extended_model {
@@ -174,4 +179,118 @@ fn how(report: &Report) -> Html {
         env!("CARGO_PKG_VERSION")
     ));
     content
+}
+
+/// Minimum change of an estimate by the added effects, in standard errors, for the estimate without them to be biased.
+const BIASED: f64 = 3.0;
+
+/// Coefficients of the model under test, then those of the added effects.
+fn coefficients(report: &Report) -> Html {
+    let is_extended = report.coefficients.values().any(|c| c.before.is_some());
+    let mut all: Vec<_> = report.coefficients.iter().collect();
+    sort_by_number(&mut all, |(_, found)| f64::from(found.before.is_none()));
+    let digits = |c: &Coefficient| Digits::of(c.value, c.std_error);
+    let change = |c: &Coefficient| {
+        let change = (c.value - c.before?) / c.std_error;
+        Some(change).filter(|change| change.is_finite() && c.std_error > 0.0)
+    };
+    let sign = |change: f64| if change >= 0.05 { "+" } else { "" };
+    let standard_errors = |c: f64| format!("{}{}", sign(c), plain(c, 1));
+    let value = if is_extended { "extended" } else { "value" };
+    let table = Table::of(all)
+        .name("", |(name, _)| *name)
+        .when(is_extended, |rows| {
+            rows.number("before", |(_, c)| c.before.map(|v| digits(c).one(v)))
+        })
+        .number(value, |(_, c)| digits(c).one(c.value))
+        .when(is_extended, |rows| {
+            rows.number("change, σ", |(_, c)| {
+                let is_biased = change(c).is_some_and(|c| c.abs() > BIASED);
+                Cell::from(change(c).map(standard_errors)).doubtful_if(is_biased)
+            })
+        })
+        .number("standard error", |(_, c)| digits(c).one(c.std_error))
+        .plain("unit", |(_, c)| unit(&c.unit))
+        .when(is_extended, |rows| {
+            rows.plain("", |(_, c)| match c.before {
+                Some(_) => Html::new(),
+                None => Html::tag("added"),
+            })
+        })
+        .table();
+    let mut content = Html::new();
+    content.table(&table);
+    if is_extended {
+        content.note(
+            "The change is in standard errors of the extended fit. A missing effect biases the other coefficients \
+             (omitted-variable bias) while their standard errors stay small; changes above 3 are marked.",
+        );
+    }
+    content
+}
+
+/// Number of effects that are not identifiable above which their table is folded.
+const MAX_OPEN: usize = 12;
+
+fn limits(report: &Report) -> Html {
+    let mut content = Html::new();
+    let hidden = &report.not_identifiable;
+    if hidden.is_empty() {
+        content.paragraph("Every tested effect is identifiable, if it is large enough.");
+    } else {
+        content.paragraph(
+            "These flights cannot show whether the following effects act: they are not identifiable, being confounded \
+             with others.",
+        );
+        let table = not_identifiable(report);
+        let mut shown = Html::new();
+        shown.table(&table);
+        if table.len() > MAX_OPEN {
+            content.folded(format!("{} effects", table.len()), shown);
+        } else {
+            content.push(shown);
+        }
+    }
+    let table = Table::of(report.minimum_detectable_effects.iter().take(MAX_ROWS))
+        .name("effect", |effect| &effect.name)
+        .plain("coefficient", |effect| &effect.coefficient)
+        .number("minimum", |effect| significant(effect.value, 2))
+        .plain("unit", |effect| unit(&effect.unit))
+        .table();
+    let mut detectable = Html::new();
+    detectable.table(&table);
+    if !detectable.is_empty() {
+        detectable.note(
+            "The size at which the score test is significant with a probability of 0.9 in these flights.",
+        );
+    }
+    content.folded("Minimum detectable effects", detectable);
+    content
+}
+
+pub(super) fn not_identifiable(report: &Report) -> Table {
+    let by = |effect: &NotIdentifiable| match names(&effect.confounded_with).as_str() {
+        "" => "nothing: it has no influence in these flights".to_owned(),
+        names => names.to_owned(),
+    };
+    Table::of(report.not_identifiable.iter().take(MAX_ROWS))
+        .name("effect", |effect| &effect.name)
+        .text("confounded with", |effect| by(effect))
+        .table()
+}
+
+fn terms(terms: &[StepwiseTerm]) -> Table {
+    let digits = |term: &StepwiseTerm| Digits::of(term.value, term.std_error);
+    Table::of(terms.iter().take(MAX_ROWS))
+        .code("term", |term| &term.formula)
+        .plain("acts on", |term| words::site(&term.site))
+        .number("χ²", |term| significant(term.score_chi2, 4))
+        .number("coefficient", |term| digits(term).one(term.value))
+        .number("standard error", |term| digits(term).one(term.std_error))
+        .plain("", |term| {
+            term.selected
+                .then(|| Html::tag("selected"))
+                .unwrap_or_default()
+        })
+        .table()
 }

@@ -2,13 +2,12 @@
 
 use diagnose::{LackOfFit, Report};
 
-use super::{evidence, explanations, limits, words};
+use super::{evidence, explanations, page, words};
 use crate::text::{cautions, wrapped};
 
-/// Maximum number of candidate effects whose score tests are listed.
 const MAX_TESTS: usize = 10;
 
-/// Text of a diagnosis for a terminal: sentences and tables of the page.
+/// Text of a diagnosis: sentences and tables of the page.
 pub fn text(report: &Report) -> String {
     let mut text = cautions("diagnosis", &report.cautions, &report.data_faults);
     text += &wrapped(&format!("{}: {}", report.verdict.name(), report.summary));
@@ -26,19 +25,15 @@ pub fn text(report: &Report) -> String {
     sentences.extend(throw.map(|throw| format!("Proposed throw: {}", throw.description)));
     sentences.extend(report.verified.as_ref().map(|verified| {
         let holds = if verified.holds { "passes" } else { "FAILS" };
-        format!(
-            "The extended model {holds} its checks ({}).",
-            verified.checks.len()
-        )
+        let checks = verified.checks.len();
+        format!("The extended model {holds} its checks ({checks}).")
     }));
     text.extend(sentences.iter().map(|sentence| wrapped(sentence)));
     text += &format!("\n{}", evidence::scores(report).text(MAX_TESTS));
-    let hidden = limits::not_identifiable(report);
+    let hidden = page::not_identifiable(report);
     if !hidden.is_empty() {
-        text += &format!(
-            "\nnot identifiable from these flights:\n{}",
-            hidden.text(usize::MAX)
-        );
+        let table = hidden.text(usize::MAX);
+        text += &format!("\nnot identifiable from these flights:\n{table}");
     }
     text
 }

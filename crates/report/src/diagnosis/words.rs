@@ -8,7 +8,6 @@ pub(super) fn readable(name: &str) -> String {
     name.replace(['-', '_'], " ")
 }
 
-/// Sentence on the estimated measurement noise.
 pub(super) fn noise(report: &Report) -> String {
     let noise = report.leading_noise();
     format!(
@@ -20,7 +19,7 @@ pub(super) fn noise(report: &Report) -> String {
     )
 }
 
-/// Readable name of a site; the name in the model language if it has no other.
+/// Readable name of a site.
 pub(super) fn site(site: &str) -> &str {
     match site {
         "side" => "side force",

@@ -10,8 +10,7 @@ use super::{FigureError, FigureKind};
 
 /// Number of pixels of a PNG figure for each SVG unit.
 const SCALE: f32 = 2.0;
-/// Family of the fonts included in this crate, which the style sheet of the figures names. It also replaces the family
-/// `sans-serif`, and is the default for text without a family.
+/// Family of the fonts of this crate, in the style sheet of the figures; also the default.
 const FAMILY: &str = "DejaVu Sans";
 
 pub(super) fn draw(kind: FigureKind, svg: &str) -> Result<Vec<u8>, FigureError> {

@@ -17,8 +17,7 @@ pub(super) fn with_room((low, high): (f64, f64)) -> (f64, f64) {
     (low - room, high + room)
 }
 
-/// Evenly spaced round values (tick values) within the range (`low`, `high`), and the number of decimals of their
-/// labels. The number of ticks is about `most`.
+/// About `most` round values within a range, and the number of decimals of their labels.
 pub(crate) fn ticks((low, high): (f64, f64), most: usize) -> (Vec<f64>, usize) {
     let rough = (high - low) / most as f64;
     let power = 10_f64.powf(rough.log10().floor());

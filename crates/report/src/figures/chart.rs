@@ -6,60 +6,48 @@ use super::csv::Table;
 use super::svg::{Svg, cut};
 use identify::numbers::{significant, stated};
 
-/// Scale of a chart's horizontal axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Axis {
-    /// Linear scale that starts at 0.
+    /// From 0.
     Linear,
-    /// Logarithmic scale that starts at the given value.
+    /// Logarithmic, from the given value.
     Log(f64),
-    /// Scale proportional to ln(1 + value): nearly linear up to 1, logarithmic for large values.
+    /// ln(1 + value): nearly linear up to 1, logarithmic for large values.
     Sizes,
 }
 
-/// Shape drawn in a row of a chart.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Shape {
-    /// Bar from 0 to the given value, drawn with the given CSS class.
     Bar(f64, &'static str),
-    /// Dot at the given value, drawn with the given CSS class.
     Dot(f64, &'static str),
-    /// Line between the two given values, drawn with the given CSS class.
     Span(f64, f64, &'static str),
 }
 
-/// Row of a chart: a label, shapes along the axis, and a text.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Row {
-    /// Label at the left end of the row.
+    /// Label at the left end, with its CSS class.
     pub(crate) name: String,
-    /// CSS class of the label.
     pub(crate) class: &'static str,
-    /// Bars, dots and lines drawn in the row.
     pub(crate) shapes: Vec<Shape>,
-    /// Text at the right end of the row, such as the formatted value; may be empty.
+    /// Text at the right end; may be empty.
     pub(crate) words: String,
 }
 
-/// Chart of labelled rows with a common horizontal axis.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Chart {
-    /// Title above the chart.
     pub(crate) title: String,
-    /// Entries of the legend: a shape, and its meaning as text.
+    /// Shapes and their meanings.
     pub(crate) legend: Vec<(Shape, String)>,
-    /// Rows from top to bottom.
+    /// From top to bottom.
     pub(crate) rows: Vec<Row>,
-    /// Scale of the horizontal axis.
     pub(crate) axis: Axis,
-    /// Title of the horizontal axis, with its unit.
+    /// Title of the axis, with its unit.
     pub(crate) across: String,
-    /// Dashed vertical line across all rows: its value on the axis, and its label.
+    /// Dashed vertical line across all rows: its value, and its label.
     pub(crate) level: Option<(f64, String)>,
 }
 
 impl Row {
-    /// Row without a text at its right end.
     pub(crate) fn new(name: &str, class: &'static str, shapes: Vec<Shape>) -> Row {
         Row {
             name: name.to_owned(),
@@ -69,14 +57,12 @@ impl Row {
         }
     }
 
-    /// Sets the text at the right end.
     pub(crate) fn words(self, words: String) -> Row {
         Row { words, ..self }
     }
 }
 
 impl Chart {
-    /// Chart without a legend and a dashed line.
     pub(crate) fn new(title: &str, rows: Vec<Row>, axis: Axis, across: &str) -> Chart {
         Chart {
             title: title.to_owned(),
@@ -88,7 +74,6 @@ impl Chart {
         }
     }
 
-    /// Draws the chart and returns its SVG text.
     pub(crate) fn draw(&self, layout: Layout) -> String {
         let (letters, letter) = (layout.letters, layout.letter());
         let mut svg = Svg::new();
@@ -106,11 +91,8 @@ impl Chart {
             left + (right - left) * part
         };
         let step = letters + 7.0;
-        top += if self.level.is_some() {
-            letters + 8.0
-        } else {
-            6.0
-        };
+        let has_level = self.level.is_some();
+        top += if has_level { letters + 8.0 } else { 6.0 };
         let bottom = top + step * self.rows.len() as f64 + 2.0;
         let mut free = f64::NEG_INFINITY;
         for (value, text) in self.axis.ticks(greatest, ((right - left) / 52.0) as usize) {
@@ -153,16 +135,11 @@ impl Chart {
         let half = 0.5 * words(&across);
         let middle = (0.5 * (left + right)).clamp(half + 4.0, layout.width - half - 4.0);
         svg.text("across", (middle, below), "middle", &across);
-        svg.finish(
-            &self.title,
-            (layout.width, below + 12.0),
-            layout.most,
-            letters,
-        )
+        let size = (layout.width, below + 12.0);
+        svg.finish(&self.title, size, layout.most, letters)
     }
 
-    /// Pairs of value and text for each bar and dot of a row. The text is a comma followed by the meaning of the bar or
-    /// dot according to the legend; it is empty if the legend has no such entry.
+    /// Value of each bar and dot of a row, and its meaning by the legend after a comma, or nothing.
     fn values<'a>(&'a self, row: &'a Row) -> impl Iterator<Item = (f64, String)> + 'a {
         let of = |shape: &Shape| match *shape {
             Shape::Bar(value, class) | Shape::Dot(value, class) => Some((value, class)),
@@ -178,7 +155,7 @@ impl Chart {
         finite.map(move |(value, class)| (value, meaning(class)))
     }
 
-    /// CSV table of the chart, with one line for each bar, dot or line.
+    /// CSV table with a line for each bar, dot and line.
     pub(crate) fn csv(&self) -> String {
         let mut table = Table::new(&["row", "kind", "value", "to"]);
         for row in &self.rows {
@@ -192,12 +169,8 @@ impl Chart {
             }
         }
         if let Some((value, name)) = &self.level {
-            table
-                .text(name)
-                .text("level")
-                .number(*value)
-                .optional(None)
-                .end();
+            table.text(name).text("level").number(*value);
+            table.optional(None).end();
         }
         table.finish()
     }
@@ -214,7 +187,7 @@ impl Chart {
         if most > 0.0 { most * 1.02 } else { 1.0 }
     }
 
-    /// Draws the legend on as many lines as needed, from the height `top` on; returns its lower edge, SVG units.
+    /// Draws the legend from the height `top` on; returns its lower edge.
     fn draw_legend(&self, svg: &mut Svg, layout: &Layout, top: f64) -> f64 {
         if self.legend.is_empty() {
             return top;
@@ -264,8 +237,7 @@ fn draw_shape(
 }
 
 impl Axis {
-    /// Position of a value along the axis as a fraction of its length: 0 at the left end, 1 at the value `greatest`;
-    /// negative left of the axis.
+    /// Position of a value as a fraction of the axis, whose right end is `greatest`; negative left of it.
     fn part(self, value: f64, greatest: f64) -> f64 {
         let part = match self {
             Axis::Linear => value / greatest,
@@ -313,8 +285,7 @@ impl Axis {
     }
 }
 
-/// Chooses the axis scale for positive values: linear, or logarithmic if the values differ by more than a factor of
-/// 30.
+/// Linear axis for positive values, or logarithmic if they differ by more than a factor of 30.
 pub(crate) fn axis_for(values: impl Iterator<Item = f64> + Clone) -> Axis {
     let good = values.filter(|v| v.is_finite() && *v > 0.0);
     let least = good.clone().fold(f64::INFINITY, f64::min);

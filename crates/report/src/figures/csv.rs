@@ -2,7 +2,6 @@
 
 use super::panel::Panel;
 
-/// CSV table that is built cell by cell.
 pub(crate) struct Table {
     writer: csv::Writer<Vec<u8>>,
     lines: usize,
@@ -10,10 +9,9 @@ pub(crate) struct Table {
 
 impl Table {
     pub(crate) fn new(head: &[&str]) -> Table {
+        let mut builder = csv::WriterBuilder::new();
         let mut table = Table {
-            writer: csv::WriterBuilder::new()
-                .flexible(true)
-                .from_writer(Vec::new()),
+            writer: builder.flexible(true).from_writer(Vec::new()),
             lines: 0,
         };
         for name in head {
@@ -23,23 +21,23 @@ impl Table {
         table
     }
 
-    /// Appends a cell of text, quoted if it contains a comma, quote or line break.
     pub(crate) fn text(&mut self, cell: &str) -> &mut Table {
         // Memory does not fail.
         let _ = self.writer.write_field(cell);
         self
     }
 
-    /// Appends a number with six significant digits, or an empty cell if it is not finite.
+    /// Appends a number with six significant digits; an empty cell if it is not finite.
     pub(crate) fn number(&mut self, value: f64) -> &mut Table {
         if !value.is_finite() {
             return self.text("");
         }
         let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
         let size = rounded.abs();
-        match size == 0.0 || (1e-4..1e7).contains(&size) {
-            true => self.text(&rounded.to_string()),
-            false => self.text(&format!("{rounded:e}")),
+        if size == 0.0 || (1e-4..1e7).contains(&size) {
+            self.text(&rounded.to_string())
+        } else {
+            self.text(&format!("{rounded:e}"))
         }
     }
 
@@ -48,18 +46,17 @@ impl Table {
         self.text(&format!("{value:.6}"))
     }
 
-    /// Appends a number to the current line, or an empty cell if the number is `None`.
+    /// Appends a number; an empty cell for `None`.
     pub(crate) fn optional(&mut self, value: Option<f64>) -> &mut Table {
         self.number(value.unwrap_or(f64::NAN))
     }
 
-    /// Ends the current line of cells of the table.
     pub(crate) fn end(&mut self) {
         self.lines += 1;
         let _ = self.writer.write_record(None::<&[u8]>);
     }
 
-    /// Number of complete lines, the heading among them.
+    /// Number of lines, the heading among them.
     pub(crate) fn lines(&self) -> usize {
         self.lines
     }
@@ -70,31 +67,7 @@ impl Table {
     }
 }
 
-/// Value of a cell of a table of results.
-pub trait CsvCell {
-    /// The value with all its digits; empty if there is none.
-    fn text(&self) -> String;
-}
-
-macro_rules! csv_cells {
-    ($($kind:ty),*) => {
-        $(impl CsvCell for $kind {
-            fn text(&self) -> String {
-                self.to_string()
-            }
-        })*
-    };
-}
-
-csv_cells!(f64, u8, usize, bool, &str, &String, String);
-
-impl<T: CsvCell> CsvCell for Option<T> {
-    fn text(&self) -> String {
-        self.as_ref().map_or_else(String::new, CsvCell::text)
-    }
-}
-
-/// CSV table of results that is built column by column: a heading, and a function from a row to its cell.
+/// CSV table of results that is built column by column: a heading, and a function from a row to its cell, with all digits.
 #[derive(Clone, Debug)]
 pub struct CsvTable<T> {
     head: Vec<String>,
@@ -112,10 +85,20 @@ impl<T> CsvTable<T> {
 
     /// Adds a column.
     #[must_use]
-    pub fn column<C: CsvCell>(mut self, head: &str, cell: impl Fn(&T) -> C) -> CsvTable<T> {
+    pub fn column<C: ToString>(self, head: &str, cell: impl Fn(&T) -> C) -> CsvTable<T> {
+        self.optional(head, |row| Some(cell(row)))
+    }
+
+    /// Adds a column with empty cells for `None`.
+    #[must_use]
+    pub fn optional<C: ToString>(
+        mut self,
+        head: &str,
+        cell: impl Fn(&T) -> Option<C>,
+    ) -> CsvTable<T> {
         self.head.push(head.to_owned());
         for (row, cells) in &mut self.rows {
-            cells.push(cell(row).text());
+            cells.push(cell(row).map_or_else(String::new, |cell| cell.to_string()));
         }
         self
     }
@@ -134,7 +117,7 @@ impl<T> CsvTable<T> {
     }
 }
 
-/// CSV table of the data shown in several panels of a figure, with one line for each point, bar, band or level.
+/// CSV table of the data shown in panels, with a line for each point, bar, band or level.
 pub(crate) fn of_panels(panels: &[Panel]) -> String {
     let mut table = Table::new(&["panel", "kind", "series", "x", "x_end", "y", "y_end"]);
     for panel in panels {

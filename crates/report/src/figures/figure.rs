@@ -7,25 +7,20 @@ use super::svg::{Svg, cut};
 use crate::thin::stride;
 use identify::numbers::significant;
 
-/// Maximum number of points of a line to which a tooltip with the point's value is added.
 const MAX_VALUES: usize = 6;
 
-/// Draws the panels one below the other, in a column of the default width; returns the SVG text.
+/// Draws the panels one below the other, in a column of the default width, as SVG.
 pub fn figure(title: &str, panels: &[Panel]) -> String {
     figure_of(Layout::COLUMN, title, panels)
 }
 
-/// Draws the panels one below the other, with the width and font size of `layout`; returns the SVG text.
+/// Draws the panels one below the other with the dimensions of a layout, as SVG.
 pub fn figure_of(layout: Layout, title: &str, panels: &[Panel]) -> String {
     let layout = layout.fitted(panels);
     let mut svg = Svg::new();
     let shown = cut(title, layout.width - 20.0, 1.25 * layout.letter());
-    svg.text(
-        "title",
-        (layout.margin, 2.0 * layout.letters),
-        "start",
-        &shown,
-    );
+    let place = (layout.margin, 2.0 * layout.letters);
+    svg.text("title", place, "start", &shown);
     let mut top = 2.0 * layout.letters + 8.0;
     for row in panels.chunks(layout.columns) {
         let panels = row.iter().enumerate();
@@ -37,7 +32,7 @@ pub fn figure_of(layout: Layout, title: &str, panels: &[Panel]) -> String {
 }
 
 impl Panel {
-    /// Draws the panel with its upper edge at `top`, SVG units; returns the position of its lower edge.
+    /// Draws the panel with its upper edge at `top`; returns its lower edge.
     fn draw(&self, svg: &mut Svg, layout: &Layout, top: f64) -> f64 {
         let scale = self.scale(layout, top);
         let (width, letter) = (layout.width, layout.letter());
@@ -52,10 +47,8 @@ impl Panel {
         let kind = if self.thin { 't' } else { 'c' };
         for (i, line) in self.lines.iter().enumerate() {
             let points = line.points.iter();
-            svg.path(
-                &format!("{kind}{}", i % 4),
-                points.map(|(x, y)| (scale.x(*x), scale.y(*y))),
-            );
+            let points = points.map(|(x, y)| (scale.x(*x), scale.y(*y)));
+            svg.path(&format!("{kind}{}", i % 4), points);
         }
         for dots in &self.dots {
             let points = dots.points.iter();
@@ -72,8 +65,7 @@ impl Panel {
         scale.bottom() + layout.below
     }
 
-    /// Draws the ribbon of the panel: a shaded band whose lower and upper limits vary along x, such as a confidence
-    /// band.
+    /// Draws the band whose limits vary along x.
     fn draw_ribbon(&self, svg: &mut Svg, scale: &Scale) {
         let finite = |r: &&(f64, f64, f64)| [r.0, r.1, r.2].iter().all(|v| v.is_finite());
         let points: Vec<_> = self.ribbon.iter().filter(finite).collect();
@@ -86,8 +78,7 @@ impl Panel {
         svg.path("ribbon", upper.chain(lower));
     }
 
-    /// Adds tooltips with the values of the bars and of some points of the lines. `size` is the width of the figure and
-    /// of one character, SVG units.
+    /// Adds tooltips to the bars and to some points of the lines. `size` is the width of the figure and of one character.
     fn draw_values(&self, svg: &mut Svg, scale: &Scale, size: (f64, f64)) {
         let number = |v: f64| significant(v, 4);
         let mut value = |x: f64, y: f64, text: String| {
@@ -97,8 +88,7 @@ impl Panel {
                 svg.value(place, size, &text);
             }
         };
-        let lines = self.lines.iter().filter(|line| line.points.len() > 1);
-        for line in lines {
+        for line in self.lines.iter().filter(|line| line.points.len() > 1) {
             let name = match line.name.as_str() {
                 "" => String::new(),
                 name => format!("{name}: "),
@@ -114,7 +104,6 @@ impl Panel {
         }
     }
 
-    /// Draws the shaded background band of a panel (such as the noise level), behind the axes.
     fn draw_ground(&self, svg: &mut Svg, scale: &Scale) {
         if let Some((low, high)) = self.band {
             let (top, bottom) = (scale.y(high), scale.y(low));

@@ -5,13 +5,11 @@ use super::panel::{Mark, Panel};
 use super::states::{StateLabel, panels_of_states};
 use ode::Trajectory;
 
-/// Number of samples of a trajectory from which its figure is drawn.
 const SAMPLES: usize = 400;
-/// Maximum ratio between the peak magnitudes of two states that are drawn in one panel.
+/// Maximum ratio of the peak magnitudes of two states in one panel.
 const APART: f64 = 8.0;
 
-/// Draws a simulated flight as SVG: side view and top view if the states include `x`, `y` and `z`, then all states over
-/// time. States with equal units and similar ranges share a panel.
+/// Draws a simulated flight as SVG: side and top view if the states include `x`, `y` and `z`, and all states over time.
 ///
 /// # Panics
 /// If the number of labels differs from the number of states.
@@ -39,8 +37,7 @@ pub fn flight(title: &str, flight: &Trajectory, states: &[StateLabel<'_>]) -> St
         }
     }
     let events = flight.events.iter();
-    let marks = events.map(|e| Mark::vertical(&e.event, e.time));
-    let marks: Vec<Mark> = marks.collect();
+    let marks: Vec<Mark> = events.map(|e| Mark::vertical(&e.event, e.time)).collect();
     let points = |i: usize| {
         let samples = times.iter().zip(&rows);
         samples.map(|(t, row)| (*t, row[i])).collect()

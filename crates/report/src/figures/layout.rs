@@ -3,31 +3,31 @@
 use super::axis::{number, range, ticks, with_room};
 use super::panel::Panel;
 
-/// Dimensions of a figure: width, font size, margins and heights.
+/// Dimensions of a figure in SVG units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Layout {
-    /// Width of the figure, SVG units.
+    /// Width.
     pub width: f64,
-    /// Maximum width at which a page displays the figure, pixels.
+    /// Maximum width on a page, pixels.
     pub most: f64,
-    /// Size of the text in the figure, SVG units.
+    /// Size of the text.
     pub letters: f64,
     /// Number of panels side by side.
     pub(super) columns: usize,
-    /// Left margin of titles, SVG units.
+    /// Left margin of titles.
     pub(super) margin: f64,
     pub(super) left: f64,
     pub(super) right: f64,
-    /// Default height of the plot area of a panel, SVG units.
+    /// Default height of the plot area of a panel.
     pub(super) height: f64,
-    /// Space above a plot area for its title, SVG units.
+    /// Space above a plot area for its title.
     pub(super) above: f64,
-    /// Space below a plot area for tick labels and axis title, SVG units.
+    /// Space below a plot area for tick labels and axis title.
     pub(super) below: f64,
 }
 
 impl Layout {
-    /// Layout of a figure in a text column.
+    /// In a text column.
     pub const COLUMN: Layout = Layout {
         width: 520.0,
         most: 640.0,
@@ -40,7 +40,7 @@ impl Layout {
         above: 36.0,
         below: 46.0,
     };
-    /// Layout of a small figure: one of several in a row, or as wide as a phone screen.
+    /// One of several in a row, or as wide as a phone.
     pub const SMALL: Layout = Layout {
         width: 360.0,
         most: 460.0,
@@ -53,7 +53,7 @@ impl Layout {
         above: 32.0,
         below: 42.0,
     };
-    /// Layout of a figure that spans the full width of an HTML page.
+    /// As wide as the page.
     pub const WIDE: Layout = Layout {
         width: 1080.0,
         most: 1180.0,
@@ -66,17 +66,15 @@ impl Layout {
         self.width - self.left - self.right
     }
 
-    /// Approximate mean width of a character, SVG units; used to estimate the width of texts.
+    /// Approximate mean width of a character.
     pub(crate) fn letter(&self) -> f64 {
         0.56 * self.letters
     }
 
-    /// The layout with so many panels side by side.
     pub(crate) fn with_columns(self, columns: usize) -> Layout {
         Layout { columns, ..self }
     }
 
-    /// Layout of the panel number `index` of those side by side.
     pub(super) fn column(&self, index: usize) -> Layout {
         let wide = self.width / self.columns as f64;
         let start = wide * (index % self.columns) as f64;
@@ -88,8 +86,7 @@ impl Layout {
         }
     }
 
-    /// Returns the layout with left and right margins widened, if necessary, for the tick labels and line names of
-    /// `panels`.
+    /// The layout with margins wide enough for the tick labels and line names of `panels`.
     pub(super) fn fitted(mut self, panels: &[Panel]) -> Layout {
         let letter = self.letter();
         let (mut left, mut right) = (self.left, self.right);
@@ -111,10 +108,10 @@ impl Layout {
     }
 }
 
-/// Minimum and maximum height of a panel with equal scales on both axes, as fractions of its width.
+/// Smallest and largest height of a map, as fractions of its width.
 const MAP_HEIGHTS: (f64, f64) = (0.22, 0.82);
 
-/// Linear map of one panel from data units to positions in the figure, SVG units.
+/// Linear map of one panel from data units to positions.
 pub(super) struct Scale {
     pub(super) across: (f64, f64),
     pub(super) up: (f64, f64),
@@ -146,19 +143,15 @@ impl Scale {
     }
 }
 
-/// Evenly spaced round values (tick values) within the range `of`, and the number of decimals of their labels. The
-/// number of ticks is about `most`, or about twice `most` if fewer than three ticks would result otherwise.
+/// Tick values within a range and the decimals of their labels: about `most`, or twice that if fewer than three result.
 fn scale_of(of: (f64, f64), most: usize) -> (Vec<f64>, usize) {
     let found = ticks(of, most);
-    if found.0.len() < 3 {
-        ticks(of, 2 * most)
-    } else {
-        found
-    }
+    let is_few = found.0.len() < 3;
+    if is_few { ticks(of, 2 * most) } else { found }
 }
 
 impl Panel {
-    /// Computes the map from data units to positions for a panel whose upper edge is at `top`, SVG units.
+    /// Map from data units to positions for a panel with its upper edge at `top`.
     pub(super) fn scale(&self, layout: &Layout, top: f64) -> Scale {
         let points = || {
             let lines = self.lines.iter().flat_map(|line| &line.points);
@@ -174,13 +167,8 @@ impl Panel {
         let heights = bars().flat_map(|bar| [0.0, bar.height]);
         let levels = self.levels.iter().copied();
         let band = self.band.iter().flat_map(|(low, high)| [*low, *high]);
-        let whole = range(
-            points()
-                .map(|p| p.1)
-                .chain(heights)
-                .chain(levels)
-                .chain(band),
-        );
+        let heights = points().map(|p| p.1).chain(heights);
+        let whole = range(heights.chain(levels).chain(band));
         let mut up = self.up.unwrap_or_else(|| with_room(whole));
         if !self.bars.is_empty() && self.up.is_none() {
             // Bars start at 0.
@@ -191,9 +179,8 @@ impl Panel {
         if self.map {
             across = with_room(across);
             let (wide, tall) = (across.1 - across.0, up.1 - up.0);
-            let (least, most) = self
-                .heights
-                .unwrap_or((MAP_HEIGHTS.0 * plot, MAP_HEIGHTS.1 * plot));
+            let default = (MAP_HEIGHTS.0 * plot, MAP_HEIGHTS.1 * plot);
+            let (least, most) = self.heights.unwrap_or(default);
             height = (plot * tall / wide).clamp(least, most);
             // The axis with spare space is extended to a longer range, so that both axes have equal scale.
             let unit = (plot / wide).min(height / tall);

@@ -7,9 +7,7 @@ use super::panel::{Line, Panel};
 use super::svg::{Svg, cut};
 
 impl Panel {
-    /// Draws the names of the lines at the lines' right ends. The names are moved vertically so that they do not
-    /// overlap and stay inside the panel. `width` is the width of the figure, `letter` that of one character, SVG
-    /// units.
+    /// Draws the names of the lines at their right ends, moved so that they do not overlap.
     pub(super) fn draw_names(&self, svg: &mut Svg, scale: &Scale, width: f64, letter: f64) {
         // Minimum vertical distance of two names.
         let apart = 2.05 * letter;
@@ -38,9 +36,7 @@ impl Panel {
         }
     }
 
-    /// Draws the marks of the panel whose y is not finite: as vertical lines behind the
-    /// data, labelled above the plot area. A label without space is omitted. `width` is the width of the figure,
-    /// `letter` that of one character, SVG units.
+    /// Draws the marks without y as vertical lines; a label without space is omitted.
     pub(super) fn draw_marks(&self, svg: &mut Svg, scale: &Scale, width: f64, letter: f64) {
         let title = self.title.chars().count() as f64;
         let mut free = (14.0 + 1.1 * letter * title).max(scale.left - 20.0);
@@ -49,7 +45,6 @@ impl Panel {
             svg.line("mark", (x, scale.top), (x, scale.bottom()));
             let half = 0.45 * letter * mark.name.chars().count() as f64;
             let middle = x.min(width - 8.0 - half);
-            // A name without space is omitted here; other panels show it.
             if middle - half > free && half > 0.0 {
                 svg.text("mark", (middle, scale.top - 4.0), "middle", &mark.name);
                 free = middle + half + 6.0;
@@ -57,9 +52,7 @@ impl Panel {
         }
     }
 
-    /// Draws the marks of the panel whose y is finite: as dots, each with its label at
-    /// that corner of the dot where it covers the fewest other labels and points of lines. `width` is the width of the
-    /// figure, `letter` that of one character, SVG units.
+    /// Draws the other marks: dots, each with its label at the corner where it covers the fewest labels and points.
     pub(super) fn draw_places(&self, svg: &mut Svg, scale: &Scale, width: f64, letter: f64) {
         let places = self.lines.iter().flat_map(|line| &line.points);
         let places: Vec<(f64, f64)> = places.map(|(x, y)| (scale.x(*x), scale.y(*y))).collect();
@@ -97,7 +90,6 @@ impl Panel {
     }
 }
 
-/// Bounding box of a label, SVG units.
 struct LabelBox {
     left: f64,
     right: f64,

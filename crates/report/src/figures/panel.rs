@@ -1,11 +1,11 @@
 //! Contents of a panel: lines, dots and bars with one pair of axes.
 
-/// Line through several points, with a name.
+/// Line through points, with a name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
-    /// Name, drawn at the line's end; may be empty.
+    /// Name at the line's end; may be empty.
     pub name: String,
-    /// Points (x, y) in data units; the line is interrupted at points that are not finite.
+    /// Points in data units; the line is interrupted where they are not finite.
     pub points: Vec<(f64, f64)>,
 }
 
@@ -19,13 +19,12 @@ impl Line {
     }
 }
 
-/// Labelled event or limit in a panel, such as a landing or an end of a confidence interval, drawn as a dot or a
-/// vertical line.
+/// Labelled event or limit, drawn as a dot or a vertical line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
-    /// Label of the event; may be empty.
+    /// Label; may be empty.
     pub name: String,
-    /// Position (x, y) in data units. If y is not finite, the event is drawn as a vertical line at x.
+    /// Position in data units; a vertical line if y is not finite.
     pub at: (f64, f64),
 }
 
@@ -42,12 +41,12 @@ impl Mark {
     }
 }
 
-/// Points of a scatter plot that share one style.
+/// Points with one style.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dots {
-    /// Style with which the points are drawn.
+    /// Style.
     pub look: Look,
-    /// Positions (x, y) in data units; points that are not finite are not drawn.
+    /// Points in data units; those that are not finite are not drawn.
     pub points: Vec<(f64, f64)>,
 }
 
@@ -59,31 +58,30 @@ impl Dots {
     }
 }
 
-/// Style of scatter points.
+/// Style of points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Look {
-    /// Dots in the colour of the line with this index.
+    /// In the colour of the line with this index.
     Colour(usize),
-    /// Grey dots, behind all other dots.
+    /// Grey, behind all others.
     Pale,
-    /// Small crosses, used for outliers.
+    /// Small crosses.
     Cross,
 }
 
-/// One bar of a histogram.
+/// Bar of a histogram, in data units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bar {
-    /// Position of the left edge on the x axis, data units.
+    /// Left edge.
     pub from: f64,
-    /// Position of the right edge on the x axis, data units.
+    /// Right edge.
     pub to: f64,
-    /// Height of the bar on the y axis, data units.
+    /// Height.
     pub height: f64,
 }
 
 impl Bar {
-    /// Bars at the points (x, height), which are in ascending order of x. Each bar extends to the midpoints between its
-    /// x and the neighbouring values of x. The first bar begins and the last bar ends at its own x.
+    /// Bars between the midpoints of the points (x, height), which are in ascending order of x.
     pub(crate) fn between_midpoints(points: &[(f64, f64)]) -> Vec<Bar> {
         let middle = |i: usize| 0.5 * (points[i].0 + points[i + 1].0);
         let bar = |(i, &(x, height)): (usize, &(f64, f64))| Bar {
@@ -95,42 +93,40 @@ impl Bar {
     }
 }
 
-/// Panel of a figure: lines, dots and bars with one pair of axes.
+/// Panel of a figure: what has one pair of axes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Panel {
-    /// Title above the panel: the quantity on the vertical axis, with its unit.
+    /// Title: the quantity on the vertical axis, with its unit.
     pub title: String,
-    /// Title of the horizontal axis, with its unit.
+    /// Title of the horizontal axis.
     pub across: String,
-    /// Lines of the panel; at most four have distinct colours.
+    /// Lines; four have distinct colours.
     pub lines: Vec<Line>,
-    /// Whether all lines are drawn thin and solid, as a background for dots.
+    /// Whether the lines are thin and solid, as a background for dots.
     pub thin: bool,
-    /// Scatter points of the panel, drawn on top of the lines.
+    /// Points, in front of the lines.
     pub dots: Vec<Dots>,
-    /// Bars of a histogram, which start at 0.
+    /// Bars of a histogram.
     pub bars: Vec<Bar>,
-    /// Labelled events and limits, such as a landing, drawn as dots or vertical lines.
+    /// Labelled events and limits.
     pub marks: Vec<Mark>,
-    /// Values on the vertical axis at which dashed horizontal lines are drawn.
+    /// Heights of dashed horizontal lines.
     pub levels: Vec<f64>,
-    /// Range (lower, upper) of the vertical axis that is shaded, such as the noise level.
+    /// Shaded range of the vertical axis, such as the noise level.
     pub band: Option<(f64, f64)>,
-    /// Band with limits that vary along x, such as a confidence band: points (x, lower, upper) in data units, drawn
-    /// behind the lines.
+    /// Shaded band behind the lines: points (x, lower, upper).
     pub ribbon: Vec<(f64, f64, f64)>,
-    /// Range (minimum, maximum) of the vertical axis; `None` computes it from the data.
+    /// Range of the vertical axis; by default that of the data.
     pub up: Option<(f64, f64)>,
-    /// Range (minimum, maximum) of the horizontal axis; `None` computes it from the data.
+    /// Range of the horizontal axis; by default that of the data.
     pub along: Option<(f64, f64)>,
-    /// Height of the plot area, SVG units; `None` uses the default of the layout.
+    /// Height of the plot area, SVG units; by default that of the layout.
     pub height: Option<f64>,
-    /// Whether both axes have the same scale, as in a map.
+    /// Whether both axes have the same scale.
     pub map: bool,
-    /// Minimum and maximum height of the plot area if `map` is set, SVG units; `None` uses default fractions of its
-    /// width.
+    /// Smallest and largest height of a map, SVG units.
     pub heights: Option<(f64, f64)>,
-    /// Whether the diagonal y = x is drawn, for comparison with equality.
+    /// Whether the line y = x is drawn.
     pub diagonal: bool,
 }
 
@@ -163,7 +159,7 @@ impl Panel {
     }
 }
 
-/// Panel of the numbers of samples below another panel: points (x, number of samples) in ascending order of x.
+/// Panel of numbers of samples below another panel: points (x, number) in ascending order of x.
 pub(crate) fn samples_below(across: String, points: &[(f64, f64)]) -> Panel {
     Panel {
         bars: Bar::between_midpoints(points),

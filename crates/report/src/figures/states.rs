@@ -2,17 +2,16 @@
 
 use super::panel::{Line, Panel};
 
-/// Name and unit of a state, from which its label in a figure is made.
+/// Name and unit of a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StateLabel<'a> {
-    /// Name of the state in the model.
+    /// Name in the model.
     pub name: &'a str,
-    /// Unit of the state, as written in the model.
+    /// Unit, as in the model.
     pub unit: &'a str,
 }
 
-/// Name of the physical quantity that a unit measures, such as `Angle` for rad; `State` for any unit other than m, m/s,
-/// rad and rad/s.
+/// Quantity that a unit measures.
 fn what(unit: &str) -> &'static str {
     match unit {
         "m" => "Position",
@@ -23,9 +22,8 @@ fn what(unit: &str) -> &'static str {
     }
 }
 
-/// Divides states into groups, each to be drawn in one panel; returns the indices of the states of each group. The
-/// states of a group have equal units and, unless the unit is m or m/s, peak magnitudes that differ at most by the
-/// factor `apart`. A group has at most four states. `rows[sample][state]` are the values of the states.
+/// Groups of at most four states for one panel, by index: with equal units and, unless the unit is m or m/s, peak
+/// magnitudes of `rows[sample][state]` that differ at most by the factor `apart`.
 fn groups(states: &[StateLabel<'_>], rows: &[Vec<f64>], apart: f64) -> Vec<Vec<usize>> {
     let reach = |i: usize| rows.iter().map(|row| row[i].abs()).fold(0.0, f64::max);
     let mut groups: Vec<Vec<usize>> = Vec::new();
@@ -33,10 +31,8 @@ fn groups(states: &[StateLabel<'_>], rows: &[Vec<f64>], apart: f64) -> Vec<Vec<u
         let fits = |group: &Vec<usize>| {
             let alike = |j: &usize| {
                 let (a, b) = (reach(i), reach(*j));
-                a.max(b) <= apart * a.min(b)
-                    || a.max(b) < 1e-9
-                    || state.unit == "m"
-                    || state.unit == "m/s"
+                let is_alike = a.max(b) <= apart * a.min(b) || a.max(b) < 1e-9;
+                is_alike || matches!(state.unit, "m" | "m/s")
             };
             group.len() < 4 && states[group[0]].unit == state.unit && group.iter().all(alike)
         };
@@ -48,10 +44,7 @@ fn groups(states: &[StateLabel<'_>], rows: &[Vec<f64>], apart: f64) -> Vec<Vec<u
     groups
 }
 
-/// Panels of the states over time, one for each group of at most four states with equal units and, unless the unit is m
-/// or m/s, peak magnitudes that differ at most by the factor `apart`. `rows[sample][state]` are the values from which
-/// the peak magnitudes are computed. `points` returns the pairs of time (s) and value of the state with the given
-/// index.
+/// Panels of the states over time, one for each of their [`groups`], from points (time, value) by state.
 pub(crate) fn panels_of_states(
     states: &[StateLabel<'_>],
     rows: &[Vec<f64>],
@@ -78,8 +71,8 @@ pub(crate) fn panels_of_states(
     groups.into_iter().map(panel).collect()
 }
 
-/// Symbol of a state in the notation of Hubbard & Hummel (2000), such as `α̇` for `alphadot`. A name without a symbol
-/// is returned unchanged, except that the suffix `dot` becomes a dot above its last letter.
+/// Symbol of a state after Hubbard & Hummel (2000), such as `α̇` for `alphadot`; other names are unchanged, except that the
+/// suffix `dot` becomes a dot above the last letter.
 pub(crate) fn symbol(name: &str) -> String {
     let (base, dot) = match name.strip_suffix("dot") {
         Some(base) if !base.is_empty() => (base, "\u{307}"),

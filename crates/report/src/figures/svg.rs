@@ -2,8 +2,7 @@
 
 use std::fmt::Write;
 
-/// Style sheet of every figure. On a page with several figures, the page includes it once, and [`without_style`]
-/// removes it from each figure.
+/// Style sheet of every figure; a page includes it once.
 pub(crate) const STYLE: &str = r#"text { font-family: system-ui, -apple-system, "Segoe UI", Roboto, "DejaVu Sans", sans-serif; fill: #333 }
 text.title { font-size: 1.2em; font-weight: 600; fill: #111 }
 text.panel { font-weight: 600; fill: #111 }
@@ -30,16 +29,14 @@ line.reach { stroke: #0072b2; stroke-width: 2 } text.strong { font-weight: 600; 
 rect.alike { fill: #00437c } rect.positive { fill: #b24800 } rect.unknown { fill: #c9b9b9 }
 "#;
 
-/// SVG document that is built element by element. Coordinates are in SVG units, with the y axis downwards.
 pub(crate) struct Svg {
     body: String,
 }
 
 impl Svg {
     pub(crate) fn new() -> Svg {
-        Svg {
-            body: String::new(),
-        }
+        let body = String::new();
+        Svg { body }
     }
 
     pub(crate) fn line(&mut self, class: &str, (x1, y1): (f64, f64), (x2, y2): (f64, f64)) {
@@ -49,7 +46,7 @@ impl Svg {
         );
     }
 
-    /// Draws text at (x, y). `anchor` is `start`, `middle` or `end`; `class` is the CSS class, which sets the style.
+    /// Draws text; `anchor` is `start`, `middle` or `end`.
     pub(crate) fn text(&mut self, class: &str, (x, y): (f64, f64), anchor: &str, text: &str) {
         let text = escape(text);
         let _ = writeln!(
@@ -65,8 +62,7 @@ impl Svg {
         );
     }
 
-    /// Adds a point with a tooltip: the text is shown when the pointer is on the point, or the point is tapped or
-    /// focused. `size` is the width of the figure and of one character, SVG units.
+    /// Adds a point with a tooltip. `size` is the width of the figure and of one character.
     pub(crate) fn value(&mut self, (x, y): (f64, f64), size: (f64, f64), text: &str) {
         let half = 0.53 * size.1 * text.chars().count() as f64;
         let middle = x.clamp(half + 2.0, (size.0 - half - 2.0).max(half + 2.0));
@@ -78,7 +74,6 @@ impl Svg {
         );
     }
 
-    /// Draws a rectangle with its upper left corner at (x, y), filled according to the CSS class.
     pub(crate) fn block(&mut self, class: &str, (x, y): (f64, f64), (wide, tall): (f64, f64)) {
         let (wide, tall) = (wide.max(0.0), tall.max(0.0));
         let _ = writeln!(
@@ -87,8 +82,7 @@ impl Svg {
         );
     }
 
-    /// Draws a translucent rectangle with its upper left corner at (x, y), filled according to the CSS class; `cover`
-    /// is the opacity, 0 to 1.
+    /// Draws a rectangle with the opacity `cover`, 0 to 1.
     pub(crate) fn veil(
         &mut self,
         class: &str,
@@ -102,7 +96,7 @@ impl Svg {
         );
     }
 
-    /// Draws a polyline through the points, interrupted at points that are not finite.
+    /// Draws a line through the points, interrupted where they are not finite.
     pub(crate) fn path(&mut self, class: &str, points: impl Iterator<Item = (f64, f64)>) {
         let mut data = String::new();
         let mut pen = 'M';
@@ -117,31 +111,32 @@ impl Svg {
         let _ = writeln!(self.body, r#"<path class="{class}" d="{data}"/>"#);
     }
 
-    /// Draws dots as a single SVG path element, which needs a tenth of the text that separate circles need.
+    /// Draws dots as one path, which needs a tenth of the text of circles.
     pub(crate) fn dots(&mut self, class: &str, points: impl Iterator<Item = (f64, f64)>) {
-        let mut data = String::new();
-        for (x, y) in points.filter(|(x, y)| x.is_finite() && y.is_finite()) {
-            let _ = write!(data, "M{x:.1} {y:.1}h0");
-        }
-        if !data.is_empty() {
-            let _ = writeln!(self.body, r#"<path class="{class}" d="{data}"/>"#);
-        }
+        self.marks(class, points, 0.0, "h0");
     }
 
-    /// Draws a small cross at each of the given points, with the style of the CSS class `class`.
     pub(crate) fn crosses(&mut self, class: &str, points: impl Iterator<Item = (f64, f64)>) {
+        self.marks(class, points, 3.0, "l6 6m-6 0l6 -6");
+    }
+
+    fn marks(
+        &mut self,
+        class: &str,
+        points: impl Iterator<Item = (f64, f64)>,
+        offset: f64,
+        mark: &str,
+    ) {
         let mut data = String::new();
         for (x, y) in points.filter(|(x, y)| x.is_finite() && y.is_finite()) {
-            let (x, y) = (x - 3.0, y - 3.0);
-            let _ = write!(data, "M{x:.1} {y:.1}l6 6m-6 0l6 -6");
+            let _ = write!(data, "M{:.1} {:.1}{mark}", x - offset, y - offset);
         }
         if !data.is_empty() {
             let _ = writeln!(self.body, r#"<path class="{class}" d="{data}"/>"#);
         }
     }
 
-    /// Completes the document and returns its text. The displayed width adapts to the web page, up to `most` pixels;
-    /// `letters` is the font size, SVG units.
+    /// The document, whose width adapts to the page up to `most` pixels; `letters` is the size of the text.
     pub(crate) fn finish(
         self,
         title: &str,
@@ -163,15 +158,14 @@ impl Svg {
     }
 }
 
-/// Removes the style sheets from an SVG text, for a page that already includes them.
+/// Removes the style sheets of figures, for a page that includes them.
 pub(crate) fn without_style(svg: &str) -> String {
     let parts = svg.split("<style>\n");
     let after = |part| str::split_once(part, "</style>\n").map_or(part, |(_, after)| after);
     parts.map(after).collect()
 }
 
-/// Truncates a text to the width `room`, with `…` at the end if it is shortened; `letter` is the width of one
-/// character. Both widths are in SVG units.
+/// Shortens a text to the width `room` with `…` at the end; `letter` is the width of one character.
 pub(crate) fn cut(text: &str, room: f64, letter: f64) -> String {
     // Wide East Asian characters count twice; combining marks have no width.
     let wide = |c: char| match c {

@@ -6,7 +6,6 @@ use super::Layout;
 use super::csv::Table;
 use super::svg::{Svg, cut};
 
-/// Number of steps of the colour scale.
 const STEPS: usize = 40;
 /// Maximum number of rows for which the correlations are printed in their cells.
 const MAX_WRITTEN: usize = 12;
@@ -23,12 +22,10 @@ pub(crate) struct Triangle<'a> {
     pub(crate) value: &'a dyn Fn(usize, usize) -> f64,
     /// Whether the sign counts: the scale is from −1 to 1 instead of 0 to 1, and few correlations are printed.
     pub(crate) is_signed: bool,
-    /// Labels of the ends of the scale.
     pub(crate) ends: [&'a str; 2],
 }
 
 impl Triangle<'_> {
-    /// The correlations as a CSV table.
     pub(crate) fn csv(&self) -> String {
         let mut table = Table::new(&["row", "column", "correlation"]);
         for (i, row) in self.names.iter().enumerate() {
@@ -70,11 +67,8 @@ impl Triangle<'_> {
                 }
             }
             let x = left + side * i as f64 + 4.0;
-            let class = if (self.is_strong)(name) {
-                "strong"
-            } else {
-                "tick"
-            };
+            let is_strong = (self.is_strong)(name);
+            let class = if is_strong { "strong" } else { "tick" };
             let name = cut(name, layout.width - x - 2.0, letter);
             svg.text(class, (x, base), "start", &name);
         }
@@ -93,11 +87,8 @@ impl Triangle<'_> {
         let wide = (0.6 * layout.width).min(260.0) / STEPS as f64;
         for i in 0..STEPS {
             let part = (i as f64 + 0.5) / STEPS as f64;
-            let value = if self.is_signed {
-                2.0 * part - 1.0
-            } else {
-                part
-            };
+            let signed = self.is_signed;
+            let value = if signed { 2.0 * part - 1.0 } else { part };
             self.shade(svg, value, (left + wide * i as f64, top), (wide, 8.0));
         }
         wide * STEPS as f64

@@ -8,11 +8,10 @@ use crate::literature::sources;
 use crate::table::{Cell, Table};
 use identify::numbers::{Digits, stated, unit};
 
-/// Ratio of the cluster-robust to the Cramér–Rao standard error above which the former is marked.
+/// Ratio of the cluster-robust to the other standard error above which it is marked.
 const DOUBTFUL: f64 = 1.5;
 
-/// Tables of the coefficients, in the order of declaration in the model; those that the model does not declare are
-/// last.
+/// Tables of the coefficients, in the order of the model; those that it does not declare are last.
 pub(super) fn section(page: &FitPage<'_>) -> Html {
     let mut content = Html::new();
     let all = page.coefficients();
@@ -31,16 +30,14 @@ pub(super) fn section(page: &FitPage<'_>) -> Html {
     content.heading("Compared with the literature");
     content.table(&literature(page, &all));
     let sources = sources(page.model.reference.as_deref()).iter();
-    content.list(
-        "note",
-        sources.map(|source| Html::strong(source.short).then(format!(": {}", source.long))),
-    );
+    let cited = sources.map(|source| Html::strong(source.short).then(format!(": {}", source.long)));
+    content.list("note", cited);
     content
 }
 
 fn is_clustered(all: &[(&str, &Coefficient)]) -> bool {
-    all.iter()
-        .any(|(_, c)| c.std_error_cluster_robust.is_some())
+    let mut all = all.iter();
+    all.any(|(_, c)| c.std_error_cluster_robust.is_some())
 }
 
 /// Table of the estimates with their standard errors and intervals.
@@ -71,7 +68,7 @@ pub(super) fn estimates(all: &[(&str, &Coefficient)]) -> Table {
         .table()
 }
 
-/// Remarks on an estimate: whether it is at a bound or fixed, and its Gaussian prior.
+/// Whether an estimate is at a bound or fixed, and its prior.
 fn remarks(found: &Coefficient) -> Html {
     let mut remarks = Html::new();
     if found.at_bound {
@@ -109,7 +106,7 @@ fn literature(page: &FitPage<'_>, all: &[(&str, &Coefficient)]) -> Table {
         .table()
 }
 
-/// Picture of the estimate and its confidence interval on an axis that includes 0; empty if there is no interval.
+/// Picture of an estimate and its interval on an axis that includes 0; empty without an interval.
 fn picture(found: &Coefficient) -> Html {
     let [low, high] = found.interval;
     let all = [low, high, found.value];

@@ -1,10 +1,9 @@
-//! Tables of the flights on the fit page: fitted flights, held-out flights, and excluded flights.
+//! Tables of the flights on the page of a fit.
 
 use dataset::Role;
 use identify::FlightReport;
 
-use super::FitPage;
-use crate::figure::Figure;
+use super::{FitPage, draw};
 use crate::html::Html;
 use crate::page::flight_link;
 use crate::table::Table;
@@ -12,13 +11,12 @@ use crate::thin::{MAX_FLIGHTS, MAX_ROWS, largest_first};
 use identify::numbers::plain;
 use identify::wording::short;
 
-/// Section of the flights, with a histogram of their residuals.
-pub(super) fn section(page: &FitPage<'_>, histogram: Option<&Figure>) -> Html {
+pub(super) fn section(page: &FitPage<'_>) -> Html {
     let mut content = Html::new();
-    content.grid(histogram.cloned().as_slice(), 1, true);
-    let fitted: Vec<&FlightReport> = page.report.used(Role::Fit).collect();
-    let held_out: Vec<&FlightReport> = page.report.used(Role::HeldOut).collect();
-    let excluded: Vec<&FlightReport> = page.report.excluded().collect();
+    content.grid(draw::histogram(page.report).into_iter().collect(), 1, true);
+    let fitted: Vec<_> = page.report.used(Role::Fit).collect();
+    let held_out: Vec<_> = page.report.used(Role::HeldOut).collect();
+    let excluded: Vec<_> = page.report.excluded().collect();
     if page.report.flights.is_empty() {
         content.paragraph("None.");
     }
@@ -47,13 +45,10 @@ pub(super) fn section(page: &FitPage<'_>, histogram: Option<&Figure>) -> Html {
     content
 }
 
-/// Appends the table of `flights`.
 fn worst(content: &mut Html, page: &FitPage<'_>, flights: Vec<&FlightReport>) {
     let all = flights.len();
-    content.table(&table(
-        page,
-        &largest_first(flights, MAX_ROWS, |flight| Some(flight.rms())),
-    ));
+    let flights = largest_first(flights, MAX_ROWS, |flight| Some(flight.rms()));
+    content.table(&table(page, &flights));
     if all > MAX_ROWS {
         content.note(format!(
             "The {MAX_ROWS} with the largest rms, of {all}; all are in flights.csv."
@@ -61,7 +56,6 @@ fn worst(content: &mut Html, page: &FitPage<'_>, flights: Vec<&FlightReport>) {
     }
 }
 
-/// Table of the first [`MAX_ROWS`] flights.
 pub(super) fn table(page: &FitPage<'_>, flights: &[&FlightReport]) -> Table {
     let cut = |flight: &FlightReport| {
         let cut = flight.cut.as_ref()?;

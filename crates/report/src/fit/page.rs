@@ -1,43 +1,38 @@
-//! HTML page of a fit.
+//! Page of a fit.
+use std::collections::BTreeMap;
 
 use dataset::Role;
 use identify::FitReport;
-use identify::wording::count;
+use identify::numbers::{percent, plain, quantity};
+use identify::wording::{count, durations, names, sentence};
 use model_spec::sort_by_number;
 
-use super::{Figures, FitPage, coefficients, flights, words};
+use super::{FitPage, coefficients, draw, flights, words};
 use crate::figure::Figure;
 use crate::html::Html;
 use crate::page::{Page, heading, watch};
 use crate::table::Table;
 use crate::thin::{MAX_FLIGHTS, MAX_ROWS};
-use identify::numbers::{percent, plain, quantity};
-use identify::wording::{durations, names, sentence};
 
-/// Number of flights whose figures of the states over time are expanded when the page is opened.
+/// Number of figures of states over time that are open.
 const OPEN: usize = 3;
-/// Number of flights whose figures of marker paths are expanded when the page is opened.
+/// Number of figures of marker paths that are open.
 const OPEN_TRACKS: usize = 6;
-/// Maximum number of non-identifiable directions that the summary names.
 const MAX_NAMED: usize = 3;
 
-/// Renders the HTML page of the report of a fit with the given figures.
-pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
+/// The page of the report of a fit.
+pub fn page(page: &FitPage<'_>) -> Page {
     let report = page.report;
     let mut body = Html::new();
     if !report.reliable {
         body.unreliable(&report.cautions, "fit");
     }
-    body.push(summary(page, figures));
+    body.push(summary(page));
     body.data_faults(&report.data_faults);
     body.section("coefficients", "Coefficients", coefficients::section(page));
     body.section("undetermined", "Not identifiable", undetermined(report));
-    body.push(evidence(page, figures));
-    body.section(
-        "flights",
-        "Flights",
-        flights::section(page, figures.histogram.as_ref()),
-    );
+    body.push(evidence(page));
+    body.section("flights", "Flights", flights::section(page));
     body.section("noise", "Noise", noise(report));
     body.section("how", "How it was computed", how(report));
     Page {
@@ -46,27 +41,24 @@ pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
         heading: heading(&report.model, "fitted to", page.dataset),
         body,
     }
-    .html()
 }
 
-fn summary(page: &FitPage<'_>, figures: &Figures) -> Html {
+fn summary(page: &FitPage<'_>) -> Html {
     let report = page.report;
     let mut lead = Html::new();
-    for (i, text) in words::opening(page).into_iter().enumerate() {
+    let (opening, summary) = (words::opening(page), words::summary(page));
+    for (i, text) in opening.iter().enumerate() {
         lead.element("p", if i == 0 { "finding" } else { "" }, text);
     }
-    for text in words::summary(page) {
+    for text in summary {
         lead.element("p", "", text);
     }
     let unknown = report.not_identifiable.iter();
     let mut unknown = unknown.map(|u| names(&u.combination));
     let named: Vec<String> = unknown.by_ref().take(MAX_NAMED).collect();
     if !named.is_empty() {
-        let more = if unknown.next().is_some() {
-            ", and more"
-        } else {
-            ""
-        };
+        let has_more = unknown.next().is_some();
+        let more = if has_more { ", and more" } else { "" };
         let mut text = Html::from("Not identifiable from these flights: ");
         for (i, names) in named.iter().enumerate() {
             text.push(if i == 0 { "" } else { "; " });
@@ -84,8 +76,7 @@ fn summary(page: &FitPage<'_>, figures: &Figures) -> Html {
     lead.alarms("Warnings", alarms);
     lead.element("p", "", watch());
     let mut picture = Html::new();
-    let precision = figures.precision.clone().map(Figure::reachable);
-    picture.figures(&precision, true);
+    picture.leading_figure(draw::precision(page));
     let mut opening = Html::from("\n");
     opening.element("div", "words lead", Html::from("\n").then(lead));
     opening.element("div", "picture", picture);
@@ -94,15 +85,13 @@ fn summary(page: &FitPage<'_>, figures: &Figures) -> Html {
     section
 }
 
-/// Non-identifiable directions in parameter space.
 fn undetermined(report: &FitReport) -> Html {
     let mut content = Html::new();
     let found = report.not_identifiable.iter().take(MAX_ROWS);
     let items = found.map(|u| {
         let mut text = Html::strong(names(&u.combination));
         text.push(format!(": {}", sentence(&u.reason)));
-        let direction = direction(u.weights.iter().map(|(name, weight)| (name, *weight)));
-        if let Some(direction) = direction {
+        if let Some(direction) = direction(&u.weights) {
             text.push(format!(
                 " The direction is {direction}, each divided by its typical magnitude."
             ));
@@ -117,8 +106,8 @@ fn undetermined(report: &FitReport) -> Html {
 }
 
 /// Linear combination of coefficients, such as `0.71 C_L0 − 0.70 C_La`; `None` for a single coefficient.
-fn direction<'a>(weights: impl Iterator<Item = (&'a String, f64)>) -> Option<String> {
-    let mut weights: Vec<_> = weights.collect();
+fn direction(weights: &BTreeMap<String, f64>) -> Option<String> {
+    let mut weights: Vec<(&String, f64)> = weights.iter().map(|(n, w)| (n, *w)).collect();
     weights.retain(|(_, w)| w.is_finite() && w.abs() >= 0.05);
     sort_by_number(&mut weights, |weight| -weight.1.abs());
     weights.truncate(8);
@@ -135,11 +124,9 @@ fn direction<'a>(weights: impl Iterator<Item = (&'a String, f64)>) -> Option<Str
     (weights.len() > 1).then_some(direction)
 }
 
-/// Sections of figures.
-fn evidence(page: &FitPage<'_>, figures: &Figures) -> Html {
-    let all = figures.correlations.iter().chain(&figures.whiteness);
-    let has_checks = all.count() > 0;
-    let section = |figures: &[Figure], open: usize, note: &str, captioned: bool| {
+fn evidence(page: &FitPage<'_>) -> Html {
+    let caption = |figures: &[Figure]| figures.first().map_or("", |f| &f.caption).to_owned();
+    let section = |figures: Vec<Figure>, open: usize, note: &str, captioned: bool| {
         let mut content = Html::new();
         if !figures.is_empty() {
             content.note(note);
@@ -147,41 +134,46 @@ fn evidence(page: &FitPage<'_>, figures: &Figures) -> Html {
         content.grid(figures, open, captioned);
         content
     };
-    let caption = |figures: &[Figure]| figures.first().map_or("", |f| &f.caption).to_owned();
     let report = page.report;
-    let flights = report
-        .used(Role::Fit)
-        .chain(report.used(Role::HeldOut))
-        .count();
-    let drawn = figures.tracks.len();
-    let mut tracks = caption(&figures.tracks);
-    if flights > drawn {
-        tracks += &format!(" {drawn} of {flights} flights are drawn, here and below.");
-    }
     let mut body = Html::new();
-    let profiles = section(&figures.profiles, MAX_FLIGHTS, words::PROFILES, true);
+    let profiles = draw::profiles(report);
+    let profiles = section(profiles, MAX_FLIGHTS, words::PROFILES, true);
     body.section("profiles", "Profile likelihoods", profiles);
-    let predictions = caption(&figures.predictions);
-    let predictions = section(&figures.predictions, MAX_FLIGHTS, &predictions, false);
+    let predictions = page
+        .fit
+        .map(|fit| draw::predictions(fit, page.evidence, &[]));
+    let predictions = predictions.unwrap_or_default();
+    let note = caption(&predictions);
+    let predictions = section(predictions, MAX_FLIGHTS, &note, false);
     body.section("predictions", words::PREDICTIONS, predictions);
-    let tracks = section(&figures.tracks, OPEN_TRACKS, &tracks, false);
+    let tracks = draw::tracks(page.evidence);
+    let flights = report.used(Role::Fit).count() + report.used(Role::HeldOut).count();
+    let (drawn, mut note) = (tracks.len(), caption(&tracks));
+    if flights > drawn {
+        note += &format!(" {drawn} of {flights} flights are drawn, here and below.");
+    }
+    let tracks = section(tracks, OPEN_TRACKS, &note, false);
     body.section("tracks", "Measured and predicted", tracks);
     let mut residuals = Html::new();
-    residuals.figures(&figures.residuals, true);
+    residuals.figures(
+        draw::residuals(page.evidence, &[], report.leading_noise()),
+        true,
+    );
     body.section("residuals", words::RESIDUALS, residuals);
-    let states = section(&figures.states, OPEN, words::STATES, false);
+    let states = draw::states(page.evidence, page.model);
+    let states = section(states, OPEN, words::STATES, false);
     body.section("states", "States over time", states);
-    if has_checks {
-        let mut grid = Html::from("\n");
-        grid.figures(&figures.whiteness, false);
-        grid.figures(figures.correlations.iter(), true);
-        let mut content = Html::new();
-        if !figures.whiteness.is_empty() {
-            content.note(caption(&figures.whiteness));
-        }
-        content.element("div", "grid", grid);
-        body.section("checks", "Residual diagnostics", content);
+    let whiteness = draw::whiteness(report);
+    let (mut checks, mut grid) = (Html::new(), Html::from("\n"));
+    if !whiteness.is_empty() {
+        checks.note(caption(&whiteness));
     }
+    grid.figures(whiteness, false);
+    grid.figures(draw::correlations(page), true);
+    if !grid.figures.is_empty() {
+        checks.element("div", "grid", grid);
+    }
+    body.section("checks", "Residual diagnostics", checks);
     body
 }
 
@@ -195,7 +187,7 @@ fn noise(report: &FitReport) -> Html {
     content
 }
 
-/// Table of the measurement noise: one row for each axis, then one for all axes together.
+/// Table of the measurement noise: a row for each axis, and one for all.
 pub(super) fn noise_table(report: &FitReport) -> Table {
     let noise = report.leading_noise();
     let axes = noise.axes.iter().take(3);
@@ -211,7 +203,7 @@ pub(super) fn noise_table(report: &FitReport) -> Table {
         .table()
 }
 
-/// Lag at which the autocorrelation of the noise has fallen to 1/e; `–` if the noise is nearly uncorrelated.
+/// Lag at which the autocorrelation has fallen to 1/e; `–` if there is nearly none.
 fn correlation_time(ar1: f64, interval: f64) -> String {
     let time = -interval / ar1.ln();
     if ar1 > 0.05 && time.is_finite() {
@@ -231,7 +223,8 @@ fn how(report: &FitReport) -> Html {
     } else {
         "which the dataset gives".to_owned()
     };
-    let outcome = if iterations.converged {
+    let converged = iterations.converged;
+    let outcome = if converged {
         "converged"
     } else {
         "did not converge"

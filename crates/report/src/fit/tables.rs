@@ -4,16 +4,16 @@ use identify::{Fit, FitReport, FlightEvidence, FlightId};
 
 use crate::figures::csv::{CsvTable, Table};
 
-/// Maximum number of lines of a CSV table of residuals; the flights beyond it are omitted.
+/// Number of lines after which a table of residuals ends; the flights beyond are omitted.
 const MAX_ROWS: usize = 1_000_000;
 
-/// CSV table of the estimates of a fit: one line per coefficient, with its standard errors and 95 % interval.
+/// Estimates of a fit: one line per coefficient.
 pub fn coefficients(report: &FitReport) -> String {
     CsvTable::of(&report.coefficients)
         .column("name", |(name, _)| *name)
         .column("value", |(_, c)| c.value)
         .column("std_error", |(_, c)| c.std_error)
-        .column("std_error_cluster_robust", |(_, c)| {
+        .optional("std_error_cluster_robust", |(_, c)| {
             c.std_error_cluster_robust
         })
         .column("low_95", |(_, c)| c.interval[0])
@@ -24,43 +24,41 @@ pub fn coefficients(report: &FitReport) -> String {
         .text()
 }
 
-/// CSV table of the correlation matrix of the estimated coefficients.
+/// Correlation matrix of the estimates.
 pub fn correlations(report: &FitReport) -> String {
     let mut table = CsvTable::of(&report.correlations).column("name", |(name, _)| *name);
     for name in report.correlations.keys() {
-        table = table.column(name, |(_, row)| row.get(name).copied());
+        table = table.optional(name, |(_, row)| row.get(name).copied());
     }
     table.text()
 }
 
-/// CSV table of the flights of a fit: one line per flight, with its role, its number of samples, the RMS residual of
-/// each kind of sensor in its unit, the number of outliers and the time (s) at which the flight was truncated.
+/// Flights of a fit, one line each.
 pub fn flights(report: &FitReport) -> String {
     let mut table = CsvTable::of(&report.flights)
         .column("file", |flight| &flight.file)
         .column("role", |flight| flight.role.name())
         .column("outcome", |flight| flight.outcome.name())
-        .column("reason", |flight| flight.outcome.reason())
+        .optional("reason", |flight| flight.outcome.reason())
         .column("samples", |flight| flight.samples);
     for kind in report.residual_rms.keys() {
-        table = table.column(&format!("residual_rms_{kind}"), |flight| {
+        table = table.optional(&format!("residual_rms_{kind}"), |flight| {
             flight.residual_rms.get(kind).map(|rms| rms.value)
         });
     }
     table
         .column("outliers", |flight| flight.outliers)
-        .column("cut_at_s", |flight| flight.cut.as_ref().map(|cut| cut.t))
+        .optional("cut_at_s", |flight| flight.cut.as_ref().map(|cut| cut.t))
         .column("notes", |flight| flight.notes.join("; "))
         .text()
 }
 
-/// Measurements and predictions of the flights of a fit, one after the other.
 fn evidence(fit: &Fit) -> impl Iterator<Item = FlightEvidence> {
     let flights = (0..fit.report.flights.len()).map(FlightId::new);
     flights.filter_map(|id| fit.evidence(id))
 }
 
-/// CSV table of residuals (measured − predicted, m): one line for each measured position of a marker.
+/// Residuals (measured − predicted, m), one line for each measured position of a marker.
 pub fn residuals(fit: &Fit) -> String {
     let mut table = Table::new(&["file", "t_s", "marker", "x_m", "y_m", "z_m", "outlier"]);
     for flight in evidence(fit) {
@@ -85,8 +83,7 @@ pub fn residuals(fit: &Fit) -> String {
     table.finish()
 }
 
-/// CSV table of the residuals of sensors (measured − predicted, in the unit of each sensor): one line per measured
-/// value of a sensor.
+/// Residuals of sensors (measured − predicted, in the unit of each), one line per measured value.
 pub fn sensor_residuals(fit: &Fit) -> String {
     let mut table = Table::new(&["file", "t_s", "sensor", "unit", "x", "y", "z", "outlier"]);
     for flight in evidence(fit) {

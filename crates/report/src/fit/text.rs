@@ -8,7 +8,7 @@ use crate::text::{MAX_ROWS, cautions, wrapped};
 use crate::thin::largest_first;
 use identify::numbers::significant;
 
-/// Text of a fit for a terminal: sentences and tables of the page.
+/// Text of a fit: sentences and tables of the page.
 pub fn text(of: &FitPage<'_>) -> String {
     let report = of.report;
     let mut text = cautions("fit", &report.cautions, &report.data_faults);
@@ -18,24 +18,18 @@ pub fn text(of: &FitPage<'_>) -> String {
     sentences.extend(words::sensors(report));
     let hidden = report.not_identifiable.iter();
     sentences.extend(hidden.map(|found| format!("Not identifiable: {}", found.reason)));
-    sentences.extend(
-        words::alarms(of)
-            .into_iter()
-            .map(|alarm| format!("Warning: {alarm}")),
-    );
+    let alarms = words::alarms(of).into_iter();
+    sentences.extend(alarms.map(|alarm| format!("Warning: {alarm}")));
     text.extend(sentences.iter().map(|sentence| wrapped(sentence)));
     for profile in &report.profiles {
         let beyond = || "beyond the profiled range".to_owned();
-        let [low, high] = profile
-            .interval
-            .map(|end| end.map_or_else(beyond, |end| significant(end, 4)));
+        let shown = |end: Option<f64>| end.map_or_else(beyond, |end| significant(end, 4));
+        let [low, high] = profile.interval.map(shown);
         let name = &profile.name;
         text += &format!("{name}: 95 % profile-likelihood interval {low} … {high}\n");
     }
-    let tables = [
-        coefficients::estimates(&of.coefficients()),
-        page::noise_table(report),
-    ];
+    let coefficients = coefficients::estimates(&of.coefficients());
+    let tables = [coefficients, page::noise_table(report)];
     for table in tables.iter().filter(|table| !table.is_empty()) {
         text += &format!("\n{}", table.text(usize::MAX));
     }

@@ -1,34 +1,26 @@
-//! Summary of a fit in sentences: data, goodness of fit, precision of the coefficients, and warnings.
-
+//! Sentences on a fit: data, goodness of fit, precision of the coefficients, and warnings.
 use dataset::Role;
-use identify::wording::count;
+use identify::numbers::{percent, plain, quantity, significant};
+use identify::wording::{count, counted, names, short};
 use identify::{Coefficient, FitReport, FlightReport};
 
 use super::FitPage;
-use identify::numbers::{percent, plain, quantity, significant};
-use identify::wording::{counted, names, short};
 
-/// Maximum relative standard error at which the report calls a coefficient well determined.
+/// Largest relative standard error of a well determined coefficient.
 const GOOD: f64 = 0.1;
-/// Minimum ratio of a held-out flight's RMS prediction error to the RMS noise at which the report calls the flight
-/// badly predicted.
+/// Smallest ratio of the prediction error of a flight to the noise at which it is badly predicted.
 const FAR: f64 = 3.0;
 
 /// Sentence of a page without warnings.
 pub(super) const NO_WARNINGS: &str = "No warnings: the fit converged, no coefficient is at a bound, every flight was used to its end, at most 1 % of the points \
      are outliers, and the residuals are compatible with the noise model.";
-/// How to read profile likelihoods.
 pub(super) const PROFILES: &str = "One coefficient is fixed at each value and all others are fitted again; the deviance is twice the logarithm of the \
      ratio of the greatest likelihood to this one. Where the profile is not a parabola, the standard error is not a valid \
      measure of uncertainty.";
-/// How to read figures of states.
 pub(super) const STATES: &str = "States of the fitted model, with the angle of attack and the airspeed where the model defines them.";
-/// Heading of the figures of predictions.
 pub(crate) const PREDICTIONS: &str = "Flights that were not fitted, and their predictions";
-/// Heading of the figures of residuals.
 pub(crate) const RESIDUALS: &str = "Residuals of all flights in sequence";
 
-/// Sentences on the fitted data, the noise and the goodness of fit.
 pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
     let report = page.report;
     let number = |role: Role| report.used(role).count();
@@ -37,8 +29,7 @@ pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
     let noise = report.leading_noise();
     let mut text = format!("The model ‘{}’", report.model);
     if !report.effects.is_empty() {
-        let effects = names(&report.effects);
-        text += &format!(" with {effects}");
+        text += &format!(" with {}", names(&report.effects));
     }
     text += &format!(
         " was fitted to {} of ‘{}’, {}",
@@ -47,8 +38,7 @@ pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
         count(noise.points, "measured point")
     );
     if held_out > 0 {
-        let flights = count(held_out, "flight");
-        text += &format!("; {flights} held out for validation");
+        text += &format!("; {} held out for validation", count(held_out, "flight"));
     }
     text.push('.');
     if left_out > 0 {
@@ -76,13 +66,10 @@ pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
     all
 }
 
-/// Sentence on the RMS prediction errors of the held-out flights; `None` if there are no held-out flights.
+/// Sentence on the prediction errors of the held-out flights, if there are any.
 fn held_out_words(report: &FitReport) -> Option<String> {
-    let held_out = report.used(Role::HeldOut);
-    let mut rms: Vec<f64> = held_out
-        .map(identify::FlightReport::rms)
-        .filter(|v| v.is_finite())
-        .collect();
+    let held_out = report.used(Role::HeldOut).map(FlightReport::rms);
+    let mut rms: Vec<f64> = held_out.filter(|v| v.is_finite()).collect();
     rms.sort_by(f64::total_cmp);
     let (least, most) = (rms.first()?, rms.last()?);
     let times = |rms: f64| match rms / report.leading_noise().sigma {
@@ -99,34 +86,24 @@ fn held_out_words(report: &FitReport) -> Option<String> {
     })
 }
 
-/// First sentences of the report: which coefficients the measured flights determine well, roughly, or not at all, and
-/// which were not estimated.
+/// Which coefficients the flights determine well, roughly, or not at all, and which were fixed.
 pub(super) fn opening(page: &FitPage<'_>) -> Vec<String> {
     let [good, loose, unknown, fixed] = by_precision(page);
+    let sentence = |names: &str, before: &str, after: &str| {
+        (!names.is_empty()).then(|| format!("{before} {names}{after}"))
+    };
+    let better = format!(" to {} or better.", percent(GOOD));
+    let roughly = ", but the size only roughly.";
     let sentences = [
-        (
-            &good,
-            format!(
-                "These flights determine {good} to {} or better.",
-                percent(GOOD)
-            ),
-        ),
-        (
-            &loose,
-            format!("They determine the sign of {loose}, but the size only roughly."),
-        ),
-        (
-            &unknown,
-            format!("They cannot distinguish {unknown} from zero."),
-        ),
-        (&fixed, format!("Fixed, not estimated: {fixed}.")),
+        sentence(&good, "These flights determine", &better),
+        sentence(&loose, "They determine the sign of", roughly),
+        sentence(&unknown, "They cannot distinguish", " from zero."),
+        sentence(&fixed, "Fixed, not estimated:", "."),
     ];
-    let sentences = sentences.into_iter().filter(|(names, _)| !names.is_empty());
-    sentences.map(|(_, text)| text).collect()
+    sentences.into_iter().flatten().collect()
 }
 
-/// Names of the coefficients, as text, in four groups: well determined; determined only in sign; not distinguishable
-/// from 0; fixed.
+/// Names of the coefficients that are well determined, determined only in sign, not distinguishable from 0, and fixed.
 fn by_precision(page: &FitPage<'_>) -> [String; 4] {
     let mut kinds: [Vec<&str>; 4] = Default::default();
     for (name, found) in page.coefficients() {
@@ -142,7 +119,6 @@ fn by_precision(page: &FitPage<'_>) -> [String; 4] {
     kinds.map(|kind| names(&kind))
 }
 
-/// Warnings on the reliability of the fit; empty if there are none.
 pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
     let report = page.report;
     let mut alarms = Vec::new();
@@ -166,10 +142,10 @@ pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
         !broken.is_empty(),
         format!("Without a finite value or standard error: {broken}."),
     );
+    let is_scattered = |c: &Coefficient, error: f64| !c.fixed && error > 2.0 * c.std_error;
     let scattered = chosen(&|c| {
-        !c.fixed
-            && c.std_error_cluster_robust
-                .is_some_and(|e| e > 2.0 * c.std_error)
+        c.std_error_cluster_robust
+            .is_some_and(|error| is_scattered(c, error))
     });
     add(
         !scattered.is_empty(),
@@ -179,13 +155,10 @@ pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
         ),
     );
     let noise = report.leading_noise();
-    let fraction = noise.outlier_fraction;
+    let outliers = percent(noise.outlier_fraction);
     add(
-        fraction > 0.01,
-        format!(
-            "{} of the points were classified as outliers and not used.",
-            percent(fraction)
-        ),
+        noise.outlier_fraction > 0.01,
+        format!("{outliers} of the points were classified as outliers and not used."),
     );
     let held_out = report.used(Role::HeldOut);
     let bad = |f: &&FlightReport| f.rms() > FAR * noise.sigma;
@@ -198,24 +171,17 @@ pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
         ),
     );
     let cut = report.flights.iter().filter(|f| f.cut.is_some()).count();
+    let flights = counted(cut, "flight");
     add(
         cut > 0,
-        format!(
-            "{} cut before the end of the table.",
-            counted(cut, "flight")
-        ),
+        format!("{flights} cut before the end of the table."),
     );
     let notes = report.flights.iter().filter(|f| !f.notes.is_empty());
-    let noted: Vec<String> = notes
-        .clone()
-        .take(3)
-        .map(|f| format!("{}: {}", f.file, short(&f.notes.join("; "))))
-        .collect();
-    let more = notes.count() - noted.len();
-    let rest = if more == 0 {
-        String::new()
-    } else {
-        format!(" {more} more are in the table of flights.")
+    let note = |f: &FlightReport| format!("{}: {}", f.file, short(&f.notes.join("; ")));
+    let noted: Vec<String> = notes.clone().take(3).map(note).collect();
+    let rest = match notes.count() - noted.len() {
+        0 => String::new(),
+        more => format!(" {more} more are in the table of flights."),
     };
     add(
         !noted.is_empty(),
@@ -240,7 +206,6 @@ pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
     alarms
 }
 
-/// Sentences on the noise of the measured positions and its model.
 pub(super) fn noise(report: &FitReport) -> String {
     let noise = report.leading_noise();
     let how = if noise.estimated {
@@ -260,7 +225,6 @@ pub(super) fn noise(report: &FitReport) -> String {
     )
 }
 
-/// A sentence on the residuals and the noise of each sensor.
 pub(super) fn sensors(report: &FitReport) -> Vec<String> {
     let sensors = report.sensors.iter().map(|sensor| {
         format!(

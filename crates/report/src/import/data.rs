@@ -3,28 +3,26 @@
 use dataset::Marker;
 use dataset::takes::{Cut, ImportedTake as Take, Throw};
 
-use super::{Curve, Distance, Edge, ImportedFlight, ImportedTake};
+use super::{Distance, Edge, ImportedFlight, ImportedTake};
+use crate::figures::Line;
 
-/// Minimum duration, s, of the parts of the recording before and after a flight that the figures of the flight show
-/// too.
+/// Minimum time before and after a flight in its figures, s.
 const AROUND: f64 = 0.5;
-/// Maximum number of pairs of markers whose distances the figures of a flight show; further pairs are omitted.
 const MAX_PAIRS: usize = 45;
 
 impl ImportedTake {
-    /// Data of the page on a recording, `file`, whose flights are written with the names `files`.
+    /// Data on a recording, `file`, whose flights are written with the names `files`.
     pub fn new(file: String, take: &Take, markers: &[Marker], files: &[String]) -> ImportedTake {
         let flights = take.throws.iter().zip(files);
         let heights = take.motion.iter();
         let heights = heights.flat_map(|m| m.times.iter().copied().zip(m.heights.iter().copied()));
+        let flights = flights.map(|(throw, file)| flight(take, throw, markers, file));
         ImportedTake {
             file,
             decisions: take.decisions.clone(),
             notes: take.notes.clone(),
             heights: heights.collect(),
-            flights: flights
-                .map(|(throw, file)| flight(take, throw, markers, file))
-                .collect(),
+            flights: flights.collect(),
         }
     }
 }
@@ -34,10 +32,9 @@ fn flight(take: &Take, throw: &Throw, markers: &[Marker], file: &str) -> Importe
     let span = (times[throw.release.sample], times[throw.end.sample]);
     let around = AROUND.max(0.5 * (span.1 - span.0));
     let window = seen(take, (span.0 - around, span.1 + around));
-    let rows: Vec<Vec<Option<[f64; 3]>>> = throw
-        .samples()
-        .map(|sample| take.followed.positions(&take.take, sample))
-        .collect();
+    let rows = throw.samples();
+    let rows = rows.map(|sample| take.followed.positions(&take.take, sample));
+    let rows: Vec<Vec<Option<[f64; 3]>>> = rows.collect();
     let missing = markers.iter().enumerate().map(|(i, marker)| {
         let missing = rows.iter().filter(|row| row[i].is_none());
         (marker.name.clone(), missing.count())
@@ -59,9 +56,7 @@ fn flight(take: &Take, throw: &Throw, markers: &[Marker], file: &str) -> Importe
     }
 }
 
-/// Shrinks a time window (s): its start becomes the time of the first sample in the window at which the motion of
-/// the body is known, and its end the time of the last. A window without such a sample is returned unchanged; with
-/// only one such sample, the end is unchanged.
+/// Shrinks a time window to the samples at which the motion of the body is known, if there are any.
 fn seen(take: &Take, (from, to): (f64, f64)) -> (f64, f64) {
     let times = take.motion.iter().flat_map(|motion| &motion.times);
     let mut inside = times.filter(|time| from <= **time && **time <= to);
@@ -69,16 +64,13 @@ fn seen(take: &Take, (from, to): (f64, f64)) -> (f64, f64) {
     (first, inside.next_back().copied().unwrap_or(to))
 }
 
-fn curves(take: &Take, (from, to): (f64, f64)) -> Vec<Curve> {
+fn curves(take: &Take, (from, to): (f64, f64)) -> Vec<Line> {
     let Some(motion) = &take.motion else {
         return Vec::new();
     };
     let curve = |title: &str, values: &[f64]| {
         let points = motion.times.iter().copied().zip(values.iter().copied());
-        Curve {
-            title: title.to_owned(),
-            points: points.filter(|(t, _)| from <= *t && *t <= to).collect(),
-        }
+        Line::new(title, points.filter(|(t, _)| from <= *t && *t <= to))
     };
     let mut curves = vec![
         curve("Height, m", &motion.heights),
@@ -89,17 +81,15 @@ fn curves(take: &Take, (from, to): (f64, f64)) -> Vec<Curve> {
     curves
 }
 
-/// Measured distances of pairs of markers, at most [`MAX_PAIRS`], over a time window (s); empty if the marker
-/// positions are computed from the pose of a body, because their distances are then constant.
+/// Measured distances of pairs of markers over a time window; empty if the positions are computed from the pose of a body.
 fn distances(take: &Take, markers: &[Marker], window: (f64, f64)) -> Vec<Distance> {
     if take.followed.is_pose() {
         return Vec::new();
     }
     let times = take.take.times.iter().enumerate();
     let times = times.filter(|(_, t)| window.0 <= **t && **t <= window.1);
-    let rows: Vec<(f64, Vec<Option<[f64; 3]>>)> = times
-        .map(|(i, t)| (*t, take.followed.positions(&take.take, i)))
-        .collect();
+    let rows = times.map(|(i, t)| (*t, take.followed.positions(&take.take, i)));
+    let rows: Vec<(f64, Vec<Option<[f64; 3]>>)> = rows.collect();
     let pairs = (0..markers.len()).flat_map(|i| (i + 1..markers.len()).map(move |j| (i, j)));
     let distances = pairs.take(MAX_PAIRS).map(|(i, j)| {
         let points = rows.iter().map(|(t, row)| {
@@ -116,7 +106,7 @@ fn distances(take: &Take, markers: &[Marker], window: (f64, f64)) -> Vec<Distanc
     distances.collect()
 }
 
-/// Time intervals of a flight, s, in which no marker was seen: from the last sample before to the first sample after.
+/// Intervals in which no marker was seen: from the last sample before to the first sample after.
 fn gaps(times: &[f64], rows: &[Vec<Option<[f64; 3]>>]) -> Vec<(f64, f64)> {
     let is_seen = |i: &usize| rows[*i].iter().any(Option::is_some);
     let seen: Vec<usize> = (0..rows.len()).filter(is_seen).collect();

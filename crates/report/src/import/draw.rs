@@ -2,23 +2,22 @@
 
 use model_spec::sort_by_number;
 
-use super::{Curve, Distance, ImportedFlight, ImportedTake};
+use super::{Distance, ImportedFlight, ImportedTake};
 use crate::figure::Figure;
 use crate::figures::{Layout, Line, Look, Mark, Panel};
 use crate::thin;
 
-/// Maximum number of marker pairs whose distances are drawn for a flight: the number of distinct line colours.
+/// Maximum number of marker pairs: the number of distinct colours.
 const MAX_PAIRS: usize = 4;
-/// Maximum number of dots with which the part of a curve before and after the flight is drawn.
 const MAX_DOTS: usize = 150;
 
-/// Draws the motion and the marker distances of an imported flight over time: lines during the flight, grey dots for
-/// the recording before and after it. `number` becomes part of the figure's file name.
+/// Motion and marker distances: lines during the flight, grey dots before and after it.
 pub(super) fn flight(number: usize, flight: &ImportedFlight) -> Figure {
-    let mut panels: Vec<Panel> = flight.curves.iter().map(|it| curve(flight, it)).collect();
-    if let Some(panel) = distances(flight) {
-        panels.push(panel);
-    }
+    let curves = flight.curves.iter().map(|line| Panel {
+        title: line.name.clone(),
+        ..split(&line.points, |time| flight.holds(time))
+    });
+    let mut panels: Vec<Panel> = curves.chain(distances(flight)).collect();
     for panel in &mut panels {
         panel.marks = vec![
             Mark::vertical("release", flight.release.time),
@@ -30,17 +29,11 @@ pub(super) fn flight(number: usize, flight: &ImportedFlight) -> Figure {
         flight.release.time, flight.release.reason, flight.end.time, flight.end.reason
     );
     let name = format!("flight-{number:02}");
-    without_table(Figure::of_panels(
-        name,
-        &flight.file,
-        caption,
-        Layout::SMALL,
-        &panels,
-    ))
+    let figure = Figure::of_panels(name, &flight.file, caption, Layout::SMALL, &panels);
+    without_table(figure)
 }
 
-/// Draws the height of the body over the whole recording `take`, with begin and end of each flight. `number` becomes
-/// part of the figure's file name.
+/// Height of the body over the whole recording, with begin and end of each flight.
 pub(super) fn take(number: usize, take: &ImportedTake) -> Figure {
     let inside = |time: f64| take.flights.iter().any(|flight| flight.holds(time));
     let mut panel = split(&take.heights, inside);
@@ -50,16 +43,18 @@ pub(super) fn take(number: usize, take: &ImportedTake) -> Figure {
     let starts = flights().map(|flight| Mark::vertical(&flight.file, flight.release.time));
     let ends = flights().map(|flight| Mark::vertical("", flight.end.time));
     panel.marks = starts.chain(ends).collect();
+    let name = format!("take-{number:02}");
+    let caption = "Lines: the flights; grey: what was cut away.";
     without_table(Figure::of_panels(
-        format!("take-{number:02}"),
+        name,
         &take.file,
-        "Lines: the flights; grey: what was cut away.",
+        caption,
         Layout::WIDE,
         &[panel],
     ))
 }
 
-/// The figure without its CSV table: an import is one page, and its numbers are the tables of the dataset.
+/// An import is one page, and its numbers are the tables of the dataset.
 fn without_table(figure: Figure) -> Figure {
     Figure {
         csv: String::new(),
@@ -67,35 +62,20 @@ fn without_table(figure: Figure) -> Figure {
     }
 }
 
-/// Panel of the pairs (time in s, value) in `points`. Points for whose time `inside` returns true form a line; all
-/// other points are grey dots.
+/// Panel of points over time, s: a line where `inside` holds, and grey dots.
 fn split(points: &[(f64, f64)], inside: impl Fn(f64) -> bool) -> Panel {
-    let line = points.iter().map(|&(time, value)| {
-        if inside(time) {
-            (time, value)
-        } else {
-            (time, f64::NAN)
-        }
-    });
-    let line: Vec<(f64, f64)> = line.collect();
-    let outside = points
+    let line = points
         .iter()
-        .filter(|(time, value)| !inside(*time) && value.is_finite());
-    let outside: Vec<(f64, f64)> = outside.copied().collect();
+        .map(|&(t, value)| (t, if inside(t) { value } else { f64::NAN }));
+    let line: Vec<(f64, f64)> = line.collect();
+    let mut outside = points.to_vec();
+    outside.retain(|(time, value)| !inside(*time) && value.is_finite());
     Panel::new("", "time of the recording, s")
         .line("", thin::curve(&line, thin::MAX_CURVE_POINTS))
         .dots(Look::Pale, thin::stride(&outside, MAX_DOTS))
 }
 
-fn curve(flight: &ImportedFlight, curve: &Curve) -> Panel {
-    Panel {
-        title: curve.title.clone(),
-        ..split(&curve.points, |time| flight.holds(time))
-    }
-}
-
-/// Panel of the measured distances between pairs of markers, minus the distances according to the declared marker
-/// positions, mm. The line of a pair whose markers were swapped or came loose has a jump. `None` if there are no pairs.
+/// Distances between markers less those on the body, mm; a line jumps where markers are swapped or loose.
 fn distances(flight: &ImportedFlight) -> Option<Panel> {
     let mut pairs: Vec<&Distance> = flight.distances.iter().collect();
     sort_by_number(&mut pairs, |pair| -spread(flight, pair));
@@ -103,11 +83,8 @@ fn distances(flight: &ImportedFlight) -> Option<Panel> {
     pairs.truncate(MAX_PAIRS);
     let line = |pair: &&Distance| {
         let off = pair.points.iter().map(|&(t, d)| {
-            if flight.holds(t) {
-                (t, 1e3 * (d - pair.template))
-            } else {
-                (t, f64::NAN)
-            }
+            let off = 1e3 * (d - pair.template);
+            (t, if flight.holds(t) { off } else { f64::NAN })
         });
         let off: Vec<(f64, f64)> = off.collect();
         // Spaces widen the margin, because bold letters of a name can be wide.
@@ -118,25 +95,20 @@ fn distances(flight: &ImportedFlight) -> Option<Panel> {
         0 => String::new(),
         n => format!(" ({n} steadier pairs left out)"),
     };
+    let title = format!("Distance less template, mm{more}");
     (!pairs.is_empty()).then(|| Panel {
         lines: pairs.iter().map(line).collect(),
         thin: true,
         levels: vec![0.0],
-        ..Panel::new(
-            format!("Distance less template, mm{more}"),
-            "time of the recording, s",
-        )
+        ..Panel::new(title, "time of the recording, s")
     })
 }
 
-/// Median of the distance between two markers during the flight, and maximum absolute deviation from the median, m;
-/// `None` if the distance was never measured.
+/// Median of the distance between two markers during the flight, and largest departure from it, m, if it was measured.
 pub(super) fn median_and_departure(flight: &ImportedFlight, pair: &Distance) -> Option<(f64, f64)> {
-    let seen = pair
-        .points
-        .iter()
-        .filter(|(t, d)| flight.holds(*t) && d.is_finite());
-    let mut seen: Vec<f64> = seen.map(|point| point.1).collect();
+    let seen = pair.points.iter().filter(|(t, _)| flight.holds(*t));
+    let seen = seen.map(|point| point.1).filter(|d| d.is_finite());
+    let mut seen: Vec<f64> = seen.collect();
     seen.sort_by(f64::total_cmp);
     let middle = *seen.get(seen.len() / 2)?;
     let farthest = seen.iter().map(|d| (d - middle).abs()).fold(0.0, f64::max);

@@ -1,6 +1,6 @@
 //! HTML page of an import.
-
-use identify::wording::count;
+use identify::numbers::plain;
+use identify::wording::{capitalized, count, names, short};
 use model_spec::sort_by_number;
 
 use super::{Distance, ImportPage, ImportedFlight, ImportedTake, draw};
@@ -8,14 +8,11 @@ use crate::html::Html;
 use crate::page::{Page, heading};
 use crate::table::Table;
 use crate::thin::MAX_ROWS;
-use identify::numbers::plain;
-use identify::wording::{capitalized, names, short};
 
-/// Maximum number of gaps that are listed for each flight.
 const MAX_GAPS: usize = 5;
 
-/// Renders the HTML page that reports an import of recordings.
-pub(super) fn html(page: &ImportPage) -> String {
+/// Renders the self-contained page of an import.
+pub fn html(page: &ImportPage) -> String {
     let flights: usize = page.takes.iter().map(|take| take.flights.len()).sum();
     let from = count(page.takes.len(), "recording");
     let mut body = Html::new();
@@ -46,7 +43,7 @@ pub(super) fn html(page: &ImportPage) -> String {
     .html()
 }
 
-/// Section of one recording with the number `number`; `drawn` flights of the recordings before it are drawn.
+/// Section of one recording; `drawn` flights of the recordings before it are drawn.
 fn section(take: &ImportedTake, number: usize, drawn: usize) -> Html {
     let mut content = Html::new();
     content.heading("What was decided");
@@ -62,10 +59,10 @@ fn section(take: &ImportedTake, number: usize, drawn: usize) -> Html {
         content.heading("Flights");
         content.table(&flights(take));
     }
-    content.figure(&draw::take(number, take), false);
+    content.figure(draw::take(number, take), false);
     let room = take.flights.iter().take(MAX_ROWS - drawn).enumerate();
     let figures = room.map(|(i, flight)| draw::flight(drawn + i + 1, flight));
-    content.grid(&figures.collect::<Vec<_>>(), MAX_ROWS, true);
+    content.grid(figures.collect(), MAX_ROWS, true);
     let pairs = pairs(take);
     if !pairs.is_empty() {
         content.heading("Distances between markers");
@@ -90,11 +87,12 @@ fn flights(take: &ImportedTake) -> Table {
         .table()
 }
 
-/// Text on the gaps of a flight and on its markers with missing samples.
+/// Gaps of a flight, and its markers with missing samples.
 fn unseen(flight: &ImportedFlight) -> String {
-    let gaps = flight.gaps.iter().take(MAX_GAPS);
-    let gaps =
-        gaps.map(|(from, to)| format!("nothing from {} to {} s", plain(*from, 3), plain(*to, 3)));
+    let gaps = flight.gaps.iter().take(MAX_GAPS).map(|(from, to)| {
+        let (from, to) = (plain(*from, 3), plain(*to, 3));
+        format!("nothing from {from} to {to} s")
+    });
     let mut unseen: Vec<String> = gaps.collect();
     if flight.gaps.len() > MAX_GAPS {
         unseen.push(format!("{} more gaps", flight.gaps.len() - MAX_GAPS));
@@ -107,41 +105,32 @@ fn unseen(flight: &ImportedFlight) -> String {
     unseen.join("; ")
 }
 
-/// Table of the marker pairs of a recording, largest deviation from the median distance first. Each pair is listed
-/// with the flight in which the distance of its markers deviates most from its median over that flight.
+/// Table of the marker pairs, each in the flight in which its distance departs farthest from the median.
 fn pairs(take: &ImportedTake) -> Table {
-    struct Worst<'a> {
-        pair: &'a Distance,
-        file: &'a str,
-        median: f64,
-        farthest: f64,
-    }
+    type Worst<'a> = (&'a Distance, &'a str, f64, f64);
     let mut worst: Vec<Worst<'_>> = Vec::new();
     for flight in &take.flights {
         for pair in &flight.distances {
             let Some((median, farthest)) = draw::median_and_departure(flight, pair) else {
                 continue;
             };
-            let found = Worst {
-                pair,
-                file: &flight.file,
-                median,
-                farthest,
-            };
-            match worst.iter_mut().find(|known| known.pair.name == pair.name) {
-                Some(known) if known.farthest < farthest => *known = found,
+            let found = (pair, flight.file.as_str(), median, farthest);
+            match worst.iter_mut().find(|known| known.0.name == pair.name) {
+                Some(known) if known.3 < farthest => *known = found,
                 Some(_) => {}
                 None => worst.push(found),
             }
         }
     }
-    sort_by_number(&mut worst, |found| -found.farthest);
+    sort_by_number(&mut worst, |found| -found.3);
     let millimetres = |metres: f64| plain(1e3 * metres, 1);
     Table::of(worst.iter().take(MAX_ROWS))
-        .name("pair", |found| &found.pair.name)
-        .number("template, mm", |found| millimetres(found.pair.template))
-        .number("median, mm", |found| millimetres(found.median))
-        .number("farthest from it, mm", |found| millimetres(found.farthest))
-        .plain("in", |found| found.file)
+        .name("pair", |(pair, ..)| &pair.name)
+        .number("template, mm", |(pair, ..)| millimetres(pair.template))
+        .number("median, mm", |(_, _, median, _)| millimetres(*median))
+        .number("farthest from it, mm", |(.., farthest)| {
+            millimetres(*farthest)
+        })
+        .plain("in", |(_, file, ..)| *file)
         .table()
 }

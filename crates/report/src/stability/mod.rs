@@ -1,24 +1,21 @@
 //! Report of a stability analysis: page, text, JSON and CSV.
 
 mod page;
-mod text;
 mod words;
 
 use analysis::stability::{Instant, Modes, Trim};
 
-pub use page::page;
-pub use text::text;
+pub use page::{page, text};
 pub use words::{csv, json};
 
-/// Modes and stability criteria of a body, the result of `hyzer stability`.
+/// Modes and stability criteria of a body.
 pub struct Found {
-    /// Modes and stability criteria at release.
+    /// At release.
     pub release: Instant,
-    /// Modes and stability criteria along the flight to the ground; empty if the flight cannot be simulated.
+    /// Along the flight to the ground; empty if it cannot be simulated.
     pub flight: Vec<Instant>,
-    /// Steady (trimmed) flight with the same spin as at release, and its modes; `None` if no steady flight is found.
+    /// Steady flight with the spin of release, and its modes, if one is found.
     pub trim: Option<(Trim, Modes)>,
-    /// Modes and stability criteria at release for each point of a grid of speed and spin, which replace the speed and
-    /// spin of the throw.
+    /// At release, for a grid of speed and spin.
     pub map: Vec<Instant>,
 }

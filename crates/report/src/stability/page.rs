@@ -1,25 +1,23 @@
-//! The report page of a stability analysis: modes at release, along the flight, in steady flight, and over speed and
-//! spin.
+//! The page and the text of a stability analysis.
 
-use crate::figures::{Layout, Look, Panel};
-use crate::{Figure, Html, Page, Table};
 use analysis::stability::{Criteria, Instant, Mode, ModeKind, Modes};
 
 use super::Found;
 use super::words::{INSTANT, lead, nutation, of_criteria, slowest, steady};
+use crate::figures::{Layout, Look, Panel};
+use crate::{Figure, Html, Page, Table};
 
-/// Maximum number of lines in one panel of a figure, equal to the number of distinct line colours.
+/// Maximum number of lines in a panel: the number of distinct colours.
 const LINES: usize = 4;
 
-/// The report page of a stability analysis, and its figures.
-pub fn page(model: &str, found: &Found) -> (Page, Vec<Figure>) {
+/// The page of a stability analysis.
+pub fn page(model: &str, found: &Found) -> Page {
     let mut body = Html::new();
     for text in lead(found) {
         body.paragraph(text);
     }
     let instant = (!found.release.modes.is_symmetric).then_some(INSTANT);
     body.alarms("Mind", instant);
-    let mut figures = Vec::new();
     let mut section = Html::new();
     for text in of_criteria(&found.release) {
         section.paragraph(text);
@@ -33,34 +31,28 @@ pub fn page(model: &str, found: &Found) -> (Page, Vec<Figure>) {
         body.section("trim", "Steady flight", section);
     }
     if !found.flight.is_empty() {
-        let figure = along(&found.flight);
         let mut section = Html::new();
         section.paragraph(
             "Each instant is taken for itself: its modes are those of small departures that are over before the flight has changed. \
              The nutation is fast enough for that; the slow modes of a flight that is not steady are a guide only.",
         );
-        section.figure(&figure, true);
+        section.figure(along(&found.flight), true);
         body.section("flight", "Along the flight", section);
-        figures.push(figure);
     }
-    let figure = over(&found.map);
     let mut section = Html::new();
     section.paragraph("The throw of the release, at other speeds and spins.");
-    section.figure(&figure, true);
+    section.figure(over(&found.map), true);
     body.section("speed-and-spin", "Over speed and spin", section);
-    figures.push(figure);
     body.note(concat!("hyzer ", env!("CARGO_PKG_VERSION")));
-    let page = Page {
+    Page {
         kind: "hyzer stability",
         title: format!("Stability of {model}"),
         body,
         ..Page::default()
-    };
-    (page, figures)
+    }
 }
 
-/// Table of the modes of the linearised motion.
-pub(super) fn table(modes: &Modes) -> Table {
+fn table(modes: &Modes) -> Table {
     let period = |mode: &Mode| {
         let frequency = Some(mode.frequency()).filter(|f| *f > 1e-9);
         frequency.map_or_else(String::new, |f| format!("{:.4}", std::f64::consts::TAU / f))
@@ -84,12 +76,10 @@ pub(super) fn table(modes: &Modes) -> Table {
 fn along(flight: &[Instant]) -> Figure {
     let nutation = |title: &str, of: fn(&Mode) -> f64, closed: fn(&Criteria) -> f64| {
         let modes = |i: &Instant| nutation(&i.modes).map_or(f64::NAN, of);
+        let closed = flight.iter().map(|i| (i.time, closed(&i.criteria)));
         Panel::new(title, "time, s")
             .line("modes", flight.iter().map(|i| (i.time, modes(i))))
-            .line(
-                "closed",
-                flight.iter().map(|i| (i.time, closed(&i.criteria))),
-            )
+            .line("closed", closed)
     };
     let slow = |title: &str, of: fn(&Mode) -> f64| {
         let is_slow = |mode: &&Mode| !matches!(mode.kind, ModeKind::Nutation | ModeKind::Incidence);
@@ -99,13 +89,13 @@ fn along(flight: &[Instant]) -> Figure {
         });
         Panel::new(title, "time, s").dots(Look::Colour(0), points)
     };
+    let [frequency, decay] = [
+        "Frequency of the nutation, rad/s",
+        "Decay of the nutation, 1/s",
+    ];
     let panels = [
-        nutation("Frequency of the nutation, rad/s", Mode::frequency, |c| {
-            c.nutation
-        }),
-        nutation("Decay of the nutation, 1/s", Mode::decay, |c| {
-            c.nutation_decay
-        }),
+        nutation(frequency, Mode::frequency, |c| c.nutation),
+        nutation(decay, Mode::decay, |c| c.nutation_decay),
         slow("Decay of the slow modes, 1/s", Mode::decay),
         slow("Their frequencies, rad/s", Mode::frequency),
     ];
@@ -147,4 +137,47 @@ fn over(map: &[Instant]) -> Figure {
     let caption = "Last panel: dots where all three criteria hold, crosses where one fails.";
     let title = "Over speed and spin";
     Figure::of_panels("map", title, caption, Layout::COLUMN, &panels)
+}
+
+const INSTANTS: usize = 8;
+
+/// Text of a stability analysis.
+pub fn text(model: &str, found: &Found) -> String {
+    let mut text = format!("{model}: {}\n", lead(found).join(" "));
+    text += &table(&found.release.modes).text(usize::MAX);
+    if !found.release.modes.is_symmetric {
+        text += &format!("{INSTANT}\n");
+    }
+    text += &(of_criteria(&found.release).join("\n") + "\n\n");
+    text += &match &found.trim {
+        Some((trim, modes)) => format!("{}\n{}", steady(trim), table(modes).text(usize::MAX)),
+        None => "No steady flight was found at this spin.\n".to_owned(),
+    };
+    if let Some(last) = found.flight.last() {
+        let table = at_instants(&found.flight).text(usize::MAX);
+        text += &format!(
+            "\nAlong the flight, {:.2} s, the modes of each instant:\n{table}",
+            last.time
+        );
+    }
+    let stable = found.map.iter().filter(|i| i.criteria.is_stable()).count();
+    let points = found.map.len();
+    text + &format!("over speed and spin: all three criteria hold at {stable} of {points} points\n")
+}
+
+fn at_instants(flight: &[Instant]) -> Table {
+    let step = (flight.len() / INSTANTS).max(1);
+    let number = |instant: &Instant, of: fn(&Mode) -> f64| {
+        format!("{:.3}", nutation(&instant.modes).map_or(f64::NAN, of))
+    };
+    Table::of(flight.iter().step_by(step).chain(flight.last()))
+        .number("time, s", |instant| format!("{:.3}", instant.time))
+        .number("speed, m/s", |instant| {
+            format!("{:.2}", instant.throw.speed)
+        })
+        .number("nutation, rad/s", |instant| {
+            number(instant, Mode::frequency)
+        })
+        .number("decay, 1/s", |instant| number(instant, Mode::decay))
+        .table()
 }

@@ -6,11 +6,10 @@ use serde_json::{Value, json};
 use super::Found;
 use crate::CsvTable;
 
-/// Warning on the modes of a body that is no body of revolution.
+/// Warning on a body that is no body of revolution.
 pub(super) const INSTANT: &str = "The motion depends on the turn about the body's axis. For a spinning body the modes are those of an instant alone, and \
      the criteria do not apply.";
 
-/// Sentence on the steady flight at the spin of release.
 pub(super) fn steady(trim: &Trim) -> String {
     format!(
         "At the spin of release, held, the body can fly at {:.2} m/s, {:.2}° below the horizontal, nose {:.2}°, hyzer {:.2}°, \
@@ -27,27 +26,18 @@ pub(super) fn steady(trim: &Trim) -> String {
 pub(super) fn lead(found: &Found) -> Vec<String> {
     let mut lead = Vec::new();
     if let Some(mode) = nutation(&found.release.modes) {
+        let (frequency, decay) = (mode.frequency(), mode.decay());
         lead.push(format!(
-            "At release the axis circles at {:.2} rad/s ({:.2} Hz) and its wobble {} at {:.3} 1/s.",
-            mode.frequency(),
-            mode.frequency() / std::f64::consts::TAU,
-            if mode.decay() >= 0.0 {
-                "decays"
-            } else {
-                "grows"
-            },
-            mode.decay().abs()
+            "At release the axis circles at {frequency:.2} rad/s ({:.2} Hz) and its wobble {} at {:.3} 1/s.",
+            frequency / std::f64::consts::TAU,
+            decays(decay >= 0.0),
+            decay.abs()
         ));
     }
-    let growing = found
-        .release
-        .modes
-        .modes
-        .iter()
-        .filter(|mode| mode.decay() < -1e-6);
-    let names: Vec<String> = growing
-        .map(|m| format!("{} ({:.3} 1/s)", m.kind.name(), -m.decay()))
-        .collect();
+    let modes = found.release.modes.modes.iter();
+    let growing = modes.filter(|mode| mode.decay() < -1e-6);
+    let names = growing.map(|m| format!("{} ({:.3} 1/s)", m.kind.name(), -m.decay()));
+    let names: Vec<String> = names.collect();
     lead.push(if names.is_empty() {
         "At release none of its modes grows.".into()
     } else {
@@ -67,11 +57,9 @@ pub(super) fn lead(found: &Found) -> Vec<String> {
     lead
 }
 
-/// Sentences on the aerodynamic derivatives and the stability criteria at one instant of a flight.
 pub(super) fn of_criteria(instant: &Instant) -> Vec<String> {
     let (d, c) = (&instant.derivatives, &instant.criteria);
     let holds = |holds: bool| if holds { "holds" } else { "fails" };
-    let decays = |decays: bool| if decays { "decays" } else { "grows" };
     let derivatives = format!(
         "a = {:.4} 1/s (lift), δ = {:.4} 1/s (damping), κ = {:.3} 1/s² (pitching moment), ν = I_a r/I_d = {:.3} rad/s",
         d.lift, d.damping, d.pitching, d.gyroscopic
@@ -87,17 +75,18 @@ pub(super) fn of_criteria(instant: &Instant) -> Vec<String> {
                 holds(c.wobble)
             ),
         ],
-        FlightDirection::AlongAxis => vec![
-            format!("{derivatives}, μ = {:.3} 1/s² (Magnus moment)", d.magnus),
-            format!("gyroscopic stability, S_g = ν²/(4(κ − aδ)) > 1: {spin}{factor}"),
-            format!(
-                "dynamic stability, 1/S_g < S_d(2 − S_d): the slow motion of the axis {}, the fast one {}{}",
-                decays(c.slow),
-                decays(c.wobble),
-                c.dynamic_factor
-                    .map_or_else(String::new, |factor| format!(", S_d = {factor:.2}"))
-            ),
-        ],
+        FlightDirection::AlongAxis => {
+            let (slow, fast) = (decays(c.slow), decays(c.wobble));
+            let dynamic = c.dynamic_factor;
+            let dynamic = dynamic.map_or_else(String::new, |s_d| format!(", S_d = {s_d:.2}"));
+            vec![
+                format!("{derivatives}, μ = {:.3} 1/s² (Magnus moment)", d.magnus),
+                format!("gyroscopic stability, S_g = ν²/(4(κ − aδ)) > 1: {spin}{factor}"),
+                format!(
+                    "dynamic stability, 1/S_g < S_d(2 − S_d): the slow motion of the axis {slow}, the fast one {fast}{dynamic}"
+                ),
+            ]
+        }
     };
     if d.gyroscopic != 0.0 && d.flight == FlightDirection::AcrossAxis {
         lines.push(format!(
@@ -111,6 +100,10 @@ pub(super) fn of_criteria(instant: &Instant) -> Vec<String> {
     lines
 }
 
+fn decays(decays: bool) -> &'static str {
+    if decays { "decays" } else { "grows" }
+}
+
 fn factor(criteria: &Criteria) -> String {
     match criteria.gyroscopic_factor {
         s if s.is_finite() && s > 0.0 => format!(", factor {s:.2}"),
@@ -118,21 +111,19 @@ fn factor(criteria: &Criteria) -> String {
     }
 }
 
-/// The nutation mode (wobble) or, if there is none, the short-period mode; `None` if the motion has neither.
+/// The nutation or, if there is none, the short period.
 pub(super) fn nutation(modes: &Modes) -> Option<&Mode> {
     let kinds = [ModeKind::Nutation, ModeKind::ShortPeriod];
     modes.modes.iter().find(|mode| kinds.contains(&mode.kind))
 }
 
-/// Minimum decay rate, 1/s, of all modes except those of the kinds nutation, heading and spin; negative if one of the
-/// examined modes grows, infinite if there is none.
+/// Smallest decay rate of all modes except nutation, heading and spin, 1/s; infinite if there is none.
 pub(super) fn slowest(modes: &Modes) -> f64 {
-    let others = modes.modes.iter().filter(|mode| {
-        !matches!(
-            mode.kind,
-            ModeKind::Heading | ModeKind::Spin | ModeKind::Nutation
-        )
-    });
+    let apart = [ModeKind::Heading, ModeKind::Spin, ModeKind::Nutation];
+    let others = modes
+        .modes
+        .iter()
+        .filter(|mode| !apart.contains(&mode.kind));
     others.map(Mode::decay).fold(f64::INFINITY, f64::min)
 }
 
@@ -170,7 +161,7 @@ fn of_instant(instant: &Instant) -> Value {
     value
 }
 
-/// The modes and stability criteria in `found` as JSON of the schema `hyzer.stability/1`.
+/// The analysis as JSON of the schema `hyzer.stability/1`.
 pub fn json(model: &str, found: &Found) -> Value {
     json!({
         "schema": "hyzer.stability/1",
@@ -189,8 +180,7 @@ pub fn json(model: &str, found: &Found) -> Value {
     })
 }
 
-/// CSV table of the modes at the given instants: one line per instant and mode, with the stability criteria at the
-/// instant (1 if fulfilled, otherwise 0).
+/// CSV table of the modes: one line per instant and mode, with the criteria (1 or 0).
 pub fn csv(instants: &[Instant]) -> String {
     let all = instants.iter().flat_map(|instant| {
         let modes = instant.modes.modes.iter();
@@ -203,9 +193,7 @@ pub fn csv(instants: &[Instant]) -> String {
         .column("mode", |(_, mode)| mode.kind.name())
         .column("real_1_s", |(_, mode)| mode.value.re)
         .column("imaginary_rad_s", |(_, mode)| mode.value.im)
-        .column("gyroscopic", |(instant, _)| {
-            u8::from(instant.criteria.gyroscopic)
-        })
+        .column("gyroscopic", |(i, _)| u8::from(i.criteria.gyroscopic))
         .column("incidence", |(instant, _)| u8::from(instant.criteria.slow))
         .column("wobble", |(instant, _)| u8::from(instant.criteria.wobble))
         .text()

@@ -11,40 +11,33 @@ use crate::figures::symbol;
 use crate::thin::stride;
 use identify::numbers::unit;
 
-/// Maximum number of scalar quantities that the 3D viewer shows over time for a flight.
 const MAX_NUMBERS: usize = 10;
-/// Maximum number of markers that the 3D viewer shows for a flight.
 const MAX_MARKERS: usize = 12;
-/// Units of the quantities that the 3D viewer shows over time: angles come first, then quantities with these units, in
-/// this order. Quantities with other units are not shown.
+/// Units of the quantities over time, in this order after the angles.
 const UNITS: [&str; 2] = ["m/s", "rad/s"];
 
-/// Data of a flight for the 3D viewer, with lengths in m and times in s.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub(super) struct Flight {
     pub(super) name: String,
-    /// Short description of the flight, such as whether it was fitted.
+    /// Such as whether the flight was fitted.
     pub(super) note: String,
     times: Vec<f64>,
-    /// Position of the origin of the body frame at each of `times`, m, in inertial coordinates.
+    /// Of the origin of the body frame.
     position: Vec<[f64; 3]>,
-    /// Rotation matrix, stored row by row, from the body frame to the inertial frame at each of `times`; `None` for a
-    /// body modelled as a point mass.
+    /// Rotation matrix, row by row, from the body frame to the inertial frame; `None` for a point mass.
     attitude: Option<Vec<[f64; 9]>>,
-    /// Measured positions of the markers in the inertial frame, m, as `measured[i][marker]` at the time `times[i]`;
-    /// `None` if missing.
+    /// `measured[i][marker]` at `times[i]`; `None` if missing.
     measured: Vec<Vec<Option<[f64; 3]>>>,
-    /// Predicted positions of the markers in the inertial frame, m, as `predicted[i][marker]` at the time `times[i]`.
+    /// `predicted[i][marker]` at `times[i]`.
     predicted: Vec<Vec<[f64; 3]>>,
-    /// Times at which all markers are measured, s; the viewer marks their mean position at these times.
+    /// Times at which all markers are measured, and the mean of their positions.
     trail_times: Vec<f64>,
-    /// Mean of the measured positions of all markers in the inertial frame, m, at each of `trail_times`.
     trail: Vec<[f64; 3]>,
     arrows: Vec<Arrow>,
     numbers: Vec<Number>,
 }
 
-/// Constant vector input of a flight, such as the wind, in the inertial frame; drawn as an arrow.
+/// Constant vector input, such as the wind.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 struct Arrow {
     name: String,
@@ -52,7 +45,7 @@ struct Arrow {
     unit: String,
 }
 
-/// Scalar quantity of a flight shown over time; one value for each time, `None` if the value is not finite.
+/// Quantity over time; `None` where it is not finite.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 struct Number {
     name: String,
@@ -60,46 +53,32 @@ struct Number {
     values: Vec<Option<f64>>,
 }
 
-/// A model with the parameter values of one flight; computes position and attitude of the body from a state.
+/// A model with the parameter values of one flight.
 pub(super) struct FlightModel<'m> {
-    model: &'m Model,
-    body: &'m CompiledModel,
-    parameters: Vec<f64>,
+    pub(super) model: &'m Model,
+    pub(super) body: &'m CompiledModel,
+    pub(super) parameters: Vec<f64>,
 }
 
-impl<'m> FlightModel<'m> {
-    pub(super) fn new(model: &'m Model, body: &'m CompiledModel, parameters: Vec<f64>) -> Self {
-        FlightModel {
-            model,
-            body,
-            parameters,
-        }
-    }
-
-    /// Data for the 3D viewer of a flight without measurements, from `samples`, pairs of time (s) and state. Samples
-    /// without a finite position are omitted. The second result states for each sample whether it was retained.
-    fn flight(&self, name: &str, samples: &[(f64, &[f64])]) -> (Flight, Vec<bool>) {
+impl FlightModel<'_> {
+    /// A flight from pairs of time and state; `add` is called with the index of each that has a finite position.
+    fn flight(
+        &self,
+        name: &str,
+        samples: &[(f64, &[f64])],
+        mut add: impl FnMut(&mut Flight, usize),
+    ) -> Flight {
         let bound = self.body.bind(self.parameters.clone());
         let has_attitude = self.model.marker.as_ref().is_some_and(|m| m.frame != 0);
         let mut flight = Flight {
             name: name.to_owned(),
-            note: String::new(),
-            times: Vec::new(),
-            position: Vec::new(),
             attitude: has_attitude.then(Vec::new),
-            measured: Vec::new(),
-            predicted: Vec::new(),
-            trail_times: Vec::new(),
-            trail: Vec::new(),
             arrows: self.arrows(),
-            numbers: Vec::new(),
+            ..Flight::default()
         };
-        let mut kept = Vec::with_capacity(samples.len());
         let mut states = Vec::new();
-        for &(t, state) in samples {
-            let pose = self.pose(&bound, t, state);
-            kept.push(pose.is_some());
-            let Some((position, attitude)) = pose else {
+        for (i, &(t, state)) in samples.iter().enumerate() {
+            let Some((position, attitude)) = self.pose(&bound, t, state) else {
                 continue;
             };
             flight.times.push(rounded(t));
@@ -108,15 +87,13 @@ impl<'m> FlightModel<'m> {
                 all.push(attitude.map(rounded));
             }
             states.push((t, state));
+            add(&mut flight, i);
         }
         flight.numbers = self.numbers(&bound, &flight.position, &states);
-        (flight, kept)
+        flight
     }
 
-    /// Position of the origin of the body frame in the inertial frame, m, and rotation matrix from the body frame to
-    /// the inertial frame, stored row by row, at a state. Both are computed from the measurement equation applied to
-    /// the origin and the axes of the body frame. For a model without a measurement equation, the position consists of
-    /// its states `x`, `y`, `z`, and the matrix is zero. `None` if a value is missing or not finite.
+    /// Position of the origin of the body frame and rotation matrix, 0 without a measurement equation.
     fn pose(&self, bound: &BoundModel<'_>, t: f64, state: &[f64]) -> Option<([f64; 3], [f64; 9])> {
         if self.model.observation.is_none() {
             let layout = self.body.layout();
@@ -140,7 +117,7 @@ impl<'m> FlightModel<'m> {
         all.all(|v| v.is_finite()).then_some((origin, attitude))
     }
 
-    /// Constant vector inputs of the flight, such as the wind, in the inertial frame; zero vectors are omitted.
+    /// Constant vector inputs in the inertial frame that are not zero.
     fn arrows(&self) -> Vec<Arrow> {
         let layout = self.body.layout();
         let given = self.model.inputs.iter().filter(|input| input.frame == 0);
@@ -161,8 +138,7 @@ impl<'m> FlightModel<'m> {
             .collect()
     }
 
-    /// Quantities that the viewer shows over time: height, horizontal distance from the first sample, and the model's
-    /// angles, speeds and angular rates.
+    /// Height, horizontal distance from the first sample, and the model's angles, speeds and angular rates.
     fn numbers(
         &self,
         bound: &BoundModel<'_>,
@@ -220,8 +196,7 @@ impl<'m> FlightModel<'m> {
     }
 }
 
-/// Rounds a value to five decimals (a hundredth of a millimetre for lengths), or to six significant digits if it is
-/// below 0.1.
+/// Rounds to five decimals, or to six significant digits below 0.1.
 fn rounded(value: f64) -> f64 {
     match value.abs() {
         size if size >= 0.1 => (value * 1e5).round() / 1e5,
@@ -229,7 +204,7 @@ fn rounded(value: f64) -> f64 {
     }
 }
 
-/// Data for the 3D viewer of a simulated flight, with at most about `most` samples.
+/// A simulated flight, with about `most` samples.
 pub(super) fn flown(
     flight_model: &FlightModel<'_>,
     name: &str,
@@ -240,44 +215,37 @@ pub(super) fn flown(
     let rate = (most.saturating_sub(2).max(1)) as f64 / length.max(f64::MIN_POSITIVE);
     let samples: Vec<(f64, Vec<f64>)> = flown.at_rate(rate).map(|(t, x)| (t, x.clone())).collect();
     let samples: Vec<(f64, &[f64])> = samples.iter().map(|(t, x)| (*t, x.as_slice())).collect();
-    let mut flight = flight_model.flight(name, &samples).0;
-    flight.measured = vec![Vec::new(); flight.times.len()];
-    flight.predicted = flight.measured.iter().map(|_| Vec::new()).collect();
-    flight
+    flight_model.flight(name, &samples, |flight, _| {
+        flight.measured.push(Vec::new());
+        flight.predicted.push(Vec::new());
+    })
 }
 
-/// Data for the 3D viewer of a measured flight and its prediction, with at most `most` samples.
+/// A measured flight and its prediction, with at most `most` samples.
 pub(super) fn recorded(
     flight_model: &FlightModel<'_>,
     evidence: &FlightEvidence,
     most: usize,
 ) -> Flight {
-    let lengths = [
-        evidence.states.len(),
-        evidence.measured.len(),
-        evidence.predicted.len(),
-    ];
+    let (measured, predicted) = (&evidence.measured, &evidence.predicted);
+    let lengths = [evidence.states.len(), measured.len(), predicted.len()];
     let length = lengths.into_iter().fold(evidence.times.len(), usize::min);
     let chosen = stride(&(0..length).collect::<Vec<_>>(), most);
     let at = |i: &usize| (evidence.times[*i], evidence.states[*i].as_slice());
     let samples: Vec<(f64, &[f64])> = chosen.iter().map(at).collect();
-    let (mut flight, kept) = flight_model.flight(&evidence.file, &samples);
-    for (i, _) in chosen.iter().zip(&kept).filter(|(_, kept)| **kept) {
-        let measured = evidence.measured[*i].iter().take(MAX_MARKERS);
+    flight_model.flight(&evidence.file, &samples, |flight, at| {
+        let i = chosen[at];
+        let measured = measured[i].iter().take(MAX_MARKERS);
         let measured: Vec<Option<[f64; 3]>> = measured.map(|p| p.map(|p| p.map(rounded))).collect();
-        let predicted = evidence.predicted[*i].iter().take(MAX_MARKERS);
         let all: Option<Vec<[f64; 3]>> = measured.iter().copied().collect();
         if let Some(all) = all.filter(|all| !all.is_empty()) {
-            let sum = |axis: usize| all.iter().map(|p| p[axis]).sum::<f64>();
-            flight.trail_times.push(rounded(evidence.times[*i]));
-            flight
-                .trail
-                .push([0, 1, 2].map(|axis| rounded(sum(axis) / all.len() as f64)));
+            let mean = |axis: usize| all.iter().map(|p| p[axis]).sum::<f64>() / all.len() as f64;
+            flight.trail_times.push(rounded(evidence.times[i]));
+            flight.trail.push([0, 1, 2].map(|axis| rounded(mean(axis))));
         }
         flight.measured.push(measured);
-        flight
-            .predicted
-            .push(predicted.map(|p| p.map(rounded)).collect());
-    }
-    flight
+        let predicted = predicted[i].iter().take(MAX_MARKERS);
+        let predicted = predicted.map(|p| p.map(rounded));
+        flight.predicted.push(predicted.collect());
+    })
 }

@@ -5,7 +5,7 @@ use crate::made;
 use dataset::Role;
 use diagnose::{Report, Verdict};
 use identify::FlightEvidence;
-use report::diagnosis::{DiagnosisPage, html_and_figures};
+use report::diagnosis::DiagnosisPage;
 use report::fit::Figure;
 
 const TWO_MEGABYTES: usize = 2_000_000;
@@ -18,7 +18,7 @@ struct Made {
 }
 
 fn make(page: &DiagnosisPage<'_>) -> Made {
-    let (html, figures) = html_and_figures(page);
+    let (html, figures) = report::diagnosis::page(page).parts();
     Made { html, figures }
 }
 

@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 use dataset::Role;
 use diagnose::{Diagnosis, DiagnosisOptions, Verdict, diagnose};
 use identify::{Fit, FlightEvidence, FlightId};
-use report::diagnosis::{DiagnosisPage, Fits, html_and_figures};
+use report::diagnosis::{DiagnosisPage, Fits};
 use report::fit::Figure;
 use report::prediction_band;
 use report::viewer::View;
@@ -33,7 +33,7 @@ fn evidence(fit: &Fit) -> Vec<FlightEvidence> {
 fn page() -> (String, Vec<Figure>) {
     let found = mystery();
     let after = found.after.as_ref().map(|(_, fit)| fit);
-    html_and_figures(&DiagnosisPage {
+    let page = DiagnosisPage {
         report: &found.report,
         before: &evidence(&found.before),
         after: &evidence(after.unwrap()),
@@ -42,7 +42,8 @@ fn page() -> (String, Vec<Figure>) {
             after,
         }),
         extended: None,
-    })
+    };
+    report::diagnosis::page(&page).parts()
 }
 
 #[test]

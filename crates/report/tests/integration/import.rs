@@ -1,6 +1,7 @@
 //! The page of an import, made from flights that never were.
 
-use report::import::{Curve, Distance, Edge, ImportPage, ImportedFlight, ImportedTake, html};
+use report::figures::Line;
+use report::import::{Distance, Edge, ImportPage, ImportedFlight, ImportedTake, html};
 
 fn flight(number: usize) -> ImportedFlight {
     let points = |value: fn(f64) -> f64| -> Vec<(f64, f64)> {
@@ -33,14 +34,8 @@ fn flight(number: usize) -> ImportedFlight {
         gaps: vec![(1.0, 1.1)],
         missing: vec![("rim & all".into(), 7)],
         curves: vec![
-            Curve {
-                title: "Height, m".into(),
-                points: points(|t| 2.0 + t - t * t),
-            },
-            Curve {
-                title: "Speed, m/s".into(),
-                points: points(|_| f64::NAN),
-            },
+            Line::new("Height, m", points(|t| 2.0 + t - t * t)),
+            Line::new("Speed, m/s", points(|_| f64::NAN)),
         ],
         distances: vec![
             Distance {

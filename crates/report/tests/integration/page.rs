@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use identify::{FitReport, FlightEvidence, MARKER};
 use model_spec::model::Model;
-use report::fit::{Figure, FitPage, html_and_figures};
+use report::fit::{Figure, FitPage};
 
 const TWO_MEGABYTES: usize = 2_000_000;
 
@@ -22,7 +22,7 @@ fn made(report: &FitReport, evidence: &[FlightEvidence]) -> (String, Vec<Figure>
         model: &model,
         dataset: "throws",
     };
-    let (html, figures) = html_and_figures(&page);
+    let (html, figures) = report::fit::page(&page).parts();
     for figure in &figures {
         well_formed(figure);
     }
@@ -141,7 +141,7 @@ fn names_from_outside_are_escaped() {
         model: &model,
         dataset: EVIL,
     };
-    let (html, figures) = html_and_figures(&page);
+    let (html, figures) = report::fit::page(&page).parts();
     loads_nothing(&html);
     assert!(html.contains("&lt;script&gt;alert(1)"));
     figures.iter().for_each(well_formed);

@@ -18,8 +18,8 @@ pub struct Landings {
 }
 
 impl Landings {
-    /// Ellipse that contains the given fraction of a normal distribution with this mean and covariance: semi-axes, m,
-    /// the longer first, and the direction of the longer one, rad, from +x towards +y.
+    /// Ellipse that contains a fraction of the normal distribution: semi-axes, m, the longer first, and direction of the
+    /// longer one, rad, from +x towards +y.
     pub fn ellipse(&self, fraction: f64) -> (f64, f64, f64) {
         let eigen = self.covariance.symmetric_eigen();
         let (long, short) = match eigen.eigenvalues[0] >= eigen.eigenvalues[1] {
@@ -33,8 +33,7 @@ impl Landings {
     }
 }
 
-/// Covariance of the landing position (x, y), m², to first order in the scatter of release, wind and parameters. `near`
-/// is the release state of a similar throw, which speeds up the search for the release state of this throw.
+/// Covariance of the landing position, m², to first order; `near` is a similar state at release.
 ///
 /// # Errors
 /// [`ThrowFlightError`] if the throw cannot be flown.
@@ -49,8 +48,7 @@ pub fn landing_covariance(
     Ok(linear(flights, throw, near, &scattered, options)?.covariance)
 }
 
-/// Mean and covariance of the landing position of a throw, to first order in the quantities that vary at random. `near`
-/// is the release state of a similar throw.
+/// Mean and covariance of the landing position, to first order in the quantities that vary at random.
 pub(super) fn linear(
     flights: &ThrowFlights<'_>,
     throw: &Throw,

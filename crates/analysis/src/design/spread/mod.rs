@@ -16,7 +16,7 @@ pub use scattered::{CoefficientErrors, Scattered};
 use crate::design::goal::Obstacle;
 use crate::design::throw_flight::{ThrowFlightError, ThrowFlights};
 
-/// Options for sampling flights at random to determine the spread of the landings.
+/// Options of the sampled spread.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SampleOptions {
     /// Number of sampled flights; default 1000. 0 disables sampling.
@@ -37,45 +37,37 @@ impl Default for SampleOptions {
     }
 }
 
-/// Spread of the landings of a throw whose quantities, wind and parameters vary at random.
+/// Spread of the landings of a throw that varies at random.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spread {
-    /// Distribution of the landings by linear propagation of the random variation of the throw (to first order).
+    /// To first order.
     pub linear: Landings,
-    /// Distribution of landings of sampled flights; `None` if sampling was disabled or fewer than three flights
-    /// landed.
+    /// Of sampled flights; `None` without sampling or if fewer than three landed.
     pub sampled: Option<Sampled>,
-    /// Fraction of the draws that land within the landing circle about the aim; draws that cannot be flown count as
-    /// outside. `None` without samples.
+    /// Fraction of the draws that land within the landing circle about the aim; one that cannot be flown does not.
     pub inside: Option<f64>,
-    /// Fraction of the draws whose path comes within the radius of the landing circle of the target; `None` without
-    /// samples, or if there is no target in the air.
+    /// Fraction of the draws whose path comes within the radius of the landing circle of a target in the air.
     pub near_target: Option<f64>,
-    /// Fraction of the flown draws whose path enters the obstacle; `None` without samples or without an obstacle.
+    /// Fraction of the flown draws whose path enters the obstacle.
     pub touching: Option<f64>,
-    /// Comparison of the spread by linear propagation with that of sampled flights; `None` without samples or if the
-    /// linear covariance is singular.
+    /// Comparison of the two; `None` without samples or if the linear covariance is singular.
     pub agreement: Option<Agreement>,
 }
 
-/// Comparison of two computations of the spread of the landings: linear propagation of the scatter, and sampling.
+/// Comparison of the linear and the sampled spread.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Agreement {
-    /// Mahalanobis distance between the mean landing of the sampled flights and that of the linear propagation, with
-    /// the covariance of the linear propagation; dimensionless.
+    /// Mahalanobis distance of the means, by the linear covariance.
     pub shift: f64,
-    /// Ratio of the standard deviation of the sampled landings to that of the linear propagation, in the horizontal
-    /// directions in which this ratio is smallest and largest.
+    /// Smallest and largest ratio of the sampled to the linear standard deviation over the horizontal directions.
     pub ratios: (f64, f64),
-    /// Sampling standard errors: of `shift`, and of each ratio in `ratios`.
+    /// Sampling standard errors of `shift`, and of each of `ratios`.
     pub errors: (f64, f64),
-    /// Whether the linear and the sampled spread agree: `shift` differs from 0, and both `ratios` differ from 1, by at
-    /// most [`TOLERATED`] or three of their standard errors, whichever is larger.
+    /// Whether `shift` differs from 0 and both `ratios` from 1 by at most [`TOLERATED`] or three standard errors.
     pub agrees: bool,
 }
 
-/// Tolerance for agreement of the spread by linear propagation with that of sampled flights: maximum distance between
-/// their means, in standard deviations, and maximum relative difference of their standard deviations.
+/// Tolerated distance of the means, in standard deviations, and relative difference of the standard deviations.
 pub const TOLERATED: f64 = 0.15;
 
 /// What the scattered flights of a throw are compared with.
@@ -104,17 +96,10 @@ pub fn spread(
 ) -> Result<Spread, ThrowFlightError> {
     let settings = IntegrationOptions::with_tolerance(1e-6);
     let linear = linear::linear(flights, throw, None, scattered, &settings)?;
-    let sampled = match options.count {
-        0 => None,
-        _ => sampled::sampled(
-            flights,
-            throw,
-            (linear.mean, aims),
-            scattered,
-            options,
-            &settings,
-        ),
-    };
+    let along = (linear.mean, aims);
+    let sampled = (options.count > 0)
+        .then(|| sampled::sampled(flights, throw, along, scattered, options, &settings))
+        .flatten();
     // Draws without a flight count as outside the circle.
     let share = |count: usize, sampled: &Sampled| {
         count as f64 / (sampled.points.len() + sampled.failed) as f64
@@ -124,25 +109,21 @@ pub fn spread(
         share(sampled.points.iter().filter(near).count(), sampled)
     });
     let near_target = sampled.as_ref().filter(|_| aims.target.is_some());
-    let near_target = near_target.map(|sampled| share(sampled.near_target, sampled));
     let touching = sampled.as_ref().filter(|_| aims.obstacle.is_some());
-    let touching =
-        touching.map(|sampled| sampled.touching as f64 / sampled.points.len().max(1) as f64);
-    let agreement = sampled
-        .as_ref()
-        .and_then(|sampled| compare(&linear, &sampled.landings, sampled.points.len()));
+    let compared = sampled.as_ref();
     Ok(Spread {
         linear,
-        sampled,
         inside,
-        near_target,
-        touching,
-        agreement,
+        near_target: near_target.map(|sampled| share(sampled.near_target, sampled)),
+        touching: touching
+            .map(|sampled| sampled.touching as f64 / sampled.points.len().max(1) as f64),
+        agreement: compared
+            .and_then(|sampled| compare(&linear, &sampled.landings, sampled.points.len())),
+        sampled,
     })
 }
 
-/// Compares the landing distribution by linear propagation with that of `count` sampled landings; `None` if the linear
-/// covariance is singular.
+/// Compares the linear spread with that of `count` sampled landings; `None` if the linear covariance is singular.
 fn compare(linear: &Landings, sampled: &Landings, count: usize) -> Option<Agreement> {
     let factor = linear.covariance.cholesky()?;
     let inverse = factor.l().try_inverse()?;

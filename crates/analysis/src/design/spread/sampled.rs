@@ -14,43 +14,38 @@ use super::{Aims, SampleOptions};
 use crate::design::goal::Obstacle;
 use crate::design::throw_flight::{By, ThrowFlights};
 
-/// Number of distances from the release at which the quantiles of the sampled paths are computed.
+/// Number of distances from the release with quantiles of the sampled paths.
 const STATIONS: usize = 40;
 /// Probabilities of the quantiles of lateral offset and height in each [`Band`].
 pub const QUANTILES: [f64; 3] = [0.05, 0.5, 0.95];
 
-/// Landings and paths of sampled flights, whose throws are drawn at random.
+/// Landings and paths of sampled flights.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sampled {
     /// Mean and covariance of the landing positions.
     pub landings: Landings,
     /// Landing positions (x, y) of the sampled flights, m.
     pub points: Vec<Vector2<f64>>,
-    /// Number of draws that cannot be flown: a quantity of the throw is out of its range, or the flight leaves the
-    /// model's limits.
+    /// Number of draws that cannot be flown.
     pub failed: usize,
-    /// Number of sampled flights that come within the radius of the landing circle of the target in the air.
+    /// Number of flights that come within the radius of the landing circle of the target in the air.
     pub near_target: usize,
-    /// Number of sampled flights that enter the obstacle.
+    /// Number of flights that enter the obstacle.
     pub touching: usize,
-    /// Quantiles of the sampled paths at increasing distances along the line from the release to the mean landing that
-    /// linear propagation gives.
+    /// Quantiles of the paths at increasing distances along the line to the mean landing of the linear spread.
     pub bands: Vec<Band>,
 }
 
-/// Quantiles, over the sampled flights, of the lateral offset and height of the paths where they first reach a given
-/// distance from the release.
+/// Quantiles of the paths where they first reach a distance along the line to the mean landing of the linear spread.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Band {
-    /// Horizontal distance from the release, m, measured along the line from the release to the mean landing that
-    /// linear propagation gives.
+    /// Distance from the release, m.
     pub distance: f64,
-    /// Number of sampled flights that reach `distance`.
+    /// Number of flights that reach it.
     pub flights: usize,
-    /// Quantiles of the lateral offset of the paths from the line from the release to the mean landing that linear
-    /// propagation gives, left positive, m, at each probability of [`QUANTILES`].
+    /// Quantiles of the lateral offset from the line, left positive, m, at the probabilities [`QUANTILES`].
     pub left: [f64; 3],
-    /// Quantiles of the height, m, at which the paths reach `distance`, for each probability of [`QUANTILES`].
+    /// Quantiles of the height, m.
     pub height: [f64; 3],
 }
 
@@ -63,10 +58,8 @@ struct Drawn {
     touches: bool,
 }
 
-/// Draws throws and parameters from the distribution `scattered` about those of `throw` and `flights`, as many as
-/// `options` states, and integrates the flights. The quantile bands of the paths are computed along the line from the
-/// release to `target` (x, y in m), the mean landing that linear propagation gives. `None` if fewer than three flights
-/// land.
+/// Draws throws and parameters from the distribution `scattered` about those of `throw` and `flights`, and flies them;
+/// `target` is the mean landing of the linear spread. `None` if fewer than three flights land.
 pub(super) fn sampled(
     flights: &ThrowFlights<'_>,
     throw: &Throw,
@@ -155,8 +148,7 @@ pub(super) fn sampled(
     })
 }
 
-/// Lateral offset, left positive, and height, m, where a path first reaches the distance `station`, m, along the line
-/// from the release in the direction `along`. `None` if the path does not reach this distance.
+/// Lateral offset, left positive, and height, m, where a path first reaches `station`, m, in the direction `along`.
 fn pass(
     places: &[Vector3<f64>],
     along: Vector2<f64>,
@@ -178,7 +170,7 @@ fn quantiles(values: impl Iterator<Item = f64>) -> [f64; 3] {
     QUANTILES.map(|q| values[((values.len() - 1) as f64 * q).round() as usize])
 }
 
-/// Mean and sample covariance of landing positions (x, y), m.
+/// Mean and sample covariance of landing positions, m.
 pub fn moments(points: &[Vector2<f64>]) -> Landings {
     let count = points.len() as f64;
     let mean = points.iter().sum::<Vector2<f64>>() / count;

@@ -1,39 +1,35 @@
 //! Quantities that differ from throw to throw, as one normal distribution: quantities of the throw, the wind,
 //! coefficients.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use crate::design::bounds::Scatter;
 use crate::design::throw_flight::{By, ThrowFlights};
 
-/// Normal distribution of the quantities that differ from throw to throw, such as the speed or the wind.
+/// Normal distribution of the quantities that differ from throw to throw.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scattered {
-    /// The quantities that differ from throw to throw, in the order of the rows of `covariance`.
+    /// The quantities, in the order of the rows of `covariance`.
     pub by: Vec<By>,
-    /// Covariance matrix of the quantities in `by`, in their units.
+    /// Covariance matrix, in the units of the quantities.
     pub covariance: DMatrix<f64>,
 }
 
-/// Standard errors and correlations of the coefficients estimated by a fit.
+/// Standard errors and correlations of the coefficients of a fit.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CoefficientErrors {
     /// Name and standard error of each coefficient, SI.
     pub errors: Vec<(String, f64)>,
-    /// Correlations of pairs of coefficients, as (name, name, value); pairs that are not listed are uncorrelated.
+    /// Correlations of pairs of coefficients; others are uncorrelated.
     pub correlations: Vec<(String, String, f64)>,
 }
 
 impl Scattered {
-    /// Distribution of the random variation of release, wind and parameters, all independent. The wind is ignored if
-    /// the model has no wind.
+    /// Independent distributions of release, wind and parameters; the wind is ignored if the model has none.
     pub fn of(flights: &ThrowFlights<'_>, scatter: &Scatter) -> Scattered {
-        let mut all: Vec<(By, f64)> = scatter
-            .release
-            .iter()
-            .filter(|(_, sd)| *sd > 0.0)
-            .map(|(field, sd)| (By::Throw(*field), *sd))
-            .collect();
+        let release = scatter.release.iter().filter(|(_, sd)| *sd > 0.0);
+        let release = release.map(|(field, sd)| (By::Throw(*field), *sd));
+        let mut all: Vec<(By, f64)> = release.collect();
         let components = flights.body.compiled.layout().components("wind");
         for (component, sd) in components.into_iter().flatten().zip(scatter.wind) {
             if sd > 0.0 {
@@ -42,17 +38,14 @@ impl Scattered {
         }
         let parameters = scatter.parameters.iter().filter(|(_, sd)| *sd > 0.0);
         all.extend(parameters.map(|(index, sd)| (By::Parameter(*index), *sd)));
+        let variances = DVector::from_iterator(all.len(), all.iter().map(|(_, sd)| sd * sd));
         Scattered {
             by: all.iter().map(|(by, _)| *by).collect(),
-            covariance: DMatrix::from_fn(all.len(), all.len(), |i, j| match i == j {
-                true => all[i].1 * all[i].1,
-                false => 0.0,
-            }),
+            covariance: DMatrix::from_diagonal(&variances),
         }
     }
 
-    /// Adds the standard errors and correlations of estimated coefficients to the distribution. Also returns the names
-    /// of coefficients that the model does not have, which are ignored.
+    /// Adds the standard errors and correlations of coefficients; also returns the names that the model does not have.
     pub fn with_coefficients(
         mut self,
         flights: &ThrowFlights<'_>,
@@ -67,26 +60,22 @@ impl Scattered {
             }
         }
         let first = self.by.len();
-        let size = first + known.len();
-        let own = std::mem::replace(&mut self.covariance, DMatrix::zeros(size, size));
-        self.covariance
-            .view_mut((0, 0), (first, first))
-            .copy_from(&own);
+        let mut covariance = self
+            .covariance
+            .resize(first + known.len(), first + known.len(), 0.0);
         let correlation = |a: &str, b: &str| {
             let is_pair = |(x, y, _): &&(String, String, f64)| x == a && y == b || x == b && y == a;
-            errors
-                .correlations
-                .iter()
-                .find(is_pair)
-                .map_or(0.0, |(.., value)| *value)
+            let found = errors.correlations.iter().find(is_pair);
+            found.map_or(0.0, |(.., value)| *value)
         };
         for (i, (a, place, error)) in known.iter().enumerate() {
             self.by.push(By::Parameter(*place));
             for (j, (b, _, other)) in known.iter().enumerate() {
                 let correlation = if i == j { 1.0 } else { correlation(a, b) };
-                self.covariance[(first + i, first + j)] = correlation * error * other;
+                covariance[(first + i, first + j)] = correlation * error * other;
             }
         }
+        self.covariance = covariance;
         (self, unknown)
     }
 

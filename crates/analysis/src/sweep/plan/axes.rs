@@ -7,26 +7,28 @@ use flight::throw::{FIELDS, Throw};
 use model_spec::layout::Layout;
 use toml::de::DeTable;
 
-/// Key in the table `[vary]` of a sweep plan that requests different random gusts in every flight.
+use super::refuse;
+
+/// Key in `[vary]` that requests different random gusts in every flight.
 const GUSTS: &str = "gusts";
-/// Maximum number of grid values of one quantity that a sweep varies.
+/// Maximum number of grid values of one quantity.
 const MAX_VALUES: usize = 1_000_000;
 
-/// A quantity that varies from flight to flight of a sweep.
+/// A quantity that varies from flight to flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     /// Name of the quantity in the plan, and of its column in the table of flights.
     pub name: String,
-    /// Input of a flight that the quantity sets.
+    /// Input that the quantity sets.
     pub target: Target,
-    /// Grid values or probability distribution of the quantity.
+    /// Grid values or probability distribution.
     pub kind: AxisKind,
 }
 
-/// Input of a flight that a varied quantity sets: a quantity of the throw, an initial state, or a parameter.
+/// Input of a flight that a varied quantity sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
-    /// Quantity of the throw, such as its speed, by its index in [`FIELDS`], the list of these quantities.
+    /// Quantity of the throw, by its index in [`FIELDS`].
     Throw(usize),
     /// Initial state, by its index in the state vector.
     State(usize),
@@ -34,53 +36,50 @@ pub enum Target {
     Parameter(usize),
 }
 
-/// Grid values or probability distribution of a quantity that a sweep varies.
+/// Grid values or probability distribution of a varied quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AxisKind {
-    /// Values of a grid: the sweep includes every combination of the values of all grid quantities.
+    /// Grid: the sweep includes every combination of the values of all grid quantities.
     Values(Vec<f64>),
-    /// Random values with a normal distribution.
+    /// Normal distribution.
     Normal {
-        /// Mean of the distribution.
+        /// Mean.
         mean: f64,
-        /// Standard deviation of the distribution.
+        /// Standard deviation.
         sd: f64,
     },
-    /// Random values with a uniform distribution.
+    /// Uniform distribution.
     Uniform {
-        /// Lower bound of the distribution.
+        /// Lower bound.
         low: f64,
-        /// Upper bound of the distribution.
+        /// Upper bound.
         high: f64,
     },
 }
 
-/// Reason why a name in a sweep plan denotes no input of a flight.
+/// Reason why a name in a plan denotes no input of a flight.
 #[derive(Debug, thiserror::Error)]
 enum NameError {
-    /// No input has this name; the hint contains similar or all valid names.
     #[error("found nothing called {name:?} to vary{hint}")]
     Unknown { name: String, hint: String },
-    /// The name denotes two inputs: a quantity of the throw, and a parameter of the model.
     #[error(
         "{0} is both a number of the throw and a parameter of the model; expected a plan by [initial] to vary the parameter"
     )]
     Ambiguous(String),
 }
 
-/// The model's layout and the sweep plan's release and throw, in which names of the plan are looked up.
+/// What names of a plan are looked up in.
 pub(super) struct Names<'a> {
     pub layout: &'a Layout,
     pub vocabulary: &'a Vocabulary,
     pub release: &'a Release,
     pub throw: Option<&'a Throw>,
-    /// Parameter values of the plan's release, in the order of the compiled model's parameters.
+    /// Parameter values of the release, in the order of the compiled model.
     pub parameters: &'a [f64],
 }
 
 impl Names<'_> {
-    /// Finds the input of a flight that `name` denotes in a sweep plan, and the value of this input in the plan's throw
-    /// or release.
+    /// Input that a name denotes, and its value in the plan's throw or release.
     fn find(&self, name: &str) -> Result<(Target, f64), NameError> {
         let mut found = Vec::new();
         if let Some(throw) = self.throw {
@@ -123,15 +122,13 @@ impl Names<'_> {
         first.into_iter().chain(parameters).collect()
     }
 
-    /// Index, in the model's layout, of the parameter or coefficient called `name`; `None` if there is none.
+    /// Index of a parameter or coefficient in the layout.
     pub(super) fn parameter(&self, name: &str) -> Option<usize> {
-        self.layout
-            .parameter(name)
-            .map(codegen::layout::ParamId::index)
+        let parameter = self.layout.parameter(name);
+        parameter.map(codegen::layout::ParamId::index)
     }
 
-    /// Checks a value of the varied quantity `name` against the bounds of this quantity. Returns a text that describes
-    /// the valid values if the value is invalid, otherwise `None`.
+    /// Description of the valid values of a varied quantity if `value` is invalid.
     fn expected_instead_of(&self, name: &str, target: Target, value: f64) -> Option<String> {
         match target {
             Target::Throw(index) => {
@@ -149,15 +146,13 @@ impl Names<'_> {
     }
 }
 
-/// Entry of `vocabulary`, the names of a model, for the parameter or coefficient called `name`, with its bounds; `None`
-/// if the model has none of this name.
+/// Parameter or coefficient of this name, with its bounds.
 pub(crate) fn constant<'v>(vocabulary: &'v Vocabulary, name: &str) -> Option<&'v Name> {
     let constants = vocabulary.parameters.iter().chain(&vocabulary.coefficients);
     constants.into_iter().find(|known| known.name == name)
 }
 
-/// Reads the table `[vary]` of a sweep plan. Returns the varied quantities, in the order of the file, and whether every
-/// flight has different random gusts.
+/// Reads the table `[vary]`: varied quantities, and whether every flight has gusts of its own.
 pub(super) fn read<'t>(
     reader: &mut Reader<'t>,
     document: &DeTable<'t>,
@@ -207,8 +202,7 @@ pub(super) fn read<'t>(
     (axes, gusts)
 }
 
-/// Reads the key `gusts` in the table `[vary]` of a sweep plan: whether every flight has different random gusts. Faults
-/// are reported to `reader`; the result is then `false`.
+/// Reads the key `gusts` of `[vary]`; `false` after a fault.
 fn own_gusts<'t>(
     reader: &mut Reader<'t>,
     names: &Names<'_>,
@@ -217,10 +211,8 @@ fn own_gusts<'t>(
 ) -> bool {
     let field = names.release.wind_field.as_ref();
     if field.is_none_or(|field| field.gusts.is_none()) {
-        reader.fault(
-            span,
-            "found gusts to vary and no [wind.gusts]; expected them",
-        );
+        let message = "found gusts to vary and no [wind.gusts]; expected them";
+        reader.fault(span, message);
         return false;
     }
     let Some(varies) = value.get_ref().as_bool() else {
@@ -230,9 +222,7 @@ fn own_gusts<'t>(
     varies
 }
 
-/// Reads how a sweep plan varies the quantity `name`: a table with `values`, `range` and `count`, `normal`, `sd`, or
-/// `uniform`. With `sd` the mean is `own`, the value of the quantity in the plan's throw or release. `None` after a
-/// fault, which is reported to `reader`.
+/// Reads how a quantity varies; with `sd` the mean is `own`, its value in the throw or release.
 fn kind<'t>(reader: &mut Reader<'t>, name: &str, own: f64, value: &Value<'t>) -> Option<AxisKind> {
     const EXPECTED: &str = "a table, as in { values = [1.0, 2.0] }, { range = [0.0, 1.0], count = 5 }, { normal = [0.0, 1.0] }, \
          { sd = 1.0 } or { uniform = [0.0, 1.0] }";
@@ -243,47 +233,34 @@ fn kind<'t>(reader: &mut Reader<'t>, name: &str, own: f64, value: &Value<'t>) ->
     let keys = ["values", "range", "count", "normal", "sd", "uniform"];
     reader.known_keys(table, &format!(" for {name}"), keys.into_iter());
     let ways = ["values", "range", "normal", "sd", "uniform"];
-    let given: Vec<&str> = ways
-        .into_iter()
-        .filter(|way| table.contains_key(*way))
-        .collect();
+    let given = ways.into_iter().filter(|way| table.contains_key(*way));
+    let given: Vec<&str> = given.collect();
     let [way] = given[..] else {
         let found = match given.is_empty() {
             true => "nothing".to_owned(),
             false => given.join(" and "),
         };
         let message = format!("{name} has {found}; expected one of {}", ways.join(", "));
-        reader.fault(value.span(), message);
-        return None;
+        return refuse(reader, value.span(), message);
     };
     let given = table.get(way)?;
     if let Some(count) = table.get("count").filter(|_| way != "range") {
-        reader.fault(
-            count.span(),
-            format!("found count with {way}; expected it with range alone"),
-        );
-        return None;
+        let message = format!("found count with {way}; expected it with range alone");
+        return refuse(reader, count.span(), message);
     }
     match way {
-        "values" => {
-            let items = list(reader, name, given, 1..=MAX_VALUES)?;
-            Some(AxisKind::Values(items))
-        }
+        "values" => list(reader, name, given, 1..=MAX_VALUES).map(AxisKind::Values),
         "range" => {
             let ends = list(reader, name, given, 2..=2)?;
             let Some(count_value) = table.get("count") else {
-                reader.fault(
-                    given.span(),
-                    format!("found no count with the range of {name}"),
-                );
-                return None;
+                let message = format!("found no count with the range of {name}");
+                return refuse(reader, given.span(), message);
             };
             let count = reader.number(count_value, "count")?;
             if !(count >= 2.0 && count <= MAX_VALUES as f64 && count.fract() == 0.0) {
                 let message =
                     format!("count is {count}; expected a whole number from 2 to {MAX_VALUES}");
-                reader.fault(count_value.span(), message);
-                return None;
+                return refuse(reader, count_value.span(), message);
             }
             let last = count - 1.0;
             let at = |k: usize| {
@@ -299,8 +276,7 @@ fn kind<'t>(reader: &mut Reader<'t>, name: &str, own: f64, value: &Value<'t>) ->
                 let message = format!(
                     "{name} is uniform from {low} to {high}; expected the lower bound first"
                 );
-                reader.fault(given.span(), message);
-                return None;
+                return refuse(reader, given.span(), message);
             }
             Some(AxisKind::Uniform { low, high })
         }
@@ -315,15 +291,14 @@ fn kind<'t>(reader: &mut Reader<'t>, name: &str, own: f64, value: &Value<'t>) ->
             if sd <= 0.0 {
                 let message =
                     format!("the standard deviation of {name} is {sd}; expected a number above 0");
-                reader.fault(given.span(), message);
-                return None;
+                return refuse(reader, given.span(), message);
             }
             Some(AxisKind::Normal { mean, sd })
         }
     }
 }
 
-/// Reads a list of finite numbers whose length is in `lens`. `None` after a fault, which is reported to `reader`.
+/// Reads a list of finite numbers whose length is in `lens`; `None` after a fault.
 fn list<'t>(
     reader: &mut Reader<'t>,
     name: &str,

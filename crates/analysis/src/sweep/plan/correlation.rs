@@ -4,16 +4,13 @@
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Factor(Vec<Vec<f64>>);
 
-/// Pivot of the Cholesky factorization below which a variable counts as a linear combination of the preceding
-/// variables.
+/// Pivot of the factorization below which a variable is a linear combination of the preceding ones.
 const DEPENDENT: f64 = 1e-10;
-/// Most negative pivot of the Cholesky factorization that is attributed to rounding, for example of the correlations in
-/// a file; with a more negative pivot the matrix is rejected.
+/// Most negative pivot that is attributed to rounding; with a more negative one the matrix is rejected.
 const ROUNDING: f64 = -1e-6;
 
 impl Factor {
-    /// Factor of a correlation matrix; `None` if the matrix is not positive semidefinite, so that no distribution has
-    /// these correlations.
+    /// Factor of a correlation matrix; `None` if the matrix is not positive semidefinite.
     pub(crate) fn of(matrix: &[Vec<f64>]) -> Option<Factor> {
         let n = matrix.len();
         let mut rows: Vec<Vec<f64>> = Vec::with_capacity(n);
@@ -40,8 +37,7 @@ impl Factor {
         Some(Factor(rows))
     }
 
-    /// Correlated standard normal value of variable `i`, as a linear combination of `independent` standard normal
-    /// values.
+    /// Correlated standard normal value of variable `i`, from independent ones.
     #[inline]
     pub(crate) fn mix(&self, i: usize, independent: &[f64]) -> f64 {
         let row = self.0[i].iter().zip(independent);

@@ -1,5 +1,4 @@
-//! Fitted coefficients as axes of a sweep: reads their estimates, standard errors and correlations from
-//! `report.json`.
+//! Fitted coefficients as axes of a sweep, from the `report.json` of a fit.
 
 use std::path::Path;
 
@@ -8,116 +7,96 @@ use serde_json::Value as Json;
 use toml::de::DeTable;
 
 use super::axes::{Axis, AxisKind, Names, Target};
+use super::refuse;
 
-/// Maximum size of the file `report.json` of a fit, from which standard errors are read, bytes.
+/// Maximum size of `report.json`, bytes.
 const MAX_BYTES: u64 = 64 << 20;
 
-/// The coefficients estimated by a fit, as quantities that the sweep varies, and the correlations of their estimates as
-/// (name, name, correlation).
+/// What a plan takes from a fit.
 #[derive(Default)]
-pub(super) struct FitAxes {
+pub(super) struct Fitted {
+    /// Coefficients that vary.
     pub axes: Vec<Axis>,
+    /// Correlations of their estimates.
     pub correlations: Vec<(String, String, f64)>,
+    /// Names and estimates of coefficients that do not vary: at a bound or without a standard error.
+    pub fixed: Vec<(String, f64)>,
 }
 
-/// Reads the table `[fit]` of a sweep plan: `report`, the path of a fit's `report.json` relative to the plan, and
-/// optionally `coefficients`, the names of the coefficients to vary (default: all).
-///
-/// Returns the coefficients to vary with their correlations, and the names and estimates of the coefficients that do
-/// not vary because they are at a bound or have no standard error. Coefficients already in `varied` are in neither
-/// result. Both results are empty if the plan has no table `[fit]`. Faults are reported to `reader`.
+/// Reads the table `[fit]`: `report`, the path of a `report.json` relative to the plan, and optionally `coefficients`, the
+/// names of the coefficients to vary. Coefficients already in `varied` are left out. `None` without the table, or after
+/// a fault.
 pub(super) fn read<'t>(
     reader: &mut Reader<'t>,
     document: &DeTable<'t>,
     folder: &Path,
     names: &Names<'_>,
     varied: &[Axis],
-) -> (FitAxes, Vec<(String, f64)>) {
-    let mut found = FitAxes::default();
-    let mut fixed = Vec::new();
-    let Some(table) = document.get("fit") else {
-        return (found, fixed);
-    };
-    let entries = reader.table(document, "fit");
-    let mut report = None;
-    let mut only: Option<Vec<String>> = None;
-    for (key, span, value) in entries {
+) -> Option<Fitted> {
+    let table = document.get("fit")?;
+    let (mut report, mut only) = (None, None);
+    for (key, span, value) in reader.table(document, "fit") {
         match key {
             "report" => report = value.get_ref().as_str().map(|path| (path, value.span())),
             "coefficients" => {
                 let items = value.get_ref().as_array();
-                let texts = items.and_then(|items| {
-                    let text = |item: &flight::release::Value<'_>| {
-                        Some(item.get_ref().as_str()?.to_owned())
-                    };
-                    items.iter().map(text).collect::<Option<Vec<_>>>()
-                });
-                match texts {
-                    Some(texts) => only = Some(texts),
-                    None => reader.wrong_type(
-                        value,
-                        "coefficients",
-                        "a list of names, as in [\"C_L0\"]",
-                    ),
+                let texts = items.map(|items| items.iter().map(|item| item.get_ref().as_str()));
+                only = texts.and_then(|texts| texts.collect::<Option<Vec<&str>>>());
+                if only.is_none() {
+                    let expected = "a list of names, as in [\"C_L0\"]";
+                    reader.wrong_type(value, "coefficients", expected);
                 }
             }
-            _ => reader.fault(
-                span,
-                format!("unknown key {key:?} in [fit]; expected report or coefficients"),
-            ),
+            _ => {
+                let message =
+                    format!("unknown key {key:?} in [fit]; expected report or coefficients");
+                reader.fault(span, message);
+            }
         }
     }
     let Some((path, span)) = report else {
-        reader.fault(
-            table.span(),
-            "found no report in [fit]; expected one, as in report = \"fitted/report.json\"",
-        );
-        return (found, fixed);
+        let message =
+            "found no report in [fit]; expected one, as in report = \"fitted/report.json\"";
+        return refuse(reader, table.span(), message);
     };
     let json = match open(&folder.join(path)) {
         Ok(json) => json,
-        Err(error) => {
-            reader.fault(span, format!("{path}: {error}"));
-            return (found, fixed);
-        }
+        Err(error) => return refuse(reader, span, format!("{path}: {error}")),
     };
     let Some(coefficients) = json["coefficients"].as_object() else {
-        reader.fault(
-            span,
-            format!("{path}: found no coefficients; expected the report.json of a fit"),
-        );
-        return (found, fixed);
+        let message = format!("{path}: found no coefficients; expected the report.json of a fit");
+        return refuse(reader, span, message);
     };
     for name in only.iter().flatten() {
-        if !coefficients.contains_key(name) {
+        if !coefficients.contains_key(*name) {
             reader.fault(table.span(), format!("{path} has no coefficient {name:?}"));
         }
     }
+    let mut found = Fitted::default();
     for (name, coefficient) in coefficients {
-        let is_asked = only.as_ref().is_none_or(|only| only.contains(name));
+        let is_asked = only.as_ref().is_none_or(|only| only.contains(&&**name));
         if !is_asked || varied.iter().any(|axis| axis.name == *name) {
             continue;
         }
         let Some(parameter) = names.parameter(name) else {
-            reader.fault(
-                span.clone(),
-                format!("{path}: the model of the plan has no {name:?}, which was fitted"),
-            );
+            let message =
+                format!("{path}: the model of the plan has no {name:?}, which was fitted");
+            reader.fault(span.clone(), message);
             continue;
         };
         let Some(mean) = coefficient["value"].as_f64() else {
             reader.fault(span.clone(), format!("{path}: {name} has no value"));
             continue;
         };
-        let sd = coefficient["std_error"].as_f64().filter(|sd| *sd > 0.0);
+        let sd = coefficient["std_error"].as_f64();
         let at_bound = coefficient["at_bound"].as_bool().unwrap_or(false);
-        match sd.filter(|sd| sd.is_finite() && !at_bound) {
+        match sd.filter(|sd| *sd > 0.0 && sd.is_finite() && !at_bound) {
             Some(sd) => found.axes.push(Axis {
                 name: name.clone(),
                 target: Target::Parameter(parameter),
                 kind: AxisKind::Normal { mean, sd },
             }),
-            None => fixed.push((name.clone(), mean)),
+            None => found.fixed.push((name.clone(), mean)),
         }
     }
     for (k, a) in found.axes.iter().enumerate() {
@@ -129,10 +108,9 @@ pub(super) fn read<'t>(
             }
         }
     }
-    (found, fixed)
+    Some(found)
 }
 
-/// Reason why the `report.json` of a fit cannot be read.
 #[derive(Debug, thiserror::Error)]
 enum ReportError {
     #[error(transparent)]

@@ -9,13 +9,20 @@ pub(crate) use axes::constant;
 pub use axes::{Axis, AxisKind, Target};
 pub use read::{MAX_FLIGHTS, read, read_file};
 
-use flight::release::Release;
+use std::ops::Range;
+
+use flight::release::{Reader, Release};
 use flight::throw::Throw;
 use model_spec::model::Model;
 use ode::IntegrationOptions;
 
 use crate::sweep::folder::fingerprint;
 use correlation::Factor;
+
+fn refuse<V>(reader: &mut Reader<'_>, span: Range<usize>, message: impl Into<String>) -> Option<V> {
+    reader.fault(span, message);
+    None
+}
 
 /// Plan of a sweep: flights of one model whose inputs are determined by the flight number.
 ///
@@ -28,13 +35,11 @@ pub struct Plan {
     pub release: Release,
     /// Motion at release, if it is specified in the table `[throw]` of the plan.
     pub throw: Option<Throw>,
-    /// Quantities that vary from flight to flight, in the order of the file; coefficients of a fit come last.
+    /// Varied quantities, in the order of the file; coefficients of a fit come last.
     pub axes: Vec<Axis>,
-    /// Whether every flight has different random gusts, whose phases follow from the seed of the gusts and the flight
-    /// number.
+    /// Whether every flight has random gusts of its own.
     pub gusts: bool,
-    /// Number of points of the grid, which are all combinations of the grid values of the varied quantities; 1 without
-    /// a grid.
+    /// Number of points of the grid: all combinations of grid values; 1 without a grid.
     pub grid: u64,
     /// Total number of flights of the sweep.
     pub flights: u64,
@@ -42,33 +47,23 @@ pub struct Plan {
     pub seed: u64,
     /// Method and tolerances of the numerical integration of the flights.
     pub options: IntegrationOptions,
-    /// Cholesky factor of the correlation matrix of the normally distributed quantities, in their order in `axes`.
+    /// Factor of the correlation matrix of the normal quantities, in their order in `axes`.
     pub(crate) factor: Factor,
 }
 
 impl Plan {
-    /// SHA-256 (hexadecimal) of everything on which the results depend: the plan's values, the model's text, and
-    /// whether the SIMD lanes of this machine fuse multiplications and additions.
+    /// SHA-256 (hexadecimal) of everything on which the results depend.
     pub fn fingerprint(&self) -> String {
-        let Plan {
-            model,
-            release,
-            throw,
-            axes,
-            gusts,
-            grid,
-            flights,
-            seed,
-            options,
-            factor,
-        } = self;
-        let source = codegen::rust::source_hash(model);
+        let source = codegen::rust::source_hash(&self.model);
+        let (release, throw, axes, gusts) = (&self.release, &self.throw, &self.axes, self.gusts);
+        let (grid, flights, seed) = (self.grid, self.flights, self.seed);
+        let (options, factor) = (&self.options, &self.factor);
         fingerprint(format_args!(
             "hyzer.sweep/1 {source:x} {release:?} {throw:?} {axes:?} {gusts} {grid} {flights} {seed} {options:?} {factor:?}"
         ))
     }
 
-    /// Number of flights in one part of the sweep; it depends on the total number of flights alone.
+    /// Number of flights in one part; it depends on the number of flights alone.
     pub fn part_len(&self) -> u64 {
         const MIN: u64 = 1 << 13;
         const MAX: u64 = 1 << 17;
@@ -76,7 +71,7 @@ impl Plan {
         even.clamp(MIN, MAX)
     }
 
-    /// Number of parts into which the flights of the sweep are divided.
+    /// Number of parts of the sweep.
     pub fn parts(&self) -> u64 {
         self.flights.div_ceil(self.part_len())
     }

@@ -12,17 +12,15 @@ use toml::de::DeTable;
 
 use super::axes::{self, Axis, AxisKind, Names};
 use super::correlation::Factor;
-use super::{Plan, fit};
+use super::{Plan, fit, refuse};
 
-/// Maximum number of flights of a sweep.
+/// Maximum number of flights.
 pub const MAX_FLIGHTS: u64 = 1 << 40;
-/// Maximum number of normally distributed quantities that a sweep varies.
 const MAX_NORMAL: usize = 256;
-/// Maximum size of a file with a sweep plan, bytes.
 const MAX_FILE_BYTES: u64 = 16 << 20;
-/// Relative tolerance of the integration if none is specified in the plan; the same as in `hyzer simulate`.
+/// Relative tolerance if the plan has none; the same as in `hyzer simulate`.
 const TOLERANCE: f64 = 1e-6;
-/// Keys of a sweep plan that a release file does not have.
+/// Keys that a release file does not have.
 const OWN_KEYS: [&str; 8] = [
     "effects",
     "flights",
@@ -34,7 +32,7 @@ const OWN_KEYS: [&str; 8] = [
     "fit",
 ];
 
-/// Reads a sweep plan (TOML) from a file; paths in the plan are relative to the folder of the file.
+/// Reads a plan (TOML); paths in it are relative to the folder of the file.
 ///
 /// # Errors
 /// [`ReleaseError`] with all faults of the file, or if the file cannot be read.
@@ -45,9 +43,8 @@ pub fn read_file(path: &Path) -> Result<Plan, ReleaseError> {
     })
 }
 
-/// Parses the text of a sweep plan (TOML): a release, with `effects`, `flights`, `seed`, `tolerance`, `method`,
-/// `[vary]`, `[[correlations]]` and `[fit]`. Paths in the plan are relative to `folder`; `file` is the plan's name in
-/// messages.
+/// Parses the text of a plan: a release, with `effects`, `flights`, `seed`, `tolerance`, `method`, `[vary]`,
+/// `[[correlations]]` and `[fit]`. Paths are relative to `folder`; `file` is the plan's name in messages.
 ///
 /// # Errors
 /// [`ReleaseError`] with all faults of the text.
@@ -63,18 +60,19 @@ pub fn read(file: &str, text: &str, folder: &Path) -> Result<Plan, ReleaseError>
     let model = vocabulary.model.clone();
     let mut reader = Reader::new(text);
     let plan = parsed.zip(model).and_then(|(document, model)| {
-        let known = Known {
-            model: Model::clone(&model),
-            vocabulary,
-            release,
-        };
-        plan(&mut reader, document.get_ref(), folder, known)
+        let (reader, document) = (&mut reader, document.get_ref());
+        plan(
+            reader,
+            document,
+            folder,
+            &vocabulary,
+            (Model::clone(&model), release),
+        )
     });
     reader.finish(file, plan)
 }
 
-/// Resolves the name of a model or effect in a sweep plan: the path in the plan's folder if there is such a file,
-/// otherwise `name` unchanged.
+/// Path of a model or effect in the plan's folder if there is such a file, otherwise the name itself.
 fn beside(name: &str, folder: &Path) -> String {
     let path: PathBuf = folder.join(name);
     if path.is_file() {
@@ -84,36 +82,22 @@ fn beside(name: &str, folder: &Path) -> String {
     }
 }
 
-/// The names in the list `effects` of a sweep plan, with paths resolved. Items that are not strings are skipped here
-/// and reported later.
+/// The list `effects`, with paths resolved. Items that are not strings are reported later.
 fn effects(document: &DeTable<'_>, folder: &Path) -> Vec<String> {
     let items = document.get("effects").and_then(|e| e.get_ref().as_array());
-    let names = items
-        .into_iter()
-        .flatten()
-        .filter_map(|item| item.get_ref().as_str());
+    let items = items.into_iter().flatten();
+    let names = items.filter_map(|item| item.get_ref().as_str());
     names.map(|name| beside(name, folder)).collect()
 }
 
-/// Parts of a plan that are read before its other keys, because a plan is an extended release file: the model, its
-/// vocabulary, and the release.
-struct Known {
-    model: Model,
-    vocabulary: Vocabulary,
-    release: Release,
-}
-
+/// Reads the keys of its own; the others are those of a release file.
 fn plan<'t>(
     reader: &mut Reader<'t>,
     document: &DeTable<'t>,
     folder: &Path,
-    known: Known,
+    vocabulary: &Vocabulary,
+    (model, mut release): (Model, Release),
 ) -> Option<Plan> {
-    let Known {
-        model,
-        vocabulary,
-        mut release,
-    } = known;
     if let Some(value) = document.get("effects") {
         let items = value.get_ref().as_array();
         if !items.is_some_and(|items| items.iter().all(|item| item.get_ref().is_str())) {
@@ -128,15 +112,15 @@ fn plan<'t>(
     let parameters = compiled.release_parameters(&release);
     let names = Names {
         layout: compiled.layout(),
-        vocabulary: &vocabulary,
+        vocabulary,
         release: &release,
         throw: throw.as_ref(),
         parameters: &parameters,
     };
     let (mut axes, gusts) = axes::read(reader, document, &names);
-    let (fitted, fixed) = fit::read(reader, document, folder, &names, &axes);
+    let fitted = fit::read(reader, document, folder, &names, &axes).unwrap_or_default();
     // Coefficients of a fit that do not vary have their estimates.
-    for (name, value) in &fixed {
+    for (name, value) in &fitted.fixed {
         release = release.with_coefficient(name, *value);
     }
     axes.extend(fitted.axes);
@@ -147,10 +131,8 @@ fn plan<'t>(
             grid = grid.saturating_mul(values.len() as u64);
         }
     }
-    let is_random = gusts
-        || axes
-            .iter()
-            .any(|axis| !matches!(axis.kind, AxisKind::Values(_)));
+    let is_grid = |axis: &Axis| matches!(axis.kind, AxisKind::Values(_));
+    let is_random = gusts || !axes.iter().all(is_grid);
     if is_random && draws.is_none() {
         reader.missing("found no number of flights; expected one, as in flights = 10000");
         return None;
@@ -177,8 +159,7 @@ fn plan<'t>(
     })
 }
 
-/// Reads the table `[throw]` of a sweep plan, whose values were already checked when the release in the plan was read.
-/// `None` if the plan has no such table.
+/// Reads the table `[throw]`, whose values were checked when the release was read.
 fn throw<'t>(reader: &mut Reader<'t>, document: &DeTable<'t>) -> Option<Throw> {
     document.get("throw")?;
     let mut throw = Throw::at_speed(0.0);
@@ -190,8 +171,7 @@ fn throw<'t>(reader: &mut Reader<'t>, document: &DeTable<'t>) -> Option<Throw> {
     Some(throw)
 }
 
-/// Reads an integer key of a sweep plan within bounds; `None` if the key is absent, or after a fault, which is reported
-/// to `reader`.
+/// Reads an integer key within bounds; `None` if it is absent, or after a fault.
 fn whole<'t>(
     reader: &mut Reader<'t>,
     document: &DeTable<'t>,
@@ -202,18 +182,14 @@ fn whole<'t>(
     let value = document.get(key)?;
     let number = reader.number(value, key)?;
     let is_whole = number.fract() == 0.0 && number >= least as f64 && number <= greatest as f64;
-    if !is_whole {
-        let message =
-            format!("{key} is {number}; expected a whole number from {least} to {greatest}");
-        reader.fault(value.span(), message);
-        return None;
+    if is_whole {
+        return Some(number as u64);
     }
-    Some(number as u64)
+    let message = format!("{key} is {number}; expected a whole number from {least} to {greatest}");
+    refuse(reader, value.span(), message)
 }
 
-/// Reads the integration method and tolerance from a sweep plan. Without the key `method`, selects the method that
-/// needs fewer evaluations of the right-hand side for the plan's release. `None` after a fault, which is reported to
-/// `reader`.
+/// Reads method and tolerance; by default the method that needs fewer evaluations for the release.
 fn options<'t>(
     reader: &mut Reader<'t>,
     document: &DeTable<'t>,
@@ -227,8 +203,7 @@ fn options<'t>(
             if !(1e-13..=0.1).contains(&tolerance) {
                 let message =
                     format!("tolerance is {tolerance}; expected a number from 1e-13 to 0.1");
-                reader.fault(value.span(), message);
-                return None;
+                return refuse(reader, value.span(), message);
             }
             tolerance
         }
@@ -240,18 +215,16 @@ fn options<'t>(
                 method,
                 ..options.clone()
             };
-            Some(
-                simulate(compiled, release, &options)
-                    .ok()?
-                    .stats
-                    .evaluations,
-            )
+            let flight = simulate(compiled, release, &options).ok()?;
+            Some(flight.stats.evaluations)
         };
         let both = evaluations(Method::Tsit5).zip(evaluations(Method::Dop853));
         if let Some((tsit5, dop853)) = both {
-            options.method = match tsit5 <= dop853 {
-                true => Method::Tsit5,
-                false => Method::Dop853,
+            let is_less = tsit5 <= dop853;
+            options.method = if is_less {
+                Method::Tsit5
+            } else {
+                Method::Dop853
             };
         }
         return Some(options);
@@ -267,19 +240,16 @@ fn options<'t>(
     Some(options)
 }
 
-/// Reads `[[correlations]]`, adds the correlations of a fit, and returns the Cholesky factor of the correlation matrix
-/// of the normally distributed quantities. `None` after a fault, which is reported to `reader`.
+/// Reads `[[correlations]]`, adds those of a fit, and factors the matrix of the normal quantities.
 fn correlations<'t>(
     reader: &mut Reader<'t>,
     document: &DeTable<'t>,
     axes: &[Axis],
     fitted: &[(String, String, f64)],
 ) -> Option<Factor> {
-    let normal: Vec<&str> = axes
-        .iter()
-        .filter(|axis| matches!(axis.kind, AxisKind::Normal { .. }))
-        .map(|axis| axis.name.as_str())
-        .collect();
+    let is_normal = |axis: &&Axis| matches!(axis.kind, AxisKind::Normal { .. });
+    let normal = axes.iter().filter(is_normal);
+    let normal: Vec<&str> = normal.map(|axis| axis.name.as_str()).collect();
     if normal.len() > MAX_NORMAL {
         reader.missing(format!(
             "found {} normal quantities; expected at most {MAX_NORMAL}",
@@ -348,9 +318,7 @@ fn factor(
     span: std::ops::Range<usize>,
     matrix: &[Vec<f64>],
 ) -> Option<Factor> {
-    let factor = Factor::of(matrix);
-    if factor.is_none() {
-        reader.fault(span, "no distribution has these correlations; expected a matrix without negative eigenvalues");
-    }
-    factor
+    let message =
+        "no distribution has these correlations; expected a matrix without negative eigenvalues";
+    Factor::of(matrix).or_else(|| refuse(reader, span, message))
 }

@@ -11,16 +11,13 @@ use crate::fit::draw::not_drawn;
 use crate::thin::{MAX_FLIGHTS, stride};
 use identify::numbers::{percent, raised};
 
-/// Maximum number of points with which a load history is drawn.
 const MAX_POINTS: usize = 120;
 
-/// Draws the time histories of the loads that the model lacks, one figure for each load channel.
-pub(super) fn channels(report: &Report) -> Vec<Figure> {
+pub(in super::super) fn channels(report: &Report) -> Vec<Figure> {
     let all = report.unattributed.iter().flat_map(|o| &o.channels);
     let all = all.filter(|c| !c.histories.is_empty()).take(MAX_FLIGHTS);
-    all.enumerate()
-        .map(|(i, channel)| figure(i, channel))
-        .collect()
+    let figures = all.enumerate().map(|(i, channel)| figure(i, channel));
+    figures.collect()
 }
 
 fn figure(index: usize, channel: &LoadChannel) -> Figure {
@@ -58,7 +55,7 @@ fn figure(index: usize, channel: &LoadChannel) -> Figure {
     })
 }
 
-/// Panels of load histories with one scale, and the power of ten by which the values are divided.
+/// Panels of load histories with one scale, and the power of ten of the values.
 fn panels(histories: &[(&str, Vec<[f64; 3]>)]) -> (Vec<Panel>, i32) {
     let all = || histories.iter().flat_map(|(_, points)| points);
     // The vertical range follows the values; wider error bands are clipped.
@@ -85,8 +82,7 @@ fn panels(histories: &[(&str, Vec<[f64; 3]>)]) -> (Vec<Panel>, i32) {
     (histories.iter().map(panel).collect(), power)
 }
 
-/// Points (time in s, value, standard error) of the time history of a load; points that are not finite are dropped, and
-/// the rest is thinned to at most [`MAX_POINTS`].
+/// Finite points (time in s, value, standard error) of a load history, thinned to [`MAX_POINTS`].
 fn points(history: &LoadHistory) -> Vec<[f64; 3]> {
     let all = history.t.iter().zip(&history.value).zip(&history.std_error);
     let all = all.map(|((t, v), e)| [*t, *v, *e]);

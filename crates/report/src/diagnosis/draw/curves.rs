@@ -8,7 +8,7 @@ use crate::figures::{Layout, Panel, samples_below, symbol};
 use crate::thin::{MAX_CURVE_POINTS, MAX_FIGURES};
 use identify::numbers::with_unit;
 
-/// Whether the effects that the diagnosis added to the model change the coefficient curve, by more than rounding.
+/// Whether the added effects change a curve, by more than rounding.
 fn moves(curve: &CoefficientCurve) -> bool {
     let sizes = curve.before.iter().map(|v| v.abs());
     let largest = sizes.filter(|v| v.is_finite()).fold(0.0, f64::max);
@@ -16,16 +16,15 @@ fn moves(curve: &CoefficientCurve) -> bool {
     pairs.any(|(b, a)| (a - b).abs() > 1e-9 * largest)
 }
 
-/// Draws each coefficient curve that has points; curves that the effects added to the model change come first.
-pub(super) fn curves(report: &Report) -> Vec<Figure> {
-    let mut curves: Vec<&CoefficientCurve> =
-        report.curves.iter().filter(|c| !c.x.is_empty()).collect();
+/// Draws the curves that have points; those that the added effects change come first.
+pub(in super::super) fn curves(report: &Report) -> Vec<Figure> {
+    let curves = report.curves.iter().filter(|c| !c.x.is_empty());
+    let mut curves: Vec<&CoefficientCurve> = curves.collect();
     curves.sort_by_key(|c| !moves(c));
     let figures = curves.into_iter().take(MAX_FIGURES).enumerate();
     figures.map(|(i, curve)| figure(i, curve)).collect()
 }
 
-/// Title of a curve, such as `C_D over α`.
 fn title(curve: &CoefficientCurve) -> String {
     format!("{} over {}", curve.quantity, symbol(&curve.over))
 }
@@ -58,8 +57,7 @@ fn figure(index: usize, curve: &CoefficientCurve) -> Figure {
     Figure::of_panels(name, &title(curve), caption, Layout::SMALL, &panels)
 }
 
-/// Titles, such as `C_D over α`, of the coefficient curves that the effects added to the model do not change; empty if
-/// they change no curve at all.
+/// Titles of the curves that the added effects do not change; empty if they change no curve at all.
 pub(in super::super) fn unmoved(page: &DiagnosisPage<'_>) -> Vec<String> {
     let curves = &page.report.curves;
     if !curves.iter().any(moves) {

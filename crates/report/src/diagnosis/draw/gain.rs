@@ -1,17 +1,17 @@
-//! Figure of the prediction error on held-out flights without and with the extension of the model.
+//! Figures of the prediction errors on held-out flights, and of the residuals of fitted ones, without and with the extension of the model.
 
 use dataset::Role;
 use diagnose::{FlightGain, Report};
+use model_spec::sort_by_number;
 
 use crate::figure::Figure;
-use crate::figures::Layout;
 use crate::figures::chart::{Chart, Row, Shape, axis_for};
+use crate::figures::{Layout, Look, Panel};
 use crate::fit::draw::not_drawn;
-use crate::thin::{MAX_FLIGHTS, largest_first};
+use crate::thin::{MAX_DOTS, MAX_FLIGHTS, largest_first, stride};
 
-/// Draws the RMS prediction errors without and with the effects added to the model, mm: one chart row for all flights
-/// and one for each held-out flight. `None` if the errors were not compared.
-pub(super) fn gain(report: &Report) -> Option<Figure> {
+/// RMS prediction errors without and with the added effects, of all held-out flights and of each.
+pub(in super::super) fn gain(report: &Report) -> Option<Figure> {
     let gain = report.predictive_gain.as_ref()?;
     let mut held_out: Vec<&FlightGain> = Vec::new();
     if gain.held_out_by_dataset {
@@ -39,31 +39,30 @@ pub(super) fn gain(report: &Report) -> Option<Figure> {
     Some(Figure::of_chart("gain", &chart, &caption, Layout::SMALL))
 }
 
-/// Chart of RMS values, mm, without and with the effects added to the model; `noise` is the RMS noise, m.
-pub(super) fn before_and_after(
+/// Chart of RMS values, mm, without and with the added effects; `noise` in m.
+fn before_and_after(
     title: &str,
     rows: impl Iterator<Item = Row>,
     across: &str,
     noise: f64,
 ) -> Chart {
     let rows: Vec<Row> = rows.collect();
-    let values = rows.iter().flat_map(|r| &r.shapes).filter_map(|s| match s {
+    let value = |shape: &Shape| match shape {
         Shape::Dot(value, _) => Some(*value),
         _ => None,
-    });
+    };
+    let values = rows.iter().flat_map(|r| &r.shapes).filter_map(value);
     let axis = axis_for(values.chain([1e3 * noise]));
     let legend = [("before", "before"), ("after", "extended")];
+    let legend = legend.map(|(class, words)| (Shape::Dot(0.0, class), words.to_owned()));
     Chart {
-        legend: legend
-            .map(|(class, words)| (Shape::Dot(0.0, class), words.to_owned()))
-            .into(),
+        legend: legend.into(),
         level: Some((1e3 * noise, "noise".into())),
         ..Chart::new(title, rows, axis, across)
     }
 }
 
-/// Chart row of a flight: RMS prediction error or residual, mm, without and with the effects added to the model.
-pub(super) fn of_flight(flight: &FlightGain) -> Row {
+fn of_flight(flight: &FlightGain) -> Row {
     row(&flight.file, flight.rms_before_m, flight.rms_after_m)
 }
 
@@ -75,4 +74,56 @@ fn row(name: &str, before: Option<f64>, after: Option<f64>) -> Row {
     shapes.push(Shape::Dot(before, "before"));
     shapes.extend(after.map(|after| Shape::Dot(after, "after")));
     Row::new(name, "tick", shapes)
+}
+
+/// Maximum number of flights with a row each; more are dots in order of their residual.
+const MAX_ROWS: usize = 16;
+
+/// RMS residuals of the fitted flights without and with the added effects; `None` without an extension.
+pub(in super::super) fn flights(report: &Report) -> Option<Figure> {
+    let fitted = report.flights.iter();
+    let fitted = fitted.filter(|f| f.role == Role::Fit && f.rms_after_m.is_some());
+    let fitted: Vec<&FlightGain> = fitted.collect();
+    if fitted.is_empty() {
+        return None;
+    }
+    let (title, noise) = ("Fitted flights", report.leading_noise().sigma);
+    if fitted.len() > MAX_ROWS {
+        return Some(ranked(title, &fitted, 1e3 * noise));
+    }
+    let rows = fitted.iter().map(|flight| of_flight(flight));
+    let chart = before_and_after(title, rows, "RMS residual, mm", noise);
+    let caption = "RMS residuals of the fitted flights, without and with the extension.";
+    Some(Figure::of_chart("flights", &chart, caption, Layout::SMALL))
+}
+
+/// Two dots for each flight, in the order of the residual without the added effects; `noise` in mm.
+fn ranked(title: &str, fitted: &[&FlightGain], noise: f64) -> Figure {
+    let both = |f: &&FlightGain| Some((1e3 * f.rms_before_m?, 1e3 * f.rms_after_m?));
+    let sizes = fitted.iter().filter_map(both);
+    let mut sizes: Vec<(f64, f64)> = sizes.collect();
+    sizes.retain(|s| s.0.is_finite() && s.1.is_finite());
+    sort_by_number(&mut sizes, |size| size.0);
+    let ends = sizes.iter().map(|s| s.0.max(s.1)).chain([noise]);
+    let largest = ends.filter(|v| v.is_finite()).fold(1e-6, f64::max);
+    let last = sizes.len() as f64;
+    let ranks = sizes.iter().zip(1..).map(|(s, rank)| (f64::from(rank), *s));
+    let ranks = stride(&ranks.collect::<Vec<(f64, (f64, f64))>>(), MAX_DOTS);
+    let before: Vec<(f64, f64)> = ranks.iter().map(|(rank, s)| (*rank, s.0)).collect();
+    let after: Vec<(f64, f64)> = ranks.iter().map(|(rank, s)| (*rank, s.1)).collect();
+    // A line of a single point shows only its label.
+    let end = |points: &[(f64, f64)]| points.last().map(|p| (last, p.1));
+    let across = "flights in order of their RMS residual before";
+    let panel = Panel {
+        levels: vec![noise],
+        up: Some((0.0, 1.05 * largest)),
+        ..Panel::new("RMS residual, mm", across)
+            .line("extended", end(&after))
+            .line("before", end(&before))
+            .dots(Look::Colour(1), before)
+            .dots(Look::Colour(0), after)
+    };
+    let caption =
+        "RMS residuals of the fitted flights, two dots per flight; the broken line is the noise.";
+    Figure::of_panels("flights", title, caption, Layout::SMALL, &[panel])
 }

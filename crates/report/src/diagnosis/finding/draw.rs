@@ -10,17 +10,13 @@ use crate::figures::chart::{Axis, Chart, Row, Shape};
 use crate::figures::{Layout, Panel, samples_below, symbol};
 use identify::numbers::{Digits, unit, with_unit};
 
-/// File name, without suffix, of the figure in the opening section of the diagnosis report.
 const NAME: &str = "finding";
-/// Maximum number of rows of a chart in the opening section of the diagnosis report; each row is for a coefficient or a
-/// candidate effect.
 const MAX_ROWS: usize = 10;
 
-/// Draws the quantity of `curve` in the model under test and in the extended model, over the variable on which the
-/// quantity depends. The 95 % confidence band of the extended model and the number of samples are drawn as well.
+/// The quantity in both models, with the 95 % band of the extended one and the number of samples.
 pub(super) fn curve(curve: &Curve) -> Figure {
     let points = |of: fn(&Point) -> f64| curve.points.iter().map(move |p| (p.x, of(p)));
-    let title = with_unit(&curve.quantity, &curve.unit);
+    let title = with_unit(&curve.quantity.name, &curve.quantity.unit);
     let mut panel = Panel::new(title, "").line("extended", points(|p| p.after));
     if curve.points.iter().any(|p| p.before.is_finite()) {
         panel = panel.line("before", points(|p| p.before));
@@ -31,21 +27,20 @@ pub(super) fn curve(curve: &Curve) -> Figure {
     });
     panel.ribbon = band.collect();
     panel.height = Some(190.0);
-    let over = symbol(&curve.over);
-    let across = match curve.over_doc.as_str() {
-        "" => with_unit(&over, &curve.over_unit),
-        doc => with_unit(&format!("{doc} {over}"), &curve.over_unit),
+    let over = symbol(&curve.over.name);
+    let across = match curve.over.doc.as_str() {
+        "" => with_unit(&over, &curve.over.unit),
+        doc => with_unit(&format!("{doc} {over}"), &curve.over.unit),
     };
     let samples: Vec<(f64, f64)> = points(|p| p.samples as f64).collect();
     let panels = [panel, samples_below(across, &samples)];
-    let title = format!("{} over {over}", curve.quantity);
+    let title = format!("{} over {over}", curve.quantity.name);
     let caption = "Before: the model as it was, fitted. Extended: with the effect, fitted; shaded: its 95\u{a0}% band from \
                    the covariance of the fit, mostly narrower than the line. Below: how many samples of the fitted flights support each part.";
     Figure::of_panels(NAME, &title, caption, Layout::COLUMN, &panels)
 }
 
-/// Draws the estimated coefficients of the hypothesis that fits best, in units of their smallest effect sizes of
-/// interest if all are declared, otherwise in standard errors. `None` if there are no estimates.
+/// Estimates of the best explanation, in units of their smallest sizes of interest or standard errors.
 pub(super) fn estimates(report: &Report) -> Option<Figure> {
     let effects = report.explanations.first()?.effects.iter();
     let all = effects.flat_map(|e| &e.estimates);
@@ -66,23 +61,21 @@ pub(super) fn estimates(report: &Report) -> Option<Figure> {
         let value = Digits::of(e.value, e.std_error).one(e.value);
         Row::new(name, "strong", shapes).words(format!("{value} {}", unit(&e.unit)))
     });
-    let (across, level) = if by_interest {
+    let (across, level, name) = if by_interest {
         let across = "size, in units of the smallest size of interest";
-        (across, (1.0, "of interest"))
+        (across, 1.0, "of interest")
     } else {
-        let level = (report.threshold.z, "significant");
-        ("size, in standard errors", level)
+        let across = "size, in standard errors";
+        (across, report.threshold.z, "significant")
     };
     let chart = Chart {
-        level: Some((level.0, level.1.to_owned())),
+        level: Some((level, name.to_owned())),
         ..Chart::new("Size of the effect", rows.collect(), Axis::Sizes, across)
     };
     let caption = "Dot and bar: the estimate, without its sign, and its 95\u{a0}% interval; at 0 the effect is absent.";
     Some(Figure::of_chart(NAME, &chart, caption, Layout::COLUMN))
 }
 
-/// Draws the most significant score tests of candidate effects with the significance threshold; `None` if there are no
-/// candidates.
 pub(super) fn strongest(report: &Report) -> Option<Figure> {
     let title = "The strongest signs of a missing effect";
     let chart = chart_of_tests(report, title, MAX_ROWS)?;

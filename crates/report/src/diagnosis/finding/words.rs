@@ -1,29 +1,26 @@
 //! Sentences of the opening section: the finding, its certainty, and the recommended next step.
-
-use diagnose::{Explanation, ExplanationEffect, LackOfFit, Report, Verdict};
-use identify::wording::count;
+use diagnose::{Explanation, ExplanationEffect, LackOfFit, LoadChannel, Report, Verdict};
+use identify::numbers::{Digits, equivalent_z, percent, plain, probability, significant, unit};
+use identify::wording::{count, names};
 
 use super::super::{DiagnosisPage, words};
 use super::curve::{Curve, Point};
 use crate::figures::symbol;
-use identify::numbers::{Digits, equivalent_z, percent, plain, probability, significant, unit};
-use identify::wording::names;
 
-/// Minimum absolute ratio of an effect's estimate to its standard error at which the report calls the effect far beyond
-/// chance. The threshold is so high that chance does not reach it even in a large number of diagnoses.
+/// Ratio of an estimate to its standard error that is far beyond chance in any number of diagnoses.
 const BEYOND_CHANCE: f64 = 8.0;
-/// Bonferroni-corrected p-value above which the report attributes the test result of the strongest remaining candidate
-/// effect to chance.
+/// Bonferroni-corrected p-value above which the strongest remaining effect is attributed to chance.
 const USUAL: f64 = 0.05;
 
-/// Minimum fraction of the samples that must lie on either side of a point of the curve (the point included) for the
-/// point to be named in a sentence.
+/// Fraction of the samples on either side of a point that is named in a sentence.
 const MIN_SHARE: f64 = 0.025;
 
-/// Sentences that describe the effect that the model lacks, and its size; empty if nothing is known of it.
+/// What the model lacks, and how large it is; empty if nothing is known.
 pub(super) fn what(report: &Report, curve: Option<&Curve>) -> String {
     let first = report.explanations.first();
-    let effects = first.map_or_else(String::new, says);
+    let effects = first.map_or_else(String::new, |found| {
+        joined(found.effects.iter().map(ExplanationEffect::sentence))
+    });
     match report.verdict {
         Verdict::Adequate => "The residuals look like the noise of the measurement.".to_owned(),
         Verdict::Identified => joined([effects, size(curve, first)]),
@@ -36,13 +33,13 @@ pub(super) fn what(report: &Report, curve: Option<&Curve>) -> String {
         Verdict::Negligible => joined([effects, size(None, first)]),
         Verdict::Unattributed => {
             let channels = report.unattributed.iter().flat_map(|u| &u.channels);
-            let most =
-                channels.max_by(|a, b| a.explained_fraction.total_cmp(&b.explained_fraction));
-            let place = most.filter(|c| c.explained_fraction.is_finite()).map(|c| {
+            let share = |channel: &LoadChannel| channel.explained_fraction;
+            let most = channels.max_by(|a, b| share(a).total_cmp(&share(b)));
+            let place = most.filter(|c| share(c).is_finite()).map(|c| {
                 format!(
                     "Most of it acts as {}: that alone explains {} of what all terms explain.",
                     words::site(&c.site),
-                    percent(c.explained_fraction)
+                    percent(share(c))
                 )
             });
             joined([place.unwrap_or_default(), size(curve, first)])
@@ -55,59 +52,42 @@ fn joined(parts: impl IntoIterator<Item = String>) -> String {
     parts.collect::<Vec<_>>().join(" ")
 }
 
-/// Sentences that describe the effects of the hypothesis `explanation`, one of those that may explain the misfit of the
-/// model.
-fn says(explanation: &Explanation) -> String {
-    joined(explanation.effects.iter().map(ExplanationEffect::sentence))
-}
-
-/// Sentence on the size of the missing effects: the quantity of `curve` at the point where the model under test and the
-/// extended model differ most; without a curve, the estimates of the hypothesis `explanation`.
+/// Sentence on the size of the missing effects: the quantity of `curve` where the models differ most, or the estimates.
 fn size(curve: Option<&Curve>, explanation: Option<&Explanation>) -> String {
     let estimates = || {
-        let effects = explanation
-            .into_iter()
-            .flat_map(|explanation| &explanation.effects);
+        let effects = explanation.iter().flat_map(|found| &found.effects);
         let all = effects.flat_map(|e| &e.estimates).take(3);
-        let all: Vec<String> = all.map(|(name, e)| e.text(name)).collect();
-        if all.is_empty() {
-            String::new()
-        } else {
-            format!("Its size: {}.", all.join(", "))
+        match all.map(|(name, e)| e.text(name)).collect::<Vec<_>>() {
+            all if all.is_empty() => String::new(),
+            all => format!("Its size: {}.", all.join(", ")),
         }
     };
     let Some((curve, point)) = curve.and_then(|c| Some((c, farthest(c)?))) else {
         return estimates();
     };
     let digits = Digits::of(point.after, point.error);
-    let unit = unit(&curve.unit);
-    let over = match curve.over_doc.as_str() {
-        "" => symbol(&curve.over),
+    let unit = unit(&curve.quantity.unit);
+    let over = match curve.over.doc.as_str() {
+        "" => symbol(&curve.over.name),
         doc => doc.to_owned(),
     };
-    let (space, degrees) = match curve.over_unit.as_str() {
+    let (space, degrees) = match curve.over.unit.as_str() {
         "°" => ("", "°"),
         other => ("\u{a0}", other),
     };
     let place = format!("{over} of {}{space}{degrees}", significant(point.x, 3));
-    let quantity = match curve.doc.as_str() {
-        "" => curve.quantity.clone(),
-        doc => format!("{} ({doc})", curve.quantity),
+    let quantity = match curve.quantity.doc.as_str() {
+        "" => curve.quantity.name.clone(),
+        doc => format!("{} ({doc})", curve.quantity.name),
     };
-    let value = format!(
-        "{} ± {} {unit}",
-        digits.one(point.after),
-        digits.one(point.error)
-    );
-    let value = value.trim_end();
+    let (after, error) = (digits.one(point.after), digits.one(point.error));
+    let value = format!("{after} ± {error} {unit}");
+    let (article, value) = (article(&over), value.trim_end());
     if point.before.is_finite() {
-        format!(
-            "At {} {place} {quantity} is {value}; the model without it has {}.",
-            article(&over),
-            digits.one(point.before)
-        )
+        let before = digits.one(point.before);
+        format!("At {article} {place} {quantity} is {value}; the model without it has {before}.")
     } else {
-        format!("At {} {place} {quantity} is {value}.", article(&over))
+        format!("At {article} {place} {quantity} is {value}.")
     }
 }
 
@@ -118,16 +98,11 @@ fn article(noun: &str) -> &'static str {
     }
 }
 
-/// Point of the curve at which the model under test and the extended model differ most; `None` if no point can be
-/// considered. Points near an end of the curve are not considered: on each side of a point must lie at least the
-/// fraction [`MIN_SHARE`] of the samples.
+/// Point at which the models differ most; on each side of it lies at least the fraction [`MIN_SHARE`] of the samples.
 fn farthest(curve: &Curve) -> Option<Point> {
     let size = |p: &Point| {
-        if p.before.is_finite() {
-            (p.after - p.before).abs()
-        } else {
-            p.after.abs()
-        }
+        let known = p.before.is_finite();
+        (if known { p.after - p.before } else { p.after }).abs()
     };
     let all: usize = curve.points.iter().map(|p| p.samples).sum();
     let mut below = 0;
@@ -140,32 +115,24 @@ fn farthest(curve: &Curve) -> Option<Point> {
     known.copied().max_by(|a, b| size(a).total_cmp(&size(b)))
 }
 
-/// Coefficient of the hypothesis `explanation` with the largest absolute ratio of estimate to standard error: the effect, the
-/// name of the coefficient, and the ratio. `None` if no ratio is finite.
-fn clearest(explanation: &Explanation) -> Option<(&ExplanationEffect, &String, f64)> {
-    let effects = explanation.effects.iter();
-    let all = effects.flat_map(|effect| effect.estimates.iter().map(move |(n, e)| (effect, n, e)));
-    let all = all.map(|(effect, name, e)| (effect, name, (e.value / e.std_error).abs()));
-    let known = all.filter(|(_, _, z)| z.is_finite());
-    known.max_by(|a, b| a.2.total_cmp(&b.2))
+/// Name of the coefficient with the largest ratio of estimate to standard error, and this ratio.
+fn clearest(explanation: &Explanation) -> Option<(&String, f64)> {
+    let all = explanation.effects.iter().flat_map(|e| &e.estimates);
+    let all = all.map(|(name, e)| (name, (e.value / e.std_error).abs()));
+    let known = all.filter(|(_, z)| z.is_finite());
+    known.max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-/// Sentences that state how certain the result of the diagnosis is: how far the estimate is from zero, and whether
-/// another candidate effect could also explain the flights.
+/// How certain the result is: how far the estimate is from zero, and whether another effect could explain the flights.
 pub(super) fn sure(report: &Report) -> String {
     let tested = count(report.tests.len(), "effect");
     let threshold = equivalent_z(report.threshold.z);
     let first = report.explanations.first();
-    let far = first.and_then(clearest).map(|(_, name, z)| {
-        format!(
-            "{name} is {} standard errors away from zero{}.",
-            plain(z, usize::from(z < 10.0)),
-            if z > BEYOND_CHANCE {
-                ", far beyond chance"
-            } else {
-                ""
-            }
-        )
+    let far = first.and_then(clearest).map(|(name, z)| {
+        let is_far = z > BEYOND_CHANCE;
+        let beyond = if is_far { ", far beyond chance" } else { "" };
+        let z = plain(z, usize::from(z < 10.0));
+        format!("{name} is {z} standard errors away from zero{beyond}.")
     });
     let rival = first.and_then(|c| c.strongest_remaining.as_ref());
     let alone = match rival {
@@ -204,23 +171,18 @@ pub(super) fn sure(report: &Report) -> String {
             format!("Of the {tested} tested, only these together explain the flights."),
         ]),
         Verdict::Identified => joined([far.unwrap_or_default(), alone]),
-        Verdict::Ambiguous => joined([
-            "That something is missing is sure".to_owned()
-                + &match far {
-                    Some(far) => format!(": in the best explanation {far}"),
-                    None => ".".to_owned(),
-                },
+        Verdict::Ambiguous => {
+            let far = match far {
+                Some(far) => format!(": in the best explanation {far}"),
+                None => ".".to_owned(),
+            };
+            let all = report.explanations.iter().map(Explanation::name);
+            let all = all.collect::<Vec<_>>();
             format!(
-                "Which it is, is open: {}.",
-                names(
-                    &report
-                        .explanations
-                        .iter()
-                        .map(Explanation::name)
-                        .collect::<Vec<_>>()
-                )
-            ),
-        ]),
+                "That something is missing is sure{far} Which it is, is open: {}.",
+                names(&all)
+            )
+        }
         Verdict::Negligible => joined([
             far.unwrap_or_default(),
             "Every estimate is below the smallest size of interest that its effect states."
@@ -236,7 +198,6 @@ pub(super) fn sure(report: &Report) -> String {
     }
 }
 
-/// Sentences that recommend to the user what to do after the diagnosis.
 pub(super) fn next(page: &DiagnosisPage<'_>) -> String {
     let report = page.report;
     if !page.report.cautions.is_empty() {

@@ -9,21 +9,17 @@ use crate::figure::Figure;
 use crate::figures::{Dots, Layout, Look, Mark, Panel};
 use crate::thin::{MAX_CURVE_POINTS, stride};
 
-/// Maximum number of held-out flights whose prediction errors are drawn, one figure each.
 const MAX_FLIGHTS: usize = 6;
-/// Maximum number of dots with which a series of prediction errors is drawn.
 const MAX_DOTS: usize = 400;
 
-/// Draws one figure for each held-out flight: the errors of the predictions in `evidence`, which were made by the model
-/// of `fit`. Errors of the predictions in `before`, which were made by another model, are drawn in grey.
+/// Prediction errors of each held-out flight by the model of `fit`, and in grey those of another model.
 pub(crate) fn predictions(
     fit: &Fit,
     evidence: &[FlightEvidence],
     before: &[FlightEvidence],
 ) -> Vec<Figure> {
-    let held_out = evidence
-        .iter()
-        .filter(|f| f.role == Role::HeldOut && !f.markers.is_empty());
+    let is_held_out = |f: &&FlightEvidence| f.role == Role::HeldOut && !f.markers.is_empty();
+    let held_out = evidence.iter().filter(is_held_out);
     let figures = held_out.take(MAX_FLIGHTS).enumerate();
     let figures = figures.filter_map(|(i, flight)| {
         let mut flights = fit.report.flights.iter();
@@ -54,18 +50,14 @@ fn figure(
         let dots = |look, of| Dots::new(look, stride(&errors(of, axis), MAX_DOTS));
         let pale = before.map(|before| dots(Look::Pale, before));
         let mark = first.map(|t| Mark::vertical("predicted from here", *t));
+        let across = if axis == 2 { "time, s" } else { "" };
+        let dots = pale.into_iter().chain([dots(Look::Colour(0), flight)]);
         Panel {
-            dots: pale
-                .into_iter()
-                .chain([dots(Look::Colour(0), flight)])
-                .collect(),
+            dots: dots.collect(),
             ribbon: stride(&ribbon, MAX_CURVE_POINTS),
             marks: mark.filter(|_| axis == 0).into_iter().collect(),
             height: Some(84.0),
-            ..Panel::new(
-                format!("{name}, mm"),
-                if axis == 2 { "time, s" } else { "" },
-            )
+            ..Panel::new(format!("{name}, mm"), across)
         }
     };
     let panels: Vec<Panel> = ["x", "y", "z"].into_iter().enumerate().map(panel).collect();
@@ -81,8 +73,7 @@ fn figure(
     Figure::of_panels(name, &flight.file, caption, Layout::SMALL, &panels)
 }
 
-/// Times (s) and prediction errors (measured − predicted position, mm) of a flight along one axis of the inertial frame
-/// (0 x, 1 y, 2 z), for all markers. Outliers and errors that are not finite are omitted.
+/// Times (s) and prediction errors (mm) of all markers along one axis, without outliers.
 fn errors(flight: &FlightEvidence, axis: usize) -> Vec<(f64, f64)> {
     let points = points(flight, flight.markers.len()).filter(|point| !point.is_outlier);
     let errors = points.map(|point| (point.time, point.residual[axis]));

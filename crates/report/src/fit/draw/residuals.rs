@@ -10,12 +10,11 @@ use crate::figures::csv::of_panels;
 use crate::figures::{Dots, Layout, Look, Mark, Panel, figure_of};
 use crate::thin::{MAX_DOTS, MAX_FLIGHTS, stride};
 
-/// Maximum number of residuals drawn as dots on a narrow screen in a panel, over all series.
+/// Maximum number of dots of a panel on a narrow screen.
 const NARROW_DOTS: usize = 600;
-/// Maximum number of outliers drawn as crosses in a panel.
 const MAX_CROSSES: usize = 200;
 
-/// Roles of flights, each with name and title of its figure and the meaning of the residuals.
+/// Roles of flights, with name and title of the figure and the meaning of the residuals.
 const KINDS: [(Role, &str, &str, &str); 2] = [
     (
         Role::Fit,
@@ -31,9 +30,7 @@ const KINDS: [(Role, &str, &str, &str); 2] = [
     ),
 ];
 
-/// Draws one figure for the residuals of the fitted flights and one for those of the held-out flights, with one colour
-/// per marker. If there are flights predicted by an extended model, `after`, their residuals are blue and those of the
-/// model grey. A figure without flights is omitted.
+/// Residuals of the fitted and of the held-out flights, one colour per marker; grey and blue for two models.
 pub(crate) fn residuals(
     evidence: &[FlightEvidence],
     after: &[FlightEvidence],
@@ -42,12 +39,12 @@ pub(crate) fn residuals(
     let figures = KINDS.into_iter().filter_map(|(role, name, title, meaning)| {
         let flights = flights_of(evidence, role);
         let extended = flights_of(after, role);
-        let axes = ["x", "y", "z"].into_iter().enumerate();
-        let panels = axes.map(|(i, axis)| {
+        let panel = |(i, axis): (usize, &str)| {
             let sigma = noise.axes.get(axis).map_or(noise.sigma, |n| n.sigma);
             panel(&flights, &extended, i, axis, sigma)
-        });
-        let panels: Vec<Panel> = panels.collect();
+        };
+        let axes = ["x", "y", "z"].into_iter().enumerate();
+        let panels: Vec<Panel> = axes.map(panel).collect();
         let files = flights.iter().zip(1..).map(|(f, n)| format!("{n} {}", f.file));
         let files: Vec<String> = files.collect();
         let colours = if extended.is_empty() {
@@ -68,13 +65,13 @@ pub(crate) fn residuals(
     figures.collect()
 }
 
-/// Flights with the given role (fitted or held out) among the first [`MAX_FLIGHTS`] elements of `evidence`.
+/// Flights with a role among those that are drawn.
 fn flights_of(evidence: &[FlightEvidence], role: Role) -> Vec<&FlightEvidence> {
     let drawn = evidence.iter().take(MAX_FLIGHTS);
     drawn.filter(|f| f.role == role).collect()
 }
 
-/// Draws panels of residuals, with fewer dots in any layout but the widest.
+/// Draws panels, with fewer dots in any layout but the widest.
 fn residual_figure(layout: Layout, title: &str, panels: &[Panel]) -> String {
     if layout == Layout::WIDE {
         return figure_of(layout, title, panels);
@@ -89,13 +86,13 @@ fn residual_figure(layout: Layout, title: &str, panels: &[Panel]) -> String {
     figure_of(layout, title, &fewer)
 }
 
-/// Residuals (measured − predicted, mm) of flights along one axis over the time since the start of the first flight.
+/// Residuals (mm) along one axis over the time since the start of the first flight.
 #[derive(Default)]
 struct Series {
-    /// Residuals of each marker without outliers.
+    /// Of each marker, without outliers.
     markers: Vec<Vec<(f64, f64)>>,
     outliers: Vec<(f64, f64)>,
-    /// Time at which each flight starts.
+    /// Start of each flight.
     starts: Vec<f64>,
 }
 
@@ -126,8 +123,7 @@ impl Series {
     }
 }
 
-/// Panel of the residuals along `axis` (0 x, 1 y, 2 z), whose name is `name`, by the model and by the extended model
-/// (`after`); `sigma` is the standard deviation of the noise, m.
+/// Panel of the residuals along an axis by the model and by the extended model; `sigma` is the noise, m.
 fn panel(
     flights: &[&FlightEvidence],
     after: &[&FlightEvidence],
@@ -153,19 +149,15 @@ fn panel(
         });
         Vec::from(dots)
     };
-    let own = if after.starts.is_empty() {
-        &before
-    } else {
-        &after
-    };
+    let is_extended = !after.starts.is_empty();
+    let own = if is_extended { &after } else { &before };
     let inside = |p: &(f64, f64)| (p.0, p.1.clamp(-0.96 * reach, 0.96 * reach));
     let crosses: Vec<(f64, f64)> = own.outliers.iter().map(inside).collect();
     let starts = before.starts.iter().zip(1..);
+    let starts = starts.map(|(start, n)| Mark::vertical(format!("{n}"), *start));
     Panel {
         dots,
-        marks: starts
-            .map(|(start, n)| Mark::vertical(format!("{n}"), *start))
-            .collect(),
+        marks: starts.collect(),
         band: band.map(|b| (-b, b)),
         up: Some((-reach, reach)),
         ..Panel::new(format!("{name}, mm"), "time, flights in sequence, s")

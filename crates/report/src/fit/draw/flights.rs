@@ -1,19 +1,80 @@
-//! Figures of measured and predicted marker positions, as in Figure 3 of Hubbard & Hummel (2000).
+//! Figures of the states over time, as in Figures 5 and 6 of Hubbard & Hummel (2000), and of the marker positions (Figure 3).
 
 use identify::FlightEvidence;
+use model_spec::model::Model;
 
 use super::{MeasuredPoint, not_drawn, points, predicted, samples};
 use crate::figure::Figure;
 use crate::figures::axis::range;
-use crate::figures::{Layout, Look, Panel};
-use crate::thin::{MAX_CURVE_POINTS, MAX_FLIGHTS, stride};
+use crate::figures::{Layout, Look, Panel, StateLabel, panels_of_states, symbol};
+use crate::thin::{MAX_CURVE_POINTS, MAX_FIGURES, MAX_FLIGHTS, curve, stride};
 
-/// Maximum number of markers whose paths are drawn: the number of distinct line colours.
+/// Maximum ratio of the peak magnitudes of two states in one panel: the nutation must remain visible next to the spin.
+const APART: f64 = 3.0;
+/// Quantities that are drawn too if the model defines them: name, title and unit.
+const QUANTITIES: [(&str, &str, &str); 3] = [
+    ("alpha", "Angle of attack α", "rad"),
+    ("V", "Airspeed V", "m/s"),
+    ("r", "Spin r", "rad/s"),
+];
+
+pub(in super::super) fn states(evidence: &[FlightEvidence], model: &Model) -> Vec<Figure> {
+    let flights = evidence.iter().take(MAX_FLIGHTS).enumerate();
+    let figures = flights.filter_map(|(i, flight)| state_figure(i, flight, model));
+    figures.collect()
+}
+
+fn state_figure(index: usize, flight: &FlightEvidence, model: &Model) -> Option<Figure> {
+    let mut panels = state_panels(flight, model);
+    for (name, title, unit) in QUANTITIES {
+        let at = flight.quantity_names.iter().position(|n| n == name);
+        let Some(at) = at else { continue };
+        let points = column(flight, &flight.quantities, at);
+        if points.iter().any(|p| p.1.is_finite()) {
+            let panel = Panel::new(format!("{title}, {unit}"), "time, s");
+            panels.push(panel.line(symbol(name), points));
+        }
+    }
+    let name = format!("states-{:02}", index + 1);
+    let caption = "States of the fitted flight over time.";
+    let draw = || Figure::of_panels(name, &flight.file, caption, Layout::SMALL, &panels);
+    (!panels.is_empty()).then(draw)
+}
+
+fn state_panels(flight: &FlightEvidence, model: &Model) -> Vec<Panel> {
+    let unit = |name: &str| {
+        let state = model.states.iter().find(|s| s.name == name);
+        state.map_or("", |s| s.unit_text.as_str())
+    };
+    let labels = flight.state_names.iter().take(MAX_FIGURES);
+    let label = |name| StateLabel {
+        name,
+        unit: unit(name),
+    };
+    let labels: Vec<StateLabel<'_>> = labels.map(|name| label(name)).collect();
+    // Rows that are too short are an error of the caller and are not drawn.
+    let rows = flight.states.iter().filter(|row| row.len() >= labels.len());
+    let rows: Vec<Vec<f64>> = rows.cloned().collect();
+    if rows.is_empty() {
+        return Vec::new();
+    }
+    let points = |i| column(flight, &flight.states, i);
+    panels_of_states(&labels, &rows, APART, &points)
+}
+
+/// Points (time, value) of a column of a table with a row for each sample.
+fn column(flight: &FlightEvidence, table: &[Vec<f64>], at: usize) -> Vec<(f64, f64)> {
+    let value = |s: usize| table.get(s).and_then(|row| row.get(at)).copied();
+    let points = samples(flight).map(|s| (flight.times[s], value(s).unwrap_or(f64::NAN)));
+    let points: Vec<(f64, f64)> = points.collect();
+    curve(&points, MAX_CURVE_POINTS * 3 / 4)
+}
+
+/// Maximum number of markers: the number of distinct colours.
 const MAX_MARKERS: usize = 4;
-/// Maximum number of measured positions drawn as dots for each marker; more dots would hide the line of the prediction.
+/// Maximum number of dots of a marker; more would hide the line of the prediction.
 const MAX_DOTS: usize = 80;
 
-/// Draws the measured and predicted marker paths of each flight: top view, and height over time.
 pub(in super::super) fn tracks(evidence: &[FlightEvidence]) -> Vec<Figure> {
     let flights = || evidence.iter().take(MAX_FLIGHTS);
     let map = |flight| panel(flight, |_, p| (p[0], p[1]));
@@ -26,7 +87,7 @@ pub(in super::super) fn tracks(evidence: &[FlightEvidence]) -> Vec<Figure> {
     tracks.collect()
 }
 
-/// Height of a top view divided by its width, including a margin of 10 %.
+/// Height of a top view over its width, with a margin.
 fn shape(map: &Panel) -> f64 {
     let points = || map.lines.iter().flat_map(|line| &line.points);
     let (x, y) = (range(points().map(|p| p.0)), range(points().map(|p| p.1)));
@@ -58,8 +119,7 @@ fn track(index: usize, flight: &FlightEvidence, map: Panel, tall: f64) -> Figure
     Figure::of_panels(name, &flight.file, caption, Layout::SMALL, &[above, side])
 }
 
-/// Panel of the measured and predicted marker positions of a flight; `at` maps time (s) and position (m) to a point
-/// (x, y) of the panel.
+/// Panel of the measured and predicted marker positions; `at` maps time (s) and position (m) to a point.
 fn panel(flight: &FlightEvidence, at: impl Fn(f64, [f64; 3]) -> (f64, f64)) -> Panel {
     let mut panel = Panel {
         thin: true,
