@@ -157,7 +157,8 @@ class Fit(Result):
         for role, colour in (("fit", "C0"), ("held_out", "C1")):
             part = [flight for flight in used if flight["role"] == role]
             values = [flight["residual_rms"][kind]["value"] for flight in part]
-            axes.bar([flight["file"] for flight in part], values, color=colour, label=role)
+            if part:
+                axes.bar([flight["file"] for flight in part], values, color=colour, label=role)
         axes.set_ylabel(f"RMS residual of the {kind}, {self['residual_rms'][kind]['unit']}")
         axes.tick_params(axis="x", rotation=60)
         axes.legend()
@@ -261,7 +262,8 @@ class Diagnosis(Result):
     def _repr_html_(self) -> str:
         items = ""
         for found in self["explanations"]:
-            words = html.escape(" and ".join(effect["description"] for effect in found["effects"]))
+            effects = [effect["description"].rstrip(".") for effect in found["effects"]]
+            words = html.escape("; and ".join(effects))
             share = 100 * (found["explained_fraction"] or 0.0)
             items += f"<li>{words}: {share:.0f} % of the misfit</li>"
         verdict = html.escape(f"{self['model']}: {self['verdict']}")

@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Runs the notebooks and the code of pages, builds the site and checks its links, anchors and accessibility.
+# Runs after python/ci.sh, in the environment with the package that it made. Needs node and Chromium.
+# With --rustdoc the site has the API of the crates too, which compiles what they depend on.
+set -euo pipefail
+cd "$(dirname "$0")"
+here=$PWD root=$(cd ../.. && pwd)
+target=${CARGO_TARGET_DIR:-$root/target}
+target=$(cd "$target" && pwd)
+venv=${SITE_VENV:-$target/python-ci}
+out=$target/site
+export PATH=$venv/bin:$PATH SITE_BUILD=$target/site-build NO_MKDOCS_2_WARNING=1
+rm -rf "$SITE_BUILD" "$out"
+mkdir -p "$SITE_BUILD" "$target/site-node"
+
+echo "== tools"
+pip install --quiet --disable-pip-version-check --requirement requirements.txt
+cp package.json axe.js "$target/site-node"
+(cd "$target/site-node" && npm install --silent --no-fund --no-audit --ignore-scripts)
+(cd .. && ruff check . ../docs/notebooks && ruff format --check . ../docs/notebooks)
+
+echo "== code of pages, and shares by each scheduler"
+cd "$root"
+python -m pytest --quiet -c python/pyproject.toml --rootdir python --import-mode importlib python/tests/test_{pages,recipes}.py
+
+echo "== notebooks"
+python "$here/notebooks.py" --out "$SITE_BUILD/notebooks" 2> "$SITE_BUILD/.log" || { tail -40 "$SITE_BUILD/.log"; exit 1; }
+python -c 'import hyzer, sys; hyzer.diagnose("examples/mystery").save(sys.argv[1])' "$SITE_BUILD/demo"
+
+echo "== site"
+if [ "${1:-}" = --rustdoc ]; then
+    cargo doc --locked --no-deps --workspace --quiet
+    mkdir -p "$SITE_BUILD/rust/hyzer"
+    cp "$target/doc/hyzer/index.html" "$SITE_BUILD/rust/hyzer/"
+fi
+mkdocs build --config-file "$here/mkdocs.yml" --site-dir "$out"
+[ "${1:-}" != --rustdoc ] || cp -r "$target/doc/." "$out/rust"
+python "$here/check.py" "$out"
+
+echo "== accessibility, 1280 and 390 px"
+node "$target/site-node/axe.js" "$out"
