@@ -75,6 +75,11 @@ pub fn new_folder(path: &Path) -> anyhow::Result<()> {
     Ok(())
 }
 
+/// Tells on standard error what to do next: a command, or what to state where.
+pub fn next(step: impl std::fmt::Display) {
+    eprintln!("next: {step}");
+}
+
 /// Prints text to standard output and flushes it.
 pub fn print(text: impl AsRef<str>) -> anyhow::Result<()> {
     let mut out = std::io::stdout().lock();

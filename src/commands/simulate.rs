@@ -55,6 +55,13 @@ pub(super) fn run(options: &Simulate) -> anyhow::Result<Answer> {
     let first = rows.first().map(|row| row.throw);
     let bare = options.release.is_none().then(|| Throw::at_speed(0.0));
     throws::apply(&options.throw, first.or(bare), &model, &mut release)?;
+    let turns = model
+        .body
+        .as_ref()
+        .is_some_and(|body| body.rotation.is_some());
+    if turns && first.is_none() && bare.is_some() && options.throw.spin.is_none() {
+        eprintln!("note: thrown without spin; --spin states it, in rpm");
+    }
     let settings = IntegrationOptions::with_tolerance(options.tolerance);
     let flight = simulate(&body, &release, &settings)?;
     let flown = FlownThrow::of(&model, &body, &release, &flight);

@@ -44,6 +44,8 @@ pub(super) fn run(options: &Sweep) -> anyhow::Result<Answer> {
     let flights = share.map_or(plan.flights, |(_, of)| plan.flights / of);
     bar.start(&plan.model.name, flights);
     progress::resumes();
+    // The rate of a run that goes on with an earlier one would count that one's flights.
+    let is_fresh = !out.exists();
     let start = Instant::now();
     let settings = SweepOptions {
         threads,
@@ -59,8 +61,13 @@ pub(super) fn run(options: &Sweep) -> anyhow::Result<Answer> {
             output::print(table(&plan, &summary))?;
             let csv = if options.csv { ", flights.csv" } else { "" };
             let rate = plan.flights as f64 / start.elapsed().as_secs_f64();
+            let rate = if is_fresh {
+                format!("; {rate:.0} flights a second")
+            } else {
+                String::new()
+            };
             eprintln!(
-                "flights.parquet{csv} and summary.json are in {}; {rate:.0} flights a second",
+                "flights.parquet{csv} and summary.json are in {}{rate}",
                 out.display()
             );
         }

@@ -32,6 +32,10 @@ pub(super) fn run(options: &Synthesize) -> anyhow::Result<Answer> {
     progress::writing(|| write_with(&options.out, &made.dataset, &beside))
         .with_context(|| format!("--out {}", options.out.display()))?;
     output::print(summary(&made, &options.out))?;
+    output::next(format_args!(
+        "hyzer fit {} --out fitted",
+        options.out.display()
+    ));
     Ok(Answer::Yes)
 }
 

@@ -46,6 +46,10 @@ pub(super) fn run(options: &Fit) -> anyhow::Result<Answer> {
         out.write(files(&fitted, model, dataset)?, &what)?;
     }
     output::print(text(&fitted, model))?;
+    output::next(format_args!(
+        "hyzer diagnose {} --out found  # what the model lacks",
+        options.inputs.dataset.display()
+    ));
     Ok(reliable(
         "fit",
         fitted.report.reliable,

@@ -44,6 +44,13 @@ pub(super) fn run(options: &Import) -> anyhow::Result<Answer> {
         "{decisions}{}: {count} flights of {model}\n",
         out.display()
     ))?;
+    if dataset.parameters.is_empty() {
+        output::next(format_args!(
+            "state mass and inertia in [parameters] of {}; until then they are those of the model {model}",
+            out.join("dataset.toml").display()
+        ));
+    }
+    output::next(format_args!("hyzer fit {} --out fitted", out.display()));
     Ok(Answer::Yes)
 }
 

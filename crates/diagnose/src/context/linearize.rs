@@ -96,10 +96,7 @@ impl ScoreTestModel<'_> {
                 let (mut motion, parameters) = self.motion_with_terms(&conditions, terms);
                 visit(&mut motion, &parameters)
             }
-            None => visit(
-                &mut conditions.rhs(),
-                &self.global_parameters(),
-            ),
+            None => visit(&mut conditions.rhs(), &self.global_parameters()),
         };
         done.map_err(|reason| self.flight_error(flight, reason))
     }

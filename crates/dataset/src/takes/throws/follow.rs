@@ -24,10 +24,17 @@ pub(super) enum Stop {
     Data,
     /// The body is not seen between the samples `from` and `to`, neighbours in the track. The gap is longer than
     /// [`ThrowOptions::longest_gap`], or the samples after it do not continue the flight.
-    Gap { from: usize, to: usize },
+    Gap {
+        from: usize,
+        to: usize,
+    },
     /// The samples after `last` deviate from their prediction.
-    Deviation { last: usize },
-    Touch { last: usize },
+    Deviation {
+        last: usize,
+    },
+    Touch {
+        last: usize,
+    },
 }
 
 impl Path<'_> {
