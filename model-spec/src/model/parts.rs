@@ -94,9 +94,9 @@ pub struct AppliedEffect {
     pub increases: String,
     /// Sentence for a first coefficient beyond its null value, from the statement of this name; may be empty.
     pub decreases: String,
-    /// Coefficients that the effect adds; [`EffectUnknown::index`] refers to [`Model::coefficients`].
+    /// Coefficients that the effect adds; [`EffectUnknown::index`] refers to `Model::coefficients`.
     pub coefficients: Vec<EffectUnknown>,
-    /// States that the effect adds, with an initial value for each flight; indices into [`Model::states`].
+    /// States that the effect adds, with an initial value for each flight; indices into `Model::states`.
     pub states: Vec<EffectUnknown>,
 }
 
@@ -129,7 +129,7 @@ pub struct OfferedEffect {
 /// A coefficient or initial state that an effect adds; at its null value, the effect is absent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EffectUnknown {
-    /// Index into [`Model::coefficients`] for a coefficient, or into [`Model::states`] for a state.
+    /// Index into `Model::coefficients` for a coefficient, or into `Model::states` for a state.
     pub index: usize,
     /// Null value: value at which the effect is absent, SI; equal to the default value of the coefficient or state.
     pub null_value: f64,

@@ -271,10 +271,7 @@ impl Parser<'_> {
     }
 
     fn leave_braces(&mut self) {
-        while !matches!(
-            self.peek(),
-            Token::Sign("}") | Token::Sign(";") | Token::End
-        ) {
+        while !matches!(self.peek(), Token::Sign("}" | ";") | Token::End) {
             self.advance();
         }
         self.eat(Token::Sign("}"));

@@ -62,7 +62,7 @@ impl Parser<'_> {
     fn at_unit(&self) -> bool {
         match self.peek() {
             Token::Name => !FOLLOWING.contains(&self.raw()) && !self.first_on_line(),
-            Token::Sign("/") | Token::Sign("[") => true,
+            Token::Sign("/" | "[") => true,
             Token::Number => self.raw() == "1" && self.peek_at(1) == Token::Sign("/"),
             _ => false,
         }
@@ -129,7 +129,7 @@ impl Parser<'_> {
         loop {
             self.unit_factor(sign, &mut factors)?;
             sign = match self.peek() {
-                Token::Sign("*") | Token::Sign("·") => 1,
+                Token::Sign("*" | "·") => 1,
                 Token::Sign("/") => -1,
                 _ => break,
             };

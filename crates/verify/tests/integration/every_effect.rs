@@ -1,12 +1,21 @@
-//! Every check holds of every model with every effect of the catalogue switched on.
+//! Every check holds of every model with every effect of the catalogue for one model switched on; `general_effects`
+//! tests those for any model.
 
 use crate::support::{QUICK, refuted, row};
+use model_spec::EffectTree;
 use model_spec::compose::known_effects;
-use model_spec::load::{EFFECTS, inspect, load};
+use model_spec::load::{inspect, load};
 use verify::Options;
 use verify::checks::effects::EFFECT_REFERENCE;
 
 const MODELS: [&str; 4] = ["disc", "disc_quaternion", "discus", "ball"];
+
+fn specific() -> impl Iterator<Item = &'static str> {
+    let effects = EffectTree::built_in().iter();
+    effects
+        .filter(|effect| !effect.is_general())
+        .map(EffectTree::name)
+}
 
 fn verified(model: &str, effects: &[&str], options: &Options) {
     let with = inspect(model, effects).expect("a text");
@@ -21,7 +30,7 @@ fn verified(model: &str, effects: &[&str], options: &Options) {
 #[test]
 fn a_model_with_an_effect_is_verified() {
     let options = Options { cases: 8, ..QUICK };
-    for (name, _) in EFFECTS {
+    for name in specific() {
         for model in MODELS.iter().filter(|model| load(model, &[name]).is_ok()) {
             verified(model, &[name], &options);
         }
@@ -31,8 +40,9 @@ fn a_model_with_an_effect_is_verified() {
 #[test]
 fn a_model_with_all_effects_is_verified() {
     for model in MODELS {
-        let names = EFFECTS.iter().map(|(name, _)| *name);
-        let names: Vec<&str> = names.filter(|name| load(model, &[name]).is_ok()).collect();
+        let names: Vec<&str> = specific()
+            .filter(|name| load(model, &[name]).is_ok())
+            .collect();
         verified(model, &names, &Options { cases: 8, ..QUICK });
     }
 }
@@ -42,9 +52,8 @@ fn the_row_has_each_effect_alone_and_all_together() {
     for name in ["disc", "ball"] {
         let known = known_effects(&load(name, &[]).unwrap());
         let offered = known.iter().filter(|known| known.refused.is_none()).count();
-        let specific = EFFECTS
-            .iter()
-            .filter(|e| load(name, &[e.0]).is_ok())
+        let specific = specific()
+            .filter(|effect| load(name, &[effect]).is_ok())
             .count();
         assert!(offered >= specific, "{name}");
         let report = verify::run(&inspect(name, &[]).unwrap(), &QUICK);
