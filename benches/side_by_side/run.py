@@ -35,7 +35,7 @@ HEAD = """# One task, six programs
 
 A shuttlecock flies by weight and drag. Three questions: where does it land, hit at 25 m/s and 45° from 1.2 m, with C_D = 0.64? What is C_D by
 eight flights, the last two of them held out? And what is said when the model is wrong? The flights are simulated, with C_D = 0.64, a noise of 2 mm at 120 Hz,
-and a steady wind of 1 m/s that none of the programs is told of. Each program is as short as its documentation makes it; all are in
+and a steady wind of 1 m/s that none of the programs is told of. Each program follows the first pages of its documentation; all are in
 `benches/side_by_side/`, and `python benches/side_by_side/run.py` writes this page again.
 
 Lines are those that are neither empty nor a comment. Seconds are of the whole process, start and imports included: the least of three runs.
@@ -43,12 +43,12 @@ FrisPy has no shuttlecock: it flies its disc, and is listed for its lines and se
 
 """
 TOLD = {
-    "hyzer": "the cause and its size, and what it did to C_D (below)",
-    "scipy": "{tells}, to be compared with a noise that one must know; no cause",
-    "casadi": "{tells}, to be compared with a noise that one must know; no cause",
-    "pysindy": "an equation for each acceleration (below): terms, without C_D or standard errors",
-    "rocketpy": "nothing: it does not fit",
-    "frispy": "nothing: it does not fit",
+    "hyzer": "cause and size",
+    "scipy": "{tells}",
+    "casadi": "{tells}",
+    "pysindy": "equations",
+    "rocketpy": "no fit",
+    "frispy": "no fit",
 }
 
 
@@ -90,6 +90,9 @@ def main():
 
 
 TAIL = """
+hyzer names the cause and its size, and what it did to C_D. SciPy and CasADi tell an RMS residual; that it is too much only those see who know the noise. pysindy
+tells an equation for each acceleration, without C_D or standard errors. RocketPy and FrisPy do not fit.
+
 C_D is 0.64. Every fit without the wind is wrong by many of its own standard errors: these hold only if the model is right. That of hyzer differs from
 those of SciPy and CasADi, as its errors are correlated in time (AR(1)), and theirs are white. SciPy and CasADi take a wind as two more
 unknowns, once somebody has thought of it. hyzer tests the effects of its catalogue; it does not find what is neither there nor added. How pysindy, stepwise

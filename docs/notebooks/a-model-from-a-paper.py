@@ -60,16 +60,16 @@ except hyzer.ModelError as error:
 # %% [markdown]
 # ## Fly it
 #
-# The paper's point: with so much drag the range hardly grows with the speed, and the path falls
-# steeply.
+# With so much drag, eight times the speed brings less than three times the range, and the path
+# falls steeply.
 
 # %% alt="Paths of a shuttlecock hit at 10, 20, 40 and 80 m/s at 45 degrees, from the side"
 _, axes = plt.subplots(layout="constrained", figsize=(7, 3.2))
 for speed in (10, 20, 40, 80):
     flight = shuttlecock.fly(hyzer.Release(speed=speed, launch=45, height=1))
     axes.plot(flight["x"], flight["z"], label=f"{speed} m/s: {flight.landing[0]:.1f} m")
-axes.set(xlabel="x, m", ylabel="z, m", aspect="equal")
-axes.legend()
+axes.set(xlabel="x, m", ylabel="z, m", xlim=(-0.5, 21), aspect="equal")
+axes.legend(loc="upper right")
 
 # %% [markdown]
 # ## Verify it
@@ -143,7 +143,7 @@ estimates.to_pandas()[["value", "std_error", "unit"]]
 fits = {"no wind": hyzer.fit(data, shuttlecock), "extended": hyzer.fit(data, found.extended)}
 for name, fit in fits.items():
     drag = fit.coefficients.C_D
-    print(f"{name:9} C_D = {drag.value:.3f} ± {drag.std_error:.3f}, reliable: {fit.reliable}")
+    print(f"{name:9} C_D = {drag.value:.4f} ± {drag.std_error:.4f}, reliable: {fit.reliable}")
 
 # %% [markdown]
 # The name `air_velocity` in the model matters: effects of the [catalogue](../reference/effects.md)

@@ -59,12 +59,12 @@ for goal, found in throws.items():
     landings[goal] = hyzer.sweep(plan).to_pandas()[["landing_x", "landing_y"]]
 
 # %% alt="Landing points of 2,000 attempts at both throws: a bent cloud of some 20 m for the goal hit, a patch of 3 m for the goal spread"
-_, axes = plt.subplots(layout="constrained")
+_, axes = plt.subplots(layout="constrained", figsize=(6, 6))
 for goal, points in landings.items():
     axes.plot(points.landing_x, points.landing_y, ".", markersize=3, alpha=0.4, label=goal)
 axes.plot(*target[:2], "k+", markersize=14, label="target")
 axes.set(xlabel="x, m", ylabel="y, m", aspect="equal")
-axes.legend()
+axes.legend(loc="lower left")
 
 # %%
 away = {

@@ -84,9 +84,11 @@ def page(notebook: dict, name: str) -> str:
             parts.append(cell.source)
             continue
         parts.append(f"```python\n{cell.source}\n```")
-        parts += [
-            shown(output, cell.metadata.get("alt")) for output in streams_joined(cell.outputs)
-        ]
+        alt = cell.metadata.get("alt")
+        outputs = streams_joined(cell.outputs)
+        if alt:  # Of a cell that draws, the value is an object of matplotlib.
+            outputs = [output for output in outputs if output["output_type"] != "execute_result"]
+        parts += [shown(output, alt) for output in outputs]
     parts.append(f"Download: [{name}.ipynb]({name}.ipynb), [{name}.py]({name}.py.txt)")
     return "\n\n".join(part for part in parts if part) + "\n"
 
