@@ -103,7 +103,8 @@ class Model(_hyzer.Model):
         tolerance : float
             Relative and absolute tolerance of a step.
         **values : float
-            Parameters, coefficients or initial states to replace, by name, SI.
+            Parameters, coefficients, initial states or components of inputs (`wind_x`) to
+            replace, by name, SI.
 
         Returns
         -------

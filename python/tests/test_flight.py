@@ -12,6 +12,18 @@ import hyzer
 DISC = hyzer.Model("disc")
 
 
+def test_a_wind_is_stated_in_four_ways() -> None:
+    throw = {"speed": 12, "launch": 20, "height": 1.2}
+    ball = hyzer.Model("ball")
+    stated = ball.fly(hyzer.Release(**throw, wind=(1, 0, 0))).landing
+    assert stated[0] > ball.fly(hyzer.Release(**throw)).landing[0] + 0.3
+    windy = hyzer.Model("ball", parameters={"wind_x": 1.0})
+    assert np.array_equal(windy.fly(hyzer.Release(**throw)).landing, stated)
+    assert np.array_equal(ball.fly(hyzer.Release(**throw), wind_x=1.0).landing, stated)
+    calm = windy.fly(hyzer.Release(**throw, wind=(0, 0, 0))).landing
+    assert np.array_equal(calm, ball.fly(hyzer.Release(**throw)).landing)
+
+
 def test_a_flight_is_that_of_the_program(tmp_path: Path) -> None:
     throw = {"speed": 20, "launch": 8, "nose": 2, "hyzer": 10, "spin": 700, "height": 1.5}
     options = [text for name, value in throw.items() for text in (f"--{name}", str(value))]

@@ -46,7 +46,7 @@ impl Release {
     /// ground, s.
     pub const MAX_DURATION: f64 = 600.0;
 
-    /// Release of a model with its default values and without wind, which ends at the ground.
+    /// Release of a model with its default values, those of its wind among them, which ends at the ground.
     #[doc(hidden)]
     pub fn of(model: &Model) -> Release {
         let states = model.states.iter();
@@ -56,7 +56,7 @@ impl Release {
             parameters: Vec::new(),
             coefficients: Vec::new(),
             initial: states.map(|s| (s.name.clone(), s.value)).collect(),
-            wind: [0.0; 3],
+            wind: own_wind(model),
             wind_field: None,
             known: Vec::new(),
         }
@@ -114,6 +114,12 @@ pub fn quaternion_fault(
         let is_unit = (length - 1.0).abs() <= QUATERNION_TOLERANCE || length.is_nan();
         (!is_unit).then(|| format!("the quaternion {names} has length {length}; expected 1"))
     })
+}
+
+/// Default value of the input `wind` of a model, m/s; 0 without one.
+pub(crate) fn own_wind(model: &Model) -> [f64; 3] {
+    let wind = model.inputs.iter().find(|input| input.name == "wind");
+    wind.map_or([0.0; 3], |wind| wind.value)
 }
 
 /// Names that a model defines and that its release files may use.

@@ -2,7 +2,7 @@
 
 mod throw;
 
-use crate::initial_conditions::{Release, Stop, Vocabulary, quaternion_fault};
+use crate::initial_conditions::{Release, Stop, Vocabulary, own_wind, quaternion_fault};
 use crate::toml_reader::{MAX_FILE_BYTES, Name, Reader, ReleaseError, read_text, suggestion};
 use crate::wind::WindField;
 use model_spec::load::LoadError;
@@ -112,7 +112,10 @@ impl<'t> Reader<'t> {
                 return None;
             }
         };
-        let (wind, wind_field) = self.wind(document);
+        let (mut wind, wind_field) = self.wind(document);
+        if !document.contains_key("wind") {
+            wind = vocabulary.model.as_deref().map_or(wind, own_wind);
+        }
         if let (true, Some(table)) = (wind != [0.0; 3], document.get("wind"))
             && !vocabulary.inputs.iter().any(|input| input == "wind")
         {

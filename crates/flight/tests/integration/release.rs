@@ -1,6 +1,7 @@
 //! Releases: good ones are read, and each fault of a bad one is named with its place.
 
 use flight::release::{self, Name, Release, Stop, Vocabulary};
+use model_spec::ModelTree;
 use model_spec::load::LoadError;
 use proptest::prelude::*;
 
@@ -125,6 +126,21 @@ fn all_that_a_release_may_say() {
     assert_eq!(release.known, [("omega".to_string(), [0.0, 0.0, 50.0])]);
     assert_eq!(release.parameters, [("m".to_string(), 1.0)]);
     assert_eq!(release.initial[11], ("gammadot".to_string(), -50.0));
+}
+
+#[test]
+fn a_release_that_states_no_wind_has_that_of_its_model() {
+    let tree = ModelTree::load("disc").expect("the disc");
+    let tree = tree.with_values([("wind_x", 2.0)]).expect("a wind");
+    let model = tree.check().expect("a model");
+    let wind = |stated: &str| {
+        let text = format!("model = \"disc\"\nuntil = \"ground\"\n{stated}{STATES}");
+        let read = release::read("r.toml", &text, |_| Ok(Vocabulary::of(&model)));
+        read.expect("a release").wind
+    };
+    assert_eq!(wind(""), [2.0, 0.0, 0.0]);
+    assert_eq!(wind("wind.constant = [0, 0, 0]\n"), [0.0; 3]);
+    assert_eq!(Release::of(&model).wind, [2.0, 0.0, 0.0]);
 }
 
 #[test]
