@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs the notebooks and the code of pages, builds the site and checks its links, anchors and accessibility.
-# Runs after python/ci.sh, in the environment with the package that it made. Needs node and Chromium.
+# Runs after python/ci.sh, in the environment with the package that it made. Node and Chromium check the accessibility; without them that is skipped.
 # With --rustdoc the site has the API of the crates too, which compiles what they depend on.
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -16,7 +16,9 @@ mkdir -p "$SITE_BUILD" "$target/site-node"
 echo "== tools"
 pip install --quiet --disable-pip-version-check --requirement requirements.txt
 cp package.json axe.js "$target/site-node"
-(cd "$target/site-node" && npm install --silent --no-fund --no-audit --ignore-scripts)
+if command -v npm > /dev/null; then
+    (cd "$target/site-node" && npm install --silent --no-fund --no-audit --ignore-scripts)
+fi
 (cd .. && ruff check . ../docs/notebooks && ruff format --check . ../docs/notebooks)
 
 echo "== code of pages, and shares by each scheduler"
@@ -38,4 +40,8 @@ mkdocs build --config-file "$here/mkdocs.yml" --site-dir "$out"
 python "$here/check.py" "$out"
 
 echo "== accessibility, 1280 and 390 px"
-node "$target/site-node/axe.js" "$out"
+if command -v node > /dev/null && command -v chromium > /dev/null; then
+    node "$target/site-node/axe.js" "$out"
+else
+    echo "skipped: no node or no Chromium"
+fi

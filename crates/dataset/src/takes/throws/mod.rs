@@ -183,7 +183,7 @@ fn throw(
         return None;
     }
     let samples = [track.samples[first], track.samples[last]];
-    let (quadratic, _) = path.quadratic(first..last + 1, track.times[first], 1.0)?;
+    let (quadratic, _) = path.quadratic(first..=last, track.times[first], 1.0)?;
     let cut = |change: &Change, sample: usize, cause: Cause| Cut {
         sample,
         time: change.time,
