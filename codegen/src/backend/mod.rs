@@ -1,6 +1,6 @@
 //! Code generators: translate compiled models to source text.
 //!
-//! All backends follow the schedule of [`Compiled`](crate::Compiled): they print the statements of each
+//! All backends follow the schedule of [`Compiled`]: they print the statements of each
 //! [`Function`](crate::program::Function) in order, one operation each, so that the results of two backends differ only
 //! by the rounding of their arithmetic. A backend only prints; it neither reorders nor simplifies.
 //!

@@ -1,30 +1,11 @@
 //! Generated constants of a model: names, default values, sparsity patterns.
 
-use super::names::ident;
+use super::names::{CONSTANTS, ident};
 use super::{print, source_hash};
 use crate::compile::Compiled;
 use model_spec::model::Model;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
-
-pub(super) const NAMES: [&str; 16] = [
-    "STATES",
-    "INITIAL",
-    "PARAMETERS",
-    "DEFAULTS",
-    "PARAMS",
-    "COEFFICIENTS",
-    "PREPARED",
-    "QUANTITIES",
-    "LIMITS",
-    "LIMIT_REASONS",
-    "J_PATTERN",
-    "JP_PATTERN",
-    "DY_DX_PATTERN",
-    "DY_DP_PATTERN",
-    "DY_DMARKER_PATTERN",
-    "SOURCE_HASH",
-];
 
 pub(super) fn items(model: &Model, compiled: &Compiled, attributes: &TokenStream) -> TokenStream {
     let layout = &compiled.layout;
@@ -91,7 +72,7 @@ pub(super) fn items(model: &Model, compiled: &Compiled, attributes: &TokenStream
             hash(model),
         ),
     ];
-    let items = NAMES.iter().zip(values).map(|(name, (doc, value))| {
+    let items = CONSTANTS.iter().zip(values).map(|(name, (doc, value))| {
         let (name, doc, fill) = (ident(name), print::doc(doc), print::fill());
         let Value { kind, value } = value;
         quote!(#fill #doc #attributes pub const #name: #kind = #value;)

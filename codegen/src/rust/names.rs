@@ -1,14 +1,34 @@
 //! Conversion of names of models and variables to valid Rust identifiers.
 
-use super::{constants, helpers, signature, table_names};
+use super::{helpers, signature, table_names};
 use proc_macro2::{Ident, Span};
+
+/// Names of the constants that are generated for each model.
+pub(super) const CONSTANTS: [&str; 16] = [
+    "STATES",
+    "INITIAL",
+    "PARAMETERS",
+    "DEFAULTS",
+    "PARAMS",
+    "COEFFICIENTS",
+    "PREPARED",
+    "QUANTITIES",
+    "LIMITS",
+    "LIMIT_REASONS",
+    "J_PATTERN",
+    "JP_PATTERN",
+    "DY_DX_PATTERN",
+    "DY_DP_PATTERN",
+    "DY_DMARKER_PATTERN",
+    "SOURCE_HASH",
+];
 
 /// Whether a name cannot be a local variable: no identifier, or that of an argument or item, which a `let` would match
 /// or shadow.
 pub(super) fn is_reserved(name: &str) -> bool {
     parsed(name).is_none()
         || signature::is_argument(name)
-        || constants::NAMES.contains(&name)
+        || CONSTANTS.contains(&name)
         || helpers::is_helper(name)
         || table_names::is_constant(name)
 }

@@ -288,9 +288,11 @@ fn terms(terms: &[StepwiseTerm]) -> Table {
         .number("coefficient", |term| digits(term).one(term.value))
         .number("standard error", |term| digits(term).one(term.std_error))
         .plain("", |term| {
-            term.selected
-                .then(|| Html::tag("selected"))
-                .unwrap_or_default()
+            if term.selected {
+                Html::tag("selected")
+            } else {
+                Html::default()
+            }
         })
         .table()
 }

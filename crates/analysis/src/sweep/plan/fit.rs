@@ -41,7 +41,7 @@ pub(super) fn read<'t>(
             "coefficients" => {
                 let items = value.get_ref().as_array();
                 let texts = items.map(|items| items.iter().map(|item| item.get_ref().as_str()));
-                only = texts.and_then(|texts| texts.collect::<Option<Vec<&str>>>());
+                only = texts.and_then(Iterator::collect::<Option<Vec<&str>>>);
                 if only.is_none() {
                     let expected = "a list of names, as in [\"C_L0\"]";
                     reader.wrong_type(value, "coefficients", expected);

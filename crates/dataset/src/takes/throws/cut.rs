@@ -4,7 +4,6 @@ use std::ops::Range;
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
-use super::follow::Stop;
 use super::path::Path;
 use super::windows::half;
 
@@ -192,6 +191,26 @@ impl<'p> FlightEnd<'p> {
             hinge,
         })
     }
+}
+
+/// Reason why a flight was not followed further in time. All indices refer to the track; if the flight is followed
+/// backwards in time, "after" means earlier.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Stop {
+    Data,
+    /// The body is not seen between the samples `from` and `to`, neighbours in the track. The gap is longer than
+    /// [`ThrowOptions::longest_gap`], or the samples after it do not continue the flight.
+    Gap {
+        from: usize,
+        to: usize,
+    },
+    /// The samples after `last` deviate from their prediction.
+    Deviation {
+        last: usize,
+    },
+    Touch {
+        last: usize,
+    },
 }
 
 impl Path<'_> {

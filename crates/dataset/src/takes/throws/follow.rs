@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::cut::FlightEnd;
+use super::cut::{FlightEnd, Stop};
 use super::path::Path;
 use super::windows::half;
 use super::{FINEST, ThrowOptions};
@@ -16,26 +16,6 @@ const STRANGE: f64 = 4.5;
 const CONSECUTIVE: usize = 2;
 /// Rate of change of the acceleration in free flight, m/s³, that is tolerated in a prediction by a quadratic in time.
 const JERK: f64 = 60.0;
-
-/// Reason why a flight was not followed further in time. All indices refer to the track; if the flight is followed
-/// backwards in time, "after" means earlier.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Stop {
-    Data,
-    /// The body is not seen between the samples `from` and `to`, neighbours in the track. The gap is longer than
-    /// [`ThrowOptions::longest_gap`], or the samples after it do not continue the flight.
-    Gap {
-        from: usize,
-        to: usize,
-    },
-    /// The samples after `last` deviate from their prediction.
-    Deviation {
-        last: usize,
-    },
-    Touch {
-        last: usize,
-    },
-}
 
 impl Path<'_> {
     /// Follows a flight backwards and forwards from the middle of `run`, a range of samples in free flight. Returns the

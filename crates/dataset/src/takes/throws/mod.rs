@@ -21,8 +21,7 @@ use std::ops::Range;
 use nalgebra::Vector3;
 
 use crate::takes::take::Take;
-use cut::Change;
-use follow::Stop;
+use cut::{Change, Stop};
 pub use motion::{Motion, motion};
 use path::Path;
 use track::Track;
