@@ -9,6 +9,7 @@ mod diagnose;
 mod export;
 mod fit;
 mod generate;
+mod help;
 mod import;
 mod recovery;
 mod reliability;
