@@ -45,6 +45,9 @@ impl Method {
 /// Number of coefficient vectors ("rows") of the dense output of one step, the same for Tsit5 and DOP853.
 pub(crate) const ROWS: usize = 8;
 
+/// Stages of DOP853 with those of its dense output; Tsit5 has 7.
+const MAX_STAGES: usize = 16;
+
 /// Error tolerances of a step, and the number of state components that they apply to.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ErrorTolerance {
@@ -66,8 +69,9 @@ impl ErrorTolerance {
 /// Explicit Runge–Kutta stepper: computes the stages, error norm and dense output of a step.
 pub(crate) struct Stepper<X> {
     pub tableau: &'static Tableau,
-    /// Stage derivatives; the first is the derivative at the start of the step.
-    k: Vec<X>,
+    /// Stage derivatives; the first is the derivative at the start of the step. An array: a vector makes a short step a tenth
+    /// slower.
+    k: [X; MAX_STAGES],
     pub x: X,
     stage: X,
     end: X,
@@ -79,7 +83,7 @@ impl<X: StateVector> Stepper<X> {
         let tableau = method.tableau();
         Stepper {
             tableau,
-            k: vec![dx; tableau.stages() + tableau.dense_rows.len()],
+            k: std::array::from_fn(|_| dx.clone()),
             stage: x.clone(),
             end: x.clone(),
             x,
@@ -231,21 +235,6 @@ const MAX_WEIGHTS: usize = 9;
 /// stages and `row` their weights.
 #[inline(always)]
 pub(crate) fn combine<X: StateVector>(to: &mut X, from: &X, h: f64, row: &[(usize, f64)], k: &[X]) {
-    let n = to.as_ref().len();
-    if n >= simd::MIN_SIMD_LEN {
-        let (mut weights, mut stages) = ([0.0; MAX_WEIGHTS], [&[] as &[f64]; MAX_WEIGHTS]);
-        for (m, (stage, weight)) in row.iter().enumerate() {
-            (weights[m], stages[m]) = (*weight, &k[*stage].as_ref()[..n]);
-        }
-        let from = &from.as_ref()[..n];
-        return simd::combine(
-            to.as_mut(),
-            from,
-            h,
-            &weights[..row.len()],
-            &stages[..row.len()],
-        );
-    }
     match row.len() {
         1 => sum::<X, 1>(to, from, h, row, k),
         2 => sum::<X, 2>(to, from, h, row, k),
@@ -259,7 +248,7 @@ pub(crate) fn combine<X: StateVector>(to: &mut X, from: &X, h: f64, row: &[(usiz
     }
 }
 
-/// [`combine`] for a short state and a row of `M` weights.
+/// [`combine`] for a row of `M` weights.
 // Loops instead of iterator closures, which are not always inlined.
 #[inline(always)]
 fn sum<X: StateVector, const M: usize>(
@@ -275,6 +264,9 @@ fn sum<X: StateVector, const M: usize>(
     let (mut weights, mut stages) = ([0.0; M], [&[] as &[f64]; M]);
     for m in 0..M {
         (weights[m], stages[m]) = (row[m].1, &k[row[m].0].as_ref()[..n]);
+    }
+    if n >= simd::MIN_SIMD_LEN {
+        return simd::combine(to, from, h, &weights, &stages);
     }
     for i in 0..n {
         let mut sum = weights[0] * stages[0][i];
