@@ -38,7 +38,7 @@ pub fn generate_with(backend: &dyn Backend, models: &[Model]) -> Vec<SourceFile>
 pub struct Difference {
     /// Path relative to the compared directory.
     pub path: String,
-    /// Unified diff from the file on disk to the generated text.
+    /// Unified diff from the file on disk to the generated text, or that the file is missing.
     pub text: String,
 }
 
@@ -65,8 +65,7 @@ pub fn check(directory: &Path, models: &[Model]) -> io::Result<Vec<Difference>> 
     Ok(differences)
 }
 
-/// Compares generated files with the files of equal path in a directory; other files in the directory are ignored. A
-/// missing file counts as empty.
+/// Compares generated files with the files of equal path in a directory; other files in the directory are ignored.
 ///
 /// # Errors
 /// If a file cannot be read.
@@ -75,7 +74,13 @@ pub fn check_files(directory: &Path, files: &[SourceFile]) -> io::Result<Vec<Dif
     for SourceFile { path, text } in files {
         let found = match fs::read_to_string(directory.join(path)) {
             Ok(found) => found,
-            Err(error) if error.kind() == io::ErrorKind::NotFound => String::new(),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                differences.push(Difference {
+                    path: path.clone(),
+                    text: format!("{path} is missing\n"),
+                });
+                continue;
+            }
             Err(error) => return Err(error),
         };
         differences.extend(difference(path, &found, text));

@@ -31,7 +31,7 @@ fn generate_modules(options: &Generate, out: &Path) -> anyhow::Result<Answer> {
     if options.check {
         let differences =
             generate::check_files(out, &files).with_context(|| format!("cannot read {folder}"))?;
-        return report(&differences, out, &folder, options.models.len());
+        return report(&differences, &folder, options.models.len());
     }
     let changed = progress::writing(|| generate::write_files(out, &files))
         .with_context(|| format!("cannot write {folder}"))?;
@@ -73,26 +73,16 @@ fn generate_crate(options: &Generate) -> anyhow::Result<Answer> {
         let differences = generate::check(&sources, &models);
         let differences =
             differences.with_context(|| format!("cannot read {}", sources.display()))?;
-        return report(&differences, &sources, SOURCES, models.len());
+        return report(&differences, SOURCES, models.len());
     }
     let changed = generate::write(&sources, &models);
     let changed = changed.with_context(|| format!("cannot write {}", sources.display()))?;
     list(&changed, SOURCES, models.len())
 }
 
-/// Prints the differences of the files in `directory`, which messages call `folder`.
-fn report(
-    differences: &[Difference],
-    directory: &Path,
-    folder: &str,
-    models: usize,
-) -> anyhow::Result<Answer> {
+fn report(differences: &[Difference], folder: &str, models: usize) -> anyhow::Result<Answer> {
     for difference in differences {
-        if directory.join(&difference.path).exists() {
-            output::print(difference.to_string())?;
-        } else {
-            output::print(format!("{} is missing\n", difference.path))?;
-        }
+        output::print(difference.to_string())?;
     }
     if differences.is_empty() {
         eprintln!("{models} models; {folder} is up to date");
