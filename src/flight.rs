@@ -1,5 +1,6 @@
 //! Simulated flights.
 
+use flight::FlightParameters;
 use flight::release::Release;
 use ode::Trajectory;
 
@@ -9,7 +10,7 @@ use crate::Model;
 #[derive(Clone, Debug)]
 pub struct Flight {
     model: Model,
-    parameters: Vec<f64>,
+    parameters: FlightParameters,
     trajectory: Trajectory,
 }
 

@@ -19,7 +19,7 @@ impl Specialized {
     /// Copies and simplifies what `roots` depend on, with `values` for symbols.
     pub fn new(old: &ExprGraph, roots: &[NodeId], values: &Values) -> Specialized {
         let mut new = Specialized {
-            graph: ExprGraph::with_tables(old.tables().clone()),
+            graph: old.emptied(),
             images: vec![None; old.len()],
         };
         let mut locals: FastMap<NodeId, NodeId> = FastMap::default();

@@ -27,10 +27,13 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 pub struct Layout {
     /// Names of the states, in state-vector order.
     pub states: Vec<String>,
-    /// Names of the parameters: known constants, then coefficients, then components of inputs (`wind_x`, …).
+    /// Names of the parameters: known constants and scalar inputs, then coefficients, then components of vector inputs
+    /// (`wind_x`, …).
     pub parameters: Vec<String>,
-    /// Number of known constants, which are the first entries of [`Layout::parameters`].
+    /// Number of known constants and scalar inputs, which are the first entries of [`Layout::parameters`].
     pub params: usize,
+    /// Indices of the scalar inputs, which may vary during a flight.
+    pub varying: Vec<ParamId>,
     /// Number of coefficients, which follow the known constants in [`Layout::parameters`].
     pub coefficients: usize,
     /// Names of the three coordinates of the marker; empty if the model has no marker.
@@ -55,6 +58,10 @@ impl Layout {
                 .chain(inputs.clone().flat_map(|input| components(&input.name)))
                 .collect(),
             params: model.params.len(),
+            varying: (0..model.params.len())
+                .filter(|k| model.params[*k].varies)
+                .map(ParamId::new)
+                .collect(),
             coefficients: model.coefficients.len(),
             marker: model
                 .marker
@@ -138,7 +145,7 @@ impl Layout {
         position(&self.quantities, name).map(QuantityId::new)
     }
 
-    /// Parameter indices of an input's three components, by the input's name; `None` if there is no such input.
+    /// Parameter indices of a vector input's three components, by its name; `None` if there is no such input.
     pub fn components(&self, input: &str) -> Option<[ParamId; 3]> {
         let [x, y, z] = components(input).map(|name| self.parameter(&name));
         Some([x?, y?, z?])

@@ -28,7 +28,7 @@ pub struct Model {
     pub reference: Option<String>,
     /// Source texts: the text of the model file first, then the text of each applied effect.
     pub sources: Vec<Source>,
-    /// Known constants of the body and its environment, in order of declaration.
+    /// Known constants of the body and its environment, and scalar inputs, in order of declaration.
     pub params: Vec<Parameter>,
     /// Coefficients, which are estimated from flights, in order of declaration; those that effects add come last.
     pub coefficients: Vec<Parameter>,
@@ -70,7 +70,7 @@ pub struct Model {
     pub tree: Arc<ast::File>,
 }
 
-/// A known constant or a coefficient: a scalar that is constant during a flight.
+/// A known constant, a coefficient or a scalar input.
 #[derive(Clone, Debug, Default)]
 pub struct Parameter {
     /// Name, such as `C_La` or `m`.
@@ -81,6 +81,8 @@ pub struct Parameter {
     pub unit: Unit,
     /// Text of the SI unit of [`Parameter::value`], such as `1/rad`; `rad` for a parameter in `deg`.
     pub unit_text: String,
+    /// Whether the value may vary during a flight: a scalar input.
+    pub varies: bool,
     /// Whether the unit was inferred from the uses of the parameter.
     pub inferred: bool,
     /// Default value, SI.

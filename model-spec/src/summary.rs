@@ -36,8 +36,14 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
             format!("{}: {kind}", frame.name.text)
         }),
     )?;
-    constants(out, "parameters", &model.params)?;
-    constants(out, "coefficients", &model.coefficients)?;
+    let (varying, constant): (Vec<_>, Vec<_>) = model.params.iter().partition(|p| p.varies);
+    constants(out, "parameters", &constant)?;
+    constants(
+        out,
+        "coefficients",
+        &model.coefficients.iter().collect::<Vec<_>>(),
+    )?;
+    constants(out, "inputs over time", &varying)?;
     section(
         out,
         "inputs",
@@ -238,7 +244,7 @@ pub fn with_unit(value: f64, unit: &str) -> String {
     }
 }
 
-fn constants(out: &mut String, title: &str, constants: &[Parameter]) -> std::fmt::Result {
+fn constants(out: &mut String, title: &str, constants: &[&Parameter]) -> std::fmt::Result {
     let width = constants.iter().map(|c| c.name.len()).max().unwrap_or(0);
     section(
         out,

@@ -78,7 +78,7 @@ pub fn found(
     release: &Release,
     times: usize,
 ) -> Result<(Found, Option<IntegrationError>), StabilityError> {
-    let bound = body.with_parameters(body.compiled.release_parameters(release));
+    let bound = body.with_parameters(body.compiled.release_parameters(release).constants);
     let first = at(&bound, 0.0, &release.state())?;
     let settings = IntegrationOptions::with_tolerance(1e-9);
     let (flight, missing) = match simulate(&body.compiled, release, &settings) {

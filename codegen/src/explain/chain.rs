@@ -112,7 +112,7 @@ pub(super) struct Cut {
 impl Cut {
     pub fn new(model: &Model, source: &ExprGraph, roots: &[NodeId]) -> Cut {
         let mut cut = Cut {
-            graph: ExprGraph::with_tables(source.tables().clone()),
+            graph: source.emptied(),
             roots: Vec::new(),
             layout: Layout::new(model),
             names: FastMap::default(),

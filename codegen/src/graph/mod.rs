@@ -92,6 +92,8 @@ pub struct ExprGraph {
     has_masks: bool,
     has_exponentials: bool,
     tables: Tables,
+    /// Indices of the parameters that may vary during a flight.
+    varying: Vec<u32>,
 }
 
 impl ExprGraph {
@@ -100,10 +102,12 @@ impl ExprGraph {
         ExprGraph::default()
     }
 
-    /// Creates an empty graph whose expressions may look up values in `tables`.
-    pub fn with_tables(tables: Tables) -> ExprGraph {
+    /// Creates an empty graph whose expressions may look up values in `tables`, and in which the parameters with the
+    /// indices `varying` may vary during a flight.
+    pub fn with_tables(tables: Tables, varying: Vec<u32>) -> ExprGraph {
         ExprGraph {
             tables,
+            varying,
             ..ExprGraph::default()
         }
     }
@@ -111,6 +115,11 @@ impl ExprGraph {
     /// Tables that the expressions look up.
     pub fn tables(&self) -> &Tables {
         &self.tables
+    }
+
+    /// An empty graph with the tables and the varying parameters of this one.
+    pub(crate) fn emptied(&self) -> ExprGraph {
+        ExprGraph::with_tables(self.tables.clone(), self.varying.clone())
     }
 
     /// Name of a function, such as `exp` or the name of a table, for printed expressions and names of variables.
@@ -325,8 +334,8 @@ impl ExprGraph {
                 nonneg: true,
                 nonzero: true,
             },
-            Node::Symbol(Symbol::Parameter(_)) => ValueFacts {
-                fixed: true,
+            Node::Symbol(Symbol::Parameter(k)) => ValueFacts {
+                fixed: !self.varying.contains(k),
                 ..ValueFacts::default()
             },
             Node::Symbol(Symbol::Local(k)) => self.locals[*k as usize].0,

@@ -78,9 +78,10 @@ pub(crate) struct Lowering<'a> {
 
 pub fn lower(model: &Model) -> Lowered {
     let layout = Layout::new(model);
+    let varying = layout.varying.iter().map(|id| id.index() as u32);
     let mut lowering = Lowering {
         model,
-        graph: ExprGraph::with_tables(Tables::of_model(model)),
+        graph: ExprGraph::with_tables(Tables::of_model(model), varying.collect()),
         layout,
         lets: Vec::new(),
         component_rates: None,

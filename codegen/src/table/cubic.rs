@@ -25,6 +25,32 @@ impl PiecewiseCubic {
         }
     }
 
+    /// Natural cubic spline through at least two knots (argument, value) with increasing arguments.
+    pub fn natural_spline(knots: &[(f64, f64)]) -> PiecewiseCubic {
+        spline(knots, false)
+    }
+
+    /// Straight lines between at least two knots (argument, value) with increasing arguments.
+    pub fn linear(knots: &[(f64, f64)]) -> PiecewiseCubic {
+        let slopes = knots.windows(2).map(|pair| {
+            let [(x, a), (y, b)] = [pair[0], pair[1]];
+            [a, (b - a) / (y - x), 0.0, 0.0]
+        });
+        let pieces: Vec<_> = slopes.collect();
+        let last = pieces[pieces.len() - 1][1];
+        continued(knots, pieces, last, false)
+    }
+
+    /// The value of each of at least one knot (argument, value), from its argument up to the next one.
+    pub fn hold(knots: &[(f64, f64)]) -> PiecewiseCubic {
+        let values = knots.iter().map(|(_, value)| [*value, 0.0, 0.0, 0.0]);
+        let first = values.clone().take(1);
+        PiecewiseCubic {
+            knots: knots.iter().map(|knot| knot.0).collect(),
+            cubics: first.chain(values).collect(),
+        }
+    }
+
     /// Argument values at the knots, in increasing order.
     pub fn knots(&self) -> &[f64] {
         &self.knots

@@ -1,8 +1,9 @@
 //! Header of a flight's table: column indices of the time, the marker coordinates and the sensor channels.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::AXES;
+use super::inputs::InputColumns;
 use super::lines::Lines;
 use super::sensor::{Sensor, channels};
 use super::words::{listed, meant, shown};
@@ -15,6 +16,8 @@ pub(super) struct Header {
     pub time: usize,
     pub columns: Vec<[usize; 3]>,
     pub channels: Vec<Vec<usize>>,
+    /// Columns that belong to no marker and no sensor: inputs, with their indices.
+    pub inputs: Vec<(String, usize)>,
 }
 
 impl Header {
@@ -33,15 +36,32 @@ impl Header {
         let names: Vec<String> = names.chain(of_sensors).collect();
         let places: BTreeMap<&str, usize> = names.iter().map(String::as_str).zip(0..).collect();
         let mut found = vec![None; names.len()];
+        let mut others: Vec<(String, usize)> = Vec::new();
         for (index, name) in lines.sheet.cells().iter().enumerate() {
             let Some(&place) = places.get(name.as_str()) else {
-                let expected = expected_instead_of(name, markers, &names);
-                return Err(lines.fault(index, format!("the column {}", shown(name)), expected));
+                others.push((name.clone(), index));
+                continue;
             };
             if found[place].replace(index).is_some() {
                 let found = format!("a second column {}", shown(name));
                 return Err(lines.fault(index, found, "each column once"));
             }
+        }
+        let is_complete = found.iter().all(Option::is_some);
+        let devices: Vec<&str> = markers
+            .iter()
+            .copied()
+            .chain(sensors.iter().map(|own| &*own.name))
+            .collect();
+        let is_input = |name: &str| is_complete && InputColumns::may_be(name, &devices);
+        if let Some((name, index)) = others.iter().find(|(name, _)| !is_input(name)) {
+            let expected = expected_instead_of(name, markers, &names);
+            return Err(lines.fault(*index, format!("the column {}", shown(name)), expected));
+        }
+        let mut seen = BTreeSet::new();
+        if let Some((name, index)) = others.iter().find(|(name, _)| !seen.insert(name)) {
+            let found = format!("a second column {}", shown(name));
+            return Err(lines.fault(*index, found, "each column once"));
         }
         let count = markers.len();
         let first_of_sensors = 1 + 3 * count;
@@ -56,7 +76,7 @@ impl Header {
         let found: Vec<usize> = found.into_iter().flatten().collect();
         let mut of_sensors = found[first_of_sensors..].iter().copied();
         Ok(Self {
-            width: found.len(),
+            width: found.len() + others.len(),
             time: found[0],
             columns: (1..=count)
                 .map(|marker| [0, 1, 2].map(|axis| found[axis * count + marker]))
@@ -64,6 +84,7 @@ impl Header {
             channels: channels(sensors)
                 .map(|(_, endings)| of_sensors.by_ref().take(endings.len()).collect())
                 .collect(),
+            inputs: others,
         })
     }
 }

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use super::write::read_back;
-use super::{Dataset, assemble, manifest, manifest_text, table_text};
+use super::write::{inputs_file, read_back};
+use super::{Dataset, assemble, inputs, manifest, manifest_text, table_text};
 use crate::input_error::InputError;
 
 /// Reads and checks a dataset from texts in memory, as [`load`](fn@super::load) does from files: the text of
@@ -17,7 +17,7 @@ pub fn from_texts(
     tables: &BTreeMap<String, String>,
 ) -> Result<Dataset, InputError> {
     let manifest = manifest::parse(Path::new("dataset.toml"), manifest)?;
-    assemble(manifest, flight::parallel::threads(), |_, file| {
+    assemble(manifest, flight::parallel::threads(), |file| {
         let path = PathBuf::from(file);
         match tables.get(file) {
             Some(text) => Ok((path, text.as_bytes().into(), false)),
@@ -37,9 +37,14 @@ impl Dataset {
     /// # Errors
     /// The first fault found; its line and column refer to the files that [`write`](fn@super::write) would write.
     pub fn validate(&self) -> Result<(), InputError> {
-        let table = |index: usize, _: &Path| {
-            let flight = self.flights.get(index);
-            let text = flight.map(|flight| table_text(flight, &self.markers, &self.sensors));
+        let table = |path: &Path| {
+            let text = self.flights.iter().find_map(|flight| {
+                if Path::new(&flight.file) == path {
+                    return Some(table_text(flight, &self.markers, &self.sensors));
+                }
+                let is_inputs = Path::new(&inputs_file(flight)) == path;
+                is_inputs.then(|| inputs::text(&flight.inputs))
+            });
             Ok(text.unwrap_or_default().into_bytes().into())
         };
         if read_back(&manifest_text(self), table)? == *self {

@@ -11,6 +11,7 @@ mod file;
 mod header;
 mod in_memory;
 mod input_error;
+mod inputs;
 mod lines;
 mod manifest;
 mod manifest_sensors;
@@ -34,7 +35,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 pub use body_template::BodyTemplate;
-use flight::parallel;
+use flight::{InputInterpolation, InputSeries, parallel};
 pub use in_memory::from_texts;
 pub use input_error::InputError;
 pub use recording::ANGULAR_RATES;
@@ -69,6 +70,10 @@ pub struct Dataset {
     pub axis_error: Option<f64>,
     /// Standard deviation of one coordinate of a measured position, m; `None` if unknown.
     pub sigma: Option<f64>,
+    /// Inputs, coefficients or constants of the model that are estimated for each flight by itself.
+    pub unknown: Vec<String>,
+    /// Interpolation of the inputs over time.
+    pub input_interpolation: InputInterpolation,
     /// The measured flights, in the order of their entries in `dataset.toml`.
     pub flights: Vec<Flight>,
 }
@@ -114,6 +119,11 @@ pub enum KnownValue {
     Vector([f64; 3]),
 }
 
+impl KnownValue {
+    /// End of the name under which the standard deviation of a known value is stated.
+    pub const SIGMA: &str = "_sigma";
+}
+
 /// One measured flight. The default is a fitted flight without samples.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Flight {
@@ -123,7 +133,14 @@ pub struct Flight {
     pub role: Role,
     /// Values of model quantities in this flight that are known from other sources than its marker positions and sensor
     /// readings, such as the wind, by their names in the model.
+    ///
+    /// A value under the name `NAME_sigma` is the standard deviation with which `NAME` was measured; `NAME` is then
+    /// estimated, with this prior.
     pub known: BTreeMap<String, KnownValue>,
+    /// Inputs, coefficients or constants of the model that are estimated for this flight by itself.
+    pub unknown: Vec<String>,
+    /// Inputs of the model that were recorded over time, by name; times are those of the samples.
+    pub inputs: Vec<(String, InputSeries)>,
     /// Times of the samples, s, increasing.
     pub times: Vec<f64>,
     /// `positions[sample][marker]`, m, in the inertial frame; `None` if the marker was not measured.
@@ -163,7 +180,7 @@ pub fn load_on(folder: &Path, threads: Option<usize>) -> Result<Dataset, InputEr
     }
     let manifest = manifest::read(&folder.join("dataset.toml"))?;
     let threads = threads.unwrap_or_else(parallel::threads);
-    assemble(manifest, threads, |_, file| {
+    assemble(manifest, threads, |file| {
         let path = folder.join(file);
         let is_c3d = names::is_c3d(&path);
         let what = if is_c3d { "a C3D file" } else { "a table" };
@@ -176,14 +193,15 @@ pub fn load_on(folder: &Path, threads: Option<usize>) -> Result<Dataset, InputEr
 fn assemble<'t>(
     manifest: manifest::Manifest,
     threads: usize,
-    read: impl Fn(usize, &str) -> Result<(PathBuf, Cow<'t, [u8]>, bool), InputError> + Sync,
+    read: impl Fn(&str) -> Result<(PathBuf, Cow<'t, [u8]>, bool), InputError> + Sync,
 ) -> Result<Dataset, InputError> {
     let (mut flights, mut paths) = (Vec::with_capacity(manifest.flights.len()), Vec::new());
     let names = manifest.markers.iter().map(|marker| marker.name.as_str());
     let names: Vec<&str> = names.collect();
     let (recording, sensors) = (&manifest.recording, &manifest.sensors[..]);
+    let interpolation = manifest.input_interpolation;
     let tables = parallel::each_on(threads, manifest.flights.len(), |index| {
-        let (path, bytes, is_c3d) = read(index, &manifest.flights[index].file)?;
+        let (path, bytes, is_c3d) = read(&manifest.flights[index].file)?;
         let table = if !is_c3d {
             table::parse(
                 &path,
@@ -198,7 +216,22 @@ fn assemble<'t>(
         } else {
             c3d::parse(&path, &bytes, &names)?
         };
-        Ok((path, upright::upright(recording, table, sensors)))
+        let mut table = upright::upright(recording, table, sensors);
+        let mut inputs = std::mem::take(&mut table.inputs).series(&path, interpolation)?;
+        if let Some(file) = &manifest.flights[index].inputs {
+            let (path, bytes, _) = read(file)?;
+            let text = file::text(&path, &bytes)?;
+            let own = inputs::parse(&path, text, recording, interpolation)?;
+            if let Some((name, _)) = own
+                .iter()
+                .find(|(name, _)| inputs.iter().any(|i| i.0 == *name))
+            {
+                let found = format!("the input {name}, which the flight's own table has too");
+                return Err(InputError::of_file(&path, found, "each input once"));
+            }
+            inputs.extend(own);
+        }
+        Ok((path, (table, inputs)))
     });
     for (entry, table) in manifest.flights.into_iter().zip(tables) {
         let (path, table) = table?;
@@ -207,9 +240,11 @@ fn assemble<'t>(
             file: entry.file,
             role: entry.role,
             known: entry.known,
-            times: table.times,
-            positions: table.positions,
-            readings: table.readings,
+            unknown: entry.unknown,
+            inputs: table.1,
+            times: table.0.times,
+            positions: table.0.positions,
+            readings: table.0.readings,
         });
     }
     let (mut markers, mut sensors) = (manifest.markers, manifest.sensors);
@@ -233,6 +268,8 @@ fn assemble<'t>(
             .axis_error
             .or(estimated.map(takes::EstimatedTemplate::axis_error)),
         sigma: manifest.sigma,
+        unknown: manifest.unknown,
+        input_interpolation: interpolation,
         flights,
     })
 }

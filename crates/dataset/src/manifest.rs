@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::path::Path;
 
+use flight::InputInterpolation;
 use model_spec::location::line_and_column;
 use toml::Spanned;
 use toml::de::DeTable;
@@ -11,7 +12,7 @@ use toml::de::DeTable;
 use super::fields::{Entry, Fields, Value};
 use super::recording::Recording;
 use super::unplaced::Unplaced;
-use super::words::{meant, shown};
+use super::words::{listed, meant, shown};
 use super::{KnownValue, Marker, Role, Sensor, file, names};
 use crate::input_error::InputError;
 use crate::pose::distance;
@@ -41,6 +42,8 @@ pub(super) struct Manifest {
     pub unplaced: Vec<Unplaced>,
     pub sensors: Vec<Sensor>,
     pub sigma: Option<f64>,
+    pub unknown: Vec<String>,
+    pub input_interpolation: InputInterpolation,
     pub flights: Vec<FlightEntry>,
 }
 
@@ -51,6 +54,9 @@ pub(super) struct FlightEntry {
     pub file: String,
     pub role: Role,
     pub known: BTreeMap<String, KnownValue>,
+    pub unknown: Vec<String>,
+    /// Table of the inputs over time.
+    pub inputs: Option<String>,
 }
 
 pub(super) fn read(path: &Path) -> Result<Manifest, InputError> {
@@ -82,7 +88,7 @@ fn syntax(file: &Path, text: &str, error: &toml::de::Error) -> InputError {
 
 impl Fields<'_> {
     fn manifest(&self, document: &DeTable<'_>) -> Result<Manifest, InputError> {
-        const KEYS: [&str; 8] = [
+        const KEYS: [&str; 10] = [
             "model",
             "recording",
             "template",
@@ -90,6 +96,8 @@ impl Fields<'_> {
             "markers",
             "sensors",
             "noise",
+            "unknown",
+            "inputs",
             "flights",
         ];
         self.keys(document, "", &KEYS)?;
@@ -101,6 +109,8 @@ impl Fields<'_> {
         let sensors = self.sensors(document, (&mut markers, &mut unplaced), &mut sigma)?;
         let recording = Recording::read(self, document, &sensors)?;
         let (origin_error, axis_error) = self.template_errors(document)?;
+        let unknown = self.unknown(document)?;
+        let input_interpolation = self.interpolation(document)?;
         let flights = self.flights(document)?;
         Ok(Manifest {
             model,
@@ -112,6 +122,8 @@ impl Fields<'_> {
             unplaced,
             sensors,
             sigma,
+            unknown,
+            input_interpolation,
             flights,
         })
     }
@@ -321,12 +333,10 @@ impl Fields<'_> {
         let mut seen = BTreeSet::new();
         let mut flights = Vec::with_capacity(tables.len());
         for entry in &tables {
-            self.keys(entry.1, " in [[flights]]", &["file", "role", "known"])?;
+            let keys = ["file", "role", "known", "unknown", "inputs"];
+            self.keys(entry.1, " in [[flights]]", &keys)?;
             let value = self.needed(entry, "file", "the flight's table")?;
-            let file = self.text(value, "file", "the flight's table in quotes")?;
-            if let Some(expected) = names::wrong_with_file(&file) {
-                return Err(self.fault(value.span(), shown(&file), expected));
-            }
+            let file = self.file_name(value, "file", "the flight's table in quotes")?;
             if !seen.insert(file.clone()) {
                 let found = format!("a second flight {}", shown(&file));
                 return Err(self.fault(value.span(), found, "each file once"));
@@ -335,9 +345,74 @@ impl Fields<'_> {
                 file,
                 role: self.role(entry.1)?,
                 known: self.known(entry.1)?,
+                unknown: self.unknown(entry.1)?,
+                inputs: entry
+                    .1
+                    .get("inputs")
+                    .map(|value| self.file_name(value, "inputs", "a table of inputs in quotes"))
+                    .transpose()?,
             });
         }
         Ok(flights)
+    }
+
+    /// Reads the name of a file of the dataset under the key `key`.
+    fn file_name(
+        &self,
+        value: &Value<'_>,
+        key: &str,
+        expected: &str,
+    ) -> Result<String, InputError> {
+        let file = self.text(value, key, expected)?;
+        match names::wrong_with_file(&file) {
+            None => Ok(file),
+            Some(expected) => Err(self.fault(value.span(), shown(&file), expected)),
+        }
+    }
+
+    /// Reads the names under the key `unknown` of the document or of a flight.
+    fn unknown(&self, table: &DeTable<'_>) -> Result<Vec<String>, InputError> {
+        let expected = "a list of names, as in [\"omega\"]";
+        let Some(value) = table.get("unknown") else {
+            return Ok(Vec::new());
+        };
+        let Some(items) = value.get_ref().as_array() else {
+            return Err(self.refused(value, "unknown", "no list", expected));
+        };
+        let mut names: Vec<String> = Vec::with_capacity(items.len());
+        for item in items.iter() {
+            let name = self.text(item, "unknown", expected)?;
+            if names.contains(&name) {
+                let found = format!("a second {}", shown(&name));
+                return Err(self.fault(item.span(), found, "each name once"));
+            }
+            names.push(name);
+        }
+        Ok(names)
+    }
+
+    /// Reads how inputs are interpolated from the table `[inputs]`.
+    fn interpolation(&self, document: &DeTable<'_>) -> Result<InputInterpolation, InputError> {
+        let Some(table) = self.table(document, "inputs")? else {
+            return Ok(InputInterpolation::default());
+        };
+        self.keys(table, " in [inputs]", &["interpolation"])?;
+        let Some(value) = table.get("interpolation") else {
+            return Ok(InputInterpolation::default());
+        };
+        let words = InputInterpolation::NAMES.map(|(word, _)| word);
+        let expected = listed(words);
+        let word = self.text(value, "interpolation", &expected)?;
+        let known = InputInterpolation::NAMES
+            .iter()
+            .find(|(own, _)| *own == word);
+        match known {
+            Some((_, interpolation)) => Ok(*interpolation),
+            None => {
+                let expected = format!("{expected}{}", meant(&word, words));
+                Err(self.refused(value, "interpolation", shown(&word), expected))
+            }
+        }
     }
 
     fn role(&self, flight: &DeTable<'_>) -> Result<Role, InputError> {
@@ -355,6 +430,40 @@ impl Fields<'_> {
         }
     }
 
+    /// Checks the entry `name` of `known` if it is the standard deviation of another entry.
+    fn check_sigma(
+        &self,
+        table: &DeTable<'_>,
+        name: &str,
+        value: &Value<'_>,
+        read: &KnownValue,
+    ) -> Result<(), InputError> {
+        let Some(of) = name.strip_suffix(KnownValue::SIGMA) else {
+            return Ok(());
+        };
+        let Some(measured) = table.get(of) else {
+            let expected = format!("the measured value beside it, as in {of} = …");
+            return Err(self.refused(value, name, "a standard deviation alone", expected));
+        };
+        if measured.get_ref().is_array() != value.get_ref().is_array() {
+            let expected = format!("as many numbers as {of} has");
+            return Err(self.refused(
+                value,
+                name,
+                "a standard deviation of another shape",
+                expected,
+            ));
+        }
+        let all = match read {
+            KnownValue::Scalar(sigma) => vec![*sigma],
+            KnownValue::Vector(sigmas) => sigmas.to_vec(),
+        };
+        match all.iter().find(|sigma| **sigma <= 0.0) {
+            None => Ok(()),
+            Some(sigma) => Err(self.refused(value, name, sigma, "standard deviations above 0")),
+        }
+    }
+
     fn known(&self, flight: &DeTable<'_>) -> Result<BTreeMap<String, KnownValue>, InputError> {
         let mut known = BTreeMap::new();
         let Some(table) = self.table(flight, "known")? else {
@@ -367,6 +476,7 @@ impl Fields<'_> {
             } else {
                 KnownValue::Scalar(self.constant(&name, value)?)
             };
+            self.check_sigma(table, &name, value, &found)?;
             known.insert(name, found);
         }
         Ok(known)

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::AXES;
 use super::header::Header;
+use super::inputs::InputColumns;
 use super::lines::Lines;
 use super::recording::Recording;
 use super::samples;
@@ -17,6 +18,7 @@ pub(super) struct Table {
     pub times: Vec<f64>,
     pub positions: Vec<Vec<Option<[f64; 3]>>>,
     pub readings: Vec<Vec<Option<Reading>>>,
+    pub inputs: InputColumns,
 }
 
 pub(super) fn parse(
@@ -32,8 +34,11 @@ pub(super) fn parse(
         let expected = format!("a header such as t,{}_x,…", first.unwrap_or_default());
         return Err(InputError::at(file, (1, 1), "no header", expected));
     }
-    let header = Header::new(&lines, markers, sensors)?;
-    let mut table = Table::default();
+    let mut header = Header::new(&lines, markers, sensors)?;
+    let mut table = Table {
+        inputs: InputColumns::new(std::mem::take(&mut header.inputs)),
+        ..Table::default()
+    };
     while lines.next()? {
         row(&lines, &header, (markers, recording), &mut table)?;
     }
@@ -91,7 +96,8 @@ fn row(
         .iter()
         .map(|columns| reading(lines, columns, read));
     let readings = readings.collect::<Result<Vec<_>, InputError>>()?;
-    let most = samples::max_samples(markers.len() + header.channels.len());
+    table.inputs.row(lines, time)?;
+    let most = samples::max_samples(markers.len() + header.channels.len() + table.inputs.len());
     if table.times.len() >= most {
         let expected = format!("at most {most} samples");
         return Err(lines.fault(0, "a sample more", expected));

@@ -7,8 +7,9 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use super::sensor::channels;
-use super::{Dataset, Flight, KnownValue, Marker, Sensor, assemble, manifest, names};
+use super::{Dataset, Flight, KnownValue, Marker, Sensor, assemble, inputs, manifest, names};
 use crate::input_error::InputError;
+use flight::InputInterpolation;
 use flight::files::{ResultFile, write_new_folder};
 
 /// Writes a dataset as a folder with `dataset.toml` and one table per flight.
@@ -50,12 +51,19 @@ pub fn write_commented(
         let text = table_text(flight, &dataset.markers, &dataset.sensors);
         (flight.file.clone(), text)
     }));
-    let text = |index: usize, path: &Path| {
+    let with_inputs = dataset
+        .flights
+        .iter()
+        .filter(|flight| !flight.inputs.is_empty());
+    files.extend(with_inputs.map(|flight| (inputs_file(flight), inputs::text(&flight.inputs))));
+    let text = |path: &Path| {
         if names::is_c3d(path) {
             let expected = "a table: C3D is read and not written";
             return Err(InputError::of_file(path, "a C3D file", expected));
         }
-        Ok(files[index + 1].1.as_bytes().into())
+        let mut all = files.iter();
+        let own = all.find(|(name, _)| Path::new(name) == path);
+        Ok(own.map_or(&[][..], |(_, text)| text.as_bytes()).into())
     };
     let read = read_back(&files[0].1, text).map_err(|error| invalid(error.to_string()))?;
     if read != *dataset {
@@ -118,12 +126,12 @@ fn files_below(folder: &Path, most: usize) -> io::Result<usize> {
 /// Reads a dataset without access to files.
 pub(super) fn read_back<'t>(
     manifest: &str,
-    table: impl Fn(usize, &Path) -> Result<Cow<'t, [u8]>, InputError> + Sync,
+    table: impl Fn(&Path) -> Result<Cow<'t, [u8]>, InputError> + Sync,
 ) -> Result<Dataset, InputError> {
     let manifest = manifest::parse(Path::new("dataset.toml"), manifest)?;
-    assemble(manifest, 1, |index, file| {
+    assemble(manifest, 1, |file| {
         let path = PathBuf::from(file);
-        let text = table(index, &path)?;
+        let text = table(&path)?;
         Ok((path, text, false))
     })
 }
@@ -174,6 +182,15 @@ pub fn manifest_text(dataset: &Dataset) -> String {
     if let Some(sigma) = dataset.sigma {
         let _ = writeln!(text, "\n[noise]\nsigma = {sigma:?}");
     }
+    if let Some(names) = list(&dataset.unknown) {
+        text.insert_str(0, &format!("unknown = {names}\n"));
+    }
+    if dataset.input_interpolation != InputInterpolation::default() {
+        let mut words = InputInterpolation::NAMES.iter();
+        let word = words.find(|(_, own)| *own == dataset.input_interpolation);
+        let word = word.map_or("linear", |(word, _)| word);
+        let _ = writeln!(text, "\n[inputs]\ninterpolation = \"{word}\"");
+    }
     for flight in &dataset.flights {
         let role = flight.role.name();
         let file = quoted(&flight.file);
@@ -186,11 +203,32 @@ pub fn manifest_text(dataset: &Dataset) -> String {
             let all: Vec<String> = each.collect();
             let _ = writeln!(text, "known = {{ {} }}", all.join(", "));
         }
+        if let Some(names) = list(&flight.unknown) {
+            let _ = writeln!(text, "unknown = {names}");
+        }
+        if !flight.inputs.is_empty() {
+            let _ = writeln!(text, "inputs = {}", quoted(&inputs_file(flight)));
+        }
     }
     text
 }
 
-/// Text of a flight's table; each value has enough digits to be read back exactly.
+/// TOML list of names; `None` without names.
+fn list(names: &[String]) -> Option<String> {
+    let names: Vec<String> = names.iter().map(|name| quoted(name)).collect();
+    (!names.is_empty()).then(|| format!("[{}]", names.join(", ")))
+}
+
+/// Name of the file with the inputs over time of a flight.
+pub(super) fn inputs_file(flight: &Flight) -> String {
+    let stem = flight
+        .file
+        .rsplit_once('.')
+        .map_or(&*flight.file, |(stem, _)| stem);
+    format!("{stem}-inputs.csv")
+}
+
+/// Text of a flight's table without its inputs over time; each value has enough digits to be read back exactly.
 pub fn table_text(flight: &Flight, markers: &[Marker], sensors: &[Sensor]) -> String {
     let mut text = "t".to_owned();
     for marker in markers {

@@ -1,5 +1,6 @@
 //! A compiled model bound to values of its parameters.
 
+use crate::inputs::{FlightParameters, InputsOverTime};
 use crate::{CompiledModel, EvaluationPoint, ModelFunctions, ModelState, Workspace};
 use ode::{Event, StateVector};
 
@@ -7,21 +8,28 @@ use ode::{Event, StateVector};
 pub struct BoundModel<'a> {
     pub(crate) model: &'a CompiledModel,
     parameters: Vec<f64>,
+    inputs: InputsOverTime,
     prepared: Vec<f64>,
     /// Times at which the right-hand side is not smooth, s, increasing.
     pub(crate) time_breaks: Vec<f64>,
 }
 
 impl CompiledModel {
-    /// Binds the model to parameter values, in the order of its [`Layout`](codegen::Layout), and computes the
-    /// invariants, which are values that depend on the parameters alone.
-    pub fn bind(&self, parameters: Vec<f64>) -> BoundModel<'_> {
+    /// Binds the model to parameter values, in the order of its [`Layout`](codegen::Layout), and to inputs over time,
+    /// and computes the invariants, which are values that depend on the constant parameters alone.
+    pub fn bind(&self, parameters: impl Into<FlightParameters>) -> BoundModel<'_> {
+        let FlightParameters { constants, inputs } = parameters.into();
         let mut prepared = vec![0.0; self.functions.prepared_len()];
-        self.functions.prepare(&parameters, &mut prepared);
+        self.functions.prepare(&constants, &mut prepared);
+        let mut time_breaks = self.time_breaks.at(&constants);
+        time_breaks.extend(inputs.breaks());
+        time_breaks.sort_unstable_by(f64::total_cmp);
+        time_breaks.dedup();
         BoundModel {
             model: self,
-            time_breaks: self.time_breaks.at(&parameters),
-            parameters,
+            time_breaks,
+            parameters: constants,
+            inputs,
             prepared,
         }
     }
@@ -38,17 +46,22 @@ impl BoundModel<'_> {
     /// [`ode::Sensitivities`].
     pub fn limits_on<X: StateVector>(&self) -> Vec<Event<'_, X>> {
         let limits = self.model.limits.iter().enumerate();
-        limits
-            .map(|(index, (bound, reason))| {
-                let mut workspace = Workspace::default();
-                let mut values = vec![0.0; self.model.limits.len()];
-                Event::limit(reason.as_str(), move |t, x: &X| {
-                    let at = self.at(t, x.as_ref());
-                    self.functions().limits(at, &mut workspace, &mut values);
-                    values[index] - bound
-                })
+        let of_model = limits.map(|(index, (bound, reason))| {
+            let (mut workspace, mut inputs) = (Workspace::default(), Vec::new());
+            let mut values = vec![0.0; self.model.limits.len()];
+            Event::limit(reason.as_str(), move |t, x: &X| {
+                let at = self.at(t, x.as_ref(), &mut inputs);
+                self.functions().limits(at, &mut workspace, &mut values);
+                values[index] - bound
             })
-            .collect()
+        });
+        let of_inputs = self.inputs.iter().map(|(id, series)| {
+            let (name, until) = (&self.model.layout.parameters[id.index()], series.span().1);
+            let reason = format!("the input `{name}` is given until {until} s alone");
+            let end = series.end();
+            Event::limit(reason, move |t, _: &X| end - t)
+        });
+        of_model.chain(of_inputs).collect()
     }
 
     #[inline(always)]
@@ -57,11 +70,16 @@ impl BoundModel<'_> {
     }
 
     #[inline(always)]
-    pub(crate) fn at<'p>(&'p self, t: f64, x: &'p [f64]) -> EvaluationPoint<'p> {
+    pub(crate) fn at<'p>(
+        &'p self,
+        t: f64,
+        x: &'p [f64],
+        buffer: &'p mut Vec<f64>,
+    ) -> EvaluationPoint<'p> {
         EvaluationPoint {
             t,
             x,
-            p: &self.parameters,
+            p: self.inputs.at(t, &self.parameters, buffer),
             prepared: &self.prepared,
         }
     }

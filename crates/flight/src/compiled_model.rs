@@ -2,6 +2,7 @@
 
 use crate::functions::{ModelFunctions, SparsityPatterns};
 use crate::initial_conditions::Release;
+use crate::inputs::{FlightParameters, InputsOverTime};
 use crate::time_breaks::TimeBreaks;
 use codegen::Layout;
 use codegen::compile::{Compiled, Effort, Selection, compile, compile_at, compile_for};
@@ -176,8 +177,9 @@ impl CompiledModel {
     }
 
     /// Parameter vector for a release, in the order of the model's [`Layout`]: the model's defaults, overridden by the
-    /// release's parameters, coefficients, wind and known inputs. Inputs that the model lacks are ignored.
-    pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
+    /// release's parameters, coefficients, wind, known inputs and inputs over time. Inputs that the model lacks are
+    /// ignored.
+    pub fn release_parameters(&self, release: &Release) -> FlightParameters {
         let names = self.layout.parameters.iter().map(String::as_str);
         let mut parameters = release.constants(names.zip(self.layout.default_parameters()));
         let known = release.known.iter();
@@ -188,7 +190,12 @@ impl CompiledModel {
                 parameters[index.index()] = *value;
             }
         }
-        parameters
+        let inputs = release.inputs.iter();
+        let inputs = inputs.map(|(name, series)| (name.as_str(), series.clone()));
+        FlightParameters {
+            constants: parameters,
+            inputs: InputsOverTime::of(&self.layout, inputs),
+        }
     }
 }
 

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use model_spec::model::{Model, Parameter};
 
+use crate::InputSeries;
 use crate::toml_reader::Name;
 use crate::wind::WindField;
 
@@ -30,6 +31,8 @@ pub struct Release {
     pub wind_field: Option<WindField>,
     /// Values (SI) of the model's vector inputs other than the wind, by name; the inputs are known for each flight.
     pub known: Vec<(String, [f64; 3])>,
+    /// Scalar inputs that vary during the flight, by name; constant ones are among the parameters.
+    pub inputs: Vec<(String, InputSeries)>,
 }
 
 /// Condition that ends a flight.
@@ -59,6 +62,7 @@ impl Release {
             wind: own_wind(model),
             wind_field: None,
             known: Vec::new(),
+            inputs: Vec::new(),
         }
     }
 
@@ -133,8 +137,10 @@ pub struct Vocabulary {
     pub states: Vec<String>,
     /// States that a release file may omit, as pairs of state index and default value (SI).
     pub optional: Vec<(usize, f64)>,
-    /// Names of the inputs: vectors that are known for each flight, such as the wind.
+    /// Names of the vector inputs, which are known for each flight, such as the wind.
     pub inputs: Vec<String>,
+    /// Scalar inputs, which may vary during a flight; they are among the parameters, too.
+    pub scalar_inputs: Vec<Name>,
     /// State indices of the four components of each unit quaternion, scalar part first.
     pub quaternions: Vec<[usize; 4]>,
     /// The model, from whose body the states of a throw are derived; without it a release file must not contain
@@ -171,6 +177,7 @@ impl Vocabulary {
                 .map(|state| (state, model.states[state].value))
                 .collect(),
             inputs: model.inputs.iter().map(|i| i.name.clone()).collect(),
+            scalar_inputs: model.params.iter().filter(|p| p.varies).map(name).collect(),
             quaternions: model.quaternions().collect(),
             model: Some(Arc::new(model.clone())),
         }

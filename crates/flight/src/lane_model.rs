@@ -4,6 +4,7 @@
 use std::marker::PhantomData;
 use std::sync::OnceLock;
 
+use crate::inputs::InputsOverTime;
 use crate::time_breaks::TimeBreaks;
 use codegen::Layout;
 use codegen::compile::{Selection, compile_for};
@@ -28,6 +29,8 @@ pub struct LaneModel {
     /// Lower bounds of the validity limits, SI, in the order of the model's limits.
     bounds: Vec<f64>,
     time_breaks: TimeBreaks,
+    /// Inputs over time, the same in all flights.
+    inputs: InputsOverTime,
 }
 
 impl LaneModel {
@@ -49,6 +52,16 @@ impl LaneModel {
             tape: OnceLock::new(),
             bounds: model.limits.iter().map(|limit| limit.bound).collect(),
             time_breaks: TimeBreaks::of(model, &Layout::new(model)),
+            inputs: InputsOverTime::default(),
+        }
+    }
+
+    /// The model with inputs over time, which are the same in all flights; they are evaluated with the tape.
+    pub fn with_inputs(self, inputs: InputsOverTime) -> LaneModel {
+        LaneModel {
+            is_generated: self.is_generated && inputs.is_empty(),
+            inputs,
+            ..self
         }
     }
 
@@ -100,6 +113,27 @@ impl LaneModel {
         }
     }
 
+    /// Times at which the right-hand side is not smooth, for the parameters `p`.
+    fn breaks(&self, p: &[f64], breaks: &mut Vec<f64>) {
+        breaks.extend(self.time_breaks.at(p));
+        breaks.extend(self.inputs.breaks());
+        breaks.sort_unstable_by(f64::total_cmp);
+    }
+
+    /// Number of margins: of the validity limits of the model, and of the ends of the inputs.
+    fn limits(&self) -> usize {
+        self.bounds.len() + self.inputs.iter().count()
+    }
+
+    /// Room for the parameters at the time of an evaluation.
+    fn varied(&self, parameters: usize) -> usize {
+        if self.inputs.is_empty() {
+            0
+        } else {
+            parameters
+        }
+    }
+
     fn tape(&self) -> &TapeModel {
         // No derivatives by parameters are evaluated.
         let selection = Selection::Only(Vec::new());
@@ -142,13 +176,13 @@ impl<E: Equations> LaneRhs for GeneratedRhs<'_, E> {
             states: E::MODEL.states.len(),
             parameters: E::MODEL.parameters.len(),
             prepared: E::MODEL.prepared.len(),
-            limits: self.model.bounds.len(),
+            limits: self.model.limits(),
             scratch: 0,
         }
     }
 
     fn time_breaks(&self, p: &[f64], breaks: &mut Vec<f64>) {
-        breaks.extend(self.model.time_breaks.at(p));
+        self.model.breaks(p, breaks);
     }
 
     #[inline(always)]
@@ -182,13 +216,14 @@ impl LaneRhs for TapeRhs<'_> {
             states: tape.states,
             parameters: tape.parameters,
             prepared: tape.prepared,
-            limits: self.model.bounds.len(),
-            scratch: of(&tape.prepare).max(of(&tape.f)).max(of(&tape.limits)),
+            limits: self.model.limits(),
+            scratch: self.model.varied(tape.parameters)
+                + of(&tape.prepare).max(of(&tape.f)).max(of(&tape.limits)),
         }
     }
 
     fn time_breaks(&self, p: &[f64], breaks: &mut Vec<f64>) {
-        breaks.extend(self.model.time_breaks.at(p));
+        self.model.breaks(p, breaks);
     }
 
     #[inline(always)]
@@ -204,13 +239,43 @@ impl LaneRhs for TapeRhs<'_> {
 
     #[inline(always)]
     fn derivative<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], dx: &mut [T]) {
-        evaluate(&self.tape.f, at, scratch, dx);
+        self.within(at, scratch, |at, scratch| {
+            evaluate(&self.tape.f, at, scratch, dx)
+        });
     }
 
     #[inline(always)]
     fn limits<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], margins: &mut [T]) {
-        evaluate(&self.tape.limits, at, scratch, margins);
-        self.model.subtract_bounds(margins);
+        let of_model = self.model.bounds.len();
+        let (own, ends) = margins.split_at_mut(of_model);
+        self.within(at, scratch, |at, scratch| {
+            evaluate(&self.tape.limits, at, scratch, own)
+        });
+        self.model.subtract_bounds(own);
+        for (margin, (_, series)) in ends.iter_mut().zip(self.model.inputs.iter()) {
+            *margin = T::splat(series.end()) - at.t;
+        }
+    }
+}
+
+impl TapeRhs<'_> {
+    /// Calls `with` at the same point with the values that the inputs over time have there.
+    #[inline(always)]
+    fn within<T: Lanes>(
+        &self,
+        at: LanePoint<'_, T>,
+        scratch: &mut [T],
+        with: impl FnOnce(LanePoint<'_, T>, &mut [T]),
+    ) {
+        let (varied, scratch) = scratch.split_at_mut(self.model.varied(at.p.len()));
+        if varied.is_empty() {
+            return with(at, scratch);
+        }
+        varied.copy_from_slice(at.p);
+        for (id, series) in self.model.inputs.iter() {
+            varied[id.index()] = T::from_fn(|lane| series.at(at.t.lane(lane)));
+        }
+        with(LanePoint { p: varied, ..at }, scratch);
     }
 }
 

@@ -33,6 +33,7 @@ mod compiled_model;
 pub mod files;
 mod functions;
 mod initial_conditions;
+mod inputs;
 mod integrate;
 mod lane_model;
 mod lane_observer;
@@ -50,6 +51,9 @@ pub mod wind;
 pub use bound_model::BoundModel;
 pub use compiled_model::{CompiledModel, ModelState};
 pub use functions::{EvaluationPoint, ModelFunctions, SparsityPatterns, Workspace};
+pub use inputs::{
+    FlightParameters, InputInterpolation, InputSeries, InputsOverTime, TableFault, read_inputs,
+};
 pub use lane_model::LaneModel;
 pub use lane_observer::LaneObserver;
 pub use observer::{ModelObserver, ObservationJacobians};

@@ -6,6 +6,8 @@ use crate::{BoundModel, Workspace};
 pub struct ModelObserver<'a> {
     model: &'a BoundModel<'a>,
     workspace: Workspace,
+    /// Parameters at the time of an evaluation.
+    parameters: Vec<f64>,
     by_state: Vec<f64>,
     by_parameter: Vec<f64>,
     by_marker: Vec<f64>,
@@ -33,6 +35,7 @@ impl BoundModel<'_> {
         ModelObserver {
             model: self,
             workspace: Workspace::default(),
+            parameters: Vec::new(),
             by_state: vec![0.0; patterns.observation_by_state.len()],
             by_parameter: vec![0.0; patterns.observation_by_parameter.len()],
             by_marker: vec![0.0; patterns.observation_by_marker_len],
@@ -44,7 +47,7 @@ impl ModelObserver<'_> {
     /// Position of a marker in the inertial frame, m, at time `t` (s) and state `x`; `marker` is the marker's
     /// body-fixed position, m.
     pub fn position(&mut self, t: f64, x: &[f64], marker: &[f64; 3]) -> [f64; 3] {
-        let at = self.model.at(t, x);
+        let at = self.model.at(t, x, &mut self.parameters);
         let mut y = [0.0; 3];
         self.model
             .functions()
@@ -60,7 +63,7 @@ impl ModelObserver<'_> {
         x: &[f64],
         marker: &[f64; 3],
     ) -> ([f64; 3], ObservationJacobians<'_>) {
-        let at = self.model.at(t, x);
+        let at = self.model.at(t, x, &mut self.parameters);
         let mut y = [0.0; 3];
         let jacobians = [
             &mut self.by_state[..],
@@ -83,7 +86,7 @@ impl ModelObserver<'_> {
     /// Auxiliary variables of the model at time `t` (s) and state `x`, in the order of
     /// [`Layout::quantities`](codegen::Layout).
     pub fn quantities(&mut self, t: f64, x: &[f64]) -> Vec<f64> {
-        let at = self.model.at(t, x);
+        let at = self.model.at(t, x, &mut self.parameters);
         let mut q = vec![0.0; self.model.model.layout.quantities.len()];
         self.model
             .functions()
@@ -94,7 +97,7 @@ impl ModelObserver<'_> {
     /// Whether the state is within the model's domain of validity: every quantity that the model limits exceeds its
     /// lower bound.
     pub fn is_within_limits(&mut self, t: f64, x: &[f64]) -> bool {
-        let at = self.model.at(t, x);
+        let at = self.model.at(t, x, &mut self.parameters);
         let limits = &self.model.model.limits;
         let mut values = vec![0.0; limits.len()];
         self.model

@@ -9,6 +9,8 @@ use std::borrow::Cow;
 pub struct ModelRhs<'a> {
     model: &'a BoundModel<'a>,
     workspace: Workspace,
+    /// Parameters at the time of an evaluation.
+    parameters: Vec<f64>,
 }
 
 impl BoundModel<'_> {
@@ -17,6 +19,7 @@ impl BoundModel<'_> {
         ModelRhs {
             model: self,
             workspace: Workspace::default(),
+            parameters: Vec::new(),
         }
     }
 }
@@ -26,7 +29,8 @@ impl OdeRhs for ModelRhs<'_> {
 
     fn derivative(&mut self, t: f64, x: &ModelState, dx: &mut ModelState) {
         let functions = self.model.functions();
-        functions.f(self.model.at(t, x), &mut self.workspace, dx);
+        let at = self.model.at(t, x, &mut self.parameters);
+        functions.f(at, &mut self.workspace, dx);
     }
 
     fn time_breaks(&self) -> &[f64] {
@@ -59,7 +63,8 @@ impl DifferentiableRhs for ModelRhs<'_> {
         jacobian: &mut [f64],
         parameter_jacobian: &mut [f64],
     ) {
-        let (at, workspace) = (self.model.at(t, x), &mut self.workspace);
+        let at = self.model.at(t, x, &mut self.parameters);
+        let workspace = &mut self.workspace;
         self.model
             .functions()
             .f_jac_par(at, workspace, dx, jacobian, parameter_jacobian);

@@ -194,6 +194,7 @@ impl<'m> Reader<'m> {
             K::Number { value, .. } => Some(InTime::Constant(*value)),
             K::Pi => Some(InTime::Constant(std::f64::consts::PI)),
             K::Time => Some(InTime::Time),
+            K::Param(i) if self.model.params[*i].varies => None,
             K::Param(i) => parameter(&self.model.params[*i].name),
             K::Coefficient(i) => parameter(&self.model.coefficients[*i].name),
             K::AuxVariable(i) => {

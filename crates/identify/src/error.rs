@@ -37,6 +37,39 @@ pub enum FlightError {
         /// Names that are allowed: inputs, constants and states of the model.
         available: Vec<String>,
     },
+    /// The standard deviation of a known value that cannot be estimated for one flight, because it is no quantity that
+    /// states can stand for.
+    #[error("{name} is known with a standard deviation, and cannot be estimated for each flight")]
+    SigmaOfConstant {
+        /// Name of the known value.
+        name: String,
+    },
+    /// An input over time that the model does not have.
+    #[error(
+        "its table has a column {name}, which is no marker, no sensor and no input of {model} ({})",
+        inputs_of(available)
+    )]
+    UnknownInput {
+        /// Name of the column.
+        name: String,
+        /// Name of the model.
+        model: String,
+        /// Names of the inputs of the model that may vary during a flight.
+        available: Vec<String>,
+    },
+    /// An input over time that does not cover the flight.
+    #[error(
+        "the input {name} is given from {} to {} s, and the flight lasts from {} to {} s; expected values over all of it",
+        given.0, given.1, needed.0, needed.1
+    )]
+    InputSpan {
+        /// Name of the input.
+        name: String,
+        /// Times of its first and last sample, s.
+        given: (f64, f64),
+        /// Times of the first and last sample of the flight, s.
+        needed: (f64, f64),
+    },
     /// A parameter is both known for one flight and estimated for all flights.
     #[error("{name} is given as known, and it is to be estimated for all flights")]
     KnownAndEstimated {
@@ -193,6 +226,14 @@ pub enum FitError {
     NoObservation {
         /// Name of the model.
         model: String,
+    },
+    /// A quantity that the dataset calls unknown, or measured with an error, cannot be estimated for each flight.
+    #[error("what the dataset has of single flights does not fit the model {model}: {reason}")]
+    Unknown {
+        /// Name of the model.
+        model: String,
+        /// Reason, as text for the message.
+        reason: String,
     },
     /// The model has no measurement equation for a sensor of the dataset.
     #[error("the model {model} has no reading for the dataset's sensors: {reason}")]
@@ -373,5 +414,12 @@ mod tests {
             let value = toml::Value::try_from(kind).map(|value| value.to_string());
             assert_eq!(value, Ok(quoted));
         }
+    }
+}
+
+fn inputs_of(available: &[String]) -> String {
+    match available.is_empty() {
+        true => "it has no scalar input: `input NAME: UNIT = DEFAULT;`".to_owned(),
+        false => format!("it has {}", available.join(", ")),
     }
 }

@@ -10,6 +10,7 @@ mod fit;
 mod ground_contact;
 mod ids;
 mod initial_state;
+mod inputs;
 mod lack_of_fit;
 mod least_squares;
 mod levels;

@@ -2,13 +2,15 @@
 
 use std::ops::Range;
 
+use flight::{FlightParameters, InputsOverTime};
 use model_spec::layout::StateId;
 use nalgebra::DVector;
 use serde::{Deserialize, Serialize};
 
 use crate::channel::ChannelKind;
 use crate::error::FlightError;
-use crate::problem::FitProblem;
+use crate::inputs;
+use crate::problem::{FitProblem, StatePrior};
 use crate::state_manifold::StateManifold;
 use dataset::pose::{Pose, pose};
 use dataset::statistics::median_of;
@@ -50,8 +52,12 @@ pub struct Observations {
     pub stand_ins: Vec<Option<[f64; 3]>>,
     /// Parameters in the order of the compiled model, SI; global ones have their initial values.
     pub parameters: Vec<f64>,
+    /// Inputs over time, with times relative to the first used sample.
+    pub inputs: InputsOverTime,
     /// States whose values at the first sample are known, and these values, SI.
     pub known_states: Vec<(StateId, f64)>,
+    /// Gaussian priors of states at the first sample.
+    pub state_priors: Vec<StatePrior>,
     /// Directions in which the initial state of the flight may vary in a fit.
     pub manifold: StateManifold,
     /// Number of samples in the table of the flight, without those dropped by a truncation.
@@ -78,11 +84,12 @@ impl Observations {
         let first = first.ok_or(FlightError::NoMeasurement)?;
         let last = all.rev().find(is_measured).unwrap_or(first);
         let origin = flight.times[first];
-        let known = problem.known_values(&flight.known)?;
+        let known = problem.known_values(flight, &problem.unknown)?;
         let mut parameters = problem.parameters.clone();
         for (id, value) in known.parameters {
             parameters[id.index()] = value;
         }
+        let (inputs, mut notes) = inputs::of_flight(problem, flight, (origin, flight.times[last]))?;
         let known_states: Vec<StateId> = known.states.iter().map(|(state, _)| *state).collect();
         let measured: Vec<_> = (first..=last)
             .flat_map(|sample| row(problem, flight, sample))
@@ -95,7 +102,6 @@ impl Observations {
                 .collect(),
         };
         let times = flight.times[first..=last].iter();
-        let mut notes = Vec::new();
         if first > 0 {
             notes.push(format!(
                 "no marker is measured in its first {first} samples"
@@ -113,7 +119,9 @@ impl Observations {
             stand_ins,
             parameters,
             manifold: StateManifold::new(&problem.model, &known_states),
+            inputs,
             known_states: known.states,
+            state_priors: known.priors,
             samples: flight.times.len(),
             truncation: None,
             notes,
@@ -227,6 +235,7 @@ impl Observations {
         let mut arc = self.longer(self, samples);
         if !is_first {
             arc.known_states = Vec::new();
+            arc.state_priors = Vec::new();
             arc.manifold = StateManifold::new(&problem.model, &[]);
         }
         arc
@@ -243,7 +252,9 @@ impl Observations {
             manifold: self.manifold.clone(),
             file: self.file.clone(),
             parameters: self.parameters.clone(),
+            inputs: self.inputs.clone(),
             known_states: self.known_states.clone(),
+            state_priors: self.state_priors.clone(),
             truncation: None,
             notes: Vec::new(),
             ..*self
@@ -257,21 +268,29 @@ impl Observations {
         self.stand_ins.truncate(samples * self.markers);
     }
 
-    /// Returns the initial state with its known components set to their known values.
+    /// Returns the initial state with its known components set to their known values, and those with a prior to its
+    /// mean.
     pub fn with_known_states(&self, mut state: DVector<f64>) -> DVector<f64> {
+        for prior in &self.state_priors {
+            state[prior.state.index()] = prior.mean;
+        }
         for &(id, value) in &self.known_states {
             state[id.index()] = value;
         }
         state
     }
 
-    /// Parameters in the order of the compiled model, SI, with the given values of the global ones.
-    pub fn parameters(&self, problem: &FitProblem, global: &DVector<f64>) -> Vec<f64> {
-        let mut parameters = self.parameters.clone();
+    /// Parameters in the order of the compiled model, SI, with the given values of the global ones, and the inputs over
+    /// time.
+    pub fn parameters(&self, problem: &FitProblem, global: &DVector<f64>) -> FlightParameters {
+        let mut constants = self.parameters.clone();
         for (parameter, &value) in problem.globals.iter().zip(global.iter()) {
-            parameters[parameter.param.index()] = value;
+            constants[parameter.param.index()] = value;
         }
-        parameters
+        FlightParameters {
+            constants,
+            inputs: self.inputs.clone(),
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Measurement equations of all channels for given parameters.
 
-use flight::{BoundModel, ModelObserver, ObservationJacobians};
+use flight::{BoundModel, FlightParameters, ModelObserver, ObservationJacobians};
 use model_spec::layout::ParamId;
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
@@ -23,14 +23,14 @@ pub struct ChannelConditions<'a> {
 
 impl<'a> ChannelConditions<'a> {
     /// Binds the models to the parameters of a flight, in the order of the compiled model's parameter vector.
-    pub fn new(problem: &'a FitProblem, parameters: &[f64]) -> Self {
+    pub fn new(problem: &'a FitProblem, parameters: &FlightParameters) -> Self {
         let layout = problem.body.layout();
         let places = MARKER_IS.map(|name| layout.parameter(name).map(ParamId::index));
         let bound = |marker: Option<usize>| {
-            let mut parameters = parameters.to_vec();
+            let mut parameters = parameters.clone();
             for (axis, place) in places.iter().enumerate() {
                 if let Some(place) = *place {
-                    parameters[place] = f64::from(u8::from(Some(axis) == marker));
+                    parameters.constants[place] = f64::from(u8::from(Some(axis) == marker));
                 }
             }
             problem.body.bind(parameters)
@@ -43,7 +43,7 @@ impl<'a> ChannelConditions<'a> {
             problem,
             points: markers.chain([None]).map(bound).collect(),
             instruments: instruments
-                .map(|(_, own)| own.bind(parameters.to_vec()))
+                .map(|(_, own)| own.bind(parameters.clone()))
                 .collect(),
         }
     }

@@ -2,7 +2,6 @@
 
 mod global_parameters;
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use flight::CompiledModel;
@@ -17,7 +16,7 @@ use crate::levels::{FAR_ABOVE, ROUGHLY_NOISE};
 use crate::noise::{Moments, NoiseModel, group_count};
 use crate::options::FitOptions;
 use dataset::pose;
-use dataset::{Dataset, KnownValue, SensorKind, points_on_body};
+use dataset::{AXES, Dataset, Flight, KnownValue, SensorKind, points_on_body};
 pub use global_parameters::GlobalParameter;
 
 /// Standard deviation of the noise of one measured coordinate, m, assumed initially if the samples do not determine it.
@@ -49,6 +48,8 @@ pub struct FitProblem {
     pub sigma: Option<f64>,
     /// Initial estimate, from the samples alone, of the standard deviation of the noise of one measured coordinate, m.
     pub sigma0: f64,
+    /// Quantities that are estimated for each flight by itself.
+    pub unknown: Vec<String>,
     /// Integration tolerance for computing whitened residuals, in units of the initial noise estimate `sigma0`.
     pub tolerance: f64,
 }
@@ -58,7 +59,37 @@ pub struct FitProblem {
 pub(crate) struct KnownValues {
     pub parameters: Vec<(ParamId, f64)>,
     pub states: Vec<(StateId, f64)>,
+    pub priors: Vec<StatePrior>,
 }
+
+/// Gaussian prior of a state at the first sample of a flight, SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StatePrior {
+    /// The state.
+    pub state: StateId,
+    /// Mean.
+    pub mean: f64,
+    /// Standard deviation.
+    pub sigma: f64,
+    /// Whether the value was measured with this standard deviation; otherwise it is unknown, and the prior is wide.
+    pub is_measured: bool,
+}
+
+/// Where a known value belongs.
+enum Place {
+    Parameter(ParamId),
+    State(StateId),
+}
+
+fn components(value: &KnownValue) -> Vec<f64> {
+    match value {
+        KnownValue::Scalar(value) => vec![*value],
+        KnownValue::Vector(vector) => vector.to_vec(),
+    }
+}
+
+/// Standard deviation of the prior of an unknown quantity, over the model's value of it.
+const WIDE: f64 = 10.0;
 
 impl FitProblem {
     /// Compiles the model, with derivatives by the estimated parameters, for a dataset and options.
@@ -138,10 +169,11 @@ impl FitProblem {
             fixed,
             sigma: dataset.sigma,
             sigma0: DEFAULT_SIGMA0,
+            unknown: dataset.unknown.clone(),
             tolerance: FINE_TOLERANCE,
         };
         for flight in &dataset.flights {
-            let known = problem.known_values(&flight.known);
+            let known = problem.known_values(flight, &dataset.unknown);
             known.map_err(|reason| FitError::Flight {
                 file: flight.file.clone(),
                 reason,
@@ -218,27 +250,40 @@ impl FitProblem {
         scale > FAR_ABOVE * self.sigma0
     }
 
-    /// The parameters and states that are known for one flight.
+    /// The parameters and states that are known for one flight; `unknown` are the quantities that no flight knows.
     pub(crate) fn known_values(
         &self,
-        known: &BTreeMap<String, KnownValue>,
+        flight: &Flight,
+        unknown: &[String],
     ) -> Result<KnownValues, FlightError> {
-        let layout = self.body.layout();
         let mut found = KnownValues::default();
-        for (name, value) in known {
-            match value {
-                KnownValue::Vector(vector) => {
-                    let ids = layout.components(name);
-                    let ids = ids.ok_or_else(|| self.unknown_known_value(name))?;
-                    found.parameters.extend(ids.into_iter().zip(*vector));
+        let sigma_of = |name: &str| flight.known.get(&format!("{name}{}", KnownValue::SIGMA));
+        let is_sigma = |name: &str| {
+            let of = name.strip_suffix(KnownValue::SIGMA);
+            of.is_some_and(|of| flight.known.contains_key(of))
+        };
+        for (name, value) in flight.known.iter().filter(|(name, _)| !is_sigma(name)) {
+            let values = components(value);
+            let places = self.places(name, values.len());
+            let places = places.ok_or_else(|| self.unknown_known_value(name))?;
+            let sigmas = sigma_of(name).map(components);
+            for (k, (place, value)) in places.into_iter().zip(values).enumerate() {
+                match (place, sigmas.as_ref().and_then(|all| all.get(k))) {
+                    (Place::Parameter(id), None) => found.parameters.push((id, value)),
+                    (Place::State(id), None) => found.states.push((id, value)),
+                    (Place::State(state), Some(&sigma)) => found.priors.push(StatePrior {
+                        state,
+                        mean: value,
+                        sigma,
+                        is_measured: true,
+                    }),
+                    (Place::Parameter(_), Some(_)) => {
+                        return Err(FlightError::SigmaOfConstant { name: name.clone() });
+                    }
                 }
-                KnownValue::Scalar(value) => match (layout.parameter(name), layout.state(name)) {
-                    (Some(id), _) => found.parameters.push((id, *value)),
-                    (None, Some(id)) => found.states.push((id, *value)),
-                    (None, None) => return Err(self.unknown_known_value(name)),
-                },
             }
         }
+        self.free_unknowns(flight, unknown, &mut found);
         self.check_quaternions(&found.states)?;
         let is_known = |id: ParamId| found.parameters.iter().any(|(known, _)| *known == id);
         match self.globals.iter().find(|global| is_known(global.param)) {
@@ -246,6 +291,49 @@ impl FitProblem {
                 name: global.name.clone(),
             }),
             None => Ok(found),
+        }
+    }
+
+    /// Of the states that stand for quantities unknown in some flight, those that this one does not know get a wide
+    /// prior, the others keep the model's value.
+    fn free_unknowns(&self, flight: &Flight, unknown: &[String], found: &mut KnownValues) {
+        let states = &self.model.states;
+        for (name, of) in self.model.unknown_states() {
+            let id = StateId::new(of);
+            let is_given = found.states.iter().any(|(state, _)| *state == id)
+                || found.priors.iter().any(|prior| prior.state == id);
+            if is_given {
+                continue;
+            }
+            let mean = states[of].value;
+            if unknown.contains(&name) || flight.unknown.contains(&name) {
+                let wide = crate::predict::wide_deviation(&states[of].unit_text);
+                found.priors.push(StatePrior {
+                    state: id,
+                    mean,
+                    sigma: wide.max(WIDE * mean.abs()),
+                    is_measured: false,
+                });
+            } else {
+                found.states.push((id, mean));
+            }
+        }
+    }
+
+    /// Parameters or states that `name` speaks of: one, or the three components of a vector.
+    fn places(&self, name: &str, count: usize) -> Option<Vec<Place>> {
+        let layout = self.body.layout();
+        let place = |name: &str| match (layout.parameter(name), layout.state(name)) {
+            (Some(id), _) => Some(Place::Parameter(id)),
+            (None, Some(id)) => Some(Place::State(id)),
+            (None, None) => None,
+        };
+        match count {
+            1 => Some(vec![place(name)?]),
+            _ => AXES
+                .iter()
+                .map(|axis| place(&format!("{name}_{axis}")))
+                .collect(),
         }
     }
 

@@ -1,6 +1,7 @@
 //! Unknown positions, origin and vertical of a dataset, added to the model as effects with estimated coefficients.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 
 use model_spec::LoadError;
 use model_spec::compose::{EffectTree, Instrument, ModelTree};
@@ -13,7 +14,7 @@ use crate::options::{FitOptions, Prior};
 use crate::problem::measured;
 use crate::vertical;
 use crate::vertical::{ANGLES, EFFECT, angles};
-use dataset::{Dataset, Role, Sensor, SensorKind};
+use dataset::{Dataset, KnownValue, Role, Sensor, SensorKind};
 
 /// Effect that displaces all markers together on the body: its name and the names of its coefficients, m.
 const OFFSET: (&str, [&str; 3]) = ("marker_offset", ["offset_1", "offset_2", "offset_3"]);
@@ -109,6 +110,17 @@ pub fn resolve<'d>(
         priors: options.priors.to_vec(),
         fixed: options.fixed.to_vec(),
     };
+    let unknown = quantities(dataset);
+    if !unknown.is_empty() {
+        resolved.model =
+            resolved
+                .model
+                .with_unknown(&unknown)
+                .map_err(|error| FitError::Unknown {
+                    model: model.name.clone(),
+                    reason: error.to_string(),
+                })?;
+    }
     if let Some(errors) = dataset.origin_error {
         resolved.free(&OFFSET, errors)?;
         resolved.dataset.to_mut().origin_error = None;
@@ -130,6 +142,18 @@ pub fn resolve<'d>(
         }
     }
     Ok(resolved)
+}
+
+/// Names of the quantities that are estimated for some flight by itself: unknown, or measured with an error.
+fn quantities(dataset: &Dataset) -> BTreeSet<String> {
+    let of_flights = dataset.flights.iter().flat_map(|flight| {
+        let measured = flight.known.keys().filter_map(|name| {
+            let name = name.strip_suffix(KnownValue::SIGMA)?;
+            flight.known.contains_key(name).then(|| name.to_owned())
+        });
+        flight.unknown.iter().cloned().chain(measured)
+    });
+    dataset.unknown.iter().cloned().chain(of_flights).collect()
 }
 
 /// Adds an effect for each sensor at an unknown position on which its readings depend.
@@ -188,8 +212,9 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
         .sensors
         .iter()
         .all(|sensor| !sensor.position_is_unknown);
+    let is_known = quantities(dataset).is_empty();
     let is_template_exact = dataset.origin_error.is_none() && dataset.axis_error.is_none();
-    if is_placed && !dataset.unknown_vertical && is_template_exact {
+    if is_placed && is_known && !dataset.unknown_vertical && is_template_exact {
         return fit::fit(model, dataset, options);
     }
     options.validate()?;

@@ -261,6 +261,7 @@ impl<'a> Checker<'a> {
             | ExprKind::SpecificForce
             | ExprKind::AngularAcceleration
             | ExprKind::Marker => Some(e.span),
+            ExprKind::Param(i) => self.model.params[*i].varies.then_some(e.span),
             ExprKind::AuxVariable(i) => self.varies[*i].then_some(e.span),
             _ => {
                 let mut found = None;

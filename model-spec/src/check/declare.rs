@@ -143,17 +143,20 @@ impl<'a> Checker<'a> {
             doc: item.doc.clone(),
             unit: measure.unit,
             unit_text: measure.text,
+            varies: constant.class == ParameterClass::Input,
             inferred,
             value,
             bounds,
             span: constant.name.span,
         };
         let (made_in, terms) = match constant.class {
-            ParameterClass::Param => (&mut self.model.params, &mut self.params),
+            ParameterClass::Param | ParameterClass::Input => {
+                (&mut self.model.params, &mut self.params)
+            }
             ParameterClass::Coefficient => (&mut self.model.coefficients, &mut self.coefficients),
         };
         let symbol = match constant.class {
-            ParameterClass::Param => Symbol::Param(made_in.len()),
+            ParameterClass::Param | ParameterClass::Input => Symbol::Param(made_in.len()),
             ParameterClass::Coefficient => Symbol::Coefficient(made_in.len()),
         };
         made_in.push(made);

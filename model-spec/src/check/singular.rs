@@ -91,6 +91,7 @@ impl<'m> Signs<'m> {
             K::Number { .. } => Sign::NotNegative,
             K::Pi | K::Call(Function::Exp, _) => Sign::Positive,
             // A divisor must not contain one whose default is 0: see `zero_default`.
+            K::Param(i) if self.model.params[*i].varies => Sign::Unknown,
             K::Param(i) => bounded(self.model.params[*i].bounds),
             K::Coefficient(i) => bounded(self.model.coefficients[*i].bounds),
             K::AuxVariable(i) => self.lets.get(*i).copied().unwrap_or(Sign::Unknown),

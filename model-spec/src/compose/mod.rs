@@ -26,6 +26,7 @@ mod effect_tree;
 mod known;
 mod rates;
 mod sensors;
+mod unknown;
 mod values;
 
 use crate::check::{self, Checked};
@@ -40,6 +41,7 @@ pub use effect_tree::{EffectTree, Instrument};
 pub use known::{KnownEffect, Origin, Refused, known_effects};
 use std::collections::HashSet;
 use std::sync::Arc;
+pub use unknown::UnknownError;
 pub use values::ValueError;
 
 /// Syntax tree of a model to which effects can be applied, and the source texts that its spans refer to.
@@ -198,9 +200,11 @@ impl ModelTree {
         checked
     }
 
-    /// Text of the model with the applied effects merged; `note` ends its documentation.
+    /// Text of the model with the applied effects merged, in which unknown quantities are what they were; `note` ends
+    /// its documentation.
     pub fn to_text(&self, note: &str) -> String {
         let mut file = File::clone(&self.file);
+        unknown::restore(&mut file);
         let is_applied = |name: &str| self.file.applied.iter().any(|a| a.name.text == name);
         file.items.retain(|item| match &item.kind {
             ItemKind::Effect(effect) => !is_applied(&effect.name.text),

@@ -168,16 +168,18 @@ impl Model {
     }
 
     /// States whose initial values the data of a flight may omit: with a body, all but those of its motion, otherwise
-    /// those that effects add.
+    /// those that effects add and those that stand for unknown quantities.
     pub fn added_states(&self) -> Vec<usize> {
         let of_effects = |state: &usize| {
             self.effects
                 .iter()
                 .any(|e| e.states.iter().any(|own| own.index == *state))
         };
+        let unknown = self.unknown_states();
+        let is_unknown = |state: &usize| unknown.iter().any(|(_, own)| own == state);
         let stated = self.equations.iter().map(|e| e.state);
         stated
-            .filter(|state| self.body.is_some() || of_effects(state))
+            .filter(|state| self.body.is_some() || of_effects(state) || is_unknown(state))
             .collect()
     }
 

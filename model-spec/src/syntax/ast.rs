@@ -20,8 +20,21 @@ pub struct File {
     pub items: Vec<Item>,
     /// Applied effects, in order of application, by the names of the model; their statements are in [`File::items`].
     pub applied: Vec<Effect>,
+    /// Statements of quantities that are unknown in each flight, whose place states have taken, and the check cases.
+    pub set_aside: SetAside,
     /// Empty span at the end of the text, for errors about missing statements.
     pub end: Span,
+}
+
+/// Statements that are left out while states stand for unknown quantities.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SetAside {
+    /// The statements, each with its index in [`File::items`].
+    pub items: Vec<(usize, Item)>,
+    /// Names of the quantities, each with the states that stand for it.
+    pub unknown: Vec<(String, Vec<String>)>,
+    /// Source of the spans of the statements that have taken their place.
+    pub source: u16,
 }
 
 /// A statement of a model file, such as a declaration, an equation or a check case.
@@ -185,19 +198,31 @@ pub struct UnitFactor {
     pub span: Span,
 }
 
-/// Whether a parameter is a known constant or a coefficient to be estimated.
+/// Whether a parameter is a known constant, a coefficient to be estimated, or an input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ParameterClass {
     /// Known constant of the body or its environment (`param`).
     Param,
     /// Coefficient that is estimated from flights (`coefficient`).
     Coefficient,
+    /// Scalar that is specified for each flight and may vary during it (`input`).
+    Input,
 }
 
-/// Declaration of a known constant or a coefficient.
+impl ParameterClass {
+    pub(crate) fn keyword(self) -> &'static str {
+        match self {
+            ParameterClass::Param => "param",
+            ParameterClass::Coefficient => "coefficient",
+            ParameterClass::Input => "input",
+        }
+    }
+}
+
+/// Declaration of a known constant, a coefficient or a scalar input.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
-    /// Whether the parameter is a known constant or a coefficient.
+    /// Whether the parameter is a known constant, a coefficient or an input.
     pub class: ParameterClass,
     /// Name of the parameter.
     pub name: Name,

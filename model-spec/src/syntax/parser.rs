@@ -91,6 +91,7 @@ impl<'a> Parser<'a> {
             doc,
             items,
             applied: Vec::new(),
+            set_aside: Default::default(),
             end: self.here(),
         }
     }

@@ -47,11 +47,17 @@ impl Display for ItemKind {
             ItemKind::Model(name) => write!(f, "model {};", name.text),
             ItemKind::Reference(name) => write!(f, "reference {};", name.text),
             ItemKind::Parameter(c) => {
-                let word = match c.class {
-                    ParameterClass::Param => "param",
-                    ParameterClass::Coefficient => "coefficient",
-                };
-                write!(f, "{word} {} = {}", c.name.text, c.value)?;
+                let (word, name) = (c.class.keyword(), &c.name.text);
+                match &c.value {
+                    Quantity {
+                        number,
+                        unit: Some(unit),
+                        ..
+                    } if c.class == ParameterClass::Input => {
+                        write!(f, "{word} {name}: {unit} = {}", number.text)?;
+                    }
+                    value => write!(f, "{word} {name} = {value}")?,
+                }
                 if let Some((least, greatest)) = &c.bounds {
                     write!(f, " in {least} .. {greatest}")?;
                 }

@@ -2,7 +2,7 @@
 
 use super::ast::{
     Equation, Frame, FrameKind, Input, Item, ItemKind, Let, Limit, Load, LoadClass, Marker, Name,
-    Number, Observe, Parameter, ParameterClass, State,
+    Number, Observe, Parameter, ParameterClass, Quantity, State,
 };
 use super::parser::{Parser, Read, STATEMENTS};
 use super::token::Token;
@@ -86,6 +86,11 @@ impl Parser<'_> {
         let what = format!("`=` and the default of `{}`", name.text);
         self.need(Token::Sign("="), &what)?;
         let value = self.quantity("a number")?;
+        self.parameter(class, name, value)
+    }
+
+    /// Parses the bounds and the end of a declaration of a scalar.
+    fn parameter(&mut self, class: ParameterClass, name: Name, value: Quantity) -> Read<ItemKind> {
         let bounds = if self.eat_word("in") {
             let least = self.quantity("the least value")?;
             if !self.eat(Token::Sign("..")) {
@@ -97,7 +102,7 @@ impl Parser<'_> {
         } else {
             None
         };
-        self.semicolon(&format!("this `{word}`"))?;
+        self.semicolon(&format!("this `{}`", class.keyword()))?;
         Ok(ItemKind::Parameter(Parameter {
             class,
             name,
@@ -106,8 +111,21 @@ impl Parser<'_> {
         }))
     }
 
+    /// Parses `input NAME: UNIT = value in lo .. hi;` of a scalar, `input NAME in FRAME = (…) unit;` of a vector.
     pub fn input(&mut self) -> Read<ItemKind> {
         let (_, name) = self.keyword_and_name()?;
+        let unit = self.unit_behind_colon()?;
+        if unit.is_some() || self.peek() == Token::Sign("=") {
+            self.need(Token::Sign("="), "`=` and the default of the input")?;
+            let mut value = self.quantity("a number")?;
+            if let (Some(unit), Some(second)) = (&unit, &value.unit) {
+                let help = format!("write `input {}: {unit} = …;` or `= {value};`", name.text);
+                let fault = Diagnostic::new(Kind::Grammar, second.span, "the unit is stated twice");
+                return self.refuse(fault.help(help));
+            }
+            value.unit = unit.or(value.unit);
+            return self.parameter(ParameterClass::Input, name, value);
+        }
         let frame = self.in_frame("the name of the input, with the frame of its components")?;
         self.need(Token::Sign("="), "`=` and the default components")?;
         let value = self.triple_of_numbers()?;

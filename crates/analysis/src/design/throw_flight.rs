@@ -3,7 +3,7 @@
 
 use flight::release::Release;
 use flight::throw::{FIELDS, Throw, ThrowError, ThrownModel};
-use flight::{BoundModel, CompiledModel};
+use flight::{BoundModel, CompiledModel, FlightParameters};
 use model_spec::model::Model;
 use nalgebra::{Vector2, Vector3};
 use ode::{
@@ -89,12 +89,13 @@ impl ThrownBody {
         self.with_parameters(self.compiled.release_parameters(release))
     }
 
-    /// Prepares flights with values of the parameters, in the order of the compiled model.
-    pub fn with_parameters(&self, parameters: Vec<f64>) -> ThrowFlights<'_> {
+    /// Prepares flights with values of the parameters, in the order of the compiled model, and inputs over time.
+    pub fn with_parameters(&self, parameters: impl Into<FlightParameters>) -> ThrowFlights<'_> {
+        let parameters = parameters.into();
         ThrowFlights {
             body: self,
             bound: self.compiled.bind(parameters.clone()),
-            parameters,
+            parameters: parameters.constants,
         }
     }
 

@@ -36,7 +36,7 @@ impl InputModel {
         Ok(InputModel {
             gusts,
             x: plan.release.state(),
-            p: compiled.release_parameters(&plan.release),
+            p: compiled.release_parameters(&plan.release).constants,
             thrown: thrown.transpose()?,
             vocabulary: Vocabulary::of(&plan.model),
         })

@@ -110,7 +110,8 @@ pub fn run(
         return finish(&folder, plan, options, summary).map(Some);
     }
     let inputs = InputModel::new(plan, &compiled)?;
-    let model = LaneModel::new(&plan.model);
+    let release = compiled.release_parameters(&plan.release);
+    let model = LaneModel::new(&plan.model).with_inputs(release.inputs);
     let observer = speed_and_spin(&plan.model).map(|model| LaneObserver::new(&model));
     let flier = Flier {
         plan,

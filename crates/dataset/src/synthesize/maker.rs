@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use flight::CompiledModel;
 use flight::release::{Release, Stop};
+use flight::{CompiledModel, FlightParameters};
 use model_spec::model::Model;
 use ode::{Event, IntegrationOptions};
 use rand::Rng;
@@ -64,6 +64,7 @@ impl Maker<'_> {
                 Role::HeldOut
             },
             known,
+            inputs: release.inputs.clone(),
             times,
             positions,
             ..Flight::default()
@@ -76,7 +77,7 @@ impl Maker<'_> {
     fn times(
         &self,
         release: &Release,
-        parameters: &[f64],
+        parameters: &FlightParameters,
         state: &[f64],
     ) -> Result<Vec<f64>, SimulationError> {
         let plan = self.plan;
@@ -98,11 +99,11 @@ impl Maker<'_> {
     /// that is earlier. `watched` is `None` if the flight is observed until the ground.
     fn landing(
         &self,
-        parameters: &[f64],
+        parameters: &FlightParameters,
         state: &[f64],
         watched: Option<f64>,
     ) -> Result<f64, SimulationError> {
-        let conditions = self.body.bind(parameters.to_vec());
+        let conditions = self.body.bind(parameters.clone());
         let z = self.body.layout().state("z");
         let z = z.ok_or(SimulationError::NoHeight)?.index();
         let mut events = conditions.limits();
@@ -124,11 +125,11 @@ impl Maker<'_> {
     /// Simulated marker positions without measurement errors at the sample times, as `[sample][marker]`, m.
     fn observed(
         &self,
-        parameters: &[f64],
+        parameters: &FlightParameters,
         state: &[f64],
         times: &[f64],
     ) -> Result<Vec<Vec<Option<[f64; 3]>>>, SimulationError> {
-        let conditions = self.body.bind(parameters.to_vec());
+        let conditions = self.body.bind(parameters.clone());
         let mut samples = vec![0.0; times.len() * state.len()];
         // A flight that leaves the model's domain of validity ends with an error.
         conditions.integrate_at(

@@ -5,6 +5,7 @@ use std::io::ErrorKind;
 use std::path::Path;
 
 use dataset::{Dataset, Flight, KnownValue, Marker, Role, load, write, write_with};
+use flight::{InputInterpolation, InputSeries};
 use proptest::prelude::*;
 
 fn small() -> Dataset {
@@ -14,7 +15,7 @@ fn small() -> Dataset {
         known: BTreeMap::from([("rho".into(), KnownValue::Scalar(1.19))]),
         times: vec![0.0, 0.1],
         positions: vec![vec![Some([1.0, 2.0, 3.0])], vec![None]],
-        readings: Vec::new(),
+        ..Flight::default()
     };
     Dataset {
         model: "ball".into(),
@@ -23,12 +24,9 @@ fn small() -> Dataset {
             name: "centre".into(),
             position: [0.0; 3],
         }],
-        sensors: Vec::new(),
-        unknown_vertical: false,
-        origin_error: None,
-        axis_error: None,
         sigma: Some(0.001),
         flights: vec![flight("a.csv"), flight("sub/b.csv")],
+        ..Dataset::default()
     }
 }
 
@@ -138,8 +136,14 @@ fn flight(markers: usize) -> impl Strategy<Value = Flight> {
         prop::collection::btree_map("[a-zA-Z_é\" .]{1,8}", known, 0..3),
         any::<bool>(),
         number(1e6),
+        prop::collection::btree_map(
+            "[a-zA-Z_é]{1,7}a",
+            prop::collection::vec((1e-6..1.0, number(1e6)), 1..8),
+            0..3,
+        ),
+        prop::collection::btree_set("[a-zA-Z_é\" .]{1,8}", 0..3),
     )
-        .prop_map(move |(mut rows, known, held_out, start)| {
+        .prop_map(move |(mut rows, known, held_out, start, inputs, unknown)| {
             // At least one marker is seen.
             rows[0].1[0] = Some([0.1, 0.2, 0.1]);
             let mut time = start;
@@ -153,9 +157,24 @@ fn flight(markers: usize) -> impl Strategy<Value = Flight> {
                 known,
                 times: times.collect(),
                 positions: rows.iter().map(|(_, row)| row.clone()).collect(),
-                readings: Vec::new(),
+                unknown: unknown.into_iter().collect(),
+                inputs: inputs
+                    .into_iter()
+                    .map(|(name, steps)| (name, series(start, &steps)))
+                    .collect(),
+                ..Flight::default()
             }
         })
+}
+
+/// An input over time whose samples follow one another by `steps`, pairs of a time and a value.
+fn series(start: f64, steps: &[(f64, f64)]) -> InputSeries {
+    let mut time = start;
+    let samples = steps.iter().map(|(step, value)| {
+        time += step;
+        (time, *value)
+    });
+    InputSeries::new(&samples.collect::<Vec<_>>(), InputInterpolation::Hold)
 }
 
 fn dataset() -> impl Strategy<Value = Dataset> {
@@ -179,12 +198,11 @@ fn dataset() -> impl Strategy<Value = Dataset> {
                     model: format!("m{model}"),
                     parameters: parameters.clone(),
                     markers: (0..markers).map(marker).collect(),
-                    sensors: Vec::new(),
-                    unknown_vertical: false,
-                    origin_error: None,
-                    axis_error: None,
                     sigma,
+                    unknown: vec!["wind".to_owned()],
+                    input_interpolation: InputInterpolation::Hold,
                     flights,
+                    ..Dataset::default()
                 }
             })
         })

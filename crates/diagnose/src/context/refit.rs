@@ -43,7 +43,9 @@ impl ScoreTestModel<'_> {
             let known = observations.known_states.iter().map(|(state, _)| *state);
             let known: Vec<StateId> = known.chain(null_states.iter().copied()).collect();
             Observations {
-                parameters: observations.parameters(&self.problem, &from.global),
+                parameters: observations
+                    .parameters(&self.problem, &from.global)
+                    .constants,
                 manifold: StateManifold::new(&problem.model, &known),
                 ..observations.clone()
             }

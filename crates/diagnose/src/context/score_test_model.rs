@@ -292,7 +292,9 @@ fn fitted_flights(
         })?;
         flights.push(Observations {
             parameters: fresh.parameters,
+            inputs: fresh.inputs,
             known_states: fresh.known_states,
+            state_priors: fresh.state_priors,
             manifold: fresh.manifold,
             ..observations.clone()
         });

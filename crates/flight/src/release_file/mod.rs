@@ -1,5 +1,6 @@
 //! Parser of release files; it reports all faults of a file at once.
 
+mod inputs;
 mod throw;
 
 use crate::initial_conditions::{Release, Stop, Vocabulary, own_wind, quaternion_fault};
@@ -39,7 +40,7 @@ pub fn read_file_in_wind(
 
 /// Parses the text of a release file.
 ///
-/// `file` is the file name in error messages. `vocabulary` returns the names defined by a model, given the model's name
+/// `file` is the file name in error messages; the paths in the text are relative to its folder. `vocabulary` returns the names defined by a model, given the model's name
 /// or path; an error of `vocabulary` becomes a fault at the location of that name. Winds by height and gusts, which
 /// change the model, are rejected; [`read_in_wind`] accepts them.
 ///
@@ -51,6 +52,7 @@ pub fn read(
     vocabulary: impl FnOnce(&str) -> Result<Vocabulary, LoadError>,
 ) -> Result<Release, ReleaseError> {
     let mut reader = Reader::new(text);
+    reader.folder = Path::new(file).parent().map(Path::to_path_buf);
     let release = reader.release(&[], false, vocabulary);
     let release = release.map(|(release, _)| release);
     reader.finish(file, release)
@@ -69,6 +71,7 @@ pub fn read_in_wind(
     vocabulary: impl FnOnce(&str) -> Result<Vocabulary, LoadError>,
 ) -> Result<(Release, Vocabulary), ReleaseError> {
     let mut reader = Reader::new(text);
+    reader.folder = Path::new(file).parent().map(Path::to_path_buf);
     let release = reader.release(own_keys, true, vocabulary);
     reader.finish(file, release)
 }
@@ -82,7 +85,7 @@ impl<'t> Reader<'t> {
     ) -> Option<(Release, Vocabulary)> {
         let document = self.document()?;
         let document = document.get_ref();
-        const KEYS: [&str; 9] = [
+        const KEYS: [&str; 10] = [
             "model",
             "duration",
             "until",
@@ -92,6 +95,7 @@ impl<'t> Reader<'t> {
             "throw",
             "wind",
             "known",
+            "inputs",
         ];
         let keys = KEYS.iter().chain(own_keys).copied();
         self.known_keys(document, "", keys);
@@ -150,6 +154,8 @@ impl<'t> Reader<'t> {
             false => self.initial(document, &vocabulary),
         };
         let known = self.known(document, &vocabulary);
+        let (constant, inputs) = self.inputs(document, &vocabulary);
+        let parameters = parameters.into_iter().chain(constant).collect();
         let mut release = Release {
             model: model_name.into(),
             stop: stop?,
@@ -159,6 +165,7 @@ impl<'t> Reader<'t> {
             wind,
             wind_field,
             known,
+            inputs,
         };
         if is_throw {
             self.throw(document, &vocabulary, &mut release);

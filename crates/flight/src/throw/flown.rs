@@ -48,7 +48,7 @@ impl FlownThrow {
         let thrown = ThrownModel::new(model).ok()?;
         let parameters = body.release_parameters(release);
         let bound = body.bind(parameters.clone());
-        let at = |state: &[f64]| thrown.throw(state, &parameters);
+        let at = |state: &[f64]| thrown.throw(state, &parameters.constants);
         let first = flight.sample(flight.start)?;
         let last = &flight.end_state;
         let step = (flight.end - flight.start) / f64::from(SAMPLES);
@@ -73,8 +73,8 @@ impl FlownThrow {
         }
         let (release, end) = (at(&first), at(last));
         let (from, to) = (
-            thrown.ground(&first, &parameters),
-            thrown.ground(last, &parameters),
+            thrown.ground(&first, &parameters.constants),
+            thrown.ground(last, &parameters.constants),
         );
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
         let (sin, cos) = release.heading.to_radians().sin_cos();

@@ -120,7 +120,7 @@ impl MotionModel {
     /// Parameter vector of the model for a release, in the order of the model's [`Layout`](codegen::Layout): the values
     /// specified in the release, and default values of all other parameters.
     pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
-        self.compiled.release_parameters(release)
+        self.compiled.release_parameters(release).constants
     }
 
     /// Binds the motion to parameter values, in the order of the model's [`Layout`](codegen::Layout).
@@ -129,7 +129,7 @@ impl MotionModel {
         BoundMotion {
             model: self,
             bound: self.compiled.bind(parameters.to_vec()),
-            scratch: RefCell::new((Workspace::default(), quantities)),
+            scratch: RefCell::new((Workspace::default(), Vec::new(), quantities)),
         }
     }
 
@@ -197,7 +197,7 @@ pub struct BoundMotion<'m> {
     pub(super) model: &'m MotionModel,
     bound: BoundModel<'m>,
     /// Scratch memory, and the auxiliary variables, of which the last are the vectors of the motion.
-    scratch: RefCell<(Workspace, Vec<f64>)>,
+    scratch: RefCell<(Workspace, Vec<f64>, Vec<f64>)>,
 }
 
 impl BoundMotion<'_> {
@@ -250,8 +250,8 @@ impl BoundMotion<'_> {
     }
 
     pub(super) fn vectors(&self, state: &[f64]) -> Vectors {
-        let (workspace, quantities) = &mut *self.scratch.borrow_mut();
-        let at = self.bound.at(0.0, state);
+        let (workspace, parameters, quantities) = &mut *self.scratch.borrow_mut();
+        let at = self.bound.at(0.0, state, parameters);
         self.bound.functions().quantities(at, workspace, quantities);
         let count = if self.model.has_attitude { VECTORS } else { 2 };
         let own = quantities[quantities.len() - 3 * count..].chunks_exact(3);

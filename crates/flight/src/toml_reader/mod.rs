@@ -5,6 +5,7 @@ mod text;
 mod values;
 
 use std::ops::Range;
+use std::path::PathBuf;
 
 use model_spec::location::line_and_column;
 use toml::Spanned;
@@ -20,6 +21,8 @@ pub(crate) const MAX_FILE_BYTES: u64 = 1 << 20;
 pub struct Reader<'t> {
     text: &'t str,
     faults: Vec<Fault>,
+    /// Folder that the paths in the text are relative to; `None` for the working folder.
+    pub(crate) folder: Option<PathBuf>,
 }
 
 /// Value in a TOML text, with its location.
@@ -31,6 +34,7 @@ impl<'t> Reader<'t> {
         Reader {
             text,
             faults: Vec::new(),
+            folder: None,
         }
     }
 

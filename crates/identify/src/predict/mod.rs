@@ -13,6 +13,7 @@ use self::jacobian_columns::JacobianColumns;
 use self::trajectory_pass::TrajectoryPass;
 pub use self::trajectory_pass::{Residuals, residuals, residuals_of, robust_scale, states};
 use self::weighted_rows::WeightedRows;
+pub(crate) use self::weighted_rows::wide_deviation;
 use crate::error::FlightError;
 use crate::least_squares::{NormalBlock, Unknowns};
 use crate::noise::NoiseModel;
@@ -89,6 +90,7 @@ pub fn linearise_with(
     if !problem.sees_positions() {
         weighted_rows::add(problem, observations, local, &mut block);
     }
+    weighted_rows::add_state_priors(observations, local, &mut block);
     Ok(block)
 }
 

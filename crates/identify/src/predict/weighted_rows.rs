@@ -95,7 +95,7 @@ fn innovations(noise: &AxesNoise, gap: Option<f64>) -> [(f64, f64); 3] {
 // Weak priors of an initial state for flights without measured positions, which leave position and heading open.
 
 /// Prior standard deviation about 0 by the unit of a state, far wider than what a flight determines.
-fn deviation(unit: &str) -> f64 {
+pub fn wide_deviation(unit: &str) -> f64 {
     match unit {
         "m" => 10.0,
         "m/s" => 100.0,
@@ -114,20 +114,56 @@ pub(super) fn add(
 ) {
     let states = &problem.model.states;
     let tangent = observations.manifold.tangent(local.as_slice());
-    let (locals, globals) = (block.local.nrows(), block.global.nrows());
-    let none = DVector::zeros(globals);
     let count = block.count;
     for (index, state) in states.iter().enumerate() {
-        let deviation = deviation(&state.unit_text);
-        let mut by_local = DVector::zeros(locals);
-        for &(of, direction, value) in &tangent {
-            if of == index {
-                by_local[direction] = value / deviation;
-            }
-        }
-        if by_local.iter().any(|value| *value != 0.0) {
-            block.add(local[index] / deviation, &by_local, &none);
-        }
+        add_prior(
+            block,
+            &tangent,
+            index,
+            local[index],
+            wide_deviation(&state.unit_text),
+        );
     }
     block.count = count;
+}
+
+/// Adds the priors of the unknown or measured states of a flight to its normal equations.
+pub(super) fn add_state_priors(
+    observations: &Observations,
+    local: &DVector<f64>,
+    block: &mut NormalBlock,
+) {
+    let tangent = observations.manifold.tangent(local.as_slice());
+    let count = block.count;
+    for prior in &observations.state_priors {
+        let index = prior.state.index();
+        add_prior(
+            block,
+            &tangent,
+            index,
+            local[index] - prior.mean,
+            prior.sigma,
+        );
+    }
+    block.count = count;
+}
+
+/// Adds the prior of one state, `difference` away from its mean. `tangent` are the entries of the manifold's tangent.
+fn add_prior(
+    block: &mut NormalBlock,
+    tangent: &[(usize, usize, f64)],
+    state: usize,
+    difference: f64,
+    sigma: f64,
+) {
+    let mut by_local = DVector::zeros(block.local.nrows());
+    for &(of, direction, value) in tangent {
+        if of == state {
+            by_local[direction] = value / sigma;
+        }
+    }
+    if by_local.iter().any(|value| *value != 0.0) {
+        let none = DVector::zeros(block.global.nrows());
+        block.add(difference / sigma, &by_local, &none);
+    }
 }

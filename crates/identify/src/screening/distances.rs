@@ -128,7 +128,7 @@ impl Distances {
 /// Whether each pair of [`marker_pairs`] has a distance that no estimated parameter changes.
 pub fn rigid_pairs(problem: &FitProblem) -> Vec<bool> {
     let pairs = marker_pairs(problem.markers.len());
-    let conditions = ChannelConditions::new(problem, &problem.parameters);
+    let conditions = ChannelConditions::new(problem, &problem.parameters.clone().into());
     let mut observers = conditions.observers();
     // The default state may be at rest or level, where derivatives vanish.
     let states = problem.body.layout().default_states().into_iter();

@@ -1,6 +1,6 @@
 //! Samples of a flight for the viewer: position, attitude, markers and further quantities at each time.
 
-use flight::{BoundModel, CompiledModel};
+use flight::{BoundModel, CompiledModel, FlightParameters};
 use identify::FlightEvidence;
 use model_spec::model::{Model, Shape};
 use ode::Trajectory;
@@ -57,7 +57,7 @@ struct Number {
 pub(super) struct FlightModel<'m> {
     pub(super) model: &'m Model,
     pub(super) body: &'m CompiledModel,
-    pub(super) parameters: Vec<f64>,
+    pub(super) parameters: FlightParameters,
 }
 
 impl FlightModel<'_> {
@@ -125,7 +125,11 @@ impl FlightModel<'_> {
             let component = |axis: &str| {
                 let name = format!("{}_{axis}", input.name);
                 let at = layout.parameters.iter().position(|p| *p == name)?;
-                self.parameters.get(at).copied().filter(|v| v.is_finite())
+                self.parameters
+                    .constants
+                    .get(at)
+                    .copied()
+                    .filter(|v| v.is_finite())
             };
             Some(Arrow {
                 name: input.name.clone(),

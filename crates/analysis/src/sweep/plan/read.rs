@@ -109,7 +109,7 @@ fn plan<'t>(
     let draws = whole(reader, document, "flights", 1, MAX_FLIGHTS);
     let seed = whole(reader, document, "seed", 0, i64::MAX as u64);
     let options = options(reader, document, &compiled, &release);
-    let parameters = compiled.release_parameters(&release);
+    let parameters = compiled.release_parameters(&release).constants;
     let names = Names {
         layout: compiled.layout(),
         vocabulary,

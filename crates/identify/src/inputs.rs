@@ -1,0 +1,76 @@
+//! Inputs over time of a flight: those of the model, which must cover the flight.
+
+use dataset::Flight;
+use dataset::statistics::median_of;
+use flight::{InputSeries, InputsOverTime};
+
+use crate::error::FlightError;
+use crate::problem::FitProblem;
+
+/// Share of the median interval between the samples of an input by which a flight may outlast it: the clocks of two
+/// devices round differently.
+const OUTLASTING: f64 = 0.5;
+
+/// Gap between two samples of an input, in median intervals, from which the report notes that it is bridged.
+const NOTED_GAP: f64 = 3.5;
+
+/// Inputs over time of a flight whose measured samples are from `span.0` to `span.1`, s, with the time counted from
+/// the first of them; and notes for the report.
+///
+/// # Errors
+/// [`FlightError::UnknownInput`] for an input that the model lacks; [`FlightError::InputSpan`] for one that does not
+/// cover the flight.
+pub fn of_flight(
+    problem: &FitProblem,
+    flight: &Flight,
+    span: (f64, f64),
+) -> Result<(InputsOverTime, Vec<String>), FlightError> {
+    let layout = problem.body.layout();
+    let mut notes = Vec::new();
+    for (name, series) in &flight.inputs {
+        let id = layout.parameter(name);
+        if !id.is_some_and(|id| layout.varying.contains(&id)) {
+            let varying = layout.varying.iter();
+            return Err(FlightError::UnknownInput {
+                name: name.clone(),
+                model: problem.model.name.clone(),
+                available: varying
+                    .map(|id| layout.parameters[id.index()].clone())
+                    .collect(),
+            });
+        }
+        let given = series.span();
+        let interval = interval(series).unwrap_or(0.0);
+        let slack = OUTLASTING * interval;
+        if given.0 > span.0 + slack || given.1 < span.1 - slack {
+            return Err(FlightError::InputSpan {
+                name: name.clone(),
+                given,
+                needed: span,
+            });
+        }
+        let gap = widest_gap(series, span);
+        if gap > NOTED_GAP * interval {
+            notes.push(format!(
+                "the input {name} is bridged over {gap:.3} s without a sample"
+            ));
+        }
+    }
+    let inputs = flight.inputs.iter();
+    let inputs = inputs.map(|(name, series)| (name.as_str(), series.since(span.0)));
+    Ok((InputsOverTime::of(layout, inputs), notes))
+}
+
+/// Median time between samples, s; `None` for a single sample.
+fn interval(series: &InputSeries) -> Option<f64> {
+    let times: Vec<f64> = series.samples().map(|(t, _)| t).collect();
+    median_of(times.windows(2).map(|pair| pair[1] - pair[0]))
+}
+
+/// Longest time between two samples within `span`, s.
+fn widest_gap(series: &InputSeries, (from, until): (f64, f64)) -> f64 {
+    let times: Vec<f64> = series.samples().map(|(t, _)| t).collect();
+    let pairs = times.windows(2);
+    let inside = pairs.filter(|pair| pair[1] > from && pair[0] < until);
+    inside.map(|pair| pair[1] - pair[0]).fold(0.0, f64::max)
+}
