@@ -178,7 +178,7 @@ fn case(steps: &[(Step, Index, Index)], at: [f64; VARIABLES]) -> Option<Case> {
         let model = model_spec::load::from_text("table.hyz", TABLE, &[]).expect("a model");
         Tables::of_model(&model)
     });
-    let mut graph = ExprGraph::with_tables(TABLES.clone());
+    let mut graph = ExprGraph::with_tables(TABLES.clone(), Vec::new());
     let symbols = [0, 1, 2].map(|k| graph.symbol(Symbol::State(k)));
     let mut nodes = symbols.to_vec();
     let seeded = |wrt: usize| (0..VARIABLES).map(move |k| Dual64::new(at[k], f64::from(k == wrt)));

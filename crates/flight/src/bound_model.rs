@@ -1,6 +1,6 @@
 //! A compiled model bound to values of its parameters.
 
-use crate::inputs::{FlightParameters, InputsOverTime};
+use crate::inputs::{FlightParameters, InputsOverTime, RecordedInput};
 use crate::{CompiledModel, EvaluationPoint, ModelFunctions, ModelState, Workspace};
 use ode::{Event, StateVector};
 
@@ -22,7 +22,7 @@ impl CompiledModel {
         let mut prepared = vec![0.0; self.functions.prepared_len()];
         self.functions.prepare(&constants, &mut prepared);
         let mut time_breaks = self.time_breaks.at(&constants);
-        time_breaks.extend(inputs.breaks());
+        time_breaks.extend(inputs.breaks(&constants));
         time_breaks.sort_unstable_by(f64::total_cmp);
         time_breaks.dedup();
         BoundModel {
@@ -55,12 +55,16 @@ impl BoundModel<'_> {
                 values[index] - bound
             })
         });
-        let of_inputs = self.inputs.iter().map(|(id, series)| {
-            let (name, until) = (&self.model.layout.parameters[id.index()], series.span().1);
-            let reason = format!("the input `{name}` is given until {until} s alone");
-            let end = series.end();
-            Event::limit(reason, move |t, _: &X| end - t)
-        });
+        let of_inputs = self
+            .inputs
+            .iter()
+            .map(|RecordedInput { value, series, .. }| {
+                let names = &self.model.layout.parameters;
+                let (name, until) = (&names[value.index()], series.span().1);
+                let reason = format!("the input `{name}` is given until {until} s alone");
+                let end = series.end();
+                Event::limit(reason, move |t, _: &X| end - t)
+            });
         of_model.chain(of_inputs).collect()
     }
 

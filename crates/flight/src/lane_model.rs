@@ -116,7 +116,7 @@ impl LaneModel {
     /// Times at which the right-hand side is not smooth, for the parameters `p`.
     fn breaks(&self, p: &[f64], breaks: &mut Vec<f64>) {
         breaks.extend(self.time_breaks.at(p));
-        breaks.extend(self.inputs.breaks());
+        breaks.extend(self.inputs.breaks(p));
         breaks.sort_unstable_by(f64::total_cmp);
     }
 
@@ -252,8 +252,8 @@ impl LaneRhs for TapeRhs<'_> {
             evaluate(&self.tape.limits, at, scratch, own)
         });
         self.model.subtract_bounds(own);
-        for (margin, (_, series)) in ends.iter_mut().zip(self.model.inputs.iter()) {
-            *margin = T::splat(series.end()) - at.t;
+        for (margin, own) in ends.iter_mut().zip(self.model.inputs.iter()) {
+            *margin = T::splat(own.series.end()) - at.t;
         }
     }
 }
@@ -272,8 +272,15 @@ impl TapeRhs<'_> {
             return with(at, scratch);
         }
         varied.copy_from_slice(at.p);
-        for (id, series) in self.model.inputs.iter() {
-            varied[id.index()] = T::from_fn(|lane| series.at(at.t.lane(lane)));
+        for own in self.model.inputs.iter() {
+            let read = |lane: usize| {
+                let delay = own.delay.map_or(0.0, |id| at.p[id.index()].lane(lane));
+                own.at(at.t.lane(lane), delay)
+            };
+            varied[own.value.index()] = T::from_fn(|lane| read(lane).0);
+            if let Some((id, _)) = &own.rate {
+                varied[id.index()] = T::from_fn(|lane| read(lane).1);
+            }
         }
         with(LanePoint { p: varied, ..at }, scratch);
     }

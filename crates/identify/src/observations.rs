@@ -268,6 +268,23 @@ impl Observations {
         self.stand_ins.truncate(samples * self.markers);
     }
 
+    /// Takes priors of states that are neither known nor measured.
+    pub(crate) fn adopt(&mut self, priors: &[StatePrior]) {
+        for prior in priors {
+            let is_same = |own: &StatePrior| own.state == prior.state;
+            let is_known = self.known_states.iter().any(|(id, _)| *id == prior.state);
+            if !is_known
+                && !self
+                    .state_priors
+                    .iter()
+                    .any(|own| own.is_measured && is_same(own))
+            {
+                self.state_priors.retain(|own| !is_same(own));
+                self.state_priors.push(*prior);
+            }
+        }
+    }
+
     /// Returns the initial state with its known components set to their known values, and those with a prior to its
     /// mean.
     pub fn with_known_states(&self, mut state: DVector<f64>) -> DVector<f64> {

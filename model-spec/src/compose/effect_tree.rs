@@ -135,6 +135,12 @@ impl EffectTree {
         self.tree.needs().filter(|need| need.otherwise.is_none())
     }
 
+    /// Whether the effect adds states, whose initial values differ from flight to flight.
+    pub fn has_states(&self) -> bool {
+        let mut added = self.tree.added();
+        added.any(|item| matches!(item.kind, ItemKind::State(_)))
+    }
+
     /// Instruments whose measured quantities the effect needs.
     pub(crate) fn instruments(&self) -> Vec<Instrument> {
         let is_needed = |instrument: &Instrument| {

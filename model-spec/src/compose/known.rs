@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::{EffectTree, ModelTree, rates};
+use super::{EffectTree, ModelTree};
 use crate::check::check;
 use crate::effect;
 use crate::model::Model;
@@ -16,7 +16,7 @@ pub enum Origin {
     Specific,
     /// A built-in effect that is written for models of any kind.
     General,
-    /// Created from an equation `der(STATE) = …` of the model, to which it adds a term.
+    /// Created from an equation `der(STATE) = …` of the model, to which it adds a term, or from a scalar input.
     Equation,
 }
 
@@ -49,8 +49,8 @@ pub struct KnownEffect {
 }
 
 /// Returns all effects that can be found by name for a checked model: effects of the model's file, specific and general
-/// built-in effects, and effects created from the equations `der(STATE) = …` of the model. If several effects have the
-/// same name, only the first is returned.
+/// built-in effects, and effects created from the equations `der(STATE) = …` and the scalar inputs of the model. If
+/// several effects have the same name, only the first is returned.
 ///
 /// [`KnownEffect::refused`] is `None` for an effect that a diagnosis considers as possibly missing from the model.
 pub fn known_effects(model: &Model) -> Vec<KnownEffect> {
@@ -83,7 +83,7 @@ pub fn known_effects(model: &Model) -> Vec<KnownEffect> {
         };
         add(effect.clone(), origin);
     }
-    for effect in rates::rate_effects(tree.file()) {
+    for effect in super::made_effects(tree.file()) {
         add(effect, Origin::Equation);
     }
     let bound: Vec<String> = known

@@ -23,6 +23,7 @@
 //! ```
 
 mod effect_tree;
+mod input_effects;
 mod known;
 mod rates;
 mod sensors;
@@ -113,8 +114,8 @@ impl ModelTree {
     }
 
     /// Finds an effect by file path, or by name (with `_` or `-` between words). A name is searched among the effects
-    /// of the model's file, then the built-in effects, then the effects created from the equations `der(STATE) = …` of
-    /// the model.
+    /// of the model's file, then the built-in effects, then the effects created from the equations `der(STATE) = …` and
+    /// the scalar inputs of the model.
     ///
     /// # Errors
     /// [`LoadError::UnknownEffect`] if no effect has the name; for a path, the errors of [`EffectTree::load`].
@@ -130,9 +131,9 @@ impl ModelTree {
         if let Some(effect) = built_in.find(|effect| effect.name() == name) {
             return Ok(effect.clone());
         }
-        let of_equations = rates::rate_effects(&self.file).into_iter();
-        let mut of_equations = of_equations.filter(|effect| effect.name() == name);
-        of_equations.next().ok_or_else(|| LoadError::UnknownEffect {
+        let mut made = made_effects(&self.file).into_iter();
+        let made = made.find(|effect| effect.name() == name);
+        made.ok_or_else(|| LoadError::UnknownEffect {
             wanted: name_or_path.to_owned(),
             known: self.effect_names().map(str::to_owned).collect(),
         })
@@ -222,6 +223,13 @@ impl ModelTree {
             sources: self.sources.clone(),
         }
     }
+}
+
+/// Effects created for the equations and the scalar inputs of a model.
+fn made_effects(file: &File) -> Vec<EffectTree> {
+    let mut made = rates::rate_effects(file);
+    made.extend(input_effects::input_effects(file));
+    made
 }
 
 /// Display name and text of a model, which is given by path or by built-in name; an existing file takes precedence.

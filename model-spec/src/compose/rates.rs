@@ -96,7 +96,7 @@ fn of_equation(state: &State) -> impl Iterator<Item = EffectTree> {
 }
 
 /// Text of the unit `unit` divided by s^`power`. If `unit` is `None`, the unit 1 is divided.
-fn per_second(unit: Option<&UnitExpr>, power: i32) -> String {
+pub(super) fn per_second(unit: Option<&UnitExpr>, power: i32) -> String {
     let mut factors = unit.map_or_else(Vec::new, |unit| unit.factors.clone());
     match factors.iter_mut().find(|factor| factor.symbol == "s") {
         Some(seconds) => seconds.doubled -= 2 * power,

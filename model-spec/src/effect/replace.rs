@@ -5,12 +5,20 @@ use crate::check::PREVIOUS;
 use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::syntax::{self, of_kind};
 
-use crate::syntax::ast::{Body, BodyPart, BodyPartKind, Expr, ExprKind, Inertia, Item, ItemKind};
+use std::collections::HashMap;
+
+use super::standard::replace_names;
+use crate::syntax::ast::{
+    Body, BodyPart, BodyPartKind, Expr, ExprKind, Inertia, Item, ItemKind, Let, Name,
+    ParameterClass,
+};
 
 const MAX_NODES: usize = 20_000;
 
 impl Change<'_> {
     pub(super) fn replace(&mut self, item: &Item) {
+        let of_input = self.acting(item);
+        let item = of_input.as_ref().unwrap_or(item);
         let (class, name) = item.kind.class_and_name();
         let key = match class {
             "the clock" | "observation" => class.to_owned(),
@@ -93,6 +101,49 @@ impl Change<'_> {
             _ => {}
         }
         self.file.items[at] = new;
+    }
+
+    /// The replacement of a scalar input, as that of a quantity `NAME_acting`, which takes its place in the model: the
+    /// input itself is what was recorded. `None` if `item` replaces something else.
+    fn acting(&mut self, item: &Item) -> Option<Item> {
+        let ItemKind::Let(wanted) = &item.kind else {
+            return None;
+        };
+        let name = &wanted.name.text;
+        let inputs = of_kind!(self.file.items.iter(), ItemKind::Parameter);
+        let mut inputs = inputs.filter(|own| own.class == ParameterClass::Input);
+        let declared = inputs.find(|own| own.name.text == *name)?.name.clone();
+        let acting = Name {
+            text: format!("{name}_acting"),
+            span: wanted.name.span,
+        };
+        let mut lets = of_kind!(self.file.items.iter(), ItemKind::Let);
+        if !lets.any(|own| own.name.text == acting.text) {
+            let span = declared.span;
+            let by = |text: &str| Expr {
+                kind: ExprKind::Name(text.to_owned()),
+                span,
+            };
+            let uses = HashMap::from([(name.clone(), by(&acting.text))]);
+            for item in &mut self.file.items {
+                item.kind.expressions_mut(&mut |e| replace_names(e, &uses));
+            }
+            let kind = ItemKind::Let(Let {
+                name: Name {
+                    span,
+                    ..acting.clone()
+                },
+                unit: None,
+                value: by(name),
+            });
+            let doc = format!("{name} as it acts");
+            self.file.items.push(Item::new(kind, &doc, span));
+        }
+        let mut item = item.clone();
+        if let ItemKind::Let(own) = &mut item.kind {
+            own.name = acting;
+        }
+        Some(item)
     }
 
     /// Adds the statement `clock 1;` to a model without a clock rate, so that an effect can replace it.

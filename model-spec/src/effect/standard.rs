@@ -164,7 +164,7 @@ impl Standard {
     }
 }
 
-fn replace_names(e: &mut Expr, by: &HashMap<String, Expr>) {
+pub(super) fn replace_names(e: &mut Expr, by: &HashMap<String, Expr>) {
     if let ExprKind::Name(name) = &e.kind
         && let Some(value) = by.get(name)
     {

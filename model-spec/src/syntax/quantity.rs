@@ -86,10 +86,12 @@ impl Parser<'_> {
 
     /// Parses the unit that a declaration may state after the name, as in `: m/s`; `Ok(None)` if there is no colon.
     pub fn unit_behind_colon(&mut self) -> Read<Option<UnitExpr>> {
-        if self.eat(Token::Sign(":")) {
-            self.unit().map(Some)
-        } else {
-            Ok(None)
+        if !self.eat(Token::Sign(":")) {
+            return Ok(None);
+        }
+        match self.peek() {
+            Token::Sign("[") => self.square_unit().map(Some),
+            _ => self.unit().map(Some),
         }
     }
 

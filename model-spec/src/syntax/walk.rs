@@ -1,7 +1,8 @@
 //! Traversal of the syntax tree, and lookup of its statements.
 
 use super::ast::{
-    Body, Effect, Equation, Expr, ExprKind, File, Frame, ItemKind, Let, Load, Name, Observe,
+    Body, ClaimPartKind, Effect, Equation, Expr, ExprKind, File, Frame, ItemKind, Let, Load, Name,
+    Observe,
 };
 
 /// Iterates over the contents of the statements of one kind.
@@ -87,6 +88,33 @@ impl ItemKind {
     /// Mutable [`ItemKind::value`].
     pub fn value_mut(&mut self) -> Option<&mut Expr> {
         value!(self)
+    }
+
+    /// Calls `visit` with each expression of a statement that is evaluated during a flight.
+    pub(crate) fn expressions_mut(&mut self, visit: &mut dyn FnMut(&mut Expr)) {
+        if let Some(value) = self.value_mut() {
+            return visit(value);
+        }
+        match self {
+            ItemKind::Limit(limit) => visit(&mut limit.value),
+            ItemKind::Claim(claim) => {
+                for part in &mut claim.parts {
+                    match &mut part.kind {
+                        ClaimPartKind::Inertia(inertia) => {
+                            inertia
+                                .rows
+                                .iter_mut()
+                                .flatten()
+                                .flatten()
+                                .for_each(&mut *visit);
+                        }
+                        ClaimPartKind::Value(value) => visit(value),
+                        _ => {}
+                    }
+                }
+            }
+            _ => {}
+        }
     }
 
     /// Class of a statement that an effect may replace, as in messages, and its name; a clock has none.

@@ -3,6 +3,7 @@
 mod broken;
 mod effects;
 mod general_effects;
+mod inputs;
 mod language;
 mod meaning;
 mod models;

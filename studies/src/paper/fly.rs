@@ -37,7 +37,7 @@ impl Flyer {
             name: name.to_owned(),
         })?;
         let release = read(name, text, |_| Ok(Vocabulary::of(&model)))?;
-        let parameters = body.release_parameters(&release);
+        let parameters = body.release_parameters(&release).constants;
         Ok(Self {
             parameters,
             initial: release.state().into(),

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use dataset::Dataset;
 use model_spec::LoadError;
 use model_spec::compose::{EffectTree, ModelTree, known_effects};
 use model_spec::index::IndexVec;
@@ -69,6 +70,25 @@ fn candidate_effects(model: &Model, without: &[String]) -> Vec<EffectTree> {
         .filter(|known| known.refused.is_none() && !is_excluded(known.effect.name()))
         .map(|known| known.effect)
         .collect()
+}
+
+/// Effects with a value in each flight that stand for an input nobody measured, although a flight states it.
+pub(crate) fn of_stated_inputs(model: &Model, dataset: &Dataset) -> Vec<String> {
+    let is_stated = |name: &str| {
+        let mut flights = dataset.flights.iter();
+        let unknown = model.unknown_states();
+        flights.any(|flight| flight.known.contains_key(name) && is_input(model, name))
+            || unknown.iter().any(|(own, _)| own == name)
+    };
+    let effects = EffectTree::built_in().iter();
+    let stand_in = effects.filter(|effect| {
+        effect.has_states() && effect.needs().any(|need| is_stated(&need.name.text))
+    });
+    stand_in.map(|effect| effect.name().to_owned()).collect()
+}
+
+fn is_input(model: &Model, name: &str) -> bool {
+    model.inputs.iter().any(|input| input.name == name)
 }
 
 fn compose_all(base: &ModelTree, effects: &[EffectTree]) -> Result<Model, LoadError> {

@@ -13,7 +13,9 @@ use model_spec::model::Model;
 pub(crate) use columns::{CandidateId, ColumnId, Partition, TermId, select, select_vector};
 use dataset::Dataset;
 pub use encompassing::identifier;
-pub(crate) use encompassing::{Candidate, CandidateParameter, EncompassingModel, display_name};
+pub(crate) use encompassing::{
+    Candidate, CandidateParameter, EncompassingModel, display_name, of_stated_inputs,
+};
 pub(crate) use library_terms::{BasisLoads, LibraryTerms};
 pub(crate) use linearize::{LinearizationPoint, TrajectoryCache};
 pub use options::{DiagnosisOptions, OptionsError, ThrowRanges};

@@ -87,6 +87,23 @@ impl InputSeries {
         self.interpolation
     }
 
+    /// Time derivative of the input, per s; of a held one, the slope from sample to sample.
+    fn rate(&self) -> InputSeries {
+        let samples: Vec<(f64, f64)> = self.samples().collect();
+        let (function, interpolation) = match self.interpolation {
+            _ if samples.len() < 2 => (self.function.derivative(), self.interpolation),
+            InputInterpolation::Cubic => (self.function.derivative(), self.interpolation),
+            _ => {
+                let lines = PiecewiseCubic::linear(&samples);
+                (lines.derivative(), InputInterpolation::Hold)
+            }
+        };
+        InputSeries {
+            function,
+            interpolation,
+        }
+    }
+
     /// The input with the time counted from `origin`, s.
     pub fn since(&self, origin: f64) -> InputSeries {
         let knots = self.function.knots().iter().map(|t| t - origin).collect();
@@ -96,50 +113,91 @@ impl InputSeries {
         }
     }
 
-    /// Times at which the input has a kink or a jump, s.
+    /// Times at which the input is not one polynomial, s: a step across them would have a larger error than it estimates.
     fn breaks(&self) -> impl Iterator<Item = f64> + '_ {
         let pieces = self.function.cubics().windows(2);
-        let is_smooth = self.interpolation == InputInterpolation::Cubic;
-        let differ = move |pair: &[[f64; 4]]| {
-            pair[0][1] != pair[1][1] || pair[1][1] == 0.0 && pair[0][0] != pair[1][0]
-        };
         let knots = self.function.knots().iter().zip(pieces);
-        knots.filter_map(move |(t, pair)| (!is_smooth && differ(pair)).then_some(*t))
+        let differ = |before: &[f64; 4], after: &[f64; 4]| match (before, after) {
+            ([a, 0.0, 0.0, 0.0], [b, 0.0, 0.0, 0.0]) => a != b,
+            ([_, before, 0.0, 0.0], [_, after, 0.0, 0.0]) => before != after,
+            _ => true,
+        };
+        knots.filter_map(move |(t, pair)| differ(&pair[0], &pair[1]).then_some(*t))
     }
 }
 
-/// Inputs over time of one flight, each with the index of its parameter.
+/// An input over time of a model: its parameter, and those that go with it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct RecordedInput {
+    pub series: InputSeries,
+    pub value: ParamId,
+    /// The input `NAME_rate`, and the derivative.
+    pub rate: Option<(ParamId, InputSeries)>,
+    /// Time by which the input acts later than recorded, which the effect `delay_of_NAME` estimates.
+    pub delay: Option<ParamId>,
+}
+
+impl RecordedInput {
+    /// Values of the input and of its rate at time `t`, s. With a delay the model subtracts delay × rate; together that
+    /// is exactly the value at the earlier time.
+    #[inline(always)]
+    pub fn at(&self, t: f64, delay: f64) -> (f64, f64) {
+        let rate = self
+            .rate
+            .as_ref()
+            .map_or(0.0, |(_, rate)| rate.at(t - delay));
+        (self.series.at(t - delay) + delay * rate, rate)
+    }
+
+    /// Times at which the input as it acts is not one polynomial, s.
+    pub fn breaks<'o>(&'o self, parameters: &[f64]) -> impl Iterator<Item = f64> + use<'o> {
+        let delay = self.delay.map_or(0.0, |id| parameters[id.index()]);
+        self.series.breaks().map(move |time| time + delay)
+    }
+}
+
+/// Inputs over time of one flight.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct InputsOverTime(Option<Arc<Vec<(ParamId, InputSeries)>>>);
+pub struct InputsOverTime(Arc<Vec<RecordedInput>>);
 
 impl InputsOverTime {
-    /// The inputs of a model with this layout by their names. Those that the model lacks are left out.
+    /// The inputs of a model with this layout by their names; those that the model lacks are left out. Where the model
+    /// has an input `NAME_rate` that is not given, it is the time derivative of the input `NAME`.
     pub fn of<'a>(
         layout: &Layout,
         inputs: impl IntoIterator<Item = (&'a str, InputSeries)>,
     ) -> InputsOverTime {
-        let all = inputs.into_iter();
-        let known = all.filter_map(|(name, series)| {
+        let id_of = |name: &str| {
             let id = layout.parameter(name)?;
-            layout.varying.contains(&id).then_some((id, series))
+            layout.varying.contains(&id).then_some(id)
+        };
+        let inputs: Vec<(&str, InputSeries)> = inputs.into_iter().collect();
+        let names: Vec<&str> = inputs.iter().map(|(name, _)| *name).collect();
+        let known = inputs.into_iter().filter_map(|(name, series)| {
+            let rate = format!("{name}_rate");
+            let rate = id_of(&rate).filter(|_| !names.contains(&&*rate));
+            Some(RecordedInput {
+                value: id_of(name)?,
+                delay: rate.and_then(|_| layout.parameter(&format!("k_delay_of_{name}"))),
+                rate: rate.map(|id| (id, series.rate())),
+                series,
+            })
         });
-        let known: Vec<_> = known.collect();
-        InputsOverTime((!known.is_empty()).then(|| Arc::new(known)))
+        InputsOverTime(Arc::new(known.collect()))
     }
 
-    /// Each input with the index of its parameter.
-    pub fn iter(&self) -> impl Iterator<Item = &(ParamId, InputSeries)> {
-        self.0.iter().flat_map(|all| all.iter())
+    pub(crate) fn iter(&self) -> impl Iterator<Item = &RecordedInput> {
+        self.0.iter()
     }
 
     /// Whether all inputs are constant.
     pub fn is_empty(&self) -> bool {
-        self.0.is_none()
+        self.0.is_empty()
     }
 
-    /// Times at which an input has a kink or a jump, s.
-    pub(crate) fn breaks(&self) -> impl Iterator<Item = f64> + '_ {
-        self.iter().flat_map(|(_, series)| series.breaks())
+    /// Times at which an input is not one polynomial, s.
+    pub(crate) fn breaks<'o>(&'o self, parameters: &'o [f64]) -> impl Iterator<Item = f64> + 'o {
+        self.iter().flat_map(|own| own.breaks(parameters))
     }
 
     /// `parameters` with the values of the inputs at time `t`, copied to `buffer` where an input varies.
@@ -150,17 +208,20 @@ impl InputsOverTime {
         parameters: &'b [f64],
         buffer: &'b mut Vec<f64>,
     ) -> &'b [f64] {
-        match &self.0 {
-            None => parameters,
-            Some(inputs) => {
-                buffer.clear();
-                buffer.extend_from_slice(parameters);
-                for (id, series) in inputs.iter() {
-                    buffer[id.index()] = series.at(t);
-                }
-                buffer
+        if self.is_empty() {
+            return parameters;
+        }
+        buffer.clear();
+        buffer.extend_from_slice(parameters);
+        for own in self.iter() {
+            let delay = own.delay.map_or(0.0, |id| parameters[id.index()]);
+            let (value, rate) = own.at(t, delay);
+            buffer[own.value.index()] = value;
+            if let Some((id, _)) = &own.rate {
+                buffer[id.index()] = rate;
             }
         }
+        buffer
     }
 }
 

@@ -33,7 +33,11 @@ pub fn read_inputs(
     if !rows.next()? {
         return Err(rows.fault(0, "no header", "a header: t and the names of inputs"));
     }
-    let names: Vec<String> = rows.record.iter().map(str::to_owned).collect();
+    let names: Vec<String> = rows
+        .record
+        .iter()
+        .map(|cell| unquoted(cell).to_owned())
+        .collect();
     if let Some(second) = (1..names.len()).find(|&k| names[..k].contains(&names[k])) {
         let found = format!("a second column {:?}", names[second]);
         return Err(rows.fault(second, &found, "each column once"));
@@ -93,6 +97,14 @@ pub fn read_inputs(
     series.collect()
 }
 
+/// Text of a cell without the quotes at both of its ends.
+fn unquoted(cell: &str) -> &str {
+    let inner = cell
+        .strip_prefix('"')
+        .and_then(|cell| cell.strip_suffix('"'));
+    inner.map_or(cell, str::trim)
+}
+
 /// Rows of a table, without blank lines and comments.
 struct Rows<'t> {
     reader: csv::Reader<&'t [u8]>,
@@ -110,6 +122,7 @@ impl<'t> Rows<'t> {
         let reader = ReaderBuilder::new()
             .delimiter(mark.unwrap_or(b','))
             .comment(Some(b'#'))
+            .quoting(false)
             .trim(Trim::All)
             .has_headers(false)
             .flexible(true)
@@ -135,7 +148,7 @@ impl<'t> Rows<'t> {
     }
 
     fn number(&self, index: usize) -> Result<Option<f64>, TableFault> {
-        let cell = self.record.get(index).unwrap_or_default();
+        let cell = unquoted(self.record.get(index).unwrap_or_default());
         match cell.parse::<f64>() {
             _ if cell.is_empty() => Ok(None),
             Ok(number) if number.is_nan() => Ok(None),

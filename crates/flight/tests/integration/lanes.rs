@@ -1,8 +1,9 @@
 //! Flights in lanes are those of the scalar solver, and the same bits in any company.
 
-use flight::CompiledModel;
-use flight::LaneModel;
 use flight::release::{Vocabulary, built_in, read};
+use flight::{
+    CompiledModel, FlightParameters, InputInterpolation, InputSeries, InputsOverTime, LaneModel,
+};
 use lanes::Isa;
 use model_spec::model::Model;
 use ode::{
@@ -203,7 +204,9 @@ fn scenes() -> Vec<(Model, Vec<f64>, Vec<f64>)> {
         let model = model_spec::load::load(name, &[]).expect("a model");
         let text = built_in(release).expect("a release");
         let release = read(release, text, |_| Ok(Vocabulary::of(&model))).expect("a release");
-        let p = CompiledModel::new(&model).release_parameters(&release);
+        let p = CompiledModel::new(&model)
+            .release_parameters(&release)
+            .constants;
         scenes.push((model, release.state(), p));
     }
     let with = model_spec::load::load("disc", &["wind_by_height"]).expect("a disc with an effect");
@@ -409,5 +412,72 @@ fn pulses_in_time_are_flown_in_lanes_as_by_the_scalar_solver() {
             assert!((own - other).abs() < 1e-9, "{own} {other}");
         }
         assert!((end.state[4] - 5.0).abs() < 1e-6, "{:?}", end.state);
+    }
+}
+
+#[test]
+fn inputs_over_time_are_those_of_the_scalar_flight() {
+    let text = DART.replace(
+        "coefficient s = 3 1/s;",
+        "coefficient s = 3 1/s;\ninput thrust: m/s^2 = 0;",
+    );
+    let text = text.replace(
+        "der(vx) = dot(drag, N.1);",
+        "der(vx) = dot(drag, N.1) + thrust;",
+    );
+    let model = model_spec::load::from_text("dart.hyz", &text, &[]).expect("a model");
+    let compiled = CompiledModel::new(&model);
+    let samples: Vec<(f64, f64)> = (0..=40)
+        .map(|k| f64::from(k) * 0.03)
+        .map(|t| (t, 30.0 * (9.0 * t).sin()))
+        .collect();
+    for interpolation in [
+        InputInterpolation::Linear,
+        InputInterpolation::Hold,
+        InputInterpolation::Cubic,
+    ] {
+        let series = InputSeries::new(&samples, interpolation);
+        let inputs = InputsOverTime::of(compiled.layout(), [("thrust", series)]);
+        let lanes = LaneModel::new(&model).with_inputs(inputs.clone());
+        let p = compiled.layout().default_parameters();
+        let flights = scattered(&compiled.layout().default_states(), &p, height(&model), 24);
+        for t_end in [1.0, 1.5] {
+            let span = FlightSpan {
+                t_end,
+                height: Some(height(&model)),
+                seeks_apex: false,
+                until_ground: false,
+            };
+            let options = IntegrationOptions::with_tolerance(1e-9);
+            let order = (0..flights.len()).collect();
+            let ends = flown(&lanes, &flights, order, (&span, &options), None);
+            for (flight, end) in flights.iter().zip(ends) {
+                let end = end.expect("every flight ends");
+                let parameters = FlightParameters {
+                    constants: flight.1.clone(),
+                    inputs: inputs.clone(),
+                };
+                let bound = compiled.bind(parameters);
+                let start = flight.0.clone().into();
+                let alone = bound.integrate((0.0, &start), t_end, &options, &mut bound.limits());
+                match (alone, end.outcome) {
+                    (Ok(alone), FlightOutcome::Time) => {
+                        for (a, b) in end.state.iter().zip(alone.end_state.iter()) {
+                            assert!(
+                                (a - b).abs() < 1e-8 * b.abs().max(1.0),
+                                "{interpolation:?} {a} {b}"
+                            );
+                        }
+                    }
+                    // The inputs end at 1.2 s; their limit comes after that of the model.
+                    (Err(error), FlightOutcome::Limit(limit)) => {
+                        assert_eq!(limit == 1, error.to_string().contains("thrust"), "{error}");
+                        assert!((error.time - end.time).abs() < 1e-8, "{error} {}", end.time);
+                    }
+                    (Err(_), FlightOutcome::NotFinite | FlightOutcome::StartsBelowGround) => {}
+                    (alone, outcome) => panic!("{outcome:?}: {:?}", alone.err()),
+                }
+            }
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! Releases, throws, winds and tables of flights.
 
+mod inputs;
 mod lanes;
 mod near_throws;
 mod release;

@@ -33,6 +33,7 @@ fn disc() -> Vocabulary {
         .to_vec(),
         optional: Vec::new(),
         inputs: vec!["wind".into(), "omega".into()],
+        scalar_inputs: Vec::new(),
         quaternions: Vec::new(),
         model: None,
     }

@@ -1,6 +1,7 @@
 //! Held-out flights: the initial state is fitted to the conditioning segment, and the rest is predicted.
 
 use flight::parallel;
+use model_spec::layout::StateId;
 use nalgebra::{DMatrix, DVector};
 
 use super::initial_guess::{observations_and_poses, refined_guesses};
@@ -16,20 +17,61 @@ use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::outliers;
 use crate::predict::{Loss, residuals};
-use crate::problem::FitProblem;
+use crate::problem::{FitProblem, StatePrior};
 use crate::report::FlightOutcome;
 use dataset::{Dataset, Flight};
 
 /// Fraction of the samples of a held-out flight to which its initial state is fitted; the rest is predicted.
 pub const CONDITIONING_FRACTION: f64 = 0.3;
 
+/// Number of fitted flights from which the values of a state in them are a prior for other flights.
+const POPULATION: usize = 4;
+
+/// Priors of the states that effects add or that stand for unknown quantities, by their values in the fitted flights:
+/// the first samples of a flight may not determine them.
+pub fn population(
+    problem: &FitProblem,
+    flights: &[Observations],
+    locals: &[DVector<f64>],
+) -> Vec<StatePrior> {
+    let prior = |state: usize| {
+        let free = flights.iter().zip(locals);
+        let free = free.filter(|(flight, _)| {
+            flight
+                .known_states
+                .iter()
+                .all(|(id, _)| id.index() != state)
+        });
+        let values: Vec<f64> = free.map(|(_, local)| local[state]).collect();
+        let count = values.len() as f64;
+        let mean = values.iter().sum::<f64>() / count;
+        let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
+        // The variance of a further value about the mean of the others.
+        let sigma = (squares / (count - 1.0) * (1.0 + 1.0 / count)).sqrt();
+        (values.len() >= POPULATION && sigma > 0.0).then_some(StatePrior {
+            state: StateId::new(state),
+            mean,
+            sigma,
+            is_measured: false,
+        })
+    };
+    problem
+        .model
+        .added_states()
+        .into_iter()
+        .filter_map(prior)
+        .collect()
+}
+
 /// Predicts held-out flights; `contacts` contains earlier searches for contacts by index of the flight, or is empty.
-/// Returns one result for each of `flights`; one that cannot be predicted is excluded.
+/// `population` are priors of states by their values in the fitted flights. Returns one result for each of `flights`;
+/// one that cannot be predicted is excluded.
 pub fn held_out(
     at: FixedGlobal<'_>,
     (dataset, contacts): (&Dataset, &[Option<ContactSearch>]),
     flights: &[FlightId],
     noise: &NoiseModel,
+    population: &[StatePrior],
 ) -> Result<Vec<FlightResult>, FitError> {
     let options = at.options;
     if !flights.is_empty() {
@@ -41,7 +83,7 @@ pub fn held_out(
         let flight = &dataset.flights[flight];
         let found = match options.is_past_deadline() {
             true => Err(FlightError::Deadline),
-            false => predict(at, (flight, search), noise),
+            false => predict(at, (flight, search), noise, population),
         };
         options.flight_done();
         found.unwrap_or_else(|reason| left_out(flight, &reason))
@@ -56,9 +98,11 @@ fn predict(
     at: FixedGlobal<'_>,
     (flight, search): (&Flight, Option<&ContactSearch>),
     noise: &NoiseModel,
+    population: &[StatePrior],
 ) -> Result<FlightResult, FlightError> {
     let (problem, global) = (at.problem, at.global);
     let (mut observations, _) = observations_and_poses(problem, flight, search)?;
+    observations.adopt(population);
     let all = observations.times.len();
     let samples = ((all as f64 * CONDITIONING_FRACTION).ceil() as usize).clamp(1, all);
     if samples == all {
@@ -85,7 +129,7 @@ fn predict(
     }
     let initial = initial_state_report(problem, &observations, &local, &covariance);
     let outcome = FlightOutcome::HeldOut;
-    let report = flight_report(&observations, outcome, residual_rms, initial);
+    let report = flight_report(problem, &observations, outcome, residual_rms, initial);
     let fitted = FittedFlight {
         observations,
         state: local,

@@ -220,7 +220,9 @@ impl Screened<'_> {
             noise, solution, ..
         } = reweighted;
         let flights = (dataset, &self.contacts[..]);
-        let predicted = held_out::held_out(state.fixed_global(), flights, &self.held_out, &noise)?;
+        let population = held_out::population(problem, &state.flights, &solution.iterate.local);
+        let at = state.fixed_global();
+        let predicted = held_out::held_out(at, flights, &self.held_out, &noise, &population)?;
         let mut results: BTreeMap<FlightId, FlightResult> = BTreeMap::new();
         for excluded in state.excluded.iter().chain(&self.faulty) {
             let flight = &dataset.flights[excluded.flight.index()];

@@ -378,13 +378,14 @@ fn evaluate(
         let local = &fitted.solution.iterate.local[index];
         let rms = square_sums(problem, &post_fit.channels).rms();
         let initial = initial_state_report(problem, observations, local, &covariance);
-        let report = flight_report(observations, FlightOutcome::Fitted, rms, initial);
+        let report = flight_report(problem, observations, FlightOutcome::Fitted, rms, initial);
         Ok((post_fit, report))
     });
     each.into_iter().collect()
 }
 
 pub fn flight_report(
+    problem: &FitProblem,
     observations: &Observations,
     outcome: FlightOutcome,
     residual_rms: BTreeMap<String, Rms>,
@@ -397,10 +398,34 @@ pub fn flight_report(
         samples: observations.samples,
         residual_rms,
         outliers: observations.outliers(),
-        initial,
         cut: observations.truncation.clone(),
-        notes: observations.notes.clone(),
+        notes: { observations.notes.iter().cloned() }
+            .chain(undetermined(problem, observations, &initial))
+            .collect(),
+        initial,
     }
+}
+
+/// Share of the standard deviation of its prior from which the standard error of an unknown quantity tells that the
+/// flight does not determine it.
+const UNDETERMINED: f64 = 0.5;
+
+/// Note on the unknown quantities of a flight that it does not determine.
+fn undetermined(
+    problem: &FitProblem,
+    observations: &Observations,
+    initial: &BTreeMap<String, Estimate>,
+) -> Option<String> {
+    let states = &problem.body.layout().states;
+    let priors = observations.state_priors.iter();
+    let open = priors.filter_map(|prior| {
+        let name = &states[prior.state.index()];
+        let found = initial.get(name)?;
+        let is_open = !prior.is_measured && found.std_error > UNDETERMINED * prior.sigma;
+        is_open.then_some(name.as_str())
+    });
+    let open: Vec<&str> = open.collect();
+    (!open.is_empty()).then(|| format!("{}: not determined by this flight", open.join(", ")))
 }
 
 /// Initial state of a flight with standard errors, by name. `covariance` is that of steps along its free directions.

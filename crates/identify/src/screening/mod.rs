@@ -81,6 +81,10 @@ fn compare_flights(
     threads: usize,
 ) -> Vec<DataFault> {
     reject_noisy_tracks(dataset, &mut faults, &mut tracks);
+    // What is recorded of motors or controls acts beside gravity.
+    for (track, flight) in tracks.iter_mut().zip(&dataset.flights) {
+        *track = track.take().filter(|_| flight.inputs.is_empty());
+    }
     let Some(gravity) = loads::gravity(problem) else {
         return faults.into_iter().flatten().collect();
     };

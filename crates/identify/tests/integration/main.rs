@@ -5,3 +5,4 @@ mod alone;
 mod arrival;
 mod bootstrap;
 mod known_and_markers;
+mod single_flights;

@@ -11,7 +11,7 @@ const HEIGHTS: [f64; 16] = [
 /// Mean wind, m/s, at the given heights, m, for the text `table` of the TOML table `[wind]`.
 fn winds(table: &str, heights: &[f64]) -> Vec<[f64; 3]> {
     let (release, model) = released(&format!("{BALL}[wind]\n{table}"));
-    let parameters = compiled(&model).release_parameters(&release);
+    let parameters = compiled(&model).release_parameters(&release).constants;
     let observing = CompiledModel::observing(&model, "wind_of_profile", Vec::new());
     let observing = observing.expect("a wind");
     let bound = observing.bind(parameters);
@@ -125,7 +125,7 @@ fn the_air_of_the_model_is_the_sum() {
     let wind =
         "[wind]\nprofile = \"log\"\nspeed = 4.0\n[wind.gusts]\nmodel = \"dryden\"\nseed = 7\n";
     let (release, model) = released(&format!("{BALL}{wind}"));
-    let parameters = compiled(&model).release_parameters(&release);
+    let parameters = compiled(&model).release_parameters(&release).constants;
     let state = [5.0, 1.0, 2.0, 10.0, 0.0, 1.0];
     let of = |name: &str| vector(&model, &parameters, name, 0.4, &state);
     let (air, mean, gust) = (of("air"), of("wind_of_profile"), of("gust_velocity"));

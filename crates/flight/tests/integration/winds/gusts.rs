@@ -137,7 +137,7 @@ fn the_models_gusts_are_the_sinusoids_with_the_strength_of_the_standard() {
         "model = \"ball\"\nduration = 1.0\n[throw]\nspeed = 1.0\n[wind]\nconstant = {wind:?}\n[wind.gusts]\nmodel = \"dryden\"\nseed = 5\nflight = 2\nheight = {height:?}\nheading = {heading:?}\nintensity = 1.5\n"
     );
     let (release, model) = released(&text);
-    let parameters = compiled(&model).release_parameters(&release);
+    let parameters = compiled(&model).release_parameters(&release).constants;
     let (t, place) = (0.8, [12.0, 4.0, 1.1]);
     let state = [place[0], place[1], place[2], 9.0, 1.0, 0.0];
     let gust = vector(&model, &parameters, "gust_velocity", t, &state);

@@ -124,7 +124,7 @@ fn energy_in_the_moving_air_changes_by_the_work_of_drag() {
         let (last, flight) = end(&release, &model);
         let thrown = motions(&model);
         let first = thrown.motion(&release.state(), &thrown.release_parameters(&release));
-        let parameters = compiled(&model).release_parameters(&release);
+        let parameters = compiled(&model).release_parameters(&release).constants;
         let layout = model_spec::Layout::new(&model);
         let constant = |name: &str| parameters[layout.parameter(name).expect(name).index()];
         let (m, g, wind) = (constant("m"), constant("g"), Vector3::from(W));

@@ -18,7 +18,7 @@ fn the_tape_has_the_derivatives_of_the_vector_tree() {
             let text = format!("{}[wind]\n{wind}\n", throw(name, "duration = 1.0"));
             let (release, model) = released(&text);
             let compiled = compiled(&model);
-            let parameters = compiled.release_parameters(&release);
+            let parameters = compiled.release_parameters(&release).constants;
             let layout = compiled.layout();
             let value = |name: &str| parameters[layout.parameter(name).expect(name).index()];
             let mut point = Point::defaults(&model);

@@ -129,6 +129,7 @@ fn flights_of_other_models_have_no_fault() {
             wind: [0.0; 3],
             wind_field: None,
             known: Vec::new(),
+            inputs: Vec::new(),
         };
         for seed in 0..5 {
             let plan = Plan {

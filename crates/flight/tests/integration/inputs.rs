@@ -1,0 +1,201 @@
+//! Inputs over time: read from releases, interpolated, and flown exactly.
+
+use flight::release::{Release, Vocabulary, read, read_file};
+use flight::{CompiledModel, InputInterpolation, read_inputs, simulate};
+use model_spec::model::Model;
+use ode::IntegrationOptions;
+
+const SLED: &str = "
+model sled;
+param m = 2 kg;
+input thrust: N = 0;
+input brake = 0 in 0 .. 1;
+frame N;
+point sled { mass m; position (x, y, z) in N; velocity (vx, vy, vz) in N; }
+force push = (thrust*(1 - brake), 0, 0) in N;
+";
+
+const START: &str = "model = \"sled\"\nduration = 3.0\n[initial]\nx = 0.0\ny = 0.0\nz = 1.0\nvx = 1.0\nvy = 0.0\nvz = 0.0\n";
+
+fn sled() -> Model {
+    model_spec::load::from_text("sled.hyz", SLED, &[]).expect("a model")
+}
+
+fn release(inputs: &str) -> Result<Release, String> {
+    let text = format!("{START}[inputs]\n{inputs}");
+    let read = read("r.toml", &text, |_| Ok(Vocabulary::of(&sled())));
+    read.map_err(|error| error.to_string())
+}
+
+/// x and vx at the end of a flight with these inputs.
+fn end(inputs: &str) -> [f64; 2] {
+    let options = IntegrationOptions::with_tolerance(1e-10);
+    let flight = simulate(
+        &CompiledModel::new(&sled()),
+        &release(inputs).expect(inputs),
+        &options,
+    );
+    let state = flight.expect(inputs).end_state;
+    [state[0], state[3]]
+}
+
+#[test]
+fn a_flight_has_the_integral_of_its_inputs() {
+    let near = |found: [f64; 2], x: f64, vx: f64| {
+        assert!(
+            (found[0] - x).abs() < 1e-9 && (found[1] - vx).abs() < 1e-9,
+            "{found:?} {x} {vx}"
+        );
+    };
+    near(end("thrust = 4.0"), 3.0 + 9.0, 7.0);
+    // A line from 0 to 6 N: a = t.
+    near(
+        end("thrust = { t = [0.0, 3.0], value = [0.0, 6.0] }"),
+        3.0 + 4.5,
+        5.5,
+    );
+    // A pulse of 20 m/s² for 0.1 s, shorter than a step: at 1.05 s on average, 1.95 s before the end.
+    let pulse =
+        "{ t = [0.0, 1.0, 1.1, 3.0], value = [0.0, 40.0, 0.0, 0.0], interpolation = \"hold\" }";
+    near(end(&format!("thrust = {pulse}")), 3.0 + 2.0 * 1.95, 3.0);
+    // Half of it is braked.
+    let braked = format!("thrust = {pulse}\nbrake = {{ t = [0.0, 3.0], value = [0.5, 0.5] }}");
+    near(end(&braked), 3.0 + 1.95, 2.0);
+    // A cubic spline through a straight line is the line.
+    let line = "thrust = { t = [0.0, 1.0, 2.5, 3.0], value = [0.0, 2.0, 5.0, 6.0], interpolation = \"cubic\" }";
+    near(end(line), 3.0 + 4.5, 5.5);
+}
+
+#[test]
+fn an_input_ends_a_flight_that_outlasts_it() {
+    let short = release("thrust = { t = [0.0, 2.0], value = [0.0, 1.0] }").expect("read");
+    let flown = simulate(
+        &CompiledModel::new(&sled()),
+        &short,
+        &IntegrationOptions::default(),
+    );
+    let error = flown.expect_err("too short").to_string();
+    assert!(
+        error.contains("the input `thrust` is given until 2 s alone"),
+        "{error}"
+    );
+}
+
+#[test]
+fn wrong_inputs_are_told() {
+    for (inputs, told) in [
+        (
+            "trust = 1.0",
+            "the model has no scalar input \"trust\"; did you mean \"thrust\"?",
+        ),
+        (
+            "thrust = \"much\"",
+            "thrust is the text \"much\"; expected a number",
+        ),
+        ("brake = 1.5", "brake is 1.5; expected a number from 0 to 1"),
+        (
+            "thrust = { t = [0.0], value = [] }",
+            "thrust has 1 times and 0 values",
+        ),
+        (
+            "thrust = { t = [1.0, 1.0], value = [0.0, 0.0] }",
+            "the times of thrust have 1 after 1",
+        ),
+        (
+            "thrust = { t = [0.0] }",
+            "thrust is incomplete; expected { t = […], value = […] }",
+        ),
+        (
+            "thrust = { t = 0.0, value = [1.0] }",
+            "t is 0.0; expected a list of numbers",
+        ),
+        (
+            "thrust = { t = [nan], value = [1.0] }",
+            "t is NaN; expected a finite number",
+        ),
+        (
+            "thrust = { file = \"none.csv\" }",
+            "none.csv cannot be read",
+        ),
+        (
+            "thrust = { t = [0.0], value = [1.0], interpolation = \"line\" }",
+            "expected linear, hold, cubic",
+        ),
+        (
+            "thrust = { t = [0.0], values = [1.0] }",
+            "unknown key \"values\" in thrust",
+        ),
+    ] {
+        let error = release(inputs).expect_err(inputs);
+        assert!(error.contains(told), "{inputs}: {error}");
+    }
+}
+
+#[test]
+fn a_table_beside_the_release_is_read_with_its_place() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let place = folder.path().join("r.toml");
+    let write = |table: &str, inputs: &str| {
+        std::fs::write(folder.path().join("u.csv"), table).expect("written");
+        std::fs::write(&place, format!("{START}[inputs]\n{inputs}")).expect("written");
+        read_file(&place, |_| Ok(Vocabulary::of(&sled()))).map_err(|error| error.to_string())
+    };
+    let table = "# from the logger\nt;force;brake\n0;0;0\n\n1.5;;0\n3;6;NaN\n";
+    let read = write(
+        table,
+        "thrust = { file = \"u.csv\", column = \"force\" }\nbrake = { file = \"u.csv\" }",
+    );
+    let read = read.expect("a table");
+    let series = |name: &str| &read.inputs.iter().find(|own| own.0 == name).expect(name).1;
+    let samples: Vec<_> = series("thrust").samples().collect();
+    assert_eq!(samples, [(0.0, 0.0), (3.0, 6.0)]);
+    assert_eq!(series("brake").span(), (0.0, 1.5));
+    let error = write(table, "thrust = { file = \"u.csv\" }").expect_err("no such column");
+    assert!(error.contains("has no column \"thrust\""), "{error}");
+    let error =
+        write("t,thrust\n0,1\n1,fast\n", "thrust = { file = \"u.csv\" }").expect_err("a word");
+    assert!(error.contains("u.csv:3:2: found \"fast\""), "{error}");
+}
+
+#[test]
+fn tables_of_inputs_are_checked() {
+    for (table, told) in [
+        ("", "no header"),
+        ("# a comment\n\n", "no header"),
+        ("a,b\n0,1\n", "no column t"),
+        ("t\n0\n", "the column t alone"),
+        ("t,a,a\n0,1,2\n", "a second column \"a\""),
+        ("t,t,a\n0,1,2\n", "a second column \"t\""),
+        ("t,a\n", "no value in the column \"a\""),
+        ("t,a\n0,NaN\n1,\n", "no value in the column \"a\""),
+        ("t,a\n0,1\n0,2\n", "t = 0"),
+        ("t,a\n1,1\n0,2\n", "t = 0"),
+        ("t,a\n,1\n", "no time"),
+        ("t,a\nNaN,1\n", "no time"),
+        ("t,a\n0,1,2\n", "3 cells"),
+        ("t,a\n0\n", "1 cells"),
+        ("t,a\n0,inf\n", "\"inf\""),
+        ("t,a\n0,1e999\n", "\"1e999\""),
+        ("t,a\n0,1.2.3\n", "\"1.2.3\""),
+        ("t,a\n0,0x1\n", "\"0x1\""),
+        ("t,a\n0,1\n700,1\n", "t = 700"),
+        ("t,a\n0,\"1\n", "\"1"),
+        ("0,1\n1,2\n", "no column t"),
+    ] {
+        let read = read_inputs(table, InputInterpolation::Linear, |t| t);
+        let fault = read.expect_err(table);
+        assert!(fault.found.contains(told), "{table:?}: {fault:?}");
+        assert!(
+            fault.place.0 >= 1 && !fault.expected.is_empty(),
+            "{table:?}: {fault:?}"
+        );
+    }
+    let mixed = read_inputs("\u{FEFF}t\ta\n0\t1\n2\t3", InputInterpolation::Hold, |t| {
+        t / 2.0
+    });
+    let (name, series) = &mixed.expect("tabs")[0];
+    assert_eq!(
+        (name.as_str(), series.at(0.9), series.at(1.0)),
+        ("a", 1.0, 3.0)
+    );
+}

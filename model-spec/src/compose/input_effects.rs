@@ -1,0 +1,93 @@
+//! Effects generated for the scalar inputs of a model: errors of what was recorded.
+
+use super::EffectTree;
+use super::rates::per_second;
+use crate::syntax::ast::{File, ItemKind, Parameter, ParameterClass};
+use crate::syntax::of_kind;
+
+/// Maximum number of inputs per model for which effects are created.
+const MAX_INPUTS: usize = 24;
+
+/// Creates three effects for each scalar input: it acts with an offset, as a multiple, or later than recorded.
+pub(super) fn input_effects(file: &File) -> Vec<EffectTree> {
+    // Inputs that effects added, such as the rate of an input, are no recordings.
+    let own = file.items.iter().filter(|item| item.effect.is_none());
+    let inputs =
+        of_kind!(own, ItemKind::Parameter).filter(|own| own.class == ParameterClass::Input);
+    let inputs: Vec<&Parameter> = inputs.take(MAX_INPUTS).collect();
+    let is_rate = |input: &Parameter| {
+        let of = input.name.text.strip_suffix("_rate");
+        of.is_some_and(|of| inputs.iter().any(|own| own.name.text == of))
+    };
+    let recorded = inputs.iter().filter(|input| !is_rate(input));
+    recorded
+        .flat_map(|input| {
+            let rate = format!("{}_rate", input.name.text);
+            let has_rate = inputs.iter().any(|own| own.name.text == rate);
+            errors_of(input, has_rate)
+        })
+        .filter_map(|text| EffectTree::parse("inputs of the model", &text).ok())
+        .collect()
+}
+
+/// Texts of the effects of one input; `has_rate` tells whether the model itself has its rate as an input.
+fn errors_of(input: &Parameter, has_rate: bool) -> [String; 3] {
+    let name = &input.name.text;
+    let unit = |seconds: i32| match per_second(input.value.unit.as_ref(), seconds) {
+        unit if unit.is_empty() => "[1]".to_owned(),
+        unit => format!("[{unit}]"),
+    };
+    let effect = |kind: &str, says: &str, site: &str, statements: String| {
+        format!(
+            "/// The input {name} {says}.\n\
+             effect {kind}_of_{name} {{\n\
+             source \"the recording of an input\";\n\
+             site {site};\n\
+             variables none;\n\
+             {statements}\n}}\n"
+        )
+    };
+    let own = unit(0);
+    let rate = match has_rate {
+        true => String::new(),
+        false => format!(
+            "/// time derivative of {name}\ninput {name}_rate: {} = 0;\n",
+            unit(1)
+        ),
+    };
+    [
+        effect(
+            "bias",
+            "acts with an offset from what was recorded",
+            "unknown",
+            format!(
+                "/// what acts beyond what was recorded\n\
+                 coefficient k_bias_of_{name} = 0 {own};\n\
+                 negligible k_bias_of_{name} 1e-3 {own};\n\
+                 replace {name} = previous + k_bias_of_{name};"
+            ),
+        ),
+        effect(
+            "scale",
+            "acts as a multiple of what was recorded",
+            "scale",
+            format!(
+                "/// excess of what acts, over what was recorded\n\
+                 coefficient k_scale_of_{name} = 0 in -0.95 .. 10;\n\
+                 negligible k_scale_of_{name} 1e-3;\n\
+                 replace {name} = previous*(1 + k_scale_of_{name});"
+            ),
+        ),
+        effect(
+            "delay",
+            "acts later than it was recorded, by a delay or through an actuator's lag",
+            "clock",
+            format!(
+                "{rate}/// time by which it acts later; a lag of first order has this time constant while the input changes slowly\n\
+                 coefficient k_delay_of_{name} = 0 s in -1 .. 1;\n\
+                 negligible k_delay_of_{name} 1e-4 s;\n\
+                 replace {name} = previous - k_delay_of_{name}*{name}_rate;"
+            ),
+        ),
+    ]
+}
