@@ -28,26 +28,35 @@ pub const CONDITIONING_FRACTION: f64 = 0.3;
 const POPULATION: usize = 4;
 
 /// Priors of the states that effects add or that stand for unknown quantities, by their values in the fitted flights:
-/// the first samples of a flight may not determine them.
+/// the first samples of a flight may not determine them. Those of effects are about their null values, so that an
+/// effect of each flight does not predict what all flights have in common.
 pub fn population(
     problem: &FitProblem,
     flights: &[Observations],
     locals: &[DVector<f64>],
 ) -> Vec<StatePrior> {
+    let unknown = problem.model.unknown_states();
     let prior = |state: usize| {
-        let free = flights.iter().zip(locals);
-        let free = free.filter(|(flight, _)| {
+        let is_free = |flight: &Observations| {
             flight
                 .known_states
                 .iter()
                 .all(|(id, _)| id.index() != state)
-        });
+        };
+        let free = flights
+            .iter()
+            .zip(locals)
+            .filter(|(flight, _)| is_free(flight));
         let values: Vec<f64> = free.map(|(_, local)| local[state]).collect();
         let count = values.len() as f64;
-        let mean = values.iter().sum::<f64>() / count;
+        let is_unknown = unknown.iter().any(|(_, own)| *own == state);
+        let (mean, freedom) = match is_unknown {
+            true => (values.iter().sum::<f64>() / count, count - 1.0),
+            false => (problem.model.states[state].value, count),
+        };
         let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
         // The variance of a further value about the mean of the others.
-        let sigma = (squares / (count - 1.0) * (1.0 + 1.0 / count)).sqrt();
+        let sigma = (squares / freedom * (1.0 + 1.0 / count)).sqrt();
         (values.len() >= POPULATION && sigma > 0.0).then_some(StatePrior {
             state: StateId::new(state),
             mean,
