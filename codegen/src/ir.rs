@@ -115,6 +115,7 @@ fn parameter(parameter: &Parameter, coefficient: bool) -> Result<String, NotFini
     };
     let more = [
         ("coefficient", coefficient.to_string()),
+        ("varies", parameter.varies.to_string()),
         ("bounds", bounds),
         ("doc", string(&parameter.doc)),
     ];
@@ -125,6 +126,7 @@ fn components(input: &Input) -> [Result<String, NotFinite>; 3] {
     [0, 1, 2].map(|k| {
         let more = [
             ("coefficient", "false".into()),
+            ("varies", "false".into()),
             ("bounds", "null".into()),
             ("doc", string(&input.doc)),
         ];

@@ -38,6 +38,10 @@ class Release:
         release file: profiles over height, gusts.
     known : mapping of str to sequence of 3 floats, optional
         Other inputs of the model, such as the spin of a ball, `omega`, in rad/s.
+    inputs : mapping of str to float, pair of arrays, pandas Series or mapping, optional
+        Scalar inputs of the model, SI: a constant; the times since release, s, and the values, as
+        a pair of arrays or as a Series by time, with straight lines between them; or a mapping
+        with `t`, `value` and `interpolation` (`linear`, `hold`, `cubic`).
     until : {"ground"} or float
         Where the flight ends: on the ground, or after a number of seconds.
     parameters, coefficients : mapping of str to float, optional
@@ -64,6 +68,16 @@ class Release:
     >>> sliced = hyzer.Release(speed=9, launch=20, known={"omega": (0, -314, 0)})
     >>> float(ball.fly(sliced).t[-1]) > float(ball.fly(plain).t[-1])
     True
+
+    The motors of a quadrotor are inputs over time.
+
+    >>> import numpy as np
+    >>> t = np.linspace(0, 2, 21)
+    >>> motors = {f"motor_{k}": (t, 0.75 + 0.1 * np.sin(3 * t)) for k in (1, 2, 3, 4)}
+    >>> hover = hyzer.Release(speed=1, inputs={**motors, "voltage": 3.9}, until=2.0)
+    >>> flight = hyzer.Model("quadrotor").fly(hover)
+    >>> float(flight.t[-1])
+    2.0
     """
 
     def __init__(
@@ -80,6 +94,7 @@ class Release:
         wobble: float | None = None,
         wind: Iterable[float] | Mapping[str, Any] | None = None,
         known: Mapping[str, Iterable[float]] | None = None,
+        inputs: Mapping[str, Any] | None = None,
         until: str | float = "ground",
         parameters: Mapping[str, float] | None = None,
         coefficients: Mapping[str, float] | None = None,
@@ -106,6 +121,7 @@ class Release:
             "coefficients": coefficients or {},
             "wind": blown,
             "known": known or {},
+            "inputs": {name: over_time(value) for name, value in (inputs or {}).items()},
         }
         self._text: str | None = None
 
@@ -162,3 +178,15 @@ class Release:
             return f"Release({self.name!r})"
         values = self._throw if self._initial is None else self._initial
         return f"Release({', '.join(f'{name}={value:g}' for name, value in values.items())})"
+
+
+def over_time(value: Any) -> float | Mapping[str, Any]:
+    """Return an input in the form of a release file: a constant, or times and values."""
+    if isinstance(value, Mapping):
+        return cast("Mapping[str, Any]", value)
+    if isinstance(value, int | float) or not hasattr(value, "__len__"):
+        return float(value)
+    if hasattr(value, "index") and hasattr(value, "to_numpy"):
+        return {"t": list(value.index), "value": list(value.to_numpy())}
+    t, values = value
+    return {"t": list(t), "value": list(values)}

@@ -40,7 +40,12 @@ pub fn estimated(
     let up = super::up(options)?;
     let mut thrown: Vec<(Take, Throws)> = Vec::new();
     for file in &options.takes {
-        let mut take = dataset::takes::read(file, reading)?;
+        let mut take = match dataset::takes::read(file, reading) {
+            Ok(take) => take,
+            // It is told where the recordings are cut.
+            Err(_) if options.takes.len() > 1 => continue,
+            Err(error) => return Err(error.into()),
+        };
         // The positions are estimated from the single points, not from poses of bodies.
         take.bodies.clear();
         let up = dataset::takes::up_of(&take, file, up)?;

@@ -2,7 +2,7 @@
 
 mod estimated;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::Path;
 
@@ -11,7 +11,7 @@ use dataset::takes::words::listed;
 use dataset::takes::{
     self, Axis, Format, ImportOptions, LengthUnit, ReadOptions, Take, Throw, ThrowOptions, TimeUnit,
 };
-use dataset::{BodyTemplate, Dataset, Flight, Sensor, SensorKind, write_commented};
+use dataset::{BodyTemplate, Dataset, Flight, Marker, Sensor, SensorKind, write_commented};
 use report::import::{ImportPage, ImportedTake};
 
 use crate::cli::Import;
@@ -79,14 +79,17 @@ pub(crate) fn imported(options: &Import) -> anyhow::Result<Imported> {
         (Some(file), _) => BodyTemplate::read(file)?,
         // Poses of a body need no positions of markers.
         (None, Some(_)) if are_poses(options, &reading)? => BodyTemplate::default(),
-        (None, Some(_)) => {
-            let estimated = estimated::estimated(options, &reading, &mut labels)?;
-            found.decisions = estimated.decisions;
-            comments = estimated.comments;
-            dataset.origin_error = Some(estimated.origin_error);
-            dataset.axis_error = Some(estimated.axis_error);
-            estimated.template
-        }
+        (None, Some(model)) => match of_point(model, options, &reading, &mut labels)? {
+            Some(template) => template,
+            None => {
+                let estimated = estimated::estimated(options, &reading, &mut labels)?;
+                found.decisions = estimated.decisions;
+                comments = estimated.comments;
+                dataset.origin_error = Some(estimated.origin_error);
+                dataset.axis_error = Some(estimated.axis_error);
+                estimated.template
+            }
+        },
         (None, None) => bail!(
             "no model: expected the option --model, or a template that states it by --markers"
         ),
@@ -111,11 +114,18 @@ pub(crate) fn imported(options: &Import) -> anyhow::Result<Imported> {
     };
     for file in &options.takes {
         let _ = writeln!(found.decisions, "{}", file.display());
-        let take = dataset::takes::read(file, &reading)?;
         let before = found.flights.len();
-        add(&take, file, &asked, &mut found)?;
-        if found.flights.len() == before {
-            found.decisions.push_str("  no throw\n");
+        let take = dataset::takes::read(file, &reading);
+        let added = take.map_err(anyhow::Error::from);
+        match added.and_then(|take| add(&take, file, &asked, &mut found)) {
+            Ok(()) if found.flights.len() == before => found.decisions.push_str("  no throw\n"),
+            Ok(()) => {}
+            // One recording among several does not end the import of the others.
+            Err(error) if options.takes.len() > 1 => {
+                eprintln!("note: left out: {error}");
+                let _ = writeln!(found.decisions, "  left out: {error}");
+            }
+            Err(error) => return Err(error),
         }
     }
     let decisions = found.decisions;
@@ -140,6 +150,35 @@ pub(crate) fn imported(options: &Import) -> anyhow::Result<Imported> {
         comments,
         decisions,
     })
+}
+
+/// Template of a point mass whose one point is all that was tracked: its place is the centre; `None` for any other body
+/// or recording.
+fn of_point(
+    model: &str,
+    options: &Import,
+    reading: &ReadOptions,
+    labels: &mut BTreeMap<String, String>,
+) -> anyhow::Result<Option<BodyTemplate>> {
+    let checked = model_spec::load::load(model, &[])?;
+    if checked.marker.is_none_or(|marker| marker.frame != 0) {
+        return Ok(None);
+    }
+    let mut seen = BTreeSet::new();
+    for file in &options.takes {
+        let points = dataset::takes::read(file, reading).map(|take| take.points);
+        seen.extend(points.into_iter().flatten().map(|point| point.label));
+    }
+    let (Some(label), 1) = (seen.pop_first(), seen.len() + 1) else {
+        return Ok(None);
+    };
+    let name = dataset_name(&label, labels);
+    labels.insert(label, name.clone());
+    let position = [0.0; 3];
+    Ok(Some(BodyTemplate {
+        markers: vec![Marker { name, position }],
+        ..BodyTemplate::default()
+    }))
 }
 
 /// Whether each recording has one tracked body and no single points.

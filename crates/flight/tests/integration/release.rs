@@ -211,7 +211,7 @@ fn each_fault_has_its_message() {
     
     r.toml:2:12: duration is the text "1 s"; expected a number
     
-    r.toml:3:1: unknown key "rate"; expected one of model, duration, until, parameters, coefficients, initial, throw, wind, known
+    r.toml:3:1: unknown key "rate"; expected one of model, duration, until, parameters, coefficients, initial, throw, wind, known, inputs
     
     r.toml:3:1: unknown key "parameter"; did you mean "parameters"?
     
