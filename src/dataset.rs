@@ -5,6 +5,7 @@ use std::path::Path;
 use dataset::synthesize::{self, Plan};
 use dataset::{Dataset, Flight, KnownValue, Marker, Reading, Role, Sensor, SensorKind};
 use flight::release::Release;
+use flight::{InputInterpolation, InputSeries};
 
 use crate::{Error, Model};
 
@@ -138,6 +139,33 @@ impl DatasetBuilder {
         if let Some(flight) = self.dataset.flights.last_mut() {
             flight.known.insert(name.to_owned(), value);
         }
+        self
+    }
+
+    /// Sets a scalar input of the flight added last by its values over time: times in s, as those of the samples, and
+    /// values, SI.
+    pub fn input(
+        mut self,
+        name: &str,
+        samples: &[(f64, f64)],
+        interpolation: InputInterpolation,
+    ) -> Self {
+        self.dataset.input_interpolation = interpolation;
+        if let Some(flight) = self
+            .dataset
+            .flights
+            .last_mut()
+            .filter(|_| !samples.is_empty())
+        {
+            let series = InputSeries::new(samples, interpolation);
+            flight.inputs.push((name.to_owned(), series));
+        }
+        self
+    }
+
+    /// Estimates an input, a coefficient or a constant for each flight that does not know it.
+    pub fn unknown(mut self, name: &str) -> Self {
+        self.dataset.unknown.push(name.to_owned());
         self
     }
 

@@ -51,6 +51,7 @@ pub use error::Error;
 pub use ::flight::release::{Release, Stop};
 pub use ::flight::throw::Throw;
 pub use ::flight::wind::WindField;
+pub use ::flight::{InputInterpolation, InputSeries};
 pub use flight::Flight;
 pub use model::{Effect, Model};
 

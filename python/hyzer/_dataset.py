@@ -83,6 +83,9 @@ class Dataset:
         held_out: Iterable[str | int] = (),
         known: Mapping[str | int, Mapping[str, Any]] | None = None,
         recording: Mapping[str, Any] | None = None,
+        unknown: Iterable[str] | Mapping[str | int, Iterable[str]] | None = None,
+        inputs: Mapping[str | int, pd.DataFrame] | None = None,
+        interpolation: str | None = None,
         name: str = "",
     ) -> Dataset:
         """Make a dataset of DataFrames, one per flight.
@@ -108,6 +111,15 @@ class Dataset:
             Flights that a fit does not use, by name or number from 0.
         known : mapping
             Values known for single flights, by name or number: `{0: {"wind": [1.0, 0.0, 0.0]}}`.
+            `NAME_sigma` is the standard deviation with which `NAME` was measured.
+        unknown : iterable of str, or mapping, optional
+            Inputs, coefficients or constants that are estimated for each flight, or of single
+            flights by name or number.
+        inputs : mapping of str or int to DataFrame, optional
+            Scalar inputs over time of single flights, SI: a column or index `t` and one column for
+            each input. Inputs may be columns of the flights' tables instead.
+        interpolation : {"linear", "hold", "cubic"}, optional
+            Values of inputs between their samples.
         recording : mapping
             Units and axes of the tables: `length`, `time`, `up`, `left_handed`.
         name : str
@@ -128,8 +140,24 @@ class Dataset:
         """
         tables = named(flights)
         texts = {file: text_of(file, frame) for file, frame in tables.items()}
+        files = list(texts)
+        of_inputs: dict[str | int, str] = {}
+        for number, (flight, frame) in enumerate((inputs or {}).items(), start=1):
+            file = f"inputs{number:02}.csv"
+            of_inputs[flight], texts[file] = file, text_of(file, frame)
         about = manifest(
-            list(texts), model, markers, sensors, parameters, sigma, held_out, known, recording
+            files,
+            model,
+            markers,
+            sensors,
+            parameters,
+            sigma,
+            held_out,
+            known,
+            recording,
+            unknown,
+            of_inputs,
+            interpolation,
         )
         return cls(_hyzer.Dataset(about, texts, name))
 
@@ -149,7 +177,7 @@ class Dataset:
         flights : sequence or mapping of mappings
             Arrays by name: `t`, shape (m,), s; each marker, shape (m, 3), m; each other sensor,
             with a column for each of its components: 7 for a pose (x, y, z, qw, qx, qy, qz), 1 for
-            a speed, else 3. NaN is a missing value.
+            a speed, else 3; each scalar input over time, shape (m,), SI. NaN is a missing value.
         markers, sensors, **options
             As in `from_pandas`.
 
@@ -164,7 +192,15 @@ class Dataset:
         """
         about = {
             key: options.pop(key, None)
-            for key in ("parameters", "sigma", "held_out", "known", "recording")
+            for key in (
+                "parameters",
+                "sigma",
+                "held_out",
+                "known",
+                "recording",
+                "unknown",
+                "interpolation",
+            )
         }
         model, name = options.pop("model", "disc"), options.pop("name", "")
         if options:

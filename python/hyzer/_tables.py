@@ -7,6 +7,8 @@ import os
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, cast
 
+import numpy as np
+
 from hyzer import _hyzer, _toml
 from hyzer._errors import InputError
 
@@ -45,7 +47,9 @@ def table(file: str, flight: Mapping[str, npt.ArrayLike], kinds: Mapping[str, st
     """Return the text of the table of a flight from its arrays."""
     columns: list[tuple[str, list[str], npt.ArrayLike]] = []
     for name, values in flight.items():
-        endings = ("",) if name == "t" else _ENDINGS.get(kinds.get(name, ""))
+        # What belongs to no marker and no sensor is an input over time, if it is a series.
+        is_series = name not in kinds and np.ndim(values) == 1
+        endings = ("",) if is_series else _ENDINGS.get(kinds.get(name, ""))
         if endings is None:
             known = ", ".join(["t", *kinds])
             raise InputError(f"{file}: found the array {name!r}, expected one of {known}")
@@ -63,9 +67,17 @@ def manifest(
     held_out: Iterable[str | int] | None = None,
     known: Mapping[str | int, Mapping[str, Any]] | None = None,
     recording: Mapping[str, Any] | None = None,
+    unknown: Iterable[str] | Mapping[str | int, Iterable[str]] | None = None,
+    inputs: Mapping[str | int, str] | None = None,
+    interpolation: str | None = None,
 ) -> str:
-    """Return the text of dataset.toml."""
+    """Return the text of dataset.toml; `inputs` are the files of the inputs over time."""
     parts = [f"model = {_toml.text(os.fspath(model))}\n"]
+    of_flights = unknown if isinstance(unknown, Mapping) else {}
+    if unknown is not None and not isinstance(unknown, Mapping):
+        parts.append(f"unknown = {_toml.text(list(unknown))}\n")
+    if interpolation is not None:
+        parts.append(_toml.table("[inputs]", {"interpolation": interpolation}))
     parts.append(_toml.table("[parameters]", parameters or {}))
     parts.append(_toml.table("[recording]", recording or {}))
     for marker, position in (markers or {}).items():
@@ -74,11 +86,13 @@ def manifest(
         parts.append(_toml.table("[[sensors]]", {"name": sensor, **about}))
     parts.append(_toml.table("[noise]", {} if sigma is None else {"sigma": sigma}))
     apart = {_file(flight, files) for flight in held_out or ()}
-    stated = {_file(flight, files): values for flight, values in (known or {}).items()}
+    own: dict[str, dict[str, Any]] = {file: {} for file in files}
+    for key, stated in {"known": known, "unknown": of_flights, "inputs": inputs}.items():
+        for flight, value in (stated or {}).items():
+            own[_file(flight, files)][key] = value
     for file in files:
         about = {"file": file, "role": "held-out" if file in apart else "fit"}
-        values = {"known": stated[file]} if file in stated else {}
-        parts.append(_toml.table("[[flights]]", {**about, **values}))
+        parts.append(_toml.table("[[flights]]", {**about, **own[file]}))
     return "".join(parts)
 
 

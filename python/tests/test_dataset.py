@@ -1,4 +1,5 @@
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -149,3 +150,71 @@ def test_no_table_ends_the_interpreter(
         hyzer.Dataset.from_pandas([frame], markers={"m1": (0, 0, 0), **markers}, model="ball")
     except (hyzer.Error, UnicodeEncodeError):
         pass
+
+
+DRONE = """
+model drone;
+param m = 0.5 kg;
+param g = 9.81 m/s^2;
+coefficient k = 8 N in 0 .. 20;
+input throttle = 0.7;
+frame N;
+point drone { mass m; position (x, y, z) in N; velocity (vx, vy, vz) in N; }
+force weight = -m*g*N.3;
+force thrust = k*throttle^2*N.3;
+marker mark in N;
+observe mark = position + mark;
+"""
+
+
+def test_inputs_over_time_are_columns_or_tables_of_their_own(tmp_path: Path) -> None:
+    path = tmp_path / "drone.hyz"
+    path.write_text(DRONE)
+    model = hyzer.Model(path)
+    t = np.linspace(0, 2, 201)
+    throttle = 0.75 + 0.1 * np.sin(3 * t)
+    start = dict.fromkeys(("x", "y", "vx", "vy", "vz"), 0.0) | {"z": 5.0}
+    release = hyzer.Release(start, inputs={"throttle": (t, throttle)}, until=2.0)
+    flight = model.fly(release, k=9.0)
+    seen = flight.at(t)[:, :3]
+    noise = np.random.default_rng(1).normal(0, 1e-3, (3, *seen.shape))
+    arrays = [{"t": t, "c": seen + own, "throttle": throttle} for own in noise]
+    about: dict[str, Any] = {"markers": {"c": (0, 0, 0)}, "model": str(path)}
+    data = hyzer.Dataset.from_arrays(arrays, **about)
+    inside = hyzer.fit(data, model).coefficients.loc["k"]
+    assert abs(inside["value"] - 9) < 5 * inside["std_error"] < 0.1
+    frames = [
+        pd.DataFrame({"t": t, **{f"c_{axis}": own["c"][:, j] for j, axis in enumerate("xyz")}})
+        for own in arrays
+    ]
+    motors = pd.DataFrame({"t": t, "throttle": throttle})
+    data = hyzer.Dataset.from_pandas(frames, inputs=dict.fromkeys(range(3), motors), **about)
+    beside = hyzer.fit(data, model).coefficients.loc["k"]
+    assert beside["value"] == pytest.approx(inside["value"], rel=1e-9)
+    short = hyzer.Dataset.from_pandas(frames, inputs={0: motors.iloc[:50]}, **about)
+    assert "given from 0 to 0.49 s" in str(hyzer.fit(short, model).to_dict()["flights"])
+    with pytest.raises(hyzer.InputError, match="did you mean hold"):
+        hyzer.Dataset.from_pandas(frames, interpolation="hol", **about)
+
+
+def test_a_spin_that_is_unknown_is_estimated_in_each_flight() -> None:
+    t = np.linspace(0, 0.5, 101)
+    ball = hyzer.Model("ball", effects=["magnus"])
+    start = {"x": 0.0, "y": 0.0, "z": 1.0, "vx": 8.0, "vy": 0.0, "vz": 2.0}
+    spins = [(0.0, -200.0, 50.0), (30.0, 150.0, 0.0), (0.0, -80.0, -120.0)]
+    noise = np.random.default_rng(2)
+    arrays = []
+    for spin in spins:
+        flight = ball.fly(hyzer.Release(start, known={"omega": spin}, until=0.5), C_Lw=0.9)
+        seen = flight.at(t)[:, :3]
+        arrays.append({"t": t, "c": seen + noise.normal(0, 2e-4, seen.shape)})
+    data = hyzer.Dataset.from_arrays(
+        arrays,
+        markers={"c": (0, 0, 0)},
+        model="ball",
+        unknown=["omega"],
+        known={0: {"omega": list(spins[0])}},
+    )
+    found = hyzer.fit(data, ball)
+    lift = found.coefficients.loc["C_Lw"]
+    assert abs(lift["value"] - 0.9) < 5 * lift["std_error"] < 0.1

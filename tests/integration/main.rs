@@ -11,6 +11,7 @@ mod fit;
 mod generate;
 mod help;
 mod import;
+mod inputs;
 mod recovery;
 mod reliability;
 mod results;

@@ -121,6 +121,7 @@ pub enum KnownValue {
 
 impl KnownValue {
     /// End of the name under which the standard deviation of a known value is stated.
+    #[doc(hidden)]
     pub const SIGMA: &str = "_sigma";
 }
 

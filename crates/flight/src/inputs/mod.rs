@@ -26,6 +26,7 @@ pub enum InputInterpolation {
 
 impl InputInterpolation {
     /// The interpolations by the words of files.
+    #[doc(hidden)]
     pub const NAMES: [(&str, InputInterpolation); 3] = [
         ("linear", InputInterpolation::Linear),
         ("hold", InputInterpolation::Hold),
@@ -66,6 +67,7 @@ impl InputSeries {
     }
 
     /// Times of the first and the last sample, s.
+    #[doc(hidden)]
     pub fn span(&self) -> (f64, f64) {
         let knots = self.function.knots();
         (knots[0], knots[knots.len() - 1])
@@ -77,12 +79,14 @@ impl InputSeries {
     }
 
     /// The samples: times in s, and values, SI.
+    #[doc(hidden)]
     pub fn samples(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
         let values = self.function.cubics()[1..].iter().map(|cubic| cubic[0]);
         self.function.knots().iter().copied().zip(values)
     }
 
     /// How the samples are interpolated.
+    #[doc(hidden)]
     pub fn interpolation(&self) -> InputInterpolation {
         self.interpolation
     }
@@ -105,6 +109,7 @@ impl InputSeries {
     }
 
     /// The input with the time counted from `origin`, s.
+    #[doc(hidden)]
     pub fn since(&self, origin: f64) -> InputSeries {
         let knots = self.function.knots().iter().map(|t| t - origin).collect();
         InputSeries {
