@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand};
-use report::FigureKind;
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use report::{FigureKind, Units};
 
 mod fits;
 mod throws;
@@ -52,18 +52,18 @@ pub enum Command {
     Diff(Diff),
     /// Trace one quantity, or its derivative, from its line in the model to formula and code
     #[command(
-        after_help = "Example:\n  hyzer explain disc alpha --wrt w\n  hyzer explain disc 'der(u)'"
+        after_help = "Example:\n  hyzer explain disc alpha --wrt w\n  hyzer explain disc 'der(u)'\n  hyzer explain disc C_L --format latex"
     )]
     Explain(Explain),
     /// Simulate a release; write the trajectory and a figure
     #[command(
-        after_help = "Examples:\n  hyzer simulate disc --release backhand --out flight\n  hyzer simulate disc --release bffl8 --set C_Mq=-0.025 --until ground --out flight\n  hyzer simulate discus --release discus --wind=-5,0,0 --out flight\n  hyzer simulate disc --speed 20 --launch 8 --nose 2 --hyzer 10 --spin 700 --height 1.5 --out flight\n  hyzer simulate disc --techdisc examples/throws/techdisc.csv --out flight\n  hyzer simulate disc --speed 20 --nose 2 --spin 700 --wind examples/throws/gusty.toml --out flight\n\nReleases by name: run `hyzer simulate --list`. A throw by options needs --speed or a release whose throw the options change;\nsigns of the angles: docs/reference/releases.md. With --techdisc every row is flown and listed, or the one of --row; exit status 1: some\ncould not be flown."
+        after_help = "Examples:\n  hyzer simulate disc --release backhand --out flight\n  hyzer simulate disc --release bffl8 --set C_Mq=-0.025 --until ground --out flight\n  hyzer simulate discus --release discus --wind=-5,0,0 --out flight\n  hyzer simulate disc --speed 20 --launch 8 --nose 2 --hyzer 10 --spin 700 --height 1.5 --out flight\n  hyzer simulate disc --speed 45 --launch 8 --spin 700 --units imperial     # 45 mph; distances in ft\n  hyzer simulate disc --techdisc examples/throws/techdisc.csv --out flight\n  hyzer simulate disc --speed 20 --nose 2 --spin 700 --wind examples/throws/gusty.toml --out flight\n\nReleases by name: run `hyzer simulate --list`. A throw by options needs --speed or a release whose throw the options change;\nsigns of the angles: docs/reference/releases.md. With --techdisc every row is flown and listed, or the one of --row; exit status 1: some\ncould not be flown."
     )]
     Simulate(Simulate),
     /// Simulate many flights of a model: releases, coefficients and wind from grids or distributions; write a table
     /// and a summary
     #[command(
-        after_help = "Examples:\n  hyzer sweep backhands --out swept --csv\n  hyzer sweep backhands --part 2/4 --out swept   # one quarter; without --part the rest is flown and all joined\n\nA plan is a release file with what varies: `hyzer sweep --example` prints the built-in one, docs/reference/sweep.md has all of the\nformat. The folder then holds flights.parquet, a row per flight, and summary.json. A flight depends on the plan and its\nnumber alone: results are the same bits for any number of threads and however the work is divided. A run that was ended goes\non with the same command."
+        after_help = "Examples:\n  hyzer sweep backhands --out swept --csv\n  hyzer sweep backhands --out swept --kml 47.3769,8.5417 --units imperial\n  hyzer sweep backhands --part 2/4 --out swept   # one quarter; without --part the rest is flown and all joined\n\nA plan is a release file with what varies: `hyzer sweep --example` prints the built-in one, docs/reference/sweep.md has all of the\nformat. The folder then holds flights.parquet, a row per flight, summary.json and report.html with a map of the landings. A flight depends on the plan and its\nnumber alone: results are the same bits for any number of threads and however the work is divided. A run that was ended goes\non with the same command."
     )]
     Sweep(Sweep),
     /// Find a throw for a purpose: hit a point, fly farthest or longest, avoid an obstacle, flare, land with the
@@ -91,7 +91,7 @@ pub enum Command {
     Import(Import),
     /// Estimate a model's coefficients from measured flights, with their uncertainty
     #[command(
-        after_help = "Examples:\n  hyzer fit examples/ball --out fitted\n  hyzer fit examples/disc --with zero_lift_drag_angle --hold C_Nr --profile C_D0 --out fitted\n  hyzer fit examples/disc --model disc_quaternion --prior C_D0=0.1+-0.02 --free wind_x\n\nThe folder then holds report.html, report.json, fitted.hyz (the model with the estimates as its default values), figures and\ntables. Exit status 1: the answer cannot be relied on; the output says why."
+        after_help = "Examples:\n  hyzer fit examples/ball --out fitted\n  hyzer fit examples/disc --with zero_lift_drag_angle --hold C_Nr --profile C_D0 --out fitted\n  hyzer fit examples/disc --model disc_quaternion --prior C_D0=0.1+-0.02 --free wind_x\n  hyzer fit examples/ball --tables parquet --out fitted\n\nThe folder then holds report.html, report.json, fitted.hyz (the model with the estimates as its default values), figures and\ntables. Exit status 1: the answer cannot be relied on; the output says why."
     )]
     Fit(Fit),
     /// Refit to flights drawn with replacement: standard errors and intervals without assuming a distribution
@@ -106,7 +106,7 @@ pub enum Command {
     Diagnose(Diagnose),
     /// List the effects that can be added to a model: where each acts, its null value, its smallest effect of interest
     #[command(
-        after_help = "Examples:\n  hyzer effects ball\n  hyzer effects --out docs/reference/effects.md     # all of them"
+        after_help = "Examples:\n  hyzer effects ball\n  hyzer effects ball --format text      # as on a terminal\n  hyzer effects --out docs/reference/effects.md     # all of them"
     )]
     Effects(Effects),
     /// List the built-in models
@@ -199,6 +199,11 @@ fn backends() -> clap::builder::PossibleValuesParser {
     clap::builder::PossibleValuesParser::new(values)
 }
 
+/// Parses the value of the option `--units`.
+fn units(name: &str) -> Result<Units, String> {
+    Units::parse(name).ok_or_else(|| "expected si or imperial".to_owned())
+}
+
 /// Parses the name of a kind of figure file, pdf or png. An error if the program cannot write it.
 fn figure_kind(name: &str) -> Result<FigureKind, String> {
     let mut kinds = FigureKind::ALL.into_iter();
@@ -272,6 +277,18 @@ pub struct Explain {
     /// Add an effect, by name or path; may be repeated
     #[arg(long, value_name = "EFFECT")]
     pub with: Vec<String>,
+    /// Notation of the formulas; by default text on a terminal and latex elsewhere
+    #[arg(long, value_enum, value_name = "NOTATION")]
+    pub format: Option<Notation>,
+}
+
+/// Notation of formulas.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Notation {
+    /// Plain text, to read
+    Text,
+    /// LaTeX, for a paper or a page
+    Latex,
 }
 
 /// Arguments of `hyzer simulate`.
@@ -295,6 +312,9 @@ pub struct Simulate {
     /// Duration of the flight, s, or `ground` to stop there
     #[arg(long, value_name = "SECONDS|ground")]
     pub until: Option<String>,
+    /// Units of the options of the throw and of the wind, and of what is printed: si, or imperial for mph and ft; files are in SI
+    #[arg(long, value_name = "UNITS", default_value = "si", value_parser = units)]
+    pub units: Units,
     /// Rows of trajectory.csv per second
     #[arg(long, default_value_t = 120.0)]
     pub rate: f64,
@@ -434,4 +454,16 @@ pub struct Effects {
     /// File for the list, as Markdown; without it the list is printed
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
+    /// Form of the printed list; by default text on a terminal and markdown elsewhere
+    #[arg(long, value_enum, value_name = "FORM", conflicts_with = "out")]
+    pub format: Option<ListForm>,
+}
+
+/// Form of a printed list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ListForm {
+    /// Aligned columns, to read
+    Text,
+    /// Markdown, with sources and the models of each effect
+    Markdown,
 }

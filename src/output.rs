@@ -1,8 +1,9 @@
 //! Output of the program: standard output, and result files that are written atomically.
 
-use std::io::Write;
+use std::io::{IsTerminal, Write};
 use std::path::Path;
 
+use analysis::{Cells, parquet_table};
 use anyhow::Context;
 use flight::files::{ResultFile, ResultFolder, write_atomic};
 use report::FigureKind;
@@ -25,6 +26,8 @@ pub struct Results<'a> {
     folder: ResultFolder,
     path: &'a Path,
     kinds: &'a [FigureKind],
+    /// Whether every CSV table is written as Parquet too.
+    pub as_parquet: bool,
 }
 
 /// Opens the folder of the option `--out`, so that an unusable one is an error before any work is done.
@@ -38,6 +41,7 @@ pub fn results<'a>(
             folder,
             path,
             kinds,
+            as_parquet: false,
         })
     };
     out.map(open).transpose()
@@ -60,10 +64,38 @@ impl Results<'_> {
             }
             files.extend(drawn);
         }
+        if self.as_parquet {
+            let tables = files.iter().filter(|file| file.path.ends_with(".csv"));
+            let tables = tables.map(|file| parquet(file).context("--tables"));
+            let tables = tables.collect::<anyhow::Result<Vec<_>>>()?;
+            files.extend(tables);
+        }
         progress::writing(|| self.folder.replace(&files)).context("--out")?;
         eprintln!("{what} are in {}", self.path.display());
         Ok(())
     }
+}
+
+/// The Parquet file of a CSV table with a header.
+fn parquet(table: &ResultFile) -> anyhow::Result<ResultFile> {
+    let mut reader = csv::Reader::from_reader(&table.contents[..]);
+    let mut columns: Vec<(String, Vec<Option<String>>)> = reader
+        .headers()?
+        .iter()
+        .map(|name| (name.to_owned(), Vec::new()))
+        .collect();
+    for record in reader.records() {
+        let record = record?;
+        for (cell, (_, cells)) in record.iter().zip(&mut columns) {
+            cells.push(Some(cell.to_owned()).filter(|cell| !cell.is_empty()));
+        }
+    }
+    let columns = columns.into_iter();
+    let columns: Vec<(String, Cells)> = columns
+        .map(|(name, cells)| (name, Cells::of(cells)))
+        .collect();
+    let path = table.path.replace(".csv", ".parquet");
+    Ok(ResultFile::new(path, parquet_table(&columns)?))
 }
 
 /// Checks that a folder can be created, before any work is done; one with files is checked when results are written.
@@ -73,6 +105,23 @@ pub fn new_folder(path: &Path) -> anyhow::Result<()> {
         results(Some(path), &[])?;
     }
     Ok(())
+}
+
+/// Width of text that is read elsewhere than on a terminal, characters.
+pub const PRINTED_WIDTH: usize = 100;
+
+/// Whether standard output is a terminal.
+pub fn is_terminal() -> bool {
+    std::io::stdout().is_terminal()
+}
+
+/// Fits texts and tables to the terminal; elsewhere they are as wide as they are.
+pub fn fit_terminal() {
+    let size = console::Term::stdout().size_checked();
+    if let Some((_, width)) = size.filter(|_| is_terminal()) {
+        report::set_width(width.into());
+        verify::set_table_width(width);
+    }
 }
 
 /// Tells on standard error what to do next: a command, or what to state where.

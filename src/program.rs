@@ -17,6 +17,7 @@ pub use crate::commands::{
 /// installs handlers of signals, and ends the process where the arguments are wrong or ask for help.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let cli = cli::Cli::parse_from(arguments);
+    output::fit_terminal();
     let answer = progress::handle_signals().and_then(|()| commands::run(cli.command));
     match answer {
         Ok(Answer::Yes) => 0,

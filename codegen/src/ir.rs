@@ -6,7 +6,7 @@ use crate::compile::{Compiled, compile};
 use crate::functions::MathFunction;
 use crate::program::{Binary, Function, Fused, Op, Operand, Section, Unary};
 use crate::table::{PiecewiseCubic, TableFunction, Tables};
-use model_spec::layout::{Layout, is_of_observation};
+use model_spec::layout::{Layout, is_unlisted};
 use model_spec::model::{Input, Model, Parameter, Shape, State, ValidityLimit};
 use std::fmt::Write;
 
@@ -151,7 +151,7 @@ fn input(model: &Model, input: &Input) -> String {
 }
 
 fn quantities(model: &Model, layout: &Layout) -> String {
-    let known = model.aux_variables.iter().zip(is_of_observation(model));
+    let known = model.aux_variables.iter().zip(is_unlisted(model));
     let units = known.filter(|(_, observed)| !observed).flat_map(|(v, _)| {
         let components = match v.value.shape {
             Shape::Scalar => 1,

@@ -38,7 +38,7 @@ pub struct Layout {
     pub coefficients: usize,
     /// Names of the three coordinates of the marker; empty if the model has no marker.
     pub marker: Vec<String>,
-    /// Names of the auxiliary variables by component, except those of [`is_of_observation`].
+    /// Names of the auxiliary variables by component, except those of [`is_unlisted`].
     pub quantities: Vec<String>,
     /// Default values of the parameters, SI, in parameter-vector order.
     pub defaults: Vec<f64>,
@@ -93,10 +93,10 @@ impl Layout {
             .map(String::as_str);
         let used: HashSet<&str> = scalars.chain(symbols).collect();
         let mut names = Vec::new();
-        for (quantity, of_marker) in model.aux_variables.iter().zip(is_of_observation(model)) {
+        for (quantity, unlisted) in model.aux_variables.iter().zip(is_unlisted(model)) {
             let name = &quantity.name;
             match quantity.value.shape {
-                _ if of_marker => {}
+                _ if unlisted => {}
                 Shape::Scalar => names.push(name.clone()),
                 Shape::Vector(frame) => names.extend((0..3).map(|k| {
                     let short = match frame {
@@ -170,11 +170,16 @@ fn position(names: &[String], name: &str) -> Option<usize> {
     names.iter().position(|own| own == name)
 }
 
-/// For each auxiliary variable, whether it depends on the marker or on accelerations, and needs an observation.
-pub fn is_of_observation(model: &Model) -> Vec<bool> {
-    depending_on(model, |kind| {
+/// For each auxiliary variable, whether it is none of [`Layout::quantities`]: it depends on the marker or on
+/// accelerations, so that it needs an observation, or belongs to a call of a function.
+pub fn is_unlisted(model: &Model) -> Vec<bool> {
+    let of_observation = depending_on(model, |kind| {
         matches!(kind, ExprKind::Marker) || is_acceleration(kind)
-    })
+    });
+    let variables = model.aux_variables.iter().zip(of_observation);
+    variables
+        .map(|(own, observed)| observed || own.is_of_call)
+        .collect()
 }
 
 /// For each auxiliary variable, whether it depends on the specific force or the angular acceleration.

@@ -223,6 +223,8 @@ pub struct AuxVariable {
     pub span: Span,
     /// Index into [`Model::effects`] of the effect that added or replaced the declaration, if any.
     pub effect: Option<usize>,
+    /// Whether a call of a function has added the variable: no [`Layout`](crate::Layout) lists it.
+    pub is_of_call: bool,
 }
 
 impl AuxVariable {
@@ -234,6 +236,7 @@ impl AuxVariable {
             span: value.span,
             value,
             effect: None,
+            is_of_call: false,
         }
     }
 }

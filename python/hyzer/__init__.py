@@ -25,6 +25,7 @@ from hyzer._errors import (
 )
 from hyzer._fit import diagnose, fit
 from hyzer._flight import Flight
+from hyzer._hyzer import __version__
 from hyzer._model import Model
 from hyzer._release import Release
 from hyzer._results import Diagnosis, Fit
@@ -52,6 +53,7 @@ __all__ = [
     "Stability",
     "Sweep",
     "Verification",
+    "__version__",
     "bootstrap",
     "design",
     "diagnose",

@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import io
+import json
 import os
+import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, cast, overload
 
 from hyzer import _hyzer, _toml
 from hyzer._dataset import Dataset, dataset_of
+from hyzer._errors import InputError
 from hyzer._extras import extra
 from hyzer._fit import options
 from hyzer._model import model_of
 from hyzer._progress import Progress, Watching
 from hyzer._release import Release
-from hyzer._results import Result
+from hyzer._results import Fit, Result
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -82,12 +85,15 @@ class Stability(Report):
         return cast("pd.DataFrame", extra("pandas").read_csv(io.StringIO(text)))
 
 
+@overload
 def bootstrap(
     data: str | os.PathLike[str] | Dataset,
     model: AnyModel | None = None,
     *,
     refits: int = 200,
     seed: int = 1,
+    out: str | os.PathLike[str] | None = None,
+    part: None = None,
     fixed: Mapping[str, float | None] | Iterable[str] = (),
     free: Iterable[str] = (),
     priors: Mapping[str, tuple[float, float]] | None = None,
@@ -95,7 +101,40 @@ def bootstrap(
     trust_data: bool = False,
     threads: int | None = None,
     progress: Progress | bool | None = None,
-) -> Bootstrap:
+) -> Bootstrap: ...
+@overload
+def bootstrap(
+    data: str | os.PathLike[str] | Dataset,
+    model: AnyModel | None = None,
+    *,
+    refits: int = 200,
+    seed: int = 1,
+    out: str | os.PathLike[str],
+    part: tuple[int, int],
+    fixed: Mapping[str, float | None] | Iterable[str] = (),
+    free: Iterable[str] = (),
+    priors: Mapping[str, tuple[float, float]] | None = None,
+    unbounded: bool = False,
+    trust_data: bool = False,
+    threads: int | None = None,
+    progress: Progress | bool | None = None,
+) -> None: ...
+def bootstrap(
+    data: str | os.PathLike[str] | Dataset,
+    model: AnyModel | None = None,
+    *,
+    refits: int = 200,
+    seed: int = 1,
+    out: str | os.PathLike[str] | None = None,
+    part: tuple[int, int] | None = None,
+    fixed: Mapping[str, float | None] | Iterable[str] = (),
+    free: Iterable[str] = (),
+    priors: Mapping[str, tuple[float, float]] | None = None,
+    unbounded: bool = False,
+    trust_data: bool = False,
+    threads: int | None = None,
+    progress: Progress | bool | None = None,
+) -> Bootstrap | None:
     """Refit to flights drawn with replacement: errors and intervals without a distribution.
 
     Parameters
@@ -106,10 +145,17 @@ def bootstrap(
         Number of refits.
     seed : int
         Seed of the draws; a refit depends on it and on its number alone.
+    out : path, optional
+        Folder where the refits are kept as they are done, with `refits.csv` and `summary.json` in
+        the end; a run that was ended goes on there. Without it they are kept in memory.
+    part : (int, int), optional
+        Do only the i-th of n equal shares, (i, n) with i from 1, for several processes or machines
+        with one folder `out`; the call without it does the rest and joins all.
 
     Returns
     -------
     Bootstrap
+        None for a part.
 
     Examples
     --------
@@ -121,9 +167,12 @@ def bootstrap(
     asked = options(
         fixed, free, priors, unbounded=unbounded, trust_data=trust_data, threads=threads
     )
+    if part is not None and out is None:
+        raise InputError("part needs out: the folder that the shares have in common")
     with Watching(progress) as watch:
-        of = model_of(model)
-        return Bootstrap(_hyzer.bootstrap(dataset_of(data), of, asked, refits, seed, watch))
+        of, on = model_of(model), dataset_of(data)
+        found = _hyzer.bootstrap(on, of, asked, refits, seed, out, part, watch)
+        return None if found is None else Bootstrap(found)
 
 
 def design(
@@ -132,6 +181,8 @@ def design(
     *,
     target: Sequence[float] | None = None,
     bounds: Mapping[str, Any] | str | os.PathLike[str] | None = None,
+    wind: Sequence[float] | str | os.PathLike[str] | None = None,
+    fit: Fit | str | os.PathLike[str] | None = None,
     starts: int = 384,
     samples: int = 400,
     seed: int = 1,
@@ -152,6 +203,11 @@ def design(
         Least and greatest `speed` (m/s), `heading`, `launch`, `nose`, `hyzer` (deg), `spin` (rpm)
         and `height` (m), or one number to hold; `obstacle`, `circle` and `scatter` as mappings; or
         a file of bounds with these keys.
+    wind : sequence of 3 floats or path, optional
+        Velocity of the air in the inertial frame, m/s, or a file with `[wind]`.
+    fit : Fit or path, optional
+        A fit, or its `report.json`, whose standard errors scatter the coefficients. Those that the
+        model does not have are left out, with a warning.
     starts, samples, seed : int
         Numbers of starting throws and of sampled landings; seed of both.
     threads : int, optional
@@ -176,15 +232,43 @@ def design(
     True
     >>> hyzer.Model("ball").fly(found.release).ended_by
     'ground'
+    >>> hyzer.design("ball", "range", wind=(-3, 0, 0), starts=32, samples=0).throw.launch < 45
+    True
     """
     limits: str | None = None
     if isinstance(bounds, Mapping):
         limits = _toml.document(bounds)
     elif bounds is not None:
         limits = Path(bounds).read_text(encoding="utf-8")
-    point = None if target is None else [float(x) for x in target]
-    of = cast(_hyzer.Model, model_of(model))
-    return Design(_hyzer.design(of, goal, point, limits, starts, samples, seed, threads))
+    asked = {
+        "target": None if target is None else [float(x) for x in target],
+        "bounds": limits,
+        "wind": _wind(wind),
+        "fit": _report(fit),
+        "starts": starts,
+        "samples": samples,
+        "seed": seed,
+        "threads": threads,
+    }
+    found, unknown = _hyzer.design(cast(_hyzer.Model, model_of(model)), goal, asked)
+    if unknown:
+        text = f"the model has no {', '.join(unknown)} of the fit; left out"
+        warnings.warn(text, stacklevel=2)
+    return Design(found)
+
+
+def _wind(wind: Sequence[float] | str | os.PathLike[str] | None) -> str | None:
+    """Return a wind as the program takes it: components or the path of a file."""
+    if wind is None or isinstance(wind, (str, os.PathLike)):
+        return None if wind is None else os.fspath(wind)
+    return ",".join(repr(float(part)) for part in wind)
+
+
+def _report(fit: Fit | str | os.PathLike[str] | None) -> str | None:
+    """Return the report of a fit, a JSON text."""
+    if fit is None or isinstance(fit, Fit):
+        return None if fit is None else json.dumps(fit.to_dict())
+    return Path(fit).read_text(encoding="utf-8")
 
 
 def stability(model: AnyModel, release: AnyRelease | None = None, *, times: int = 60) -> Stability:

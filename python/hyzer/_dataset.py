@@ -226,6 +226,8 @@ class Dataset:
         left_handed: bool = False,
         labels: Mapping[str, str] | None = None,
         centre_height: float | None = None,
+        parameters: Mapping[str, float] | None = None,
+        held_out: Iterable[str | int] = (),
     ) -> Dataset:
         """Import recordings of a laboratory, cut to the free flights, as `hyzer import` does.
 
@@ -246,6 +248,10 @@ class Dataset:
             Names of markers by their labels in the files.
         centre_height : float, optional
             Height of the mass centre above the mean of the markers, m.
+        parameters : mapping of str to float
+            Known constants of the body and its environment, SI; they replace those of the template.
+        held_out : iterable of str or int
+            Flights that a fit does not use, by name or number from 0.
 
         Returns
         -------
@@ -258,6 +264,7 @@ class Dataset:
         >>> data = hyzer.Dataset.import_takes(
         ...     ["examples/disc/flight01.csv"],
         ...     length="m", time="s", up="+z", markers="examples/disc/dataset.toml",
+        ...     parameters={"m": 0.175},
         ... )
         >>> "flight01.csv" in data.decisions
         True
@@ -277,7 +284,9 @@ class Dataset:
         arguments += [f"--label={label}={name}" for label, name in (labels or {}).items()]
         # After `--` no file can be an option.
         files = [os.fspath(take) for take in takes]
-        return cls(_hyzer.import_takes([*arguments, "--", *files]))
+        constants = {name: float(value) for name, value in (parameters or {}).items()}
+        apart = [held_out] if isinstance(held_out, str) else list(held_out)
+        return cls(_hyzer.import_takes([*arguments, "--", *files], constants, apart))
 
     @property
     def decisions(self) -> str:

@@ -15,6 +15,7 @@ __all__ = [
     "Flight",
     "Model",
     "Report",
+    "__version__",
     "bootstrap",
     "design",
     "diagnose",
@@ -31,6 +32,8 @@ __all__ = [
     "table_text",
     "verify",
 ]
+
+__version__: str
 
 _Array = npt.NDArray[np.float64]
 _Parameters = npt.ArrayLike | Mapping[str, float]
@@ -154,7 +157,11 @@ class Report:
 def main(arguments: Sequence[str]) -> int: ...
 def release_text(name: str) -> str: ...
 def table_text(columns: Sequence[tuple[str, list[str], npt.ArrayLike]]) -> str: ...
-def import_takes(arguments: Sequence[str]) -> Dataset: ...
+def import_takes(
+    arguments: Sequence[str],
+    parameters: Mapping[str, float],
+    held_out: Sequence[str | int],
+) -> Dataset: ...
 def sweep_plan() -> str: ...
 def fly(
     model: Model,
@@ -184,28 +191,24 @@ def bootstrap(
     options: Mapping[str, Any],
     refits: int,
     seed: int,
+    out: _Path | None = None,
+    part: tuple[int, int] | None = None,
     progress: _Progress | None = None,
-) -> Report: ...
+) -> Report | None: ...
 def design(
     model: Model,
     goal_name: str,
-    target: Sequence[float] | None,
-    bounds: str | None,
-    starts: int,
-    samples: int,
-    seed: int,
-    threads: int | None,
-) -> Report: ...
+    options: Mapping[str, Any],
+) -> tuple[Report, list[str]]: ...
 def stability(model: Model, name: str, text: str, times: int) -> Report: ...
 def sweep(
-    name: str,
-    text: str,
-    folder: _Path,
+    plan: tuple[str, str, _Path],
     out: _Path,
     csv: bool,
     threads: int | None,
+    part: tuple[int, int] | None = None,
     progress: _Progress | None = None,
-) -> str: ...
+) -> str | None: ...
 def verify(model: Model, cases: int, seed: int, mutants: bool) -> Report: ...
 def diff(old: Model | str, new: Model | str, releases: Sequence[str]) -> Report: ...
 def synthesize(

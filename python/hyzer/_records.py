@@ -11,6 +11,9 @@ from hyzer._extras import extra
 if TYPE_CHECKING:
     import pandas as pd
 
+# Length of a list that is shown whole in a line.
+_LEN = 3
+
 
 def wrap(value: Any) -> Any:
     """Give a value of JSON its attributes: objects become records, tables of objects tables."""
@@ -35,6 +38,8 @@ class Record(Mapping[str, Any]):
     >>> noise = Record({"sigma": 0.0015, "unit": "m"})
     >>> noise.sigma, noise["unit"]
     (0.0015, 'm')
+    >>> noise
+    Record(sigma=0.0015, unit='m')
     """
 
     def __init__(self, data: dict[str, Any]) -> None:
@@ -65,7 +70,8 @@ class Record(Mapping[str, Any]):
         return [*super().__dir__(), *self._values()]
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({', '.join(self._values())})"
+        values = (f"{name}={_brief(value)}" for name, value in self._values().items())
+        return f"{type(self).__name__}({', '.join(values)})"
 
     def to_dict(self) -> dict[str, Any]:
         """Return the values as plain dicts, lists and numbers, as in the JSON of the report."""
@@ -109,6 +115,23 @@ def _html(rows: list[dict[str, Any]]) -> str:
         for row in rows
     )
     return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def _brief(value: object) -> str:
+    """Return a value as a line shows it: an estimate with its error, or how much a list holds."""
+    if isinstance(value, dict):
+        found = cast("dict[str, Any]", value)
+        if not isinstance(found.get("value"), (int, float)):
+            return f"{{{len(found)} values}}"
+        error, unit = found.get("std_error"), found.get("unit", "1")
+        spread = "" if error is None else f" ± {shown(error)}"
+        return f"{shown(found['value'])}{spread}{'' if unit == '1' else f' {unit}'}"
+    if isinstance(value, list):
+        items = cast("list[Any]", value)
+        is_short = len(items) <= _LEN and all(_is_scalar(item) for item in items)
+        inside = ", ".join(_brief(item) for item in items) if is_short else f"{len(items)} values"
+        return f"[{inside}]"
+    return shown(value) if isinstance(value, float) else repr(value)
 
 
 def _is_scalar(value: object) -> bool:

@@ -9,9 +9,10 @@ import tempfile
 from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, cast, overload
 
 from hyzer import _hyzer, _toml
+from hyzer._errors import InputError
 from hyzer._extras import extra
 from hyzer._progress import Progress, Watching
 from hyzer._records import Record
@@ -57,13 +58,32 @@ class Sweep(Record):
         return f"<Sweep of {self['flights']} flights>"
 
 
+@overload
 def sweep(
     plan: str | os.PathLike[str] | Mapping[str, Any],
     *,
     out: str | os.PathLike[str] | None = None,
+    part: None = None,
     threads: int | None = None,
     progress: Progress | bool | None = None,
-) -> Sweep:
+) -> Sweep: ...
+@overload
+def sweep(
+    plan: str | os.PathLike[str] | Mapping[str, Any],
+    *,
+    out: str | os.PathLike[str],
+    part: tuple[int, int],
+    threads: int | None = None,
+    progress: Progress | bool | None = None,
+) -> None: ...
+def sweep(
+    plan: str | os.PathLike[str] | Mapping[str, Any],
+    *,
+    out: str | os.PathLike[str] | None = None,
+    part: tuple[int, int] | None = None,
+    threads: int | None = None,
+    progress: Progress | bool | None = None,
+) -> Sweep | None:
     """Simulate many flights: releases, coefficients and wind from grids or distributions.
 
     Parameters
@@ -74,6 +94,9 @@ def sweep(
     out : path, optional
         Folder for `flights.parquet` and `summary.json`; a sweep that was ended goes on there.
         Without it the flights are kept in memory.
+    part : (int, int), optional
+        Fly only the i-th of n equal shares, (i, n) with i from 1, for several processes or machines
+        with one folder `out`; the call without it flies the rest and joins all.
     threads : int, optional
         Number of threads; the result does not depend on it.
     progress : callable, bool or None
@@ -82,7 +105,7 @@ def sweep(
     Returns
     -------
     Sweep
-        Its `to_pandas()` has a row for each flight.
+        Its `to_pandas()` has a row for each flight. None for a part.
 
     Examples
     --------
@@ -92,16 +115,18 @@ def sweep(
     >>> hyzer.sweep(plan).to_pandas().shape[0]
     3
     """
-    name, text, folder = _plan(plan)
+    if part is not None and out is None:
+        raise InputError("part needs out: the folder that the shares have in common")
+    of = _plan(plan)
     with Watching(progress) as watch:
         if out is not None:
-            summary = _hyzer.sweep(name, text, folder, out, False, threads, watch)
-            return Sweep(summary, None, Path(out))
+            summary = _hyzer.sweep(of, out, False, threads, part, watch)
+            return None if summary is None else Sweep(summary, None, Path(out))
         with tempfile.TemporaryDirectory() as made:
             inside = Path(made) / "swept"
-            summary = _hyzer.sweep(name, text, folder, inside, True, threads, watch)
+            summary = _hyzer.sweep(of, inside, True, threads, None, watch)
             table = (inside / "flights.csv").read_text(encoding="utf-8")
-            return Sweep(summary, table, None)
+            return Sweep(cast(str, summary), table, None)
 
 
 def _plan(plan: str | os.PathLike[str] | Mapping[str, Any]) -> tuple[str, str, str]:

@@ -57,6 +57,29 @@ pub fn raise_or(class: &'static str, error: impl Into<Error>) -> PyErr {
     build(known.unwrap_or_else(|| About::of(class)), &text)
 }
 
+/// The exception for an error whose message names options of the program; `names` are the keyword arguments instead.
+pub fn raise_named(error: anyhow::Error, names: &[(&str, &str)]) -> PyErr {
+    let text = format!("{error:#}");
+    let named = with_keywords(&text, names);
+    if named == text {
+        return raise_or("InputError", error);
+    }
+    let about = error.chain().find_map(about);
+    build(about.unwrap_or_else(|| About::of("InputError")), &named)
+}
+
+/// A text with keyword arguments in place of options of the program: `length=` for `the option --length`.
+pub fn with_keywords(text: &str, names: &[(&str, &str)]) -> String {
+    let mut text = text.to_owned();
+    for (option, keyword) in names {
+        for before in ["the option --", "option --", "--"] {
+            text = text.replace(&format!("{before}{option}:"), &format!("{keyword}:"));
+            text = text.replace(&format!("{before}{option}"), &format!("{keyword}="));
+        }
+    }
+    text
+}
+
 /// The exception `InputError` for an argument: what was found and what was expected.
 pub fn input(text: impl AsRef<str>) -> PyErr {
     build(About::of("InputError"), text.as_ref())

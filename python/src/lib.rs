@@ -29,6 +29,10 @@ fn main(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
 /// The compiled part of hyzer.
 #[pymodule]
 mod _hyzer {
+    /// Version of the package.
+    #[pymodule_export]
+    #[expect(non_upper_case_globals, reason = "the name of Python")]
+    const __version__: &str = env!("CARGO_PKG_VERSION");
     #[pymodule_export]
     use super::main;
     #[pymodule_export]

@@ -1,17 +1,18 @@
 //! Datasets that are simulated or imported, and tables from arrays.
 
+use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::path::Path;
 use std::sync::Arc;
 
-use dataset::Marker;
 use dataset::synthesize::{Corruption, Plan, Spread, flights};
+use dataset::{Marker, Role};
 use flight::release::Release;
 use pyo3::prelude::*;
 
 use crate::array::{numbers, shape_text};
 use crate::dataset::Dataset;
-use crate::errors::{input, raise, raise_or};
+use crate::errors::{input, raise, raise_named, with_keywords};
 use crate::flight::released;
 use crate::model::Model;
 use crate::work;
@@ -104,17 +105,80 @@ pub fn synthesize(
     })
 }
 
-/// Imports recordings by the arguments of `hyzer import`.
+/// Options of `hyzer import`, with the keyword arguments of `Dataset.import_takes` that stand for them.
+const IMPORT_KEYWORDS: [(&str, &str); 10] = [
+    ("left-handed", "left_handed"),
+    ("centre-height", "centre_height"),
+    ("format", "format"),
+    ("length", "length"),
+    ("label", "labels"),
+    ("markers", "markers"),
+    ("model", "model"),
+    ("time", "time"),
+    ("rate", "rate"),
+    ("up", "up"),
+];
+
+/// A flight by its name or its number from 0.
+#[derive(FromPyObject)]
+pub enum NamedFlight {
+    /// Its number.
+    Number(usize),
+    /// Its name.
+    Name(String),
+}
+
+/// Imports recordings by the arguments of `hyzer import`, with known constants and the flights to hold out.
 #[pyfunction]
-pub fn import_takes(py: Python<'_>, arguments: Vec<OsString>) -> PyResult<Dataset> {
+pub fn import_takes(
+    py: Python<'_>,
+    arguments: Vec<OsString>,
+    parameters: BTreeMap<String, f64>,
+    held_out: Vec<NamedFlight>,
+) -> PyResult<Dataset> {
     let made = work::run(py, None, move |_| hyzer::program::import_takes(&arguments))?;
-    let made = made.map_err(|error| raise_or("InputError", error))?;
+    let mut made = made.map_err(|error| raise_named(error, &IMPORT_KEYWORDS))?;
+    for named in held_out {
+        hold_out(&mut made.dataset, &named)?;
+    }
+    if !parameters.is_empty() {
+        made.dataset.parameters.extend(parameters);
+        // Constants are checked as those of a file are.
+        let data = &made.dataset;
+        let tables = data.flights.iter().map(|flight| {
+            let text = dataset::table_text(flight, &data.markers, &data.sensors);
+            (flight.file.clone(), text)
+        });
+        let checked = dataset::from_texts(&dataset::manifest_text(data), &tables.collect());
+        checked.map_err(raise)?;
+    }
     Ok(Dataset {
         beside: made.beside,
         comments: made.comments,
-        decisions: made.decisions,
+        decisions: with_keywords(&made.decisions, &IMPORT_KEYWORDS),
         ..Dataset::of(made.dataset, String::new(), None)
     })
+}
+
+fn hold_out(data: &mut dataset::Dataset, named: &NamedFlight) -> PyResult<()> {
+    let flights = &mut data.flights;
+    let found = match named {
+        NamedFlight::Number(number) => flights.get_mut(*number),
+        NamedFlight::Name(name) => flights.iter_mut().find(|flight| flight.file == *name),
+    };
+    if let Some(flight) = found {
+        flight.role = Role::HeldOut;
+        return Ok(());
+    }
+    let shown = match named {
+        NamedFlight::Number(number) => number.to_string(),
+        NamedFlight::Name(name) => format!("{name:?}"),
+    };
+    let files: Vec<&str> = flights.iter().map(|flight| flight.file.as_str()).collect();
+    Err(input(format!(
+        "held_out: found {shown}, expected a flight by its number from 0 or one of {}",
+        files.join(", ")
+    )))
 }
 
 /// Text of a table from the arrays of its columns: name in messages, endings of the columns' names, numbers.

@@ -7,6 +7,7 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
+use flight::cancellation::{Flag, cancellable};
 use identify::{CancellationToken, Progress};
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
@@ -19,8 +20,10 @@ const PAUSE: Duration = Duration::from_millis(20);
 /// Progress of running work, and its cancellation.
 #[derive(Clone, Debug, Default)]
 pub struct Watch {
-    /// Cancels the work.
+    /// Cancels a fit or a sweep.
     pub token: CancellationToken,
+    /// Cancels any work at its next task or flight.
+    flag: Flag,
     state: Arc<State>,
 }
 
@@ -31,6 +34,11 @@ struct State {
 }
 
 impl Watch {
+    fn cancel(&self) {
+        self.token.cancel();
+        self.flag.store(true, Ordering::Relaxed);
+    }
+
     /// Counts finished parts of the work.
     pub fn advance(&self, parts: usize) {
         self.state.done.fetch_add(parts, Ordering::Relaxed);
@@ -66,7 +74,7 @@ impl Progress for Watch {
 }
 
 /// Runs `work` without the lock of the interpreter. A signal or an exception of `progress`, which is called with stage,
-/// number done and total, cancels the work and is raised at once; the work then ends by itself.
+/// number done and total, cancels the work and is raised at once; the work then ends at its next task or flight.
 pub fn run<T: Send + 'static>(
     py: Python<'_>,
     progress: Option<&Bound<'_, PyAny>>,
@@ -78,7 +86,8 @@ pub fn run<T: Send + 'static>(
     // As much as the main thread of the program has.
     let thread = thread.stack_size(8 << 20);
     let spawned = thread.spawn(move || {
-        let done = catch_unwind(AssertUnwindSafe(|| work(&watched)));
+        let flag = Flag::clone(&watched.flag);
+        let done = catch_unwind(AssertUnwindSafe(|| cancellable(flag, || work(&watched))));
         // Nobody waits any more for work that was cancelled.
         let _ = sender.send(done);
     });
@@ -100,7 +109,7 @@ pub fn run<T: Send + 'static>(
             .check_signals()
             .and_then(|()| tell(progress, &watch, &mut told));
         if let Err(error) = seen {
-            watch.token.cancel();
+            watch.cancel();
             return Err(cancelled(py, error));
         }
     }

@@ -83,10 +83,29 @@ def test_takes_are_imported_as_by_the_program(tmp_path: Path) -> None:
     assert len(data) == 2
     data.save(tmp_path / "imported")
     assert (tmp_path / "imported" / "import.html").is_file()
-    with pytest.raises(hyzer.InputError, match="--up: found"):
+    with pytest.raises(hyzer.InputError, match="up: found") as raised:
         hyzer.Dataset.import_takes(takes, **{**options, "up": "sky"})
+    assert "--" not in str(raised.value)
+    with pytest.raises(hyzer.InputError, match="markers=") as raised:
+        hyzer.Dataset.import_takes(takes, length="m", time="s", up="+z")
+    assert "--" not in str(raised.value)
     with pytest.raises(hyzer.InputError, match="nothing.c3d"):
         hyzer.Dataset.import_takes(["nothing.c3d"], **options)
+
+
+def test_imported_takes_have_constants_and_flights_apart() -> None:
+    takes = ["examples/disc/flight01.csv", "examples/disc/flight02.csv"]
+    options = {"length": "m", "time": "s", "up": "+z", "markers": "examples/disc/dataset.toml"}
+    data = hyzer.Dataset.import_takes(
+        takes, **options, parameters={"m": 0.2}, held_out=[0, "flight02.csv"]
+    )
+    assert data.parameters["m"] == 0.2
+    # The constants of the template stay.
+    assert data.parameters["I_a"] == DISC.parameters["I_a"]
+    with pytest.raises(hyzer.InputError, match="m = -1"):
+        hyzer.Dataset.import_takes(takes, **options, parameters={"m": -1})
+    with pytest.raises(hyzer.InputError, match="held_out: found 2, expected"):
+        hyzer.Dataset.import_takes(takes, **options, held_out=[2])
 
 
 def test_faults_have_a_place() -> None:

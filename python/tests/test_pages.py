@@ -10,6 +10,7 @@ import hyzer
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = ["README.md", "how-to/coming-from.md", "how-to/from-recordings-to-a-page.md"]
+PAGES += ["how-to/design-a-throw.md"]
 
 
 def vicon(folder: Path) -> None:
@@ -38,6 +39,9 @@ def test_the_code_of_a_page_runs(
     names: dict[str, Any] = {}
     for number, block in enumerate(blocks, 1):
         exec(compile(block, f"{page}, block {number}", "exec"), names)
+    if page.endswith("design-a-throw.md"):
+        assert names["found"].feasible
+        return
     assert names["found"].causes == ["stall"]
     if "recordings" in page:
         assert (tmp_path / "page/report.html").is_file()

@@ -33,6 +33,17 @@ def alone(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+def test_shares_in_one_process(
+    alone: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    parts = blocks()
+    (tmp_path / "examples").symlink_to(ROOT / "examples")
+    monkeypatch.chdir(tmp_path)
+    exec("SHARES = 4\n" + parts["Without the program"], {})
+    for file in FILES:
+        assert (tmp_path / "refits" / file).read_bytes() == (alone / file).read_bytes()
+
+
 @pytest.mark.parametrize(
     ("heading", "module"), [("joblib", "joblib"), ("Dask", "distributed"), ("Ray", "ray")]
 )

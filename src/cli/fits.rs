@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use report::FigureKind;
 
 /// Dataset, model and options of a fit.
@@ -56,6 +56,13 @@ pub struct Bootstrap {
     pub part: Option<String>,
 }
 
+/// Format of tables besides CSV.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum TableFormat {
+    /// Apache Parquet
+    Parquet,
+}
+
 /// Arguments of `hyzer fit`.
 #[derive(Args)]
 pub struct Fit {
@@ -73,6 +80,9 @@ pub struct Fit {
     /// Also write every figure as pdf or png; may be repeated
     #[arg(long, value_name = "KIND", value_parser = super::figure_kind, requires = "out")]
     pub figures: Vec<FigureKind>,
+    /// Also write every CSV table in another format; may be repeated
+    #[arg(long, value_enum, value_name = "FORMAT", requires = "out")]
+    pub tables: Vec<TableFormat>,
     /// Folder for report.html, report.json, fitted.hyz, figures and tables: new, empty, or of earlier results, which are
     /// replaced; other files in it are kept
     #[arg(long, value_name = "DIR")]
@@ -93,6 +103,9 @@ pub struct Diagnose {
     /// Also write every figure as pdf or png; may be repeated
     #[arg(long, value_name = "KIND", value_parser = super::figure_kind, requires = "out")]
     pub figures: Vec<FigureKind>,
+    /// Also write every CSV table in another format; may be repeated
+    #[arg(long, value_enum, value_name = "FORMAT", requires = "out")]
+    pub tables: Vec<TableFormat>,
     /// Folder for report.html, report.json, the extended model, figures and tables: new, empty, or of earlier results, which
     /// are replaced; other files in it are kept
     #[arg(long, value_name = "DIR")]

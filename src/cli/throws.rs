@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use report::FigureKind;
+use report::{FigureKind, Units};
 
 /// A throw given by its quantities, or by a launch monitor. Options take precedence over the release and the launch
 /// monitor.
@@ -93,6 +93,9 @@ pub struct Design {
     /// Number of throws that are simulated to find starting points for local searches
     #[arg(long, value_name = "N", default_value_t = 384, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub starts: u32,
+    /// Units of --target and --wind, and of what is printed: si, or imperial for mph and ft; files, --bounds too, are in SI
+    #[arg(long, value_name = "UNITS", default_value = "si", value_parser = super::units)]
+    pub units: Units,
     /// Seed of all random numbers
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
@@ -165,4 +168,11 @@ pub struct Sweep {
     /// Also write flights.csv
     #[arg(long)]
     pub csv: bool,
+    /// Also write landings.kml, for maps: the release is at this latitude and longitude, deg, and +x points to this bearing,
+    /// deg clockwise from north, by default 90, the east
+    #[arg(long, value_name = "LAT,LON[,BEARING]", allow_hyphen_values = true)]
+    pub kml: Option<String>,
+    /// Units of what is printed: si, or imperial for mph and ft; files are in SI
+    #[arg(long, value_name = "UNITS", default_value = "si", value_parser = super::units)]
+    pub units: Units,
 }

@@ -35,49 +35,96 @@ pub(super) fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
         ..inputs.options()
     };
     asked.validate()?;
-    let count = options.refits.div_ceil(LEN);
-    let parts = match share {
-        None => 0..count,
-        Some(share) => share_of(count, share)?,
-    };
-    let begun =
-        json!({ "schema": "hyzer.bootstrap-parts/1", "refits": options.refits, "parts": count });
-    let folder = PartsFolder::open(&options.out, work(options, dataset, model), begun);
-    let folder = folder.context("--out")?;
-    if let Some(summary) = folder.summary() {
-        output::print(summary::text(&summary))?;
-        return Ok(answer(&summary));
-    }
     progress::resumes();
     let bar = Progress::new()?;
     let shown = FitOptions {
         progress: Some(&bar),
         ..asked
     };
-    let fit = identify::fit(model, dataset, &shown);
-    let fit = fit.with_context(|| inputs.failed("fit"))?;
-    enough(&fit)?;
-    bar.start("refits", (parts.end - parts.start) * LEN);
-    let progress = |done| bar.advance(done);
-    let mut refits = Vec::new();
-    for part in parts {
-        refits.extend(self::part(part, &fit, &folder, options, &asked, &progress)?);
-    }
+    let fit = || {
+        let fit = identify::fit(model, dataset, &shown);
+        fit.with_context(|| inputs.failed("fit"))
+    };
+    let parts = Parts {
+        out: &options.out,
+        fingerprint: fingerprint_of(&asked, options.refits, options.seed, dataset, model),
+        refits: options.refits,
+        seed: options.seed,
+        share,
+        options: &asked,
+        begin: &|refits| bar.start("refits", refits),
+        progress: &|done| bar.advance(done),
+    };
+    let summary = in_parts(&parts, fit)?;
     drop(bar);
     let out = options.out.display();
-    if share.is_some() {
+    let Some(summary) = summary else {
         eprintln!(
             "the parts of this share are in {out}; `hyzer bootstrap` without --part joins them when all are there"
         );
         return Ok(Answer::Yes);
-    }
-    folder.write(&folder.file("refits.csv"), &table(&fit, &refits))?;
-    let mut summary = summary::json(&fit, &refits, options.seed);
-    folder.write_summary(&mut summary)?;
-    folder.discard_parts();
+    };
     output::print(summary::text(&summary))?;
     eprintln!("refits.csv and summary.json are in {out}");
     Ok(answer(&summary))
+}
+
+/// Refits that are done part by part in a folder.
+pub struct Parts<'a> {
+    /// The folder.
+    pub out: &'a Path,
+    /// Hash of everything on which the estimates depend.
+    pub fingerprint: String,
+    /// Number of refits.
+    pub refits: u64,
+    /// Seed of the draws.
+    pub seed: u64,
+    /// Share of the refits to do: its number from 1, and the number of shares; `None` for all.
+    pub share: Option<(u64, u64)>,
+    /// Options of the refits.
+    pub options: &'a FitOptions<'a>,
+    /// Called with the number of refits before the first.
+    pub begin: &'a (dyn Fn(u64) + Sync),
+    /// Called with the number of refits finished since its last call.
+    pub progress: &'a (dyn Fn(u64) + Sync),
+}
+
+/// Does the refits of a share and keeps them in the folder; without a share, joins all and returns their summary, or that of an
+/// earlier run.
+///
+/// # Errors
+/// If the folder belongs to other work or cannot be written, or a fit fails.
+pub fn in_parts(
+    asked: &Parts<'_>,
+    fit: impl FnOnce() -> anyhow::Result<Fit>,
+) -> anyhow::Result<Option<Value>> {
+    let count = asked.refits.div_ceil(LEN);
+    let parts = match asked.share {
+        None => 0..count,
+        Some(share) => share_of(count, share)?,
+    };
+    let begun =
+        json!({ "schema": "hyzer.bootstrap-parts/1", "refits": asked.refits, "parts": count });
+    let folder = PartsFolder::open(asked.out, asked.fingerprint.clone(), begun);
+    let folder = folder.context("--out")?;
+    if let Some(summary) = folder.summary() {
+        return Ok(Some(summary));
+    }
+    let fit = fit()?;
+    enough(&fit)?;
+    (asked.begin)((parts.end - parts.start) * LEN);
+    let mut refits = Vec::new();
+    for part in parts {
+        refits.extend(self::part(part, &fit, &folder, asked)?);
+    }
+    if asked.share.is_some() {
+        return Ok(None);
+    }
+    folder.write(&folder.file("refits.csv"), &table(&fit, &refits))?;
+    let mut summary = summary::json(&fit, &refits, asked.seed);
+    folder.write_summary(&mut summary)?;
+    folder.discard_parts();
+    Ok(Some(summary))
 }
 
 /// Refuses a fit to too few flights, fewer than five.
@@ -109,12 +156,16 @@ fn flights(fit: &Fit) -> usize {
 }
 
 /// Hash of everything on which the estimates depend; only a run with the same hash continues earlier results.
-fn work(options: &Bootstrap, dataset: &Dataset, model: &Model) -> String {
+pub fn fingerprint_of(
+    options: &FitOptions<'_>,
+    refits: u64,
+    seed: u64,
+    dataset: &Dataset,
+    model: &Model,
+) -> String {
     let (version, source) = (env!("CARGO_PKG_VERSION"), codegen::rust::source_hash(model));
-    let (refits, seed, unbounded) = (options.refits, options.seed, options.unbounded);
-    let inputs = &options.inputs;
-    let (hold, free, prior) = (&inputs.hold, &inputs.free, &inputs.prior);
-    let trust_data = inputs.trust_data;
+    let (hold, free, prior) = (options.fixed, options.free, options.priors);
+    let (unbounded, trust_data) = (options.unbounded, options.trust_data);
     fingerprint(format_args!(
         "hyzer.bootstrap/1 {version} {source:x} {refits} {seed} {hold:?} {free:?} {prior:?} {unbounded} {trust_data} {dataset:?}"
     ))
@@ -123,15 +174,12 @@ fn work(options: &Bootstrap, dataset: &Dataset, model: &Model) -> String {
 /// Number of a refit and the estimates of the common parameters, SI; `None` if it did not converge.
 pub type Refit = (u64, Option<Vec<f64>>);
 
-/// The refits of a part, read from its file or else computed and written. `progress` is called with the number of refits
-/// finished since its last call.
+/// The refits of a part, read from its file or else computed and written.
 fn part(
     part: u64,
     fit: &Fit,
     folder: &PartsFolder,
-    asked: &Bootstrap,
-    options: &FitOptions<'_>,
-    progress: &(dyn Fn(u64) + Sync),
+    asked: &Parts<'_>,
 ) -> anyhow::Result<Vec<Refit>> {
     let numbers = part * LEN..((part + 1) * LEN).min(asked.refits);
     let path = folder.part(part, "csv");
@@ -139,10 +187,10 @@ fn part(
     if let Some(refits) = read(&path, fit.problem().globals.len())
         && refits.iter().map(|refit| refit.0).eq(numbers.clone())
     {
-        progress(numbers.end - numbers.start);
+        (asked.progress)(numbers.end - numbers.start);
         return Ok(refits);
     }
-    let refits = refits(fit, asked.seed, numbers, options, progress)?;
+    let refits = refits(fit, asked.seed, numbers, asked.options, asked.progress)?;
     folder.write(&path, &table(fit, &refits))?;
     Ok(refits)
 }

@@ -5,6 +5,7 @@ use std::io::IsTerminal;
 
 use codegen::{Comparison, check_cases};
 use flight::throw::ThrownModel;
+use identify::numbers::significant;
 use model_spec::layout::Layout;
 use model_spec::load::inspect;
 use model_spec::model::{Expr, ExprKind, Model};
@@ -61,9 +62,10 @@ pub(super) fn inertia_fault(model: &Model) -> Option<String> {
     let body = ThrownModel::new(model).ok()?;
     let layout = Layout::new(model);
     let (parameters, state) = (layout.default_parameters(), layout.default_states());
-    let [a, b, c] = body.improper_moments(&parameters, &state)?;
+    let moments = body.improper_moments(&parameters, &state)?;
+    let [a, b, c] = moments.map(|moment| significant(moment, 5));
     Some(format!(
-        "the inertia tensor is not positive definite: its principal moments are {a:.4e}, {b:.4e} and {c:.4e} kg m²; check \
+        "the inertia tensor is not positive definite: its principal moments are {a}, {b} and {c} kg m²; check \
          the signs and sizes of its products of inertia"
     ))
 }

@@ -19,6 +19,7 @@ use flight::{CompiledModel, simulate, trajectory_csv};
 use model_spec::load::load;
 use model_spec::model::Model;
 use ode::{IntegrationOptions, Trajectory};
+use report::Units;
 use report::figures::{StateLabel, flight as picture};
 use report::viewer::View;
 
@@ -54,7 +55,13 @@ pub(super) fn run(options: &Simulate) -> anyhow::Result<Answer> {
     }
     let first = rows.first().map(|row| row.throw);
     let bare = options.release.is_none().then(|| Throw::at_speed(0.0));
-    throws::apply(&options.throw, first.or(bare), &model, &mut release)?;
+    throws::apply(
+        &options.throw,
+        options.units,
+        first.or(bare),
+        &model,
+        &mut release,
+    )?;
     let turns = model
         .body
         .as_ref()
@@ -82,8 +89,8 @@ pub(super) fn run(options: &Simulate) -> anyhow::Result<Answer> {
         let what = format!("trajectory.csv, {summary}flight.svg and flight.html");
         out.write(files(&simulated, flown.as_ref(), options.rate), &what)?;
     }
-    let mut text = summary(&model, &body, &flight);
-    text.extend(flown.iter().map(flown::table));
+    let mut text = summary(&model, &body, &flight, options.units);
+    text.extend(flown.iter().map(|flown| flown::table(flown, options.units)));
     output::print(text)?;
     Ok(Answer::Yes)
 }
@@ -144,7 +151,7 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
         }
     };
     if let Some(wind) = &options.wind {
-        model = super::wind::apply(wind, model, &mut release)?;
+        model = super::wind::apply(wind, options.units, model, &mut release)?;
     }
     apply_all(&options.set, &model, &mut release)?;
     match options.until.as_deref() {
@@ -263,21 +270,24 @@ fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> 
     Ok(())
 }
 
-fn summary(model: &Model, body: &CompiledModel, flight: &Trajectory) -> String {
+fn summary(model: &Model, body: &CompiledModel, flight: &Trajectory, units: Units) -> String {
     let layout = body.layout();
     let why = flight.terminal_event.as_deref().unwrap_or("time");
     let mut text = format!("{}: {:.4} s, ended by {why}\n", model.name, flight.end);
     for state in &model.states {
         let end = layout.state(&state.name);
         let value = end.map_or(f64::NAN, |state| flight.end_state[state.index()]);
-        let _ = writeln!(text, "  {:9} {value:>13.6} {}", state.name, state.unit_text);
+        let (unit, size) = units.instead_of(&state.unit_text);
+        let value = value / size;
+        let _ = writeln!(text, "  {:9} {value:>13.6} {unit}", state.name);
     }
     for event in &flight.events {
         let z = layout
             .state("z")
             .map_or(f64::NAN, |z| event.state[z.index()]);
         let (name, time) = (&event.event, event.time);
-        let _ = writeln!(text, "  {name} at {time:.4} s, z = {z:.4} m");
+        let (z, m) = (units.of_metres(z), units.length());
+        let _ = writeln!(text, "  {name} at {time:.4} s, z = {z:.4} {m}");
     }
     let is_generated = body.is_generated();
     let by = if is_generated {

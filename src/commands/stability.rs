@@ -52,7 +52,13 @@ pub(super) fn run(options: &Options) -> anyhow::Result<Answer> {
         release.wind = vector("--wind", wind, "m/s")?;
     }
     let body = Body::new(model)?;
-    throws::apply(&options.throw, throw, &body.model, &mut release)?;
+    throws::apply(
+        &options.throw,
+        report::Units::Si,
+        throw,
+        &body.model,
+        &mut release,
+    )?;
     let (found, missing) = found(&body, &release, options.times as usize)?;
     if let Some(error) = missing {
         eprintln!("no modes along the flight: {error}");

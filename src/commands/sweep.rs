@@ -1,12 +1,12 @@
 //! Command `hyzer sweep`: flies a plan; writes a table of the flights and a summary.
 
-use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
 
-use analysis::sweep::{Plan, SweepOptions, plan, run as fly};
-use anyhow::{Context, bail};
-use report::Table;
+use analysis::sweep::{Plan, SweepOptions, landings, plan, run as fly};
+use anyhow::{Context, anyhow, bail};
+use report::kml::Origin;
+use report::sweep::{Landings, MAX_LANDINGS};
 use serde_json::Value;
 
 use crate::cli::Sweep;
@@ -29,6 +29,11 @@ pub(super) fn run(options: &Sweep) -> anyhow::Result<Answer> {
         bail!("expected PLAN and --out");
     };
     let share = options.part.as_deref().map(super::share).transpose()?;
+    let origin = options.kml.as_deref().map(|text| {
+        let expected = |expected| anyhow!("--kml: found {text:?}, expected {expected}");
+        Origin::parse(text).map_err(expected)
+    });
+    let origin = origin.transpose()?;
     let threads = match options.threads {
         Some(0) => bail!("--threads: found 0, expected a number above 0"),
         Some(threads) => threads,
@@ -58,8 +63,9 @@ pub(super) fn run(options: &Sweep) -> anyhow::Result<Answer> {
     drop(bar);
     match summary {
         Some(summary) => {
-            output::print(table(&plan, &summary))?;
+            output::print(report::sweep::text(&summary, options.units))?;
             let csv = if options.csv { ", flights.csv" } else { "" };
+            let page = write_page(&plan, out, &summary, origin.as_ref())?;
             let rate = plan.flights as f64 / start.elapsed().as_secs_f64();
             let rate = if is_fresh {
                 format!("; {rate:.0} flights a second")
@@ -67,7 +73,7 @@ pub(super) fn run(options: &Sweep) -> anyhow::Result<Answer> {
                 String::new()
             };
             eprintln!(
-                "flights.parquet{csv} and summary.json are in {}{rate}",
+                "flights.parquet{csv}{page} and summary.json are in {}{rate}",
                 out.display()
             );
         }
@@ -79,21 +85,29 @@ pub(super) fn run(options: &Sweep) -> anyhow::Result<Answer> {
     Ok(Answer::Yes)
 }
 
-fn table(plan: &Plan, summary: &Value) -> String {
-    let mut text = format!("{}: {} flights", plan.model.name, plan.flights);
-    for (status, count) in summary["statuses"].as_object().into_iter().flatten() {
-        let _ = write!(text, ", {count} {status}");
+/// Writes the page and the map of a finished sweep beside its table; returns their names.
+fn write_page(
+    plan: &Plan,
+    out: &Path,
+    summary: &Value,
+    origin: Option<&Origin>,
+) -> anyhow::Result<String> {
+    let places = landings(plan, out, MAX_LANDINGS)?;
+    let landings = Landings::of(summary, places);
+    let page = report::sweep::page(summary, landings.as_ref());
+    let mut names = String::new();
+    let title = page.title.clone();
+    for file in page.files() {
+        output::write(&out.join(&file.path), &file.contents)?;
+        if !file.path.contains('/') {
+            names += &format!(", {}", file.path);
+        }
     }
-    let number = |value: &Value| {
-        let value = value.as_f64();
-        value.map_or("–".to_owned(), |value| format!("{value:.5}"))
-    };
-    let mut rows = Table::of(summary["columns"].as_object().into_iter().flatten())
-        .name("", |(name, _)| *name)
-        .number("mean", |(_, column)| number(&column["mean"]))
-        .number("sd", |(_, column)| number(&column["sd"]));
-    for (head, key) in [("5 %", "0.05"), ("median", "0.5"), ("95 %", "0.95")] {
-        rows = rows.number(head, |(_, column)| number(&column["quantiles"][key]));
+    if let Some(origin) = origin {
+        let landings = landings.context("--kml: no flight has landed, expected one at least")?;
+        let map = report::kml::landings(&title, origin, &landings);
+        output::write(&out.join("landings.kml"), map)?;
+        names += ", landings.kml";
     }
-    format!("{text}\n{}", rows.table().text(usize::MAX))
+    Ok(names)
 }

@@ -6,20 +6,28 @@ use anyhow::{Context, bail};
 use flight::release::Release;
 use flight::wind::read_wind_file;
 use model_spec::model::Model;
+use report::Units;
 
 use super::vector;
 
 /// Sets the wind of a release by the option `--wind`; returns the model with which to fly the release.
-pub fn apply(text: &str, model: Model, release: &mut Release) -> anyhow::Result<Model> {
+/// Components on the command line are in `units`.
+pub fn apply(
+    text: &str,
+    units: Units,
+    model: Model,
+    release: &mut Release,
+) -> anyhow::Result<Model> {
+    let (unit, size) = units.instead_of("m/s");
     if release.wind_field.is_some() {
         bail!("--wind: the release states a wind by height or gusts, expected one wind alone");
     }
     if text.split(',').count() == 3 && !Path::new(text).is_file() {
-        release.wind = vector("--wind", text, "m/s")?;
+        release.wind = vector("--wind", text, unit)?.map(|own| own * size);
         return with_input(model, release.wind);
     }
     if !Path::new(text).is_file() {
-        bail!("--wind: found {text:?}, expected X,Y,Z in m/s or a TOML file with [wind]");
+        bail!("--wind: found {text:?}, expected X,Y,Z in {unit} or a TOML file with [wind]");
     }
     let (constant, field) = read_wind_file(Path::new(text)).context("--wind")?;
     release.wind = constant;

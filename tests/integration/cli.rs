@@ -390,6 +390,24 @@ fn the_page_of_the_effects_is_what_the_command_writes() {
 }
 
 #[test]
+fn a_terminal_gets_no_markup() {
+    let effects = stdout(hyzer().args(["effects", "disc", "--format", "text"]), 0);
+    let explained = ["explain", "disc", "alpha", "--wrt", "w", "--format", "text"];
+    let explained = stdout(hyzer().args(explained), 0);
+    assert!(effects.contains("\n  stall "), "{effects}");
+    assert!(explained.contains("∂α/∂w = "), "{explained}");
+    for text in [&effects, &explained] {
+        assert!(!text.contains(['\\', '`', '|']), "{text}");
+    }
+    let widest = effects.lines().map(|line| line.chars().count()).max();
+    assert!(widest.is_some_and(|widest| widest <= 100), "{effects}");
+    let latex = stdout(hyzer().args(["explain", "disc", "alpha"]), 0);
+    let stated = ["explain", "disc", "alpha", "--format", "latex"];
+    assert_eq!(latex, stdout(hyzer().args(stated), 0));
+    assert!(latex.contains(r"\alpha = "), "{latex}");
+}
+
+#[test]
 fn the_examples_of_the_effects_run() {
     examples::the_examples_run("effects", 2, "docs/reference/effects.md");
 }

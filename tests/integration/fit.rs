@@ -73,6 +73,24 @@ fn the_readme_s_command_writes_a_page_that_needs_no_network() {
 }
 
 #[test]
+fn tables_are_parquet_too() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("out");
+    let mut command = hyzer();
+    command.args(["fit", "examples/ball", "--tables", "parquet", "--out"]);
+    let (status, _, errors) = told(command.arg(&out));
+    assert_eq!(status, 0, "{errors}");
+    for name in ["coefficients", "flights", "residuals"] {
+        let bytes = std::fs::read(out.join(format!("{name}.parquet"))).expect(name);
+        assert!(
+            bytes.starts_with(b"PAR1") && bytes.ends_with(b"PAR1"),
+            "{name}"
+        );
+        assert!(out.join(format!("{name}.csv")).is_file(), "{name}");
+    }
+}
+
+#[test]
 fn the_examples_of_the_help_run() {
     the_examples_run("fit", 3, "fitted");
 }

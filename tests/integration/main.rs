@@ -12,6 +12,7 @@ mod generate;
 mod help;
 mod import;
 mod inputs;
+mod landings;
 mod recovery;
 mod reliability;
 mod results;

@@ -8,6 +8,47 @@ use crate::support::{hyzer, told};
 const TECHDISC: &str = "examples/throws/techdisc.csv";
 
 #[test]
+fn a_coach_throws_in_miles_per_hour_and_reads_feet() {
+    let (text, imperial) = flown(&[
+        "disc",
+        "--speed",
+        "45",
+        "--height",
+        "5",
+        "--spin",
+        "700",
+        "--wind=10,0,0",
+        "--units",
+        "imperial",
+    ]);
+    let [speed, height, wind] =
+        [45.0 * 0.44704, 5.0 * 0.3048, 10.0 * 0.44704].map(|v| v.to_string());
+    let wind = format!("--wind={wind},0,0");
+    let (metric, si) = flown(&[
+        "disc", "--speed", &speed, "--height", &height, "--spin", "700", &wind,
+    ]);
+    // Files are in SI, whatever is printed.
+    assert_eq!(imperial, si);
+    let feet = si["range_m"].as_f64().expect("a number") / 0.3048;
+    assert!(text.contains(&format!("range {feet:.2} ft")), "{text}");
+    assert!(
+        text.contains("speed, mph") && !text.contains("m/s"),
+        "{text}"
+    );
+    assert!(
+        metric.contains("speed, m/s") && !metric.contains("mph"),
+        "{metric}"
+    );
+    let mut wrong = hyzer();
+    let (status, _, errors) =
+        told(wrong.args(["simulate", "disc", "--speed", "fast", "--units", "imperial"]));
+    assert!(
+        status == 2 && errors.contains("a number in mph"),
+        "{errors}"
+    );
+}
+
+#[test]
 fn the_examples_of_its_help_run() {
     the_examples_run("simulate", 6, "flight");
 }

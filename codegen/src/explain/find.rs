@@ -3,7 +3,7 @@
 use crate::compile::{Compiler, Selection};
 use crate::graph::{NodeId, Symbol};
 use crate::latex;
-use crate::layout::{Layout, is_of_observation};
+use crate::layout::{Layout, is_unlisted};
 use model_spec::diagnostic::Span;
 use model_spec::location::line_of;
 use model_spec::model::{AuxVariable, Load, Model};
@@ -53,7 +53,7 @@ pub(super) fn quantity(model: &Model, wanted: &str) -> Result<FoundQuantity, Exp
     let lowered = &compiler.lowered;
     let of_let = |name: &str| {
         let mut start = 0;
-        let of_marker = is_of_observation(&changed);
+        let of_marker = is_unlisted(&changed);
         let values = changed.aux_variables.iter().zip(&lowered.lets);
         for ((quantity, nodes), of_marker) in values.zip(of_marker) {
             if quantity.name == name && of_marker {

@@ -48,7 +48,7 @@ fn derivatives_agree_with_differences(model: &Model) {
     let lets = model
         .aux_variables
         .iter()
-        .zip(crate::layout::is_of_observation(model));
+        .zip(crate::layout::is_unlisted(model));
     let lets = lets.filter(|(_, of_marker)| !of_marker);
     let mut quantities: Vec<String> = lets.map(|(l, _)| l.name.clone()).collect();
     quantities.extend(model.states.iter().map(|s| format!("der({})", s.name)));

@@ -103,7 +103,7 @@ pub fn lower(model: &Model) -> Lowered {
     let mut quantities = Vec::new();
     let names = lowering.layout.quantities.clone();
     let mut next = names.iter();
-    let of_marker = crate::layout::is_of_observation(model);
+    let of_marker = crate::layout::is_unlisted(model);
     let values = model.aux_variables.iter().zip(lowering.lets.clone());
     // The compiled function `quantities` has no marker argument.
     for ((quantity, value), _) in values.zip(of_marker).filter(|(_, of_marker)| !of_marker) {

@@ -4,6 +4,7 @@ mod at;
 mod backends;
 mod code;
 mod derivatives;
+mod expansion;
 mod functions;
 mod ir;
 mod simplify;

@@ -4,6 +4,11 @@
 #![forbid(unsafe_code)]
 
 pub mod design;
+#[cfg(feature = "sweep")]
+mod parquet_table;
 pub mod stability;
 #[cfg(feature = "sweep")]
 pub mod sweep;
+
+#[cfg(feature = "sweep")]
+pub use parquet_table::{Cells, parquet_table};

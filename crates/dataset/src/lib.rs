@@ -206,7 +206,7 @@ fn assemble<'t>(
         let table = if !is_c3d {
             table::parse(
                 &path,
-                file::text(&path, &bytes)?,
+                &file::table_text(&path, &bytes)?,
                 (&names, sensors),
                 recording,
             )?

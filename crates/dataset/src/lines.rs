@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::input_error::InputError;
-use crate::takes::{Location, Sheet, separator};
+use crate::takes::{Fault, Location, Sheet, separator};
 
 /// Reader of the rows of a flight's table.
 pub(super) struct Lines<'a> {
@@ -20,10 +20,20 @@ impl<'a> Lines<'a> {
     /// Advances to the next row that is neither blank nor a comment; returns `false` at the end of the text.
     pub fn next(&mut self) -> Result<bool, InputError> {
         let read = self.sheet.advance_line();
-        read.map_err(|fault| match fault.location {
+        read.map_err(|fault| self.located(fault))
+    }
+
+    /// Value of a cell of the current row; `None` if it is missing.
+    pub fn number(&self, index: usize) -> Result<Option<f64>, InputError> {
+        let read = self.sheet.number(index);
+        read.map_err(|fault| self.located(fault))
+    }
+
+    fn located(&self, fault: Fault) -> InputError {
+        match fault.location {
             Location::Cell(_, cell) => self.fault(cell - 1, fault.found, fault.expected),
             _ => InputError::of_file(self.file, fault.found, fault.expected),
-        })
+        }
     }
 
     /// Error located at the cell with the index `index` (from 0) of the current row.

@@ -42,7 +42,8 @@ impl CellLocations<'_> {
                 // A doubled quote inside quotes.
                 quoted = true;
             } else if !quoted && c == self.separator {
-                left -= 1;
+                // Spaces in a row are one separator.
+                left -= usize::from(c != ' ' || !at_start);
                 at_start = true;
             } else if !quoted && (c == '\n' || c == '\r') {
                 break;
@@ -81,6 +82,16 @@ mod tests {
     fn cell(text: &str, from: usize, index: usize) -> (usize, usize) {
         let separator = ',';
         CellLocations { text, separator }.cell(from, index)
+    }
+
+    #[test]
+    fn spaces_in_a_row_are_one_separator() {
+        let separator = ' ';
+        let text = "  t   x y\n 0 1";
+        let locations = CellLocations { text, separator };
+        assert_eq!(locations.cell(0, 0), (1, 3));
+        assert_eq!(locations.cell(0, 1), (1, 7));
+        assert_eq!(locations.cell(10, 1), (2, 4));
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Reader of a flight's table: columns `t,m1_x,m1_y,m1_z,…` separated by commas, semicolons or tabs.
+//! Reader of a flight's table: columns `t,m1_x,m1_y,m1_z,…` separated by commas, semicolons, tabs or spaces.
 
 use std::path::Path;
 
@@ -9,9 +9,7 @@ use super::lines::Lines;
 use super::recording::Recording;
 use super::samples;
 use super::sensor::{Reading, Sensor};
-use super::words::shown;
 use crate::input_error::InputError;
-use crate::takes::number::number;
 
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Table {
@@ -58,19 +56,16 @@ fn row(
 ) -> Result<(), InputError> {
     let width = lines.sheet.width();
     if width != header.width {
-        let hint = if width > header.width && lines.sheet.separator() == ',' {
-            " (decimal points, not commas?)"
-        } else {
-            ""
+        let hint = match lines.sheet.separator() {
+            ',' if width > header.width => " (decimal points, not commas?)",
+            ' ' if width < header.width => " (NA for a missing value)",
+            _ => "",
         };
         let expected = format!("{} as in the header{hint}", header.width);
         return Err(lines.fault(width.min(header.width), format!("{width} cells"), expected));
     }
     let fault = |index, (found, expected): samples::Unexpected| lines.fault(index, found, expected);
-    let read = |index: usize| {
-        let cell = lines.sheet.cell(index);
-        number(cell).map_err(|expected| lines.fault(index, shown(cell), expected))
-    };
+    let read = |index: usize| lines.number(index);
     let Some(time) = read(header.time)? else {
         return Err(lines.fault(header.time, "no time", "the time of the sample, s"));
     };

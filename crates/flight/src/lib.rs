@@ -29,6 +29,7 @@
 #![forbid(unsafe_code)]
 
 mod bound_model;
+pub mod cancellation;
 mod compiled_model;
 pub mod files;
 mod functions;

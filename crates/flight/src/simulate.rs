@@ -1,5 +1,6 @@
 //! Simulation of a release: integration from the initial state to the end of the flight.
 
+use crate::cancellation::stop_if_cancelled;
 use crate::compiled_model::CompiledModel;
 use crate::release::{Release, Stop};
 use ode::{Event, IntegrationError, IntegrationOptions, Trajectory};
@@ -28,6 +29,7 @@ pub fn simulate(
     release: &Release,
     options: &IntegrationOptions,
 ) -> Result<Trajectory, IntegrationError> {
+    stop_if_cancelled();
     let bound = model.bind(model.release_parameters(release));
     let mut events = bound.limits();
     if let Some(z) = model.layout().state("z") {

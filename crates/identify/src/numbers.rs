@@ -120,7 +120,7 @@ pub fn percent(share: f64) -> String {
 
 /// Typesets a unit, such as `m²` for `m^2`; empty for dimensionless quantities.
 pub fn unit(text: &str) -> String {
-    if matches!(text, "1" | "[1]") {
+    if text == "1" {
         return String::new();
     }
     let text = text.replace("^2", "²").replace("^3", "³");

@@ -5,8 +5,9 @@ use flight::throw::FIELDS;
 use nalgebra::{Rotation2, Vector2, Vector3};
 
 use crate::figures::{Layout, Look, Mark, Panel};
+use crate::text::fitted;
 use crate::thin::{MAX_DOTS, stride};
-use crate::{Figure, Html, Page, Table, hundredths};
+use crate::{Figure, Html, Page, Table, Units, hundredths};
 
 /// Number of line segments of a path; an ellipse has half as many.
 const POINTS: usize = 200;
@@ -19,27 +20,28 @@ pub fn page(
     spread: &Spread,
     path: &Path<'_>,
 ) -> Page {
-    let mut body = Html::new();
-    for text in lead(found) {
-        body.paragraph(text);
+    let units = Units::Si;
+    let mut lead = Html::new();
+    for text in lead_words(found, units) {
+        lead.paragraph(text);
     }
-    body.alarms("Mind", nearest(found));
+    lead.alarms("Mind", nearest(found, units));
+    for text in spread_words(spread, bounds, units) {
+        lead.paragraph(text);
+    }
+    let mut picture = Html::new();
+    picture.leading_figure(Some(figure_of_path(found, bounds, path, spread)));
+    let mut landings = Html::new();
+    landings.figure(figure_of_landings(found, bounds, spread), true);
+    let mut body = Html::new();
+    body.opening(lead, picture, landings);
     let mut section = Html::new();
     section.paragraph(
         "What a unit of each number does to the place and the time of the landing and to the goal's figure: exact derivatives, by \
          the sensitivities of the flight. Where one unit less and one unit more land was flown.",
     );
-    section.table(&throw(found, bounds));
+    section.table(&throw(found, bounds, units));
     body.section("throw", "Throw", section);
-    let mut section = Html::new();
-    section.figure(figure_of_path(found, bounds, path, spread), true);
-    body.section("", "Path", section);
-    let mut section = Html::new();
-    for text in spread_words(spread, bounds) {
-        section.paragraph(text);
-    }
-    section.figure(figure_of_landings(found, bounds, spread), true);
-    body.section("spread", "Spread of the landings", section);
     body.note(concat!("hyzer ", env!("CARGO_PKG_VERSION")));
     Page {
         kind: "hyzer design",
@@ -49,59 +51,77 @@ pub fn page(
     }
 }
 
-/// Text of a throw design.
-pub fn text(found: &Design, bounds: &Bounds, spread: &Spread) -> String {
-    let sentences = nearest(found).into_iter().chain(lead(found));
-    let lines: String = sentences.map(|sentence| sentence + "\n").collect();
-    let table = throw(found, bounds).text(usize::MAX);
-    lines + &table + &spread_words(spread, bounds).join("\n") + "\n"
+/// Text of a throw design, in `units`.
+pub fn text(found: &Design, bounds: &Bounds, spread: &Spread, units: Units) -> String {
+    let sentences = nearest(found, units).into_iter();
+    let sentences = sentences.chain(lead_words(found, units));
+    let lines: String = sentences.map(|sentence| fitted(&sentence)).collect();
+    let table = throw(found, bounds, units).text(usize::MAX);
+    let spread = spread_words(spread, bounds, units).into_iter();
+    lines + &table + &spread.map(|sentence| fitted(&sentence)).collect::<String>()
 }
 
 /// Sentence on a throw that does not serve its purpose; `None` if it does.
-fn nearest(found: &Design) -> Option<String> {
+fn nearest(found: &Design, units: Units) -> Option<String> {
     (!found.feasible).then(|| {
         format!(
             "{}: not possible within these bounds, as far as {} throws and the descents from the best of them can tell; what comes \
-             nearest misses by {:.3} m.",
+             nearest misses by {:.3} {}.",
             found.goal_name(),
             found.flown,
-            found.miss
+            units.of_metres(found.miss),
+            units.length()
         )
     })
 }
 
-fn lead(found: &Design) -> Vec<String> {
+fn lead_words(found: &Design, units: Units) -> Vec<String> {
     let (figure, unit) = found.figure_name();
+    let (unit, size) = units.instead_of(unit);
+    let (m, length) = (units.length(), |value| units.of_metres(value));
     let mut words = vec![format!(
-        "{}: {figure} {:.4} {unit} without scatter. The throw lands at x {:.2} m, y {:.2} m after {:.2} s.",
+        "{}: {figure} {:.4} {unit} without scatter. The throw lands at x {:.2} {m}, y {:.2} {m} after {:.2} s.",
         found.goal_name(),
-        found.figure,
-        hundredths(found.landing.x),
-        hundredths(found.landing.y),
+        found.figure / size,
+        hundredths(length(found.landing.x)),
+        hundredths(length(found.landing.y)),
         found.time
     )];
     if let (Some(side), Some(clearance)) = (found.side, found.clearance) {
         words.push(format!(
-            "Without scatter it passes {} of the obstacle, {clearance:.3} m clear of it.",
-            side.name()
+            "Without scatter it passes {} of the obstacle, {:.3} {m} clear of it.",
+            side.name(),
+            length(clearance)
         ));
     }
     if let Some(speed) = found.vertical_speed {
-        words.push(format!("It rises at {speed:.3} m/s at the target."));
+        words.push(format!(
+            "It rises at {:.3} {} at the target.",
+            units.of(speed, "m/s"),
+            units.speed()
+        ));
     }
     words
 }
 
-/// Table of the quantities of the throw, their bounds, and what a unit of each does.
-fn throw(found: &Design, bounds: &Bounds) -> Table {
+/// Table of the quantities of the throw, their bounds, and what a unit of each does. What one SI unit less and more does was
+/// flown, and is left out in other units.
+fn throw(found: &Design, bounds: &Bounds, units: Units) -> Table {
+    let size = |s: &Sensitivity| units.instead_of(FIELDS[s.field].1).1;
     let value = |s: &Sensitivity| {
         let value = found.throw.field(FIELDS[s.field].0);
-        format!("{:.3}", value.unwrap_or(f64::NAN))
+        format!("{:.3}", value.unwrap_or(f64::NAN) / size(s))
     };
     let range = |s: &Sensitivity| {
         let range = bounds.ranges.iter().find(|range| range.0 == s.field);
         match range {
-            Some((_, least, greatest)) if least < greatest => format!("{least} .. {greatest}"),
+            Some((_, least, greatest)) if least < greatest => {
+                let [least, greatest] = [least, greatest].map(|end| match size(s) {
+                    1.0 => end.to_string(),
+                    size => format!("{:.2}", end / size),
+                });
+                format!("{least} .. {greatest}")
+            }
             Some(_) => "held".to_owned(),
             None => String::new(),
         }
@@ -111,18 +131,30 @@ fn throw(found: &Design, bounds: &Bounds) -> Table {
         None => "no flight".to_owned(),
     };
     let slope = |value: f64| format!("{value:+.4}");
+    let (m, metres) = (units.length(), units.instead_of("m").1);
+    let goal = units.instead_of(found.figure_name().1).1;
+    let is_si = units == Units::Si;
     Table::of(&found.sensitivity)
         .name("number", |s| {
-            format!("{}, {}", FIELDS[s.field].0, FIELDS[s.field].1)
+            let (name, unit, ..) = FIELDS[s.field];
+            format!("{name}, {}", units.instead_of(unit).0)
         })
         .number("value", |s| value(s))
         .number("bounds", |s| range(s))
-        .number("x, m/unit", |s| slope(s.landing.x))
-        .number("y, m/unit", |s| slope(s.landing.y))
-        .number("time, s/unit", |s| slope(s.time))
-        .number("goal/unit", |s| s.figure.map(slope))
-        .number("one less, m", |s| one_unit(s, 0))
-        .number("one more, m", |s| one_unit(s, 1))
+        .number(&format!("x, {m}/unit"), |s| {
+            slope(s.landing.x * size(s) / metres)
+        })
+        .number(&format!("y, {m}/unit"), |s| {
+            slope(s.landing.y * size(s) / metres)
+        })
+        .number("time, s/unit", |s| slope(s.time * size(s)))
+        .number("goal/unit", |s| {
+            s.figure.map(|own| slope(own * size(s) / goal))
+        })
+        .when(is_si, |rows| {
+            rows.number("one less, m", |s| one_unit(s, 0))
+                .number("one more, m", |s| one_unit(s, 1))
+        })
         .table()
 }
 
@@ -171,7 +203,8 @@ fn figure_of_path(found: &Design, bounds: &Bounds, path: &Path<'_>, spread: &Spr
         100.0 * QUANTILES[0],
         100.0 * QUANTILES[2]
     );
-    Figure::of_panels("path", "Path", caption, Layout::COLUMN, &[above, side])
+    let title = "From above and from the side";
+    Figure::of_panels("path", title, caption, Layout::COLUMN, &[above, side])
 }
 
 fn figure_of_landings(found: &Design, bounds: &Bounds, spread: &Spread) -> Figure {
@@ -193,13 +226,16 @@ fn figure_of_landings(found: &Design, bounds: &Bounds, spread: &Spread) -> Figur
     let panel = panel.line("circle", points(circle(aim, bounds.circle)));
     let caption = "Ellipses that half of the landings are inside of, were they normal: blue by the exact derivatives, red dashed of \
                    the sampled flights; grey: sampled landings; green: the landing circle.";
-    Figure::of_panels("landings", "Landings", caption, Layout::COLUMN, &[panel])
+    let title = "Scatter of the landings";
+    Figure::of_panels("landings", title, caption, Layout::COLUMN, &[panel])
 }
 
-fn spread_words(spread: &Spread, bounds: &Bounds) -> Vec<String> {
+fn spread_words(spread: &Spread, bounds: &Bounds, units: Units) -> Vec<String> {
+    let m = units.length();
     let of = |landings: &Landings| {
         let (long, short, _) = landings.ellipse(0.5);
-        format!("half axes {long:.2} m and {short:.2} m")
+        let [long, short] = [long, short].map(|axis| units.of_metres(axis));
+        format!("half axes {long:.2} {m} and {short:.2} {m}")
     };
     let mut words = vec![format!(
         "Half of the landings are in an ellipse of {} to first order.",
@@ -208,19 +244,22 @@ fn spread_words(spread: &Spread, bounds: &Bounds) -> Vec<String> {
     let (Some(sampled), Some(inside)) = (&spread.sampled, spread.inside) else {
         return words;
     };
+    let circle = match units {
+        Units::Si => bounds.circle.to_string(),
+        Units::Imperial => format!("{:.1}", units.of_metres(bounds.circle)),
+    };
     words.push(format!(
-        "Of {} flights ({} more had none): {}; {:.1} % land within {} m of the aim.",
+        "Of {} flights ({} more had none): {}; {:.1} % land within {circle} {m} of the aim.",
         sampled.points.len(),
         sampled.failed,
         of(&sampled.landings),
-        100.0 * inside,
-        bounds.circle
+        100.0 * inside
     ));
     let drawn = sampled.points.len() + sampled.failed;
-    let (circle, percent) = (bounds.circle, |share: f64| 100.0 * share);
+    let percent = |share: f64| 100.0 * share;
     words.extend(spread.near_target.map(|share| {
         let near = percent(share);
-        format!("Of {drawn} scattered throws {near:.1} % pass within {circle} m of the target.")
+        format!("Of {drawn} scattered throws {near:.1} % pass within {circle} {m} of the target.")
     }));
     words.extend(spread.touching.map(|share| {
         format!(

@@ -7,6 +7,9 @@ use model_spec::load::{LoadError, MODELS, load};
 use model_spec::model::{AppliedEffect, EffectUnknown, Model};
 use model_spec::{SITES, with_unit};
 
+use crate::Table;
+use crate::text::wrapped;
+
 /// An effect, with the models for which a diagnosis tests it.
 #[derive(Clone, Debug)]
 pub struct Listed {
@@ -153,6 +156,44 @@ pub fn page(effects: &[Listed], model: Option<&str>, not_offered: &[(String, Str
         }
     }
     page
+}
+
+/// The effects as text for a terminal, with those that are not offered at the end.
+pub fn text(effects: &[Listed], model: Option<&str>, not_offered: &[(String, String)]) -> String {
+    let mut text = match model {
+        None => "Built-in effects, by where they act".to_owned(),
+        Some(model) => format!("Effects that a diagnosis of {model} considers, by where they act"),
+    };
+    text = wrapped(&format!("{text}; --with NAME switches one on."));
+    for site in SITES {
+        let here = effects.iter().filter(|e| e.effect.site == site);
+        let rows = here.flat_map(|own| own.parts.iter().enumerate().map(move |part| (own, part)));
+        let of_first = |(_, (i, _)): &(&Listed, (usize, &[String; 3])), text: String| match i {
+            0 => text,
+            _ => String::new(),
+        };
+        let part = |row: &(&Listed, (usize, &[String; 3])), at: usize| row.1.1[at].replace('`', "");
+        let table = Table::of(rows)
+            .name("effect", |row| of_first(row, row.0.effect.name.clone()))
+            .text("what it says", |row| {
+                of_first(row, sentence(&row.0.effect.doc))
+            })
+            .text("coefficient", |row| part(row, 0))
+            .number("vanishes at", |row| part(row, 1))
+            .number("negligible below", |row| part(row, 2))
+            .table();
+        if !table.is_empty() {
+            text += &format!("\n{site}\n{}", table.text(usize::MAX));
+        }
+    }
+    if !not_offered.is_empty() {
+        let table = Table::of(not_offered)
+            .name("effect", |(name, _)| name)
+            .text("why", |(_, why)| why.replace('`', ""))
+            .table();
+        text += &format!("\nnot considered\n{}", table.text(usize::MAX));
+    }
+    text
 }
 
 const INTRODUCTION: &str = "\

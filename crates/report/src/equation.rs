@@ -1,4 +1,4 @@
-//! Equations of a model as MathML, which browsers render without a script.
+//! Equations as MathML, which browsers render without a script, and as plain text.
 
 use codegen::latex;
 use model_spec::model::Model;
@@ -7,12 +7,44 @@ use pulldown_latex::{Parser, RenderConfig, Storage, push_mathml};
 
 use identify::numbers::significant;
 
-/// Converts LaTeX to MathML; `None` if the LaTeX contains unsupported syntax.
+use crate::{Html, plain_formula};
+
+/// Converts LaTeX to MathML on a line of its own; `None` if the LaTeX contains unsupported syntax.
 pub(crate) fn mathml(latex: &str) -> Option<String> {
+    converted(latex, DisplayMode::Block)
+}
+
+/// A sentence whose formulas are LaTeX between dollar signs, with plain formulas.
+pub(crate) fn plain_sentence(text: &str) -> String {
+    let parts = text.split('$').enumerate();
+    let parts = parts.map(|(i, part)| match i % 2 {
+        0 => part.to_owned(),
+        _ => plain_formula(part),
+    });
+    parts.collect()
+}
+
+/// A sentence whose formulas are LaTeX between dollar signs, with MathML.
+pub(crate) fn sentence(text: &str) -> Html {
+    let mut html = Html::new();
+    for (i, part) in text.split('$').enumerate() {
+        let formula = match i % 2 {
+            0 => None,
+            _ => converted(part, DisplayMode::Inline),
+        };
+        match formula {
+            Some(formula) => html.push(Html::trusted(formula)),
+            None => html.push(part),
+        }
+    }
+    html
+}
+
+fn converted(latex: &str, display_mode: DisplayMode) -> Option<String> {
     let storage = Storage::new();
     let mut text = String::new();
     let config = RenderConfig {
-        display_mode: DisplayMode::Block,
+        display_mode,
         ..RenderConfig::default()
     };
     push_mathml(&mut text, Parser::new(latex, &storage), config).ok()?;
@@ -68,6 +100,17 @@ mod tests {
         assert_eq!(equations.len(), 1);
         assert!(equations[0].starts_with("<math") && equations[0].contains("<mi>max</mi>"));
         assert!(of_effect(&model, "wind").is_empty());
+    }
+
+    #[test]
+    fn a_sentence_has_its_formulas_in_both_notations() {
+        let text = r"the spin, $\nu^2 + 2a\delta > \kappa$: holds & <more>";
+        assert_eq!(
+            plain_sentence(text),
+            "the spin, ν² + 2aδ > κ: holds & <more>"
+        );
+        let html = sentence(text);
+        assert!(html.as_str().contains("<math") && html.as_str().contains("&amp; &lt;more&gt;"));
     }
 
     #[test]

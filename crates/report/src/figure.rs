@@ -19,6 +19,8 @@ pub struct Figure {
     pub caption: String,
     /// SVG text.
     pub svg: String,
+    /// Whether the first SVG is as wide as a page.
+    pub is_full: bool,
     /// SVG text for narrow screens; `None` if the first fits them.
     pub narrow: Option<String>,
     /// CSV table of the data shown; empty if the page does not offer it.
@@ -39,6 +41,7 @@ impl Figure {
             name: name.into(),
             title: title.to_owned(),
             svg: drawn(wide),
+            is_full: wide.width > Layout::COLUMN.width,
             narrow: (wide != Layout::SMALL).then(|| drawn(Layout::SMALL)),
             caption,
             csv,

@@ -13,23 +13,31 @@ mod figure;
 mod figure_file;
 pub mod figures;
 pub mod fit;
+mod formula;
 mod html;
 pub mod import;
+pub mod kml;
 pub mod literature;
 mod page;
 pub mod stability;
+pub mod sweep;
 mod table;
 mod text;
+mod text_table;
 mod thin;
+mod units;
 pub mod viewer;
 
 pub use bands::{PredictionBand, prediction_band};
 pub use figure::Figure;
 pub use figure_file::{FigureError, FigureKind};
 pub use figures::csv::CsvTable;
+pub use formula::plain as plain_formula;
 pub use html::Html;
 pub use page::Page;
 pub use table::{Cell, Rows, Table};
+pub use text::{set_width, wrapped};
+pub use units::Units;
 
 /// Rounds a value to hundredths for a sentence or a table; a negative zero becomes 0.
 pub fn hundredths(value: f64) -> f64 {

@@ -37,7 +37,11 @@ impl Html {
         let mut svg = without_style(&figure.svg);
         if let Some(narrow) = &figure.narrow {
             let narrow = without_style(narrow);
-            svg = format!("<div class=\"wide\">{svg}</div><div class=\"narrow\">{narrow}</div>");
+            let class = match figure.is_full {
+                true => "wide full",
+                false => "wide",
+            };
+            svg = format!("<div class=\"{class}\">{svg}</div><div class=\"narrow\">{narrow}</div>");
         }
         let index = format!("tabindex=\"{tab_index}\"");
         let mut caption = Html::new();
@@ -54,6 +58,15 @@ impl Html {
         }
         self.element_with_id("figure", &figure.name, "", content);
         self.figures.push(figure);
+    }
+
+    /// Appends what a page begins with: the words, beside them a figure, and below them what is `gain`.
+    pub(crate) fn opening(&mut self, lead: Html, picture: Html, gain: Html) {
+        let mut opening = Html::from("\n");
+        opening.element("div", "words lead", lead);
+        opening.element("div", "picture", picture);
+        opening.element("div", "gain", gain);
+        self.element("div", "opening", opening);
     }
 
     /// Appends figures one below the other.

@@ -2,6 +2,8 @@
 
 use crate::figures::svg::escape;
 use crate::html::Html;
+use crate::text::width;
+use crate::text_table::{TextColumn, written};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Column {
@@ -156,39 +158,19 @@ impl Table {
         self.rows.len()
     }
 
-    /// The first `most` rows as text with aligned columns; columns without content are left out.
+    /// The first `most` rows as text with aligned columns, which fits the terminal; columns without content are left out.
     pub fn text(&self, most: usize) -> String {
-        let rows = self.rows.iter().take(most);
-        let rows: Vec<Vec<String>> = rows
-            .map(|row| row.iter().map(|cell| cell.content.text()).collect())
-            .collect();
-        let length = |text: &String| text.chars().count();
         let columns = self.columns.iter().enumerate();
-        let widths = columns.map(|(i, (head, kind))| {
-            let widest = rows.iter().map(|row| length(&row[i])).max().unwrap_or(0);
-            match widest {
-                0 => 0,
-                _ if *kind == Column::Detail => 0,
-                widest => widest.max(length(head)),
-            }
+        let columns = columns.filter(|(_, (_, kind))| *kind != Column::Detail);
+        let columns = columns.filter_map(|(i, (head, kind))| {
+            let rows = self.rows.iter().take(most);
+            let cells = rows.map(|row| row[i].content.text()).collect();
+            let mut column = TextColumn::new(head, cells)?;
+            column.is_number = *kind == Column::Number;
+            column.breaks = *kind == Column::Text;
+            Some(column)
         });
-        let widths: Vec<usize> = widths.collect();
-        let line = |cells: &mut dyn Iterator<Item = &String>| {
-            let mut line = String::new();
-            for ((cell, width), (_, kind)) in cells.zip(&widths).zip(&self.columns) {
-                let width = *width;
-                match kind {
-                    _ if width == 0 => {}
-                    Column::Number => line += &format!("  {cell:>width$}"),
-                    _ => line += &format!("  {cell:width$}"),
-                }
-            }
-            line.trim_end().to_owned() + "\n"
-        };
-        let mut text = line(&mut self.columns.iter().map(|(head, _)| head));
-        for row in &rows {
-            text += &line(&mut row.iter());
-        }
+        let mut text = written(columns.collect(), width());
         if self.rows.len() > most {
             text += &format!("  … and {} more\n", self.rows.len() - most);
         }

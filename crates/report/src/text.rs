@@ -1,11 +1,30 @@
 //! Text of results for a terminal.
 
+use std::sync::OnceLock;
+
 use identify::DataFault;
 
 use crate::page::data_faults;
 
 pub(crate) const MAX_ROWS: usize = 20;
 const WIDTH: usize = 100;
+
+/// Least width that text is fitted to; a terminal may state less.
+const MIN_WIDTH: usize = 30;
+
+/// Width of the terminal, characters.
+static TERMINAL: OnceLock<usize> = OnceLock::new();
+
+/// States the width of the terminal that texts and tables are to fit, once for a process. Without it sentences are broken at
+/// 100 characters, and tables are as wide as they are.
+pub fn set_width(characters: usize) {
+    TERMINAL.get_or_init(|| characters.max(MIN_WIDTH));
+}
+
+/// Width of the terminal, if it was stated.
+pub(crate) fn width() -> Option<usize> {
+    TERMINAL.get().copied()
+}
 
 /// Reasons not to rely on a result, `what`, and faults of the data with their corrections.
 pub(crate) fn cautions(what: &str, reasons: &[String], faults: &[DataFault]) -> String {
@@ -24,20 +43,38 @@ pub(crate) fn cautions(what: &str, reasons: &[String], faults: &[DataFault]) -> 
     text
 }
 
-/// Breaks a paragraph into lines; it ends with a line break.
-pub(crate) fn wrapped(text: &str) -> String {
-    let (mut lines, mut width) = (String::new(), 0);
-    for word in text.split_ascii_whitespace() {
-        let length = word.chars().count();
-        if width + length >= WIDTH {
-            lines.push('\n');
-            width = 0;
-        } else if width > 0 {
-            lines.push(' ');
-            width += 1;
-        }
-        lines += word;
-        width += length;
+/// A sentence in lines that fit the terminal, or elsewhere on one line; it ends with a line break.
+pub(crate) fn fitted(text: &str) -> String {
+    match width() {
+        Some(_) => wrapped(text),
+        None => format!("{text}\n"),
     }
-    lines + "\n"
+}
+
+/// Breaks a paragraph into lines that fit the terminal; it ends with a line break.
+pub fn wrapped(text: &str) -> String {
+    let width = width().map_or(WIDTH, |width| width.min(WIDTH));
+    lines(text, width).join("\n") + "\n"
+}
+
+/// Words of a paragraph as lines of less than `width` characters, unless a word is longer.
+pub(crate) fn lines(text: &str, width: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    let mut length = 0;
+    for word in text.split_ascii_whitespace() {
+        let letters = word.chars().count();
+        if length > 0 && length + letters >= width {
+            lines.push(String::new());
+            length = 0;
+        }
+        if let Some(line) = lines.last_mut() {
+            if length > 0 {
+                line.push(' ');
+                length += 1;
+            }
+            *line += word;
+            length += letters;
+        }
+    }
+    lines
 }

@@ -43,6 +43,7 @@ use random::Random;
 pub use report::Report;
 use report::Row;
 use rounding::{Effort, Rounding};
+pub use row::set_table_width;
 use same_motion::SameMotion;
 use subject::Subject;
 

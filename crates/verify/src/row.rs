@@ -1,5 +1,7 @@
 //! Rows of a report: the result of each check.
 
+use std::sync::OnceLock;
+
 use comfy_table::{ContentArrangement, Table};
 use nalgebra::Vector3;
 use oracle::PhysicalRate;
@@ -156,13 +158,21 @@ impl Worst {
     }
 }
 
+/// Width of the tables, characters.
+static WIDTH: OnceLock<u16> = OnceLock::new();
+
+/// States the width of the terminal that tables are to fit, once for a process; 150 characters without it.
+pub fn set_table_width(characters: u16) {
+    WIDTH.get_or_init(|| characters);
+}
+
 /// Creates a text table with the given header, without colours; long cells are wrapped.
 pub(crate) fn plain_table(header: &[&str]) -> Table {
     let mut table = Table::new();
     table.load_style(comfy_table::presets::ASCII_MARKDOWN);
     table
         .set_content_arrangement(ContentArrangement::Dynamic)
-        .set_width(150);
+        .set_width(WIDTH.get().copied().unwrap_or(150));
     table.set_header(header.to_vec());
     table
 }

@@ -19,6 +19,7 @@ const HALVINGS: i32 = 20;
 /// smaller; parameters around their defaults; coefficients within their bounds, with random signs, never 0. If typical
 /// states are outside the limits, they are moved within them.
 pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
+    flight::cancellation::stop_if_cancelled();
     let defaults = Point::defaults(model);
     let draws = if is_valid(model, &defaults) {
         MAX_DRAWS

@@ -46,6 +46,11 @@ impl Checker<'_> {
             let argument = self.scalar(argument, &format!("the argument of `{function}`"))?;
             return Some(self.call_of_table(table, argument, span));
         }
+        if self.scope.has_function(function)
+            && let Some(function) = self.declared_function(function)
+        {
+            return self.call_of_function(function, arguments, span);
+        }
         match function {
             "norm" => {
                 let [v] = self.arguments(call, "one vector")?;
@@ -240,12 +245,16 @@ impl Checker<'_> {
             let message = format!("`{text}` is a quantity, not a function");
             fault = Diagnostic::new(Kind::Name, span, message);
             fault = fault.help(format!("a product is written `{text}*(…)`"));
+        } else if text == "sum" {
+            fault = fault.help("a sum has an index: `sum(i in 1..8, …)`");
         } else if let Some((_, known)) = ALIASES.iter().find(|(alias, _)| *alias == text) {
             fault = fault.help(format!("it is written `{known}` here"));
         } else {
             let frames = self.model.frames.iter();
             let frames: Vec<String> = frames.map(|f| format!("in_{}", f.name)).collect();
             let tables = self.model.tables.iter().map(|t| t.name.as_str());
+            let functions = self.declared_functions();
+            let tables = tables.chain(functions.map(|own| own.name.text.as_str()));
             let built_in = super::scope::function_names().map(|name| -> &str { name });
             let known = built_in
                 .filter(|f| !["der", "diag"].contains(f))

@@ -44,6 +44,7 @@ impl Checker<'_> {
                         derivative,
                         value,
                         within,
+                        is_relative,
                         span,
                     } => {
                         let observable = if *derivative {
@@ -53,7 +54,13 @@ impl Checker<'_> {
                         };
                         let expectation = observable
                             .and_then(|o| self.expectation(o, name, value, within, *span));
-                        expectations.extend(expectation);
+                        expectations.extend(expectation.and_then(|own| {
+                            if *is_relative {
+                                self.relative(own, within)
+                            } else {
+                                Some(own)
+                            }
+                        }));
                     }
                 }
             }
@@ -202,6 +209,23 @@ impl Checker<'_> {
             within: allowed,
             span,
         })
+    }
+
+    /// An expectation whose tolerance is a part of the expected value.
+    fn relative(&mut self, mut own: Expectation, within: &ast::Quantity) -> Option<Expectation> {
+        if let Some(unit) = &within.unit {
+            let message = "a tolerance relative to the expected value is a pure number";
+            let fault = Diagnostic::new(Kind::Unit, unit.span, message);
+            return self.refuse(fault.help("leave out its unit, or `relative`"));
+        }
+        if own.value == 0.0 {
+            let message = "no tolerance is relative to an expected value of 0";
+            let fault = Diagnostic::new(Kind::Value, within.span, message);
+            return self.refuse(fault.help("state the greatest difference, without `relative`"));
+        }
+        let part = Measure::one().of(&within.number).0;
+        own.within = part * own.value.abs();
+        Some(own)
     }
 
     /// [`Checker::measure`], dimensionless without a unit.

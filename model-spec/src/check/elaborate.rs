@@ -61,6 +61,11 @@ impl Checker<'_> {
                 }
             }
             ast::ExprKind::Call(function, arguments) => self.call(function, arguments, e.span),
+            ast::ExprKind::Ascribed(of, ascription) => self.ascribed(of, ascription, e.span),
+            ast::ExprKind::Element(..) | ast::ExprKind::Sum(..) => {
+                let message = "the indices of this expression are not written out";
+                self.refuse(Diagnostic::new(Kind::Grammar, e.span, message))
+            }
         }
     }
 

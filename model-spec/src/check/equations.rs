@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use super::order::{Defining, uses};
 use super::scope::Symbol;
 use super::term::Term;
-use super::{Checker, Definition, UnitOf};
+use super::{Checker, Definition};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model;
 use crate::syntax::ast::{self, ItemKind, LoadClass};
@@ -24,6 +24,8 @@ impl<'a> Checker<'a> {
                     value: &binding.value,
                     doc: &item.doc,
                     effect: item.effect,
+                    is_constant: binding.is_constant,
+                    call: item.expanded.as_ref().and_then(|own| own.call),
                     state: None,
                     span: binding.name.span,
                 });
@@ -67,6 +69,8 @@ impl<'a> Checker<'a> {
                     value: &equation.value,
                     doc: "",
                     effect: item.effect,
+                    is_constant: false,
+                    call: None,
                     state: Some(state),
                     span: equation.state.span,
                 });
@@ -93,36 +97,37 @@ impl<'a> Checker<'a> {
             None => defining.name.text.clone(),
         };
         if let Some(unit) = defining.unit {
-            let Some(measure) = self.measure(unit) else {
+            let Some(declared) = self.declared_as(typed, unit, defining.name) else {
                 return;
             };
-            if measure.factor != 1.0 {
-                let message = format!(
-                    "`{unit}` is not the SI's own unit, in which all quantities are computed"
-                );
-                let fault = Diagnostic::new(Kind::Value, unit.span, message);
-                let named = measure.unit.named().map(|n| n.replace('·', "*"));
-                let plain = named.unwrap_or_else(|| measure.unit.to_string());
-                self.report(fault.help(format!("write `{plain}`")));
-            }
-            let declared = Term::known(measure.unit);
-            let should = self.described(&declared);
-            let rule = format!("`{}` is declared to be {should}", defining.name.text);
-            self.must_be(&typed, &declared, &rule);
-            // Later uses rely on the declared unit, even if the definition contradicts it.
-            typed.unit = UnitOf::Term(declared);
+            typed = declared;
         }
         let made = self.model.aux_variables.len();
-        let varies = self.varying(&typed.expr).is_some();
+        let varying = self.varying(&typed.expr);
+        if let Some(culprit) = varying.filter(|_| defining.is_constant) {
+            let message = format!(
+                "the parameter `{}` must not change during a flight, but `{}` does",
+                defining.name.text,
+                self.text(culprit)
+            );
+            let fault = Diagnostic::new(Kind::Value, culprit, message);
+            self.report(fault.help(format!(
+                "make it of parameters and coefficients only, or name it with `let {} = …;`",
+                defining.name.text
+            )));
+        }
+        let varies = varying.is_some();
         self.definitions[index] = Definition::Done(made, typed.expr.shape, typed.unit.clone());
         self.let_units.push(typed.unit);
         self.varies.push(varies);
+        self.calls.push(defining.call);
         self.model.aux_variables.push(model::AuxVariable {
             name,
             doc: defining.doc.to_owned(),
             value: typed.expr,
             span: defining.span,
             effect: defining.effect,
+            is_of_call: defining.call.is_some(),
         });
     }
 

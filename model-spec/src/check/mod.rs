@@ -15,11 +15,13 @@ mod equations;
 mod explain;
 mod finish;
 mod frames;
+mod function;
 mod limits;
 mod names;
 mod order;
 mod quantity;
 mod scope;
+mod shown;
 mod singular;
 mod size;
 mod sum;
@@ -32,14 +34,15 @@ use std::sync::Arc;
 
 use crate::diagnostic::{self, Diagnostic, Kind, Span};
 use crate::model::{self, Model, Source};
-use crate::syntax::ast;
+use crate::syntax::{ast, expand};
 use body::Parts;
+use function::FunctionFaults;
 use scope::Scope;
 use term::{Term, Units};
 use unitless::Unitless;
 
+use crate::syntax::reserved::{OF_BODY, PREVIOUS};
 pub(crate) use quantity::si_value;
-pub(crate) use scope::{OF_BODY, PREVIOUS};
 pub use singular::{SingularPoint, singular_points};
 
 /// Result of [`check`](fn@check): the model and the diagnostics.
@@ -54,6 +57,17 @@ pub struct Checked {
 /// Checks names, shapes, frames, units and singular points of a syntax tree, and converts it to a model. The spans of
 /// the tree refer to `sources`.
 pub fn check(file: &ast::File, sources: &[Source]) -> Checked {
+    if expand::is_needed(file) {
+        let mut own = file.clone();
+        let diagnostics = expand::expand(&mut own);
+        return match diagnostics.is_empty() {
+            true => check(&own, sources),
+            false => Checked {
+                model: None,
+                diagnostics,
+            },
+        };
+    }
     if file.items.is_empty() {
         let fault = Diagnostic::new(Kind::Missing, file.end, "the file declares nothing").help(
             "a model begins with `model NAME;`, a frame `frame N;` and a `body` or a `point`",
@@ -81,12 +95,10 @@ pub fn check(file: &ast::File, sources: &[Source]) -> Checked {
         inferring.run();
         checker.suggest_units(&inferring);
     }
-    let Checker {
-        mut diagnostics,
-        model,
-        ..
-    } = checker;
+    let mut diagnostics = checker.all_faults();
+    let model = checker.model;
     diagnostic::sort(&mut diagnostics);
+    shown::show_written_names(file, &mut diagnostics);
     let sound = diagnostics.iter().all(|d| d.kind == Kind::Unit);
     Checked {
         model: sound.then_some(model),
@@ -146,6 +158,9 @@ struct Checker<'a> {
     let_units: Vec<UnitOf>,
     /// Whether each auxiliary variable changes during a flight, by index into [`Model::aux_variables`].
     varies: Vec<bool>,
+    /// Source span of the call to which each auxiliary variable belongs, by index into [`Model::aux_variables`].
+    calls: Vec<Option<Span>>,
+    of_functions: FunctionFaults,
     /// Checked definitions: each `let` in order, then each equation whose derivative is used.
     definitions: Vec<Definition>,
     /// First use of each name whose unit is to be inferred, by index of the unknown.
@@ -176,6 +191,8 @@ impl<'a> Checker<'a> {
             states: Vec::new(),
             let_units: Vec::new(),
             varies: Vec::new(),
+            calls: Vec::new(),
+            of_functions: FunctionFaults::default(),
             definitions: Vec::new(),
             first_uses: Vec::new(),
             derivatives: HashMap::new(),
@@ -189,6 +206,7 @@ impl<'a> Checker<'a> {
     fn run(&mut self) {
         self.declare();
         self.definitions();
+        self.functions();
         self.body();
         self.equations();
         self.claim();
@@ -213,7 +231,9 @@ impl<'a> Checker<'a> {
     }
 
     fn sound(&self) -> bool {
-        self.diagnostics.iter().all(|d| d.kind == Kind::Unit)
+        let of_functions = self.of_functions.found();
+        let mut all = self.diagnostics.iter().chain(of_functions);
+        all.all(|d| d.kind == Kind::Unit)
     }
 
     fn text(&self, span: Span) -> String {

@@ -4,7 +4,7 @@ use super::elaborate::node;
 use super::scope::Symbol;
 use super::term::{Fraction, Term};
 use super::{Checker, Definition, Typed, UnitOf};
-use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::model::{ExprKind, Shape};
 use crate::suggest;
 use crate::syntax::ast;
@@ -125,6 +125,17 @@ impl Checker<'_> {
         if name == super::PREVIOUS {
             fault =
                 fault.note("`previous` stands for what is replaced, in a `replace` of an effect");
+        } else if let Some((array, element)) = self.element_in_text(name, span) {
+            fault.message = format!("there is no `{element}`");
+            let elements = self.elements(&array);
+            fault = match &elements[..] {
+                [] => fault.help(format!("declare it: `let {array}[i] for i in 1..3 = …;`")),
+                [only] => fault.note(format!("the only element is `{only}`")),
+                [first, .., last] => fault.note(format!("the elements are `{first}` to `{last}`")),
+            };
+        } else if let [first, ..] = &self.elements(name)[..] {
+            fault.message = format!("`{name}` is an array");
+            fault = fault.help(format!("write one of its elements, such as `{first}`"));
         } else if self.scope.frame(name).is_some() {
             fault.message = format!("`{name}` is a frame, not a quantity");
             fault = fault.help(format!(
@@ -144,6 +155,29 @@ impl Checker<'_> {
                 .note("names are declared with `param`, `coefficient`, `input`, `state` or `let`");
         }
         self.refuse(fault)
+    }
+
+    /// Array and element as in messages, of a name that stands as an element in the text.
+    fn element_in_text(&self, name: &str, span: Span) -> Option<(String, String)> {
+        let text = self.text(span);
+        let (array, _) = text.split_once('[').filter(|_| text.ends_with(']'))?;
+        let array = crate::syntax::spelling::plain(array.trim_end());
+        let subscripts = name.strip_prefix(array.as_str())?.strip_prefix('_')?;
+        let element = format!("{array}[{}]", subscripts.replace('_', ", "));
+        Some((array, element))
+    }
+
+    /// Elements of an array of the text, in order, as in messages.
+    fn elements(&self, array: &str) -> Vec<String> {
+        // Errors that are not shown need no search.
+        let searched = match self.diagnostics.len() < MAX_SHOWN {
+            true => &self.file.items[..],
+            false => &[],
+        };
+        let written = searched.iter().filter_map(super::shown::written);
+        let is_element =
+            |name: &String| name.split('[').next() == Some(array) && name.contains('[');
+        written.map(|(_, shown)| shown).filter(is_element).collect()
     }
 
     /// Unit of the derivative of a state.
@@ -170,7 +204,7 @@ impl Checker<'_> {
         }
         if let ast::ExprKind::Name(name) = &of.kind
             && self.scope.find(name).is_none()
-            && !super::scope::OF_BODY.contains(&name.as_str())
+            && !super::OF_BODY.contains(&name.as_str())
         {
             let message = format!("there is no frame or vector `{name}`");
             let frames = self.model.frames.iter().map(|f| f.name.as_str());

@@ -20,6 +20,10 @@ pub(super) struct Defining<'a> {
     pub value: &'a Expr,
     pub doc: &'a str,
     pub effect: Option<usize>,
+    /// Whether it is declared by `param`.
+    pub is_constant: bool,
+    /// Source span of the call to which it belongs, if any.
+    pub call: Option<Span>,
     /// For an equation `der(STATE) = …`, index of `STATE` into `Model::states`; `None` for a `let`.
     pub state: Option<usize>,
     pub span: Span,

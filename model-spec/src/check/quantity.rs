@@ -134,7 +134,8 @@ impl Checker<'_> {
             let message = format!("the unit `{unit}` is too small or too large for a number");
             return self.refuse(Diagnostic::new(Kind::Value, unit.span, message));
         }
-        out.text = if out.factor == 1.0 {
+        // A pure number has one name, however the file writes it.
+        out.text = if out.factor == 1.0 && !unit.factors.is_empty() {
             unit.to_string()
         } else {
             out.unit.to_string()
@@ -159,10 +160,7 @@ impl Checker<'_> {
         } else if let Some(near) = symbol::suggest(symbol) {
             fault = fault.help(format!("did you mean `{near}`?"));
         } else {
-            fault = fault.note(
-                "units are made of m, g, s, A, K, mol, cd, rad, N, J, W, Pa, Hz with prefixes, and deg, rev, \
-                 rpm, min, h",
-            );
+            fault = fault.note(format!("units are made of {}", symbol::listed()));
         }
         self.report(fault);
     }

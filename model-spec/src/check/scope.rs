@@ -6,6 +6,7 @@ use super::Checker;
 use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::model::Function;
 use crate::syntax::ast::Name;
+use crate::syntax::reserved::{FIXED, OF_BODY};
 
 /// Declared entity that a name refers to, such as a parameter or a state, by index into the model's vectors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,23 +27,10 @@ pub(super) struct Scope {
     values: HashMap<String, (Symbol, Span)>,
     frames: HashMap<String, (usize, Span)>,
     tables: HashMap<String, (usize, Span)>,
+    functions: HashMap<String, Span>,
     /// Names of all declared values in order of declaration, for spelling suggestions.
     order: Vec<String>,
 }
-
-pub(super) const FIXED: [&str; 3] = ["pi", "time", "previous"];
-
-/// Name that stands for the replaced definition in a `replace` statement of an effect.
-pub(crate) const PREVIOUS: &str = "previous";
-
-/// Names that are predefined in models with a body; models without a body may declare them.
-pub(crate) const OF_BODY: [&str; 5] = [
-    "position",
-    "velocity",
-    "angular_velocity",
-    "specific_force",
-    "angular_acceleration",
-];
 
 const OTHER_FUNCTIONS: [&str; 11] = [
     "atan2",
@@ -74,6 +62,23 @@ impl Scope {
 
     pub fn frame(&self, name: &str) -> Option<usize> {
         self.frames.get(name).map(|f| f.0)
+    }
+
+    pub fn has_function(&self, name: &str) -> bool {
+        self.functions.contains_key(name)
+    }
+
+    /// Declares a name in a function; returns what it hides.
+    pub fn shadow(&mut self, name: &str, symbol: Symbol, span: Span) -> Option<(Symbol, Span)> {
+        self.values.insert(name.to_owned(), (symbol, span))
+    }
+
+    /// Ends the scope of a name that [`Scope::shadow`] has declared.
+    pub fn restore(&mut self, name: &str, hidden: Option<(Symbol, Span)>) {
+        match hidden {
+            Some(hidden) => self.values.insert(name.to_owned(), hidden),
+            None => self.values.remove(name),
+        };
     }
 
     pub fn table(&self, name: &str) -> Option<usize> {
@@ -126,17 +131,34 @@ impl Checker<'_> {
 
     /// Declares a table, which expressions call as a function.
     pub fn define_table(&mut self, name: &Name, index: usize) {
+        if self.is_callable("table", name) {
+            let place = (index, name.span);
+            self.scope.tables.insert(name.text.clone(), place);
+        }
+    }
+
+    /// Declares a function of the model.
+    pub fn define_function(&mut self, name: &Name) {
+        if self.is_callable("function", name) {
+            self.scope.functions.insert(name.text.clone(), name.span);
+        }
+    }
+
+    /// Whether a table or function may have the name; otherwise reports an error.
+    fn is_callable(&mut self, what: &str, name: &Name) -> bool {
         let (text, span) = (&name.text, name.span);
-        let fault = if function_names().any(|known| known == text) || text.starts_with("in_") {
+        let table = self.scope.tables.get(text).map(|own| own.1);
+        let is_built_in = function_names().any(|known| known == text) || text.starts_with("in_");
+        let fault = if is_built_in || (what == "function" && text == "sum") {
             let message = format!("`{text}` is a function of this language");
             Diagnostic::new(Kind::Duplicate, span, message).help("choose another name")
-        } else if let Some(&(_, first)) = self.scope.tables.get(text) {
-            declared_twice(&format!("the table `{text}`"), first, span)
+        } else if let Some(first) = table.or(self.scope.functions.get(text).copied()) {
+            declared_twice(&format!("the {what} `{text}`"), first, span)
         } else {
-            self.scope.tables.insert(text.clone(), (index, span));
-            return;
+            return true;
         };
         self.report(fault);
+        false
     }
 
     /// Index of a frame by name; `None`, with an error reported, if there is no such frame.

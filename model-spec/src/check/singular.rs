@@ -144,14 +144,38 @@ impl<'m> Signs<'m> {
                 let (a, b) = (self.range(a)?, self.range(b)?);
                 Some((a.0 - b.1, a.1 - b.0))
             }
-            K::Mul(a, b) => {
+            K::Mul(a, b) => Some(product(self.range(a)?, self.range(b)?)),
+            K::Div(a, b) => {
+                let (least, greatest) = self.range(b)?;
+                let is_away_from_zero = least > 0.0 || greatest < 0.0;
+                let inverse = (1.0 / greatest, 1.0 / least);
+                is_away_from_zero.then(|| Some(product(self.range(a)?, inverse)))?
+            }
+            K::Pi => Some((std::f64::consts::PI, std::f64::consts::PI)),
+            K::Call(function, a) => of_function(*function, self.range(a)),
+            K::Pow(a, doubled) if *doubled > 0 && doubled % 4 == 0 => {
+                let power = |x: f64| x.powi(doubled / 2);
+                let Some((least, greatest)) = self.range(a) else {
+                    return Some((0.0, f64::INFINITY));
+                };
+                let (one, other) = (power(least), power(greatest));
+                let has_zero = least <= 0.0 && greatest >= 0.0;
+                let smallest = if has_zero { 0.0 } else { one.min(other) };
+                Some((smallest, one.max(other)))
+            }
+            K::Norm(_) => Some((0.0, f64::INFINITY)),
+            K::Min(a, b) => {
                 let (a, b) = (self.range(a)?, self.range(b)?);
-                let corners = [a.0 * b.0, a.0 * b.1, a.1 * b.0, a.1 * b.1];
-                let least = corners.into_iter().fold(f64::INFINITY, f64::min);
-                Some((least, corners.into_iter().fold(f64::NEG_INFINITY, f64::max)))
+                Some((a.0.min(b.0), a.1.min(b.1)))
+            }
+            K::Max(a, b) => {
+                let (a, b) = (self.range(a)?, self.range(b)?);
+                Some((a.0.max(b.0), a.1.max(b.1)))
             }
             _ => None,
         }
+        // The sum of unbounded ranges may have no bounds.
+        .filter(|(least, greatest)| !least.is_nan() && !greatest.is_nan())
     }
 
     /// Factor of the divisor `e` that may be zero; `e` itself if no single one is found.
@@ -166,6 +190,38 @@ impl<'m> Signs<'m> {
             _ => e,
         }
     }
+}
+
+/// Range of a product; a factor of 0 makes 0 also of what is unbounded.
+fn product(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
+    let corners = [(a.0, b.0), (a.0, b.1), (a.1, b.0), (a.1, b.1)];
+    let corners = corners.map(|(a, b)| if a == 0.0 || b == 0.0 { 0.0 } else { a * b });
+    let least = corners.into_iter().fold(f64::INFINITY, f64::min);
+    let greatest = corners.into_iter().fold(f64::NEG_INFINITY, f64::max);
+    (least, greatest)
+}
+
+/// Range of the values of a function, given that of its argument.
+fn of_function(function: Function, argument: Option<(f64, f64)>) -> Option<(f64, f64)> {
+    use std::f64::consts::{FRAC_PI_2, PI};
+    let everything = (f64::NEG_INFINITY, f64::INFINITY);
+    let (least, greatest) = argument.unwrap_or(everything);
+    Some(match function {
+        Function::Sin | Function::Cos | Function::Sign => (-1.0, 1.0),
+        Function::Tanh => (least.tanh(), greatest.tanh()),
+        Function::Step => (0.0, 1.0),
+        Function::Atan => (least.atan(), greatest.atan()),
+        Function::Asin => (-FRAC_PI_2, FRAC_PI_2),
+        Function::Acos => (0.0, PI),
+        Function::Exp => (least.exp(), greatest.exp()),
+        Function::Sqrt => (least.max(0.0).sqrt(), greatest.max(0.0).sqrt()),
+        Function::Abs if least > 0.0 || greatest < 0.0 => {
+            let (a, b) = (least.abs(), greatest.abs());
+            (a.min(b), a.max(b))
+        }
+        Function::Abs => (0.0, least.abs().max(greatest.abs())),
+        Function::Tan | Function::Log | Function::Table(_) => return None,
+    })
 }
 
 /// Whether a validity limit of the model requires the expression `e` to exceed a bound of at least 0.
@@ -198,7 +254,8 @@ impl Checker<'_> {
     pub fn singularities(&mut self) {
         let mut faults: Vec<Diagnostic> = Vec::new();
         let signs = Signs::new(&self.model);
-        for root in self.model.expressions() {
+        for (index, root) in self.model.expressions().into_iter().enumerate() {
+            let earlier = faults.len();
             root.walk(&mut |e| {
                 if let Some(divisor) = divisor(e) {
                     if !signs.of(divisor).never_zero() {
@@ -221,6 +278,9 @@ impl Checker<'_> {
                     }
                 }
             });
+            let found: Vec<Diagnostic> = faults.drain(earlier..).collect();
+            let found = found.into_iter();
+            faults.extend(found.map(|fault| self.at_call(fault, index, root)));
         }
         self.diagnostics.extend(faults);
     }

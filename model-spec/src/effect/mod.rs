@@ -5,6 +5,7 @@ mod standard;
 
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::syntax::ast::{Effect, EffectPart, File, Input, Item, ItemKind, Name};
+use crate::syntax::expand;
 
 pub(crate) use standard::lacking;
 
@@ -42,7 +43,18 @@ pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
     if !change.diagnostics.is_empty() {
         return Err(change.diagnostics);
     }
-    let effect = standard::in_names_of(file, effect)?;
+    let mut unrolled = effect.clone();
+    let mut faults = expand::unroll_effect(&mut unrolled, file);
+    if unrolled.parts.len() > MAX_STATEMENTS {
+        let message = format!(
+            "with its arrays written out, an effect has at most {MAX_STATEMENTS} statements"
+        );
+        faults.push(Diagnostic::new(Kind::Limit, effect.name.span, message));
+    }
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let effect = standard::in_names_of(file, &unrolled)?;
     let mut site: Option<Span> = None;
     let mut variables: Option<Span> = None;
     for part in &effect.parts {
@@ -77,6 +89,9 @@ pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
         let fault = Diagnostic::new(Kind::Missing, effect.name.span, message);
         change
             .report(fault.help("add `site drag;`, or another of lift, side, roll, pitch, spin, …"));
+    }
+    if change.diagnostics.is_empty() {
+        change.diagnostics = expand::expand(&mut change.file);
     }
     if change.diagnostics.is_empty() {
         change.file.applied.push(effect);

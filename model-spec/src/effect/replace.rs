@@ -1,8 +1,9 @@
 //! Application of `replace` statements: the replaced definition is substituted for `previous` in the new one.
 
 use super::Change;
-use crate::check::PREVIOUS;
 use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
+use crate::syntax::expand::{height, size};
+use crate::syntax::reserved::PREVIOUS;
 use crate::syntax::{self, of_kind};
 
 use std::collections::HashMap;
@@ -125,10 +126,18 @@ impl Change<'_> {
                 span,
             };
             let uses = HashMap::from([(name.clone(), by(&acting.text))]);
-            for item in &mut self.file.items {
+            // A parameter of a function hides an input of its name.
+            let hides = |item: &Item| match &item.kind {
+                ItemKind::Function(function) => {
+                    function.parameters.iter().any(|own| own.name.text == *name)
+                }
+                _ => false,
+            };
+            for item in self.file.items.iter_mut().filter(|item| !hides(item)) {
                 item.kind.expressions_mut(&mut |e| replace_names(e, &uses));
             }
             let kind = ItemKind::Let(Let {
+                is_constant: false,
                 name: Name {
                     span,
                     ..acting.clone()
@@ -214,16 +223,4 @@ fn put_in(e: &mut Expr, old: &Expr, nodes: &mut usize, found: &mut bool) {
         return;
     }
     e.children_mut(&mut |child| put_in(child, old, nodes, found));
-}
-
-fn size(e: &Expr) -> usize {
-    let mut nodes = 1;
-    e.children(&mut |child| nodes += size(child));
-    nodes
-}
-
-fn height(e: &Expr) -> u32 {
-    let mut highest = 0;
-    e.children(&mut |child| highest = highest.max(height(child)));
-    1 + highest
 }

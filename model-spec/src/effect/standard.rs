@@ -3,11 +3,12 @@
 
 use std::collections::{HashMap, HashSet};
 
-use crate::check::OF_BODY;
 use crate::diagnostic::{Diagnostic, Kind};
 use crate::syntax::ast::{
     BodyPartKind, Effect, EffectPart, Expr, ExprKind, File, FrameKind, ItemKind, Name, Need,
 };
+use crate::syntax::expand::roots_mut;
+use crate::syntax::reserved::OF_BODY;
 
 /// Name by which an effect refers to the mass of any model's body.
 const MASS: &str = "mass";
@@ -30,7 +31,7 @@ struct Standard {
 /// the effect declares. Needed quantities that the model lacks are replaced by their fallback expressions.
 pub(super) fn in_names_of(file: &File, effect: &Effect) -> Result<Effect, Vec<Diagnostic>> {
     let mut standard = Standard::of_model(file);
-    let (declared, own) = (declared(file), declared_by(effect));
+    let (declared, own) = (file.declared(), declared_by(effect));
     standard
         .values
         .retain(|name, _| !declared.contains(name) && !own.contains(name.as_str()));
@@ -59,11 +60,17 @@ pub(super) fn in_names_of(file: &File, effect: &Effect) -> Result<Effect, Vec<Di
     for part in &mut effect.parts {
         match part {
             EffectPart::ReplaceInertia(inertia, _) => standard.rename_frame(&mut inertia.frame),
-            EffectPart::Add(item) => {
-                if let ItemKind::Input(input) = &mut item.kind {
-                    standard.rename_frame(&mut input.frame);
+            EffectPart::Add(item) => match &mut item.kind {
+                ItemKind::Input(input) => standard.rename_frame(&mut input.frame),
+                ItemKind::Function(function) => {
+                    let parameters = function.parameters.iter_mut().map(|own| &mut own.of);
+                    let types = parameters.chain([&mut function.result]);
+                    for frame in types.filter_map(|of| of.frame.as_mut()) {
+                        standard.rename_frame(frame);
+                    }
                 }
-            }
+                _ => {}
+            },
             _ => {}
         }
     }
@@ -72,7 +79,7 @@ pub(super) fn in_names_of(file: &File, effect: &Effect) -> Result<Effect, Vec<Di
 
 /// Quantities that an effect needs, and neither the model in `file` nor the effect has.
 pub(crate) fn lacking<'e>(file: &File, effect: &'e Effect) -> impl Iterator<Item = &'e Need> {
-    let (declared, own) = (declared(file), declared_by(effect));
+    let (declared, own) = (file.declared(), declared_by(effect));
     let has_body = file.body().is_some();
     effect.needs().filter(move |need| {
         let name = need.name.text.as_str();
@@ -176,9 +183,7 @@ pub(super) fn replace_names(e: &mut Expr, by: &HashMap<String, Expr>) {
 
 fn expressions(effect: &mut Effect) -> impl Iterator<Item = &mut Expr> {
     effect.parts.iter_mut().flat_map(|part| match part {
-        EffectPart::Replace(item) | EffectPart::Add(item) => {
-            item.kind.value_mut().into_iter().collect::<Vec<_>>()
-        }
+        EffectPart::Replace(item) | EffectPart::Add(item) => roots_mut(&mut item.kind),
         EffectPart::ReplaceInertia(inertia, _) => {
             inertia.rows.iter_mut().flatten().flatten().collect()
         }
@@ -190,41 +195,4 @@ fn expressions(effect: &mut Effect) -> impl Iterator<Item = &mut Expr> {
 fn declared_by(effect: &Effect) -> HashSet<&str> {
     let declared = effect.added().filter_map(|item| item.kind.declared());
     declared.map(|name| name.text.as_str()).collect()
-}
-
-/// Names of all quantities that a file declares, by its frames and its body too.
-fn declared(file: &File) -> HashSet<String> {
-    let mut names = HashSet::new();
-    for item in &file.items {
-        names.extend(item.kind.declared().map(|name| name.text.clone()));
-        match &item.kind {
-            ItemKind::Input(own) => {
-                names.extend(["x", "y", "z"].map(|axis| format!("{}_{axis}", own.name.text)));
-            }
-            ItemKind::Marker(own) => {
-                names.insert(own.name.text.clone());
-            }
-            ItemKind::Frame(frame) => match &frame.kind {
-                FrameKind::Inertial => {}
-                FrameKind::Turned { angle, .. } => {
-                    names.extend([angle.text.clone(), format!("{}dot", angle.text)]);
-                }
-                FrameKind::Quaternion { states, .. } => {
-                    names.extend(states.each_ref().map(|state| state.text.clone()));
-                }
-            },
-            ItemKind::Body(body) => {
-                for part in &body.parts {
-                    if let BodyPartKind::Position(states, _)
-                    | BodyPartKind::Velocity(states, _)
-                    | BodyPartKind::AngularVelocity(states, _) = &part.kind
-                    {
-                        names.extend(states.each_ref().map(|state| state.text.clone()));
-                    }
-                }
-            }
-            _ => {}
-        }
-    }
-    names
 }

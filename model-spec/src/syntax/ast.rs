@@ -3,12 +3,18 @@
 //! Fields are public so that other crates can change a model and check it with [`check`](crate::check()).
 
 mod blocks;
+mod functions;
+
+use std::sync::Arc;
 
 use crate::location::Span;
 use crate::unit::Unit;
 pub use blocks::{
     Body, BodyClass, BodyPart, BodyPartKind, Claim, ClaimPart, ClaimPartKind, Continuation, Effect,
     EffectPart, Inertia, Interpolation, Need, Table,
+};
+pub use functions::{
+    Array, Ascription, Expanded, Function, FunctionParameter, Index, Template, Type,
 };
 
 /// A parsed file: a model, effects, or both.
@@ -48,6 +54,8 @@ pub struct Item {
     pub span: Span,
     /// Index into [`File::applied`] of the effect that added or replaced the statement, if any.
     pub effect: Option<usize>,
+    /// Statement of the text from which this one was expanded; `None` if it stands in the text itself.
+    pub expanded: Option<Expanded>,
 }
 
 impl Item {
@@ -58,7 +66,13 @@ impl Item {
             doc: doc.into(),
             span,
             effect: None,
+            expanded: None,
         }
+    }
+
+    /// Whether the statement is an auxiliary variable of a function that a call has added.
+    pub fn is_of_call(&self) -> bool {
+        self.expanded.as_ref().is_some_and(|own| own.call.is_some())
     }
 }
 
@@ -101,6 +115,10 @@ pub enum ItemKind {
     Claim(Claim),
     /// Declaration of an effect: `effect NAME { … }`
     Effect(Effect),
+    /// Declaration of a function: `function NAME(PARAMETER: TYPE, …): TYPE { … }`
+    Function(Function),
+    /// Statement for each element of an array: `let NAME[i] for i in 1..8 = …;`
+    Array(Array),
 }
 
 /// A name with its source span; the text is in ASCII spelling (`alpha` for `α`).
@@ -286,9 +304,11 @@ pub enum FrameKind {
     },
 }
 
-/// Declaration of an auxiliary variable: `let NAME: unit = …;`.
+/// Declaration of an auxiliary variable: `let NAME: unit = …;`, or `param NAME: unit = …;` with an expression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Let {
+    /// Whether the variable is declared by `param`, so that it must not change during a flight.
+    pub is_constant: bool,
     /// Name of the auxiliary variable.
     pub name: Name,
     /// Declared unit; `None` if the unit follows from the defining expression.
@@ -395,8 +415,10 @@ pub enum CheckPart {
         derivative: bool,
         /// Expected value of the result; without a unit it is dimensionless, but 0 is valid for every unit.
         value: Quantity,
-        /// Absolute tolerance of the comparison; without a unit it has the unit of the expected value.
+        /// Tolerance of the comparison; without a unit it has the unit of the expected value.
         within: Quantity,
+        /// Whether the tolerance is relative to the expected value: `within 1e-9 relative`.
+        is_relative: bool,
         /// Source span of the statement.
         span: Span,
     },
@@ -459,4 +481,10 @@ pub enum ExprKind {
     Binary(BinaryOp, Box<Expr>, Box<Expr>),
     /// Function call `f(a, …)`.
     Call(Name, Vec<Expr>),
+    /// `NAME[i, …]`: an element of an array.
+    Element(String, Vec<Expr>),
+    /// `sum(i in 1..8, EXPR)`: sum over the values of an index.
+    Sum(Box<Index>, Box<Expr>),
+    /// Argument or result of a function, which must have a certain type.
+    Ascribed(Box<Expr>, Arc<Ascription>),
 }

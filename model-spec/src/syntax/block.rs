@@ -105,7 +105,7 @@ impl Parser<'_> {
     fn check_part(&mut self) -> Read<CheckPart> {
         let start = self.here();
         if self.eat_word("set") {
-            let name = self.name("what is set")?;
+            let name = self.name_or_element("what is set")?;
             self.need(Token::Sign("="), &format!("`=` after `{}`", name.text))?;
             let value = if self.peek() == Token::Sign("(") {
                 self.triple_of_numbers()?.into()
@@ -124,10 +124,11 @@ impl Parser<'_> {
         if !self.eat_word("expect") {
             return self.expected_word("`set` or `expect`", &["set", "expect"]);
         }
-        let mut name = self.name("what is expected: a named quantity or `der(STATE)`")?;
+        let mut name =
+            self.name_or_element("what is expected: a named quantity or `der(STATE)`")?;
         let derivative = name.text == "der" && self.eat(Token::Sign("("));
         if derivative {
-            name = self.name("the name of a state")?;
+            name = self.name_or_element("the name of a state")?;
             self.need(Token::Sign(")"), "`)` after the state")?;
         }
         self.need(Token::Sign("="), "`=` and the expected value")?;
@@ -137,12 +138,14 @@ impl Parser<'_> {
             return self.expected_help("`within` after the expected value", Some(help));
         }
         let within = self.quantity("the greatest difference")?;
+        let is_relative = self.eat_word("relative");
         self.semicolon("this `expect`")?;
         Ok(CheckPart::Expect {
             name,
             derivative,
             value,
             within,
+            is_relative,
             span: start.to(self.behind()),
         })
     }

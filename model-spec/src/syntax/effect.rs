@@ -54,13 +54,14 @@ impl Parser<'_> {
             "input" => self.input()?,
             "state" => self.state()?,
             "der" => self.equation()?,
+            "function" => self.function()?,
             "table" => self.table()?,
             "let" => self.binding()?,
             "force" | "moment" => self.load()?,
             _ => {
                 let what = "`source`, `needs`, `generalises`, `site`, `variables`, `coefficient`, `input`, \
-                            `state`, `der`, `replace`, `table`, `let`, `force`, `moment` or `negligible`";
-                const WORDS: [&str; 17] = [
+                            `state`, `der`, `replace`, `function`, `table`, `let`, `force`, `moment` or `negligible`";
+                const WORDS: [&str; 18] = [
                     "source",
                     "needs",
                     "generalises",
@@ -73,6 +74,7 @@ impl Parser<'_> {
                     "state",
                     "der",
                     "replace",
+                    "function",
                     "table",
                     "let",
                     "force",
@@ -111,7 +113,8 @@ impl Parser<'_> {
                 EffectPart::Variables(names, start.to(self.here()))
             }
             _ => {
-                let name = self.name("the name of a coefficient or a state of this effect")?;
+                let name =
+                    self.name_or_element("the name of a coefficient or a state of this effect")?;
                 self.eat(Token::Sign("="));
                 EffectPart::Negligible(name, self.quantity("a number")?)
             }
@@ -173,7 +176,7 @@ impl Parser<'_> {
             "let" if equals_after_two => self.binding()?,
             _ => {
                 let name = self.name("what is replaced")?;
-                ItemKind::Let(self.binding_rest(name)?)
+                self.binding_or_array(name)?
             }
         };
         let item = Item::new(kind, doc, start.to(self.behind()));

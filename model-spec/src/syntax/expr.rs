@@ -2,7 +2,7 @@
 
 use super::ast::{BinaryOp, Expr, ExprKind, Quantity, UnitExpr};
 use super::parser::{Parser, Read, Reported};
-use super::quantity::superscript_value;
+use super::quantity::{FOLLOWING, INCH, superscript_value};
 use super::token::Token;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 
@@ -135,6 +135,12 @@ impl Parser<'_> {
             Token::Number => self.literal(),
             Token::Sign("(") => self.bracket(start),
             Token::Name if self.peek_at(1) == Token::Sign("(") => self.call(start),
+            Token::Name if self.peek_at(1) == Token::Sign("[") => {
+                let name = self.name("a name")?;
+                let subscripts = self.nested(Self::subscripts)?;
+                let span = start.to(self.behind());
+                self.grown(ExprKind::Element(name.text, subscripts), span, 0)
+            }
             Token::Name => {
                 let name = self.name("a name")?;
                 self.grown(ExprKind::Name(name.text), start, 0)
@@ -149,7 +155,8 @@ impl Parser<'_> {
             Token::Sign("[") => Some(self.square_unit()?),
             Token::Name
                 if !self.first_on_line()
-                    && !["in", "within"].contains(&self.raw())
+                    && !(FOLLOWING.contains(&self.raw()) && self.raw() != INCH)
+                    && !(self.raw() == INCH && self.peek_at(1) == Token::Name)
                     && self.peek_at(1) != Token::Sign("(") =>
             {
                 let factor = self.unit_power()?;
@@ -235,14 +242,45 @@ impl Parser<'_> {
         Err(Reported)
     }
 
+    /// Parses the rest of `sum(i in 1..8, …, EXPR)` after the bracket.
+    fn sum_over(&mut self, start: Span, open: Span) -> Read<Tree> {
+        let mut indices = Vec::new();
+        while self.peek() == Token::Name && self.raw_at(1) == "in" {
+            indices.push(self.index()?);
+            self.need(Token::Sign(","), "`,` and what is summed")?;
+        }
+        let mut tree = self.tree(0)?;
+        self.closing(open)?;
+        let span = start.to(self.behind());
+        while let Some(index) = indices.pop() {
+            let kind = ExprKind::Sum(Box::new(index), Box::new(tree.expr));
+            tree = self.grown(kind, span, tree.height)?;
+        }
+        Ok(tree)
+    }
+
     fn call(&mut self, start: Span) -> Read<Tree> {
         let name = self.name("a function")?;
         let open = self.here();
         self.advance();
         if name.text == "der" {
             let state = self.name("the name of a state")?;
+            let subscripts = self.nested(Self::subscripts)?;
+            let element = state.span.to(self.behind());
             self.closing(open)?;
-            return self.grown(ExprKind::Derivative(state), start.to(self.behind()), 0);
+            let span = start.to(self.behind());
+            if subscripts.is_empty() {
+                return self.grown(ExprKind::Derivative(state), span, 0);
+            }
+            let kind = ExprKind::Element(state.text, subscripts);
+            let element = Expr {
+                kind,
+                span: element,
+            };
+            return self.grown(ExprKind::Call(name, vec![element]), span, 0);
+        }
+        if name.text == "sum" && self.peek() == Token::Name && self.raw_at(1) == "in" {
+            return self.sum_over(start, open);
         }
         let arguments = match self.peek() {
             Token::Sign(")") => Vec::new(),

@@ -5,12 +5,15 @@
 pub mod ast;
 mod block;
 mod effect;
+pub(crate) mod expand;
 mod expr;
+mod function;
 mod lexer;
 mod parser;
 mod print;
 mod print_file;
 mod quantity;
+pub(crate) mod reserved;
 pub mod spelling;
 mod statement;
 pub(crate) mod token;
@@ -19,6 +22,7 @@ mod walk;
 pub(crate) use walk::of_kind;
 
 pub(crate) use expr::MAX_HEIGHT;
+use function::{MAX_ELEMENTS, element_name};
 
 use crate::diagnostic::{Diagnostic, Kind};
 use crate::location::{Source, Span};
@@ -26,7 +30,7 @@ use crate::location::{Source, Span};
 /// Maximum length of the text of a model or of an effect, bytes. A longer text is reported as an error and not parsed.
 pub const MAX_SOURCE_BYTES: usize = 1_000_000;
 
-/// Result of [`parse`]: syntax tree, source and diagnostics.
+/// Result of [`parse`]: syntax tree, with arrays and calls of functions written out, source and diagnostics.
 #[derive(Clone, Debug)]
 pub struct Parsed {
     /// Syntax tree without the statements that have errors.
@@ -44,6 +48,16 @@ pub fn parse(name: &str, text: &str) -> Parsed {
 
 /// Parses the text of a model file with this [`Span::source`].
 pub fn parse_as(name: &str, text: &str, source: u16) -> Parsed {
+    let mut parsed = parse_statements(name, text, source);
+    // Arrays and functions of an incomplete tree would be reported as missing.
+    if parsed.diagnostics.is_empty() {
+        parsed.diagnostics = expand::expand(&mut parsed.file);
+    }
+    parsed
+}
+
+/// Parses a text without writing out its arrays and calls of functions.
+pub(crate) fn parse_statements(name: &str, text: &str, source: u16) -> Parsed {
     let text = text.strip_prefix('\u{FEFF}').unwrap_or(text);
     if text.len() > MAX_SOURCE_BYTES {
         return too_long(name, text.len(), source);

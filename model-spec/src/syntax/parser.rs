@@ -10,7 +10,7 @@ use crate::suggest;
 /// Maximum nesting depth of an expression, which bounds the recursion of the parser.
 const MAX_DEPTH: u32 = 64;
 
-pub(super) const STATEMENTS: [&str; 30] = [
+pub(super) const STATEMENTS: [&str; 31] = [
     "model",
     "reference",
     "param",
@@ -21,6 +21,7 @@ pub(super) const STATEMENTS: [&str; 30] = [
     "body",
     "point",
     "claim",
+    "function",
     "table",
     "let",
     "force",
@@ -124,6 +125,12 @@ impl<'a> Parser<'a> {
     pub fn raw(&self) -> &'a str {
         let lexeme = self.lexeme();
         &self.text[lexeme.start as usize..lexeme.end as usize]
+    }
+
+    /// Text of the token `ahead` tokens after the next one; empty at the end.
+    pub fn raw_at(&self, ahead: usize) -> &'a str {
+        let lexeme = self.lexed.tokens.get(self.at + ahead);
+        lexeme.map_or("", |own| &self.text[own.start as usize..own.end as usize])
     }
 
     pub fn slice_all(&self) -> &'a str {

@@ -84,6 +84,7 @@ fn write_expr(f: &mut fmt::Formatter<'_>, expr: &Expr, least: u8) -> fmt::Result
         // A literal with a sign or unit binds less tightly than a name.
         ExprKind::Number(q) if q.number.text.starts_with('-') => 25,
         ExprKind::Number(q) if q.unit.is_some() => 35,
+        ExprKind::Ascribed(..) => least,
         _ => 40,
     };
     if strength < least {
@@ -125,6 +126,15 @@ fn write_expr(f: &mut fmt::Formatter<'_>, expr: &Expr, least: u8) -> fmt::Result
             f.write_str(op.symbol())?;
             write_expr(f, b, right)?;
         }
+        ExprKind::Element(name, subscripts) => {
+            write!(f, "{name}[")?;
+            for (i, subscript) in subscripts.iter().enumerate() {
+                write!(f, "{}{subscript}", if i > 0 { ", " } else { "" })?;
+            }
+            f.write_str("]")?;
+        }
+        ExprKind::Sum(index, of) => write!(f, "sum({index}, {of})")?,
+        ExprKind::Ascribed(of, _) => write_expr(f, of, least)?,
         ExprKind::Call(name, arguments) => {
             write!(f, "{}(", name.text)?;
             for (i, argument) in arguments.iter().enumerate() {

@@ -6,7 +6,10 @@ use super::token::Token;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 
 /// Keywords that may follow a literal and must not be parsed as units.
-const FOLLOWING: [&str; 4] = ["in", "within", "about", "on"];
+pub(super) const FOLLOWING: [&str; 6] = ["in", "within", "about", "on", "for", "relative"];
+
+/// Symbol of the inch, which is also a keyword.
+pub(super) const INCH: &str = "in";
 
 const MAX_DOUBLED_EXPONENT: i32 = 126;
 
@@ -61,9 +64,20 @@ impl Parser<'_> {
 
     fn at_unit(&self) -> bool {
         match self.peek() {
+            Token::Name if self.raw() == INCH => !self.first_on_line() && !self.at_keyword_in(),
             Token::Name => !FOLLOWING.contains(&self.raw()) && !self.first_on_line(),
             Token::Sign("/" | "[") => true,
             Token::Number => self.raw() == "1" && self.peek_at(1) == Token::Sign("/"),
+            _ => false,
+        }
+    }
+
+    /// Whether the next token `in` is the keyword before bounds, a range or a frame, rather than the inch.
+    pub fn at_keyword_in(&self) -> bool {
+        let after = self.raw_at(1);
+        match self.peek_at(1) {
+            Token::Number | Token::Sign("-" | "+") => true,
+            Token::Name => !FOLLOWING.contains(&after),
             _ => false,
         }
     }

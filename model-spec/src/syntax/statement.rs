@@ -1,12 +1,16 @@
 //! Parser for the statements of a file.
 
 use super::ast::{
-    Equation, Frame, FrameKind, Input, Item, ItemKind, Let, Limit, Load, LoadClass, Marker, Name,
-    Number, Observe, Parameter, ParameterClass, Quantity, State,
+    Equation, Frame, FrameKind, Index, Input, Item, ItemKind, Let, Limit, Load, LoadClass, Marker,
+    Name, Number, Observe, Parameter, ParameterClass, Quantity, State, UnitExpr,
 };
 use super::parser::{Parser, Read, STATEMENTS};
 use super::token::Token;
 use crate::diagnostic::{Diagnostic, Kind};
+use crate::unit::symbol;
+
+/// Tokens of a unit behind a number, beyond which no sum is searched.
+const MAX_UNIT_TOKENS: usize = 40;
 
 impl Parser<'_> {
     pub fn statement(&mut self) -> Read<Item> {
@@ -25,6 +29,7 @@ impl Parser<'_> {
             "frame" => self.frame()?,
             "body" | "point" => self.body()?,
             "claim" => self.claim()?,
+            "function" => self.function()?,
             "table" => self.table()?,
             "let" => self.binding()?,
             "force" | "moment" => self.load()?,
@@ -83,14 +88,37 @@ impl Parser<'_> {
         } else {
             ParameterClass::Coefficient
         };
+        let subscripts = self.subscripts()?;
+        let declared_unit = match class {
+            ParameterClass::Param => self.unit_behind_colon()?,
+            ParameterClass::Coefficient | ParameterClass::Input => None,
+        };
+        let indices = self.indices()?;
         let what = format!("`=` and the default of `{}`", name.text);
         self.need(Token::Sign("="), &what)?;
-        let value = self.quantity("a number")?;
-        self.parameter(class, name, value)
+        if class == ParameterClass::Param && self.at_computed() {
+            let value = self.expr()?;
+            self.semicolon(&format!("the definition of `{}`", name.text))?;
+            let own = Let {
+                is_constant: true,
+                name,
+                unit: declared_unit,
+                value,
+            };
+            return self.array(subscripts, indices, Vec::new(), ItemKind::Let(own));
+        }
+        if let Some(unit) = declared_unit {
+            let message = "the unit of a default stands behind its number";
+            let fault = Diagnostic::new(Kind::Grammar, unit.span, message);
+            return self.refuse(fault.help(format!("write `param {} = 1 {unit};`", name.text)));
+        }
+        let (value, values) = self.defaults(&indices)?;
+        let parameter = ItemKind::Parameter(self.parameter(class, name, value)?);
+        self.array(subscripts, indices, values, parameter)
     }
 
     /// Parses the bounds and the end of a declaration of a scalar.
-    fn parameter(&mut self, class: ParameterClass, name: Name, value: Quantity) -> Read<ItemKind> {
+    fn parameter(&mut self, class: ParameterClass, name: Name, value: Quantity) -> Read<Parameter> {
         let bounds = if self.eat_word("in") {
             let least = self.quantity("the least value")?;
             if !self.eat(Token::Sign("..")) {
@@ -103,12 +131,93 @@ impl Parser<'_> {
             None
         };
         self.semicolon(&format!("this `{}`", class.keyword()))?;
-        Ok(ItemKind::Parameter(Parameter {
+        Ok(Parameter {
             class,
             name,
             value,
             bounds,
-        }))
+        })
+    }
+
+    /// Gives the default of `name` the unit that stands before it.
+    fn unit_before(
+        &mut self,
+        unit: Option<UnitExpr>,
+        value: &mut Quantity,
+        name: &Name,
+    ) -> Read<()> {
+        if let (Some(unit), Some(second)) = (&unit, &value.unit) {
+            let help = format!("write `{}: {unit} = …;` or `= {value};`", name.text);
+            let fault = Diagnostic::new(Kind::Grammar, second.span, "the unit is stated twice");
+            return self.refuse(fault.help(help));
+        }
+        value.unit = unit.or(value.unit.take());
+        Ok(())
+    }
+
+    /// Whether the default of a parameter is an expression rather than a number with its unit, or a list of numbers.
+    fn at_computed(&self) -> bool {
+        let signed = |at| usize::from(matches!(self.peek_at(at), Token::Sign("-" | "+")));
+        let at = signed(0);
+        match self.peek_at(at) {
+            Token::Name => return true,
+            Token::Sign("(") => {
+                let first = at + 1 + signed(at + 1);
+                let is_list = self.peek_at(first) == Token::Number
+                    && self.peek_at(first + 1) == Token::Sign(",");
+                return !is_list;
+            }
+            Token::Number => {}
+            _ => return false,
+        }
+        match (self.peek_at(at + 1), self.peek_at(at + 2)) {
+            (Token::Sign("*" | "·" | "×" | "+" | "-" | "^") | Token::Superscript, _) => true,
+            (Token::Sign("/"), Token::Number) => self.raw_at(at + 2) != "1",
+            (Token::Sign("/"), Token::Name) => symbol::find(self.raw_at(at + 2)).is_none(),
+            _ => self.adds_behind(at + 1),
+        }
+    }
+
+    /// Whether a sum follows `at` tokens ahead in the statement, as in `2 m + d`, before the bounds.
+    fn adds_behind(&self, at: usize) -> bool {
+        (at + 1..at + MAX_UNIT_TOKENS)
+            .take_while(|&at| !matches!(self.peek_at(at), Token::End | Token::Sign(";" | "=")))
+            .take_while(|&at| self.raw_at(at) != "in")
+            .any(|at| {
+                let is_sum = matches!(self.peek_at(at), Token::Sign("+" | "-"));
+                is_sum && !matches!(self.peek_at(at - 1), Token::Sign("^" | "("))
+            })
+    }
+
+    /// Parses the default of a parameter, and the list `(a, b, …) unit` of the defaults of an array's elements.
+    fn defaults(&mut self, indices: &[Index]) -> Read<(Quantity, Vec<Number>)> {
+        if indices.is_empty() || self.peek() != Token::Sign("(") {
+            return Ok((self.quantity("a number")?, Vec::new()));
+        }
+        let start = self.here();
+        self.advance();
+        let values = self.list(|parser| parser.number("a number"))?;
+        self.need(Token::Sign(")"), "`,` or `)` after a number")?;
+        let span = start.to(self.behind());
+        let unit = self.optional_unit()?;
+        let elements: usize = indices
+            .iter()
+            .map(|index| index.values.clone().count())
+            .product();
+        if values.len() != elements {
+            let message = format!(
+                "the array has {elements} elements, but here are {} numbers",
+                values.len()
+            );
+            return self.refuse(Diagnostic::new(Kind::Value, span, message));
+        }
+        let first = values[0].clone();
+        let value = Quantity {
+            span: first.span,
+            number: first,
+            unit,
+        };
+        Ok((value, values))
     }
 
     /// Parses `input NAME: UNIT = value in lo .. hi;` of a scalar, `input NAME in FRAME = (…) unit;` of a vector.
@@ -118,13 +227,9 @@ impl Parser<'_> {
         if unit.is_some() || self.peek() == Token::Sign("=") {
             self.need(Token::Sign("="), "`=` and the default of the input")?;
             let mut value = self.quantity("a number")?;
-            if let (Some(unit), Some(second)) = (&unit, &value.unit) {
-                let help = format!("write `input {}: {unit} = …;` or `= {value};`", name.text);
-                let fault = Diagnostic::new(Kind::Grammar, second.span, "the unit is stated twice");
-                return self.refuse(fault.help(help));
-            }
-            value.unit = unit.or(value.unit);
-            return self.parameter(ParameterClass::Input, name, value);
+            self.unit_before(unit, &mut value, &name)?;
+            let input = self.parameter(ParameterClass::Input, name, value);
+            return input.map(ItemKind::Parameter);
         }
         let frame = self.in_frame("the name of the input, with the frame of its components")?;
         self.need(Token::Sign("="), "`=` and the default components")?;
@@ -146,11 +251,13 @@ impl Parser<'_> {
 
     pub fn state(&mut self) -> Read<ItemKind> {
         let (_, name) = self.keyword_and_name()?;
+        let (subscripts, indices) = (self.subscripts()?, self.indices()?);
         let what = format!("`=` and the value of `{}` at the start", name.text);
         self.need(Token::Sign("="), &what)?;
         let value = self.quantity("a number")?;
         self.semicolon("this `state`")?;
-        Ok(ItemKind::State(State { name, value }))
+        let state = ItemKind::State(State { name, value });
+        self.array(subscripts, indices, Vec::new(), state)
     }
 
     /// Parses `frame N;`, `frame A = N turned ANGLE about AXIS;`, `frame C = N by quaternion (a, b, c, d);`.
@@ -188,15 +295,33 @@ impl Parser<'_> {
 
     pub fn binding(&mut self) -> Read<ItemKind> {
         let (_, name) = self.keyword_and_name()?;
-        self.binding_rest(name).map(ItemKind::Let)
+        self.binding_or_array(name)
+    }
+
+    /// Parses the rest of a `let` statement after its name: `[i]: unit for i in 1..8 = …;`, all optional but the value.
+    pub fn binding_or_array(&mut self, name: Name) -> Read<ItemKind> {
+        let subscripts = self.subscripts()?;
+        let unit = self.unit_behind_colon()?;
+        let indices = self.indices()?;
+        let own = self.binding_value(name, unit)?;
+        self.array(subscripts, indices, Vec::new(), ItemKind::Let(own))
     }
 
     /// Parses the rest of a `let` statement after its name: `: unit = …;`, where `: unit` is optional.
     pub fn binding_rest(&mut self, name: Name) -> Read<Let> {
         let unit = self.unit_behind_colon()?;
+        self.binding_value(name, unit)
+    }
+
+    fn binding_value(&mut self, name: Name, unit: Option<UnitExpr>) -> Read<Let> {
         let statement = format!("the definition of `{}`", name.text);
         let value = self.definition(&name.text, &statement)?;
-        Ok(Let { name, unit, value })
+        Ok(Let {
+            is_constant: false,
+            name,
+            unit,
+            value,
+        })
     }
 
     pub fn load(&mut self) -> Read<ItemKind> {
@@ -206,17 +331,22 @@ impl Parser<'_> {
         } else {
             LoadClass::Moment
         };
+        let (subscripts, indices) = (self.subscripts()?, self.indices()?);
         let value = self.definition(&name.text, &format!("this `{word}`"))?;
-        Ok(ItemKind::Load(Load { class, name, value }))
+        let load = ItemKind::Load(Load { class, name, value });
+        self.array(subscripts, indices, Vec::new(), load)
     }
 
     pub fn equation(&mut self) -> Read<ItemKind> {
         self.advance();
         self.need(Token::Sign("("), "`(` after `der`")?;
         let state = self.name("the name of a state")?;
+        let subscripts = self.subscripts()?;
         self.need(Token::Sign(")"), "`)` after the state")?;
+        let indices = self.indices()?;
         let value = self.definition(&format!("der({})", state.text), "this equation")?;
-        Ok(ItemKind::Equation(Equation { state, value }))
+        let equation = ItemKind::Equation(Equation { state, value });
+        self.array(subscripts, indices, Vec::new(), equation)
     }
 
     fn marker(&mut self) -> Read<ItemKind> {

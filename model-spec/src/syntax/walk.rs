@@ -1,8 +1,10 @@
 //! Traversal of the syntax tree, and lookup of its statements.
 
+use std::collections::HashSet;
+
 use super::ast::{
-    Body, ClaimPartKind, Effect, Equation, Expr, ExprKind, File, Frame, ItemKind, Let, Load, Name,
-    Observe,
+    Body, BodyPartKind, ClaimPartKind, Effect, Equation, Expr, ExprKind, File, Frame, FrameKind,
+    ItemKind, Let, Load, Name, Observe, Parameter, State,
 };
 
 /// Iterates over the contents of the statements of one kind.
@@ -35,6 +37,43 @@ impl File {
     pub(crate) fn effects(&self) -> impl Iterator<Item = &Effect> {
         of_kind!(self.items.iter(), ItemKind::Effect)
     }
+
+    /// Names of all quantities that the file declares, by its frames and its body too.
+    pub(crate) fn declared(&self) -> HashSet<String> {
+        let mut names = HashSet::new();
+        for item in &self.items {
+            names.extend(item.kind.declared().map(|name| name.text.clone()));
+            match &item.kind {
+                ItemKind::Input(own) => {
+                    names.extend(["x", "y", "z"].map(|axis| format!("{}_{axis}", own.name.text)));
+                }
+                ItemKind::Marker(own) => {
+                    names.insert(own.name.text.clone());
+                }
+                ItemKind::Frame(frame) => match &frame.kind {
+                    FrameKind::Inertial => {}
+                    FrameKind::Turned { angle, .. } => {
+                        names.extend([angle.text.clone(), format!("{}dot", angle.text)]);
+                    }
+                    FrameKind::Quaternion { states, .. } => {
+                        names.extend(states.each_ref().map(|state| state.text.clone()));
+                    }
+                },
+                ItemKind::Body(body) => {
+                    for part in &body.parts {
+                        if let BodyPartKind::Position(states, _)
+                        | BodyPartKind::Velocity(states, _)
+                        | BodyPartKind::AngularVelocity(states, _) = &part.kind
+                        {
+                            names.extend(states.each_ref().map(|state| state.text.clone()));
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+        names
+    }
 }
 
 /// Function body of [`Expr::children`] and [`Expr::children_mut`], which differ only in the kind of reference.
@@ -42,13 +81,18 @@ macro_rules! visit_children {
     ($kind:expr, $visit:expr, $iter:ident) => {
         match $kind {
             ExprKind::Name(_) | ExprKind::Number(_) | ExprKind::Derivative(_) => {}
-            ExprKind::Part(of, _) | ExprKind::Neg(of) => $visit(of),
+            ExprKind::Part(of, _)
+            | ExprKind::Neg(of)
+            | ExprKind::Sum(_, of)
+            | ExprKind::Ascribed(of, _) => $visit(of),
             ExprKind::Components(parts, _) => parts.$iter().for_each($visit),
             ExprKind::Binary(_, a, b) => {
                 $visit(a);
                 $visit(b);
             }
-            ExprKind::Call(_, arguments) => arguments.$iter().for_each($visit),
+            ExprKind::Call(_, arguments) | ExprKind::Element(_, arguments) => {
+                arguments.$iter().for_each($visit)
+            }
         }
     };
 }
@@ -62,6 +106,32 @@ impl Expr {
     /// Calls `visit` with a mutable reference to each direct subexpression, from left to right.
     pub fn children_mut(&mut self, visit: &mut dyn FnMut(&mut Expr)) {
         visit_children!(&mut self.kind, visit, iter_mut);
+    }
+}
+
+/// Function body of [`ItemKind::array_name`] and [`ItemKind::array_name_mut`].
+macro_rules! array_name {
+    ($kind:expr) => {
+        match $kind {
+            ItemKind::Parameter(Parameter { name, .. })
+            | ItemKind::State(State { name, .. })
+            | ItemKind::Let(Let { name, .. })
+            | ItemKind::Load(Load { name, .. })
+            | ItemKind::Equation(Equation { state: name, .. }) => Some(name),
+            _ => None,
+        }
+    };
+}
+
+impl ItemKind {
+    /// Name of a statement that may be one for each element of an array; `None` for other kinds of statement.
+    pub(crate) fn array_name(&self) -> Option<&Name> {
+        array_name!(self)
+    }
+
+    /// Mutable [`ItemKind::array_name`].
+    pub(crate) fn array_name_mut(&mut self) -> Option<&mut Name> {
+        array_name!(self)
     }
 }
 
@@ -97,6 +167,14 @@ impl ItemKind {
         }
         match self {
             ItemKind::Limit(limit) => visit(&mut limit.value),
+            ItemKind::Array(array) => array.statement.expressions_mut(visit),
+            ItemKind::Function(function) => {
+                function
+                    .lets
+                    .iter_mut()
+                    .for_each(|own| visit(&mut own.value));
+                visit(&mut function.value);
+            }
             ItemKind::Claim(claim) => {
                 for part in &mut claim.parts {
                     match &mut part.kind {
@@ -136,6 +214,7 @@ impl ItemKind {
             ItemKind::State(own) => Some(&own.name),
             ItemKind::Let(own) => Some(&own.name),
             ItemKind::Input(own) => Some(&own.name),
+            ItemKind::Array(own) => own.statement.declared(),
             _ => None,
         }
     }

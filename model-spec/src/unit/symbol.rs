@@ -14,7 +14,7 @@ pub struct Symbol {
 }
 
 /// Unit symbols without prefixes: symbol, SI unit, rational conversion factor, and whether π multiplies that factor.
-const TABLE: [(&str, Unit, (i128, i128), bool); 30] = [
+const TABLE: [(&str, Unit, (i128, i128), bool); 34] = [
     ("m", Unit::METRE, (1, 1), false),
     ("g", Unit::KILOGRAM, (1, 1000), false),
     ("s", Unit::SECOND, (1, 1), false),
@@ -50,6 +50,15 @@ const TABLE: [(&str, Unit, (i128, i128), bool); 30] = [
     ("lb", Unit::KILOGRAM, (45_359_237, 100_000_000), false),
     ("oz", Unit::KILOGRAM, (45_359_237, 1_600_000_000), false),
     ("mph", Unit::SPEED, (44_704, 100_000), false),
+    ("in", Unit::METRE, (254, 10_000), false),
+    ("yd", Unit::METRE, (9144, 10_000), false),
+    ("kn", Unit::SPEED, (1852, 3600), false),
+    (
+        "lbf",
+        Unit::NEWTON,
+        (44_482_216_152_605, 10_000_000_000_000),
+        false,
+    ),
 ];
 
 /// Number of leading entries of [`TABLE`] that accept an SI prefix.
@@ -91,6 +100,17 @@ pub fn find(name: &str) -> Option<Symbol> {
     })
 }
 
+/// Text that lists all symbols: those that accept a prefix, then the others.
+pub fn listed() -> String {
+    let symbols = TABLE.map(|(symbol, ..)| symbol);
+    let (prefixed, others) = symbols.split_at(PREFIXED);
+    format!(
+        "{} with prefixes, and {}",
+        prefixed.join(", "),
+        others.join(", ")
+    )
+}
+
 fn symbol(unit: Unit, (above, below): (i128, i128), pi: bool) -> Symbol {
     let scale = if pi { std::f64::consts::PI } else { 1.0 };
     Symbol {
@@ -102,7 +122,7 @@ fn symbol(unit: Unit, (above, below): (i128, i128), pi: bool) -> Symbol {
 
 /// Suggests a symbol for a name (`meter`) or a wrong letter case (`KG`).
 pub fn suggest(name: &str) -> Option<&'static str> {
-    const WORDS: [(&str, &str); 32] = [
+    const WORDS: [(&str, &str); 37] = [
         ("meter", "m"),
         ("metre", "m"),
         ("mtr", "m"),
@@ -135,6 +155,11 @@ pub fn suggest(name: &str) -> Option<&'static str> {
         ("pound", "lb"),
         ("mp", "mph"),
         ("kelvin", "K"),
+        ("inch", "in"),
+        ("inche", "in"),
+        ("yard", "yd"),
+        ("knot", "kn"),
+        ("kt", "kn"),
     ];
     let lower = name.to_lowercase();
     let singular = lower.strip_suffix('s').unwrap_or(&lower);
@@ -166,6 +191,10 @@ mod tests {
             ("µm", 1e-6, Unit::METRE),
             ("kN", 1000.0, Unit::NEWTON),
             ("deg", std::f64::consts::PI / 180.0, Unit::RADIAN),
+            ("in", 0.0254, Unit::METRE),
+            ("kn", 1852.0 / 3600.0, Unit::SPEED),
+            // 0.45359237 kg under the standard gravity of 9.80665 m/s².
+            ("lbf", 4.448_221_615_260_5, Unit::NEWTON),
             ("rpm", 2.0 * std::f64::consts::PI / 60.0, Unit::RATE),
         ] {
             let found = find(name).unwrap();

@@ -270,6 +270,7 @@ fn grouped(e: &Expr) -> String {
             let arguments: Vec<String> = arguments.iter().map(grouped).collect();
             format!("{}({})", name.text, arguments.join(", "))
         }
+        other => panic!("none of the expressions above: {other:?}"),
     }
 }
 

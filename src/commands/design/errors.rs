@@ -9,8 +9,8 @@ use serde_json::Value;
 /// Maximum size of `report.json`, bytes.
 const MAX_BYTES: u64 = 64 << 20;
 
-/// Reads standard errors and correlations from the `report.json` of `hyzer fit`.
-pub fn read(file: &Path) -> anyhow::Result<CoefficientErrors> {
+/// Reads the text of the `report.json` of `hyzer fit`.
+pub fn text(file: &Path) -> anyhow::Result<String> {
     let place = || format!("--fit: {}", file.display());
     let size = std::fs::metadata(file).with_context(place)?.len();
     if size > MAX_BYTES {
@@ -19,8 +19,13 @@ pub fn read(file: &Path) -> anyhow::Result<CoefficientErrors> {
             place()
         );
     }
-    let text = std::fs::read_to_string(file).with_context(place)?;
-    let report: Value = serde_json::from_str(&text).with_context(place)?;
+    std::fs::read_to_string(file).with_context(place)
+}
+
+/// Reads standard errors and correlations from the text of a `report.json`, named by `name` in messages.
+pub fn read(name: &str, text: &str) -> anyhow::Result<CoefficientErrors> {
+    let place = || name.to_owned();
+    let report: Value = serde_json::from_str(text).with_context(place)?;
     let Some(coefficients) = report["coefficients"].as_object() else {
         bail!(
             "{}: found no \"coefficients\", expected the report.json of hyzer fit",

@@ -8,7 +8,9 @@ use analysis::design::{
 };
 use anyhow::bail;
 use flight::files::ResultFile;
-use flight::release::Release;
+use flight::release::{Release, ReleaseError};
+use model_spec::model::Model;
+use report::Units;
 use report::viewer::View;
 
 use super::simulate::{apply_all, throws};
@@ -19,75 +21,134 @@ use crate::{Answer, output};
 /// Runs `hyzer design`. `Answer::No` if the throw violates a constraint of the goal.
 pub(super) fn run(options: &Options) -> anyhow::Result<Answer> {
     let out = output::results(options.out.as_deref(), &options.figures)?;
-    let mut model = model_spec::load::load(&options.model, &super::names(&options.with))?;
+    let fit = options.fit.as_deref().map(|file| {
+        let text = errors::text(file)?;
+        anyhow::Ok((format!("--fit: {}", file.display()), text))
+    });
+    let bounds = |body: &ThrownBody| match &options.bounds {
+        Some(file) => Ok(Some(Bounds::read_file(file, body)?)),
+        None => Ok(None),
+    };
+    let asked = Asked {
+        name: &options.model,
+        model: model_spec::load::load(&options.model, &super::names(&options.with))?,
+        goal: goal(options)?,
+        bounds: &bounds,
+        wind: options.wind.as_deref(),
+        units: options.units,
+        set: &options.set,
+        fit: fit.transpose()?,
+        samples: options.samples as usize,
+        search: SearchOptions {
+            starts: options.starts as usize,
+            seed: options.seed,
+            threads: (options.threads).map_or_else(flight::parallel::threads, |n| n as usize),
+            ..SearchOptions::default()
+        },
+    };
+    designed(asked, |made, flights| {
+        if !made.left_out.is_empty() {
+            let names = made.left_out.join(", ");
+            eprintln!("--fit: the model has no {names}; left out");
+        }
+        output::print(made.text(options.units))?;
+        if let Some(out) = &out {
+            let what = "release.toml, design.json, report.html and flight.html";
+            out.write(made.files(flights)?, what)?;
+        }
+        Ok(Answer::of(made.found.feasible))
+    })
+}
+
+/// What is to be designed, and how.
+pub struct Asked<'a> {
+    /// Name or path of the model.
+    pub name: &'a str,
+    /// The model, with its effects.
+    pub model: Model,
+    /// Purpose of the throw.
+    pub goal: Goal,
+    /// Bounds for the body; `None` for the standard ones.
+    pub bounds: &'a dyn Fn(&ThrownBody) -> Result<Option<Bounds>, ReleaseError>,
+    /// Wind as in the option `--wind`.
+    pub wind: Option<&'a str>,
+    /// Units of the components of the wind.
+    pub units: Units,
+    /// Parameters and coefficients as in the option `--set`.
+    pub set: &'a [String],
+    /// Name in messages and text of the `report.json` of a fit, whose standard errors scatter the coefficients.
+    pub fit: Option<(String, String)>,
+    /// Number of flights that are sampled for the spread.
+    pub samples: usize,
+    /// Starts, seed and threads.
+    pub search: SearchOptions,
+}
+
+/// Designs a throw, and calls `then` with it and what flies it.
+///
+/// # Errors
+/// If an input is faulty, or no throw can be flown.
+pub fn designed<R>(
+    asked: Asked<'_>,
+    then: impl FnOnce(&Designed<'_>, &ThrowFlights<'_>) -> anyhow::Result<R>,
+) -> anyhow::Result<R> {
+    let mut model = asked.model;
     let mut release = Release {
         // The search sets the motion of the throw.
         initial: Vec::new(),
-        ..throws::at_defaults(&options.model, &model)
+        ..throws::at_defaults(asked.name, &model)
     };
-    if let Some(wind) = &options.wind {
-        model = super::wind::apply(wind, model, &mut release)?;
+    let is_plain = model.effects.is_empty();
+    if let Some(wind) = asked.wind {
+        model = super::wind::apply(wind, asked.units, model, &mut release)?;
     }
-    apply_all(&options.set, &model, &mut release)?;
+    apply_all(asked.set, &model, &mut release)?;
     let body = ThrownBody::new(model)?;
     let flights = body.with(&release);
-    let goal = goal(options)?;
-    let mut bounds = match &options.bounds {
-        Some(file) => Bounds::read_file(file, &body)?,
-        None => Bounds::standard(&body),
-    };
+    let given = (asked.bounds)(&body)?;
     // In still air neither range nor time depends on the heading.
     let is_calm = release.wind[0] == 0.0
         && release.wind[1] == 0.0
         && release.wind_field.is_none()
-        && options.with.is_empty();
-    if options.bounds.is_none() && is_calm && matches!(goal, Goal::Range | Goal::HangTime) {
+        && is_plain;
+    let holds_heading = given.is_none() && is_calm;
+    let mut bounds = given.unwrap_or_else(|| Bounds::standard(&body));
+    if holds_heading && matches!(asked.goal, Goal::Range | Goal::HangTime) {
         bounds.set("heading", 0.0, 0.0);
     }
-    let threads = options.threads.map(|n| n as usize);
-    let threads = threads.unwrap_or_else(flight::parallel::threads);
-    let search = SearchOptions {
-        starts: options.starts as usize,
-        seed: options.seed,
-        threads,
-        ..SearchOptions::default()
-    };
-    let found = design(&flights, goal, &bounds, &search)?;
+    let found = design(&flights, asked.goal, &bounds, &asked.search)?;
     let mut scattered = Scattered::of(&flights, &bounds.scatter);
-    if let Some(file) = &options.fit {
-        let (with, unknown) = scattered.with_coefficients(&flights, &errors::read(file)?);
-        scattered = with;
-        if !unknown.is_empty() {
-            eprintln!("--fit: the model has no {}; left out", unknown.join(", "));
-        }
+    let mut left_out = Vec::new();
+    if let Some((name, text)) = &asked.fit {
+        (scattered, left_out) = scattered.with_coefficients(&flights, &errors::read(name, text)?);
     }
     let aims = aims(&found, &bounds);
     let samples = SampleOptions {
-        count: options.samples as usize,
-        seed: options.seed,
-        threads,
+        count: asked.samples,
+        seed: asked.search.seed,
+        threads: asked.search.threads,
     };
     let spread = spread(&flights, &found.throw, &aims, &scattered, &samples)?;
     let made = Designed {
-        model: &options.model,
+        model: asked.name,
         release: &release,
         found,
         bounds,
         spread,
+        left_out,
     };
-    output::print(made.text())?;
-    if let Some(out) = &out {
-        let what = "release.toml, design.json, report.html and flight.html";
-        out.write(made.files(&flights)?, what)?;
-    }
-    Ok(Answer::of(made.found.feasible))
+    then(&made, &flights)
 }
 
 fn goal(options: &Options) -> anyhow::Result<Goal> {
     let name = options.goal.as_str();
     let target = options.target.as_deref();
-    let target = target.map(|text| vector("--target", text, "m"));
-    Ok(match (name, target.transpose()?) {
+    let (unit, size) = options.units.instead_of("m");
+    let target = target.map(|text| vector("--target", text, unit));
+    let target = target
+        .transpose()?
+        .map(|target| target.map(|own| own * size));
+    Ok(match (name, target) {
         ("range", None) => Goal::Range,
         ("hangtime", None) => Goal::HangTime,
         ("range" | "hangtime", Some(_)) => {
@@ -116,10 +177,12 @@ pub struct Designed<'a> {
     pub bounds: Bounds,
     /// Distribution of the landings.
     pub spread: Spread,
+    /// Coefficients of the fit that the model does not have.
+    pub left_out: Vec<String>,
 }
 
 /// What the spread of the landings is judged by.
-pub fn aims(found: &Design, bounds: &Bounds) -> Aims {
+fn aims(found: &Design, bounds: &Bounds) -> Aims {
     let (ground, air) = match found.target() {
         Some(target) if target.z == 0.0 => (Some(target), None),
         other => (None, other),
@@ -133,9 +196,9 @@ pub fn aims(found: &Design, bounds: &Bounds) -> Aims {
 }
 
 impl Designed<'_> {
-    /// Summary for the terminal.
-    pub fn text(&self) -> String {
-        report::design::text(&self.found, &self.bounds, &self.spread)
+    /// Summary for the terminal, in `units`.
+    pub fn text(&self, units: Units) -> String {
+        report::design::text(&self.found, &self.bounds, &self.spread, units)
     }
 
     /// Text of the file `design.json`; `model` is the name of the model.

@@ -26,7 +26,10 @@ const CASES: usize = 12;
 pub(super) fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     let deadline = deadline(options.max_seconds)?;
     let out = options.out.as_deref();
-    let inputs = Inputs::read(&options.inputs, out, &options.figures)?;
+    let mut inputs = Inputs::read(&options.inputs, out, &options.figures)?;
+    if let Some(out) = &mut inputs.out {
+        out.as_parquet = !options.tables.is_empty();
+    }
     let (dataset, model, name) = (&inputs.dataset, &inputs.model, &inputs.name);
     let progress = Progress::new()?;
     let asked = DiagnosisOptions {

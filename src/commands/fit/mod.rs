@@ -25,7 +25,10 @@ pub(super) const FLIGHTS: &str = "flights.html";
 pub(super) fn run(options: &Fit) -> anyhow::Result<Answer> {
     let deadline = deadline(options.max_seconds)?;
     let out = options.out.as_deref();
-    let inputs = Inputs::read(&options.inputs, out, &options.figures)?;
+    let mut inputs = Inputs::read(&options.inputs, out, &options.figures)?;
+    if let Some(out) = &mut inputs.out {
+        out.as_parquet = !options.tables.is_empty();
+    }
     let (dataset, model, name) = (&inputs.dataset, &inputs.model, &inputs.name);
     let progress = Progress::new()?;
     let asked = FitOptions {

@@ -3,32 +3,40 @@
 use std::fmt::Write;
 
 use flight::throw::{FlownThrow, Throw};
-use report::{Table, hundredths};
+use report::{Table, Units, hundredths};
 use serde_json::{Value, json};
 
 /// Table of the characteristics of a flight.
-pub fn table(flown: &FlownThrow) -> String {
+pub fn table(flown: &FlownThrow, units: Units) -> String {
     let mut text = String::new();
     let is_right = flown.sideways < 0.0;
     let side = if is_right { "right" } else { "left" };
-    let [x, y, z] = flown.landing.map(hundredths);
-    let (range, sideways) = (flown.range, flown.sideways.abs());
+    let length = |metres: f64| units.of_metres(metres);
+    let m = units.length();
+    let [x, y, z] = flown.landing.map(|own| hundredths(length(own)));
+    let (range, sideways) = (length(flown.range), length(flown.sideways.abs()));
     let _ = writeln!(
         text,
-        "  range {range:.2} m, {sideways:.2} m to the {side} of the throw's line; lands at x {x:.2}, y {y:.2}, z {z:.2} m"
+        "  range {range:.2} {m}, {sideways:.2} {m} to the {side} of the throw's line; lands at x {x:.2}, y {y:.2}, z {z:.2} {m}"
     );
     let _ = writeln!(
         text,
-        "  greatest height {:.2} m at {:.2} s; time {:.2} s; top speed {:.2} m/s",
-        flown.apex.0, flown.apex.1, flown.seconds, flown.top_speed
+        "  greatest height {:.2} {m} at {:.2} s; time {:.2} s; top speed {:.2} {}",
+        length(flown.apex.0),
+        flown.apex.1,
+        flown.seconds,
+        units.of(flown.top_speed, "m/s"),
+        units.speed()
     );
     if let Some((least, greatest)) = flown.alpha {
         let _ = writeln!(text, "  angle of attack {least:.1} to {greatest:.1} deg");
     }
     let fields = flight::throw::FIELDS.into_iter();
     let rows = fields.filter_map(|(name, unit, ..)| {
-        let ends = (flown.release.field(name)?, flown.end.field(name)?);
-        Some((format!("{name}, {unit}"), ends))
+        let (shown, size) = units.instead_of(unit);
+        let end = |throw: &Throw| Some(throw.field(name)? / size);
+        let ends = (end(&flown.release)?, end(&flown.end)?);
+        Some((format!("{name}, {shown}"), ends))
     });
     let number = |value: f64| format!("{:.2}", hundredths(value));
     let table = Table::of(rows)

@@ -6,7 +6,7 @@ use flight::throw::FlownThrow;
 use flight::{CompiledModel, simulate, trajectory_csv};
 use model_spec::model::Model;
 use ode::IntegrationOptions;
-use report::{CsvTable, Table, hundredths};
+use report::{CsvTable, Table, Units, hundredths};
 
 use super::techdisc::Row;
 use super::{check_rows, summary_file, throws};
@@ -30,8 +30,14 @@ pub(super) fn run(
     let mut seconds = 0.0;
     for row in rows {
         let mut own = release.clone();
-        let flown = throws::apply(&options.throw, Some(row.throw), model, &mut own)
-            .and_then(|()| Ok(simulate(body, &own, &settings)?));
+        let flown = throws::apply(
+            &options.throw,
+            options.units,
+            Some(row.throw),
+            model,
+            &mut own,
+        )
+        .and_then(|()| Ok(simulate(body, &own, &settings)?));
         let flight = match flown {
             Ok(flight) => flight,
             Err(error) => {
@@ -58,12 +64,13 @@ pub(super) fn run(
         let what = "results.csv, and trajectory.csv and summary.json of each row,";
         out.write(files, what)?;
     }
-    output::print(table(&flights))?;
+    output::print(table(&flights, options.units))?;
     Ok(Answer::of(flights.iter().all(|(_, flown)| flown.is_ok())))
 }
 
-fn table(flights: &[Flight<'_>]) -> String {
-    let number = |flown: &Result<FlownThrow, String>, of: fn(&FlownThrow) -> f64| {
+fn table(flights: &[Flight<'_>], units: Units) -> String {
+    let (m, length) = (units.length(), |value: f64| units.of_metres(value));
+    let number = |flown: &Result<FlownThrow, String>, of: &dyn Fn(&FlownThrow) -> f64| {
         let flown = flown.as_ref().ok();
         flown.map_or_else(String::new, |flown| format!("{:.2}", hundredths(of(flown))))
     };
@@ -74,11 +81,19 @@ fn table(flights: &[Flight<'_>]) -> String {
     Table::of(flights)
         .number("row", |(row, _)| row.number)
         .plain("id", |(row, _)| row.id.chars().take(16).collect::<String>())
-        .number("m/s", |(_, flown)| number(flown, |f| f.release.speed))
-        .number("range, m", |(_, flown)| number(flown, |f| f.range))
-        .number("left, m", |(_, flown)| number(flown, |f| f.sideways))
-        .number("height, m", |(_, flown)| number(flown, |f| f.apex.0))
-        .number("time, s", |(_, flown)| number(flown, |f| f.seconds))
+        .number(units.speed(), |(_, flown)| {
+            number(flown, &|f| units.of(f.release.speed, "m/s"))
+        })
+        .number(&format!("range, {m}"), |(_, flown)| {
+            number(flown, &|f| length(f.range))
+        })
+        .number(&format!("left, {m}"), |(_, flown)| {
+            number(flown, &|f| length(f.sideways))
+        })
+        .number(&format!("height, {m}"), |(_, flown)| {
+            number(flown, &|f| length(f.apex.0))
+        })
+        .number("time, s", |(_, flown)| number(flown, &|f| f.seconds))
         .text("", |(row, flown)| failure(row, flown))
         .table()
         .text(usize::MAX)

@@ -4,6 +4,7 @@ use anyhow::Context;
 use flight::release::Release;
 use flight::throw::{FIELDS, Throw, ThrownModel};
 use model_spec::model::Model;
+use report::Units;
 
 use crate::cli::ThrowOptions;
 
@@ -15,9 +16,11 @@ pub fn at_defaults(name: &str, model: &Model) -> Release {
     }
 }
 
-/// Sets the motion of `throw` in a release, with the quantities that options replace; without `throw`, that of the release.
+/// Sets the motion of `throw` in a release, with the quantities that options, in `units`, replace; without `throw`, that of
+/// the release.
 pub fn apply(
     options: &ThrowOptions,
+    units: Units,
     throw: Option<Throw>,
     model: &Model,
     release: &mut Release,
@@ -33,8 +36,9 @@ pub fn apply(
         let value = text.trim().parse::<f64>().ok().filter(|v| v.is_finite());
         let unit = FIELDS.iter().find(|(field, ..)| *field == name);
         let unit = unit.map_or("", |(_, unit, ..)| unit);
+        let (unit, size) = units.instead_of(unit);
         let expected = || format!("--{name}: found {text:?}, expected a number in {unit}");
-        throw.set(name, value.with_context(expected)?);
+        throw.set(name, value.with_context(expected)? * size);
     }
     let ground = thrown.ground(&before, &parameters);
     let state = thrown.state(&throw, ground, &parameters);

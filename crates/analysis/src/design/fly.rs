@@ -42,6 +42,7 @@ impl ThrowFlights<'_> {
         by: &[By],
         options: &IntegrationOptions,
     ) -> Result<Path<'_>, ThrowFlightError> {
+        flight::cancellation::stop_if_cancelled();
         let state = self.state(throw, near)?;
         let thrown = self.body.thrown.bind(&self.parameters);
         let start = thrown.state_by_throw(throw, &state);

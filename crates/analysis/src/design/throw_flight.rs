@@ -140,6 +140,7 @@ impl ThrowFlights<'_> {
         state: &[f64],
         options: &IntegrationOptions,
     ) -> Result<Trajectory, IntegrationError> {
+        flight::cancellation::stop_if_cancelled();
         let mut events = self.bound.limits();
         events.push(Event::falls_to("ground", self.body.position[2], 0.0).terminal());
         let start: Box<[f64]> = state.into();

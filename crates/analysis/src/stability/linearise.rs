@@ -123,6 +123,7 @@ impl BoundBody<'_> {
     /// [`StabilityError::Constrained`] if the states of the model do not reach every motion near the state;
     /// [`StabilityError::NotFinite`] if the linearised motion is not finite there.
     pub fn linearise(&self, t: f64, state: &[f64]) -> Result<Linearised, StabilityError> {
+        flight::cancellation::stop_if_cancelled();
         let thrown = &self.body.thrown;
         let n = state.len();
         let mut rhs = self.bound.rhs();

@@ -16,4 +16,4 @@ mod table;
 
 pub use plan::Plan;
 pub use rows::STATUSES;
-pub use run::{SweepError, SweepOptions, run};
+pub use run::{SweepError, SweepOptions, landings, run};

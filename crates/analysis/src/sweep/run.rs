@@ -162,6 +162,16 @@ pub fn run(
     finish(&folder, plan, options, json).map(Some)
 }
 
+/// Landing places, m, of about `most` of the flights that landed, from the finished sweep of `plan` in the folder `out`.
+///
+/// # Errors
+/// [`SweepError::Table`] if the table of flights cannot be read.
+pub fn landings(plan: &Plan, out: &Path, most: usize) -> Result<Vec<[f64; 2]>, SweepError> {
+    let path = out.join(FLIGHTS);
+    table::landings(&path, plan.axes.len(), most)
+        .map_err(|source| SweepError::Table { path, source })
+}
+
 /// Removes the files of the parts, and writes the CSV if requested.
 fn finish(
     folder: &PartsFolder,

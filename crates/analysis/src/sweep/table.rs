@@ -206,6 +206,42 @@ pub(crate) fn join(
     })
 }
 
+/// Landing places, m, of about `most` of the flights that landed, in the table at `from`, or of all if there are fewer; empty if
+/// the model has no place.
+pub(crate) fn landings(
+    from: &Path,
+    inputs: usize,
+    most: usize,
+) -> Result<Vec<[f64; 2]>, ParquetError> {
+    let reader = SerializedFileReader::new(File::open(from)?)?;
+    let flights = reader.metadata().file_metadata().num_rows().max(0) as usize;
+    let share = most as f64 / flights.max(1) as f64;
+    let mut landings = Vec::new();
+    for group in 0..reader.num_row_groups() {
+        let rows = row_group(&reader, group, inputs)?;
+        let column = |name: &str| rows.columns.iter().find(|column| column.name == name);
+        let (Some(x), Some(y)) = (column("landing_x"), column("landing_y")) else {
+            continue;
+        };
+        let all = (rows.first..).zip(x.values.iter().zip(&y.values));
+        let all = all.zip(&rows.status);
+        let chosen = all.filter(|((flight, (x, y)), status)| {
+            let has_landed = STATUSES[usize::from(**status)] == "landed";
+            is_drawn(*flight, share) && has_landed && x.is_finite() && y.is_finite()
+        });
+        landings.extend(chosen.map(|((_, (x, y)), _)| [*x, *y]));
+    }
+    Ok(landings)
+}
+
+/// Whether a flight is among a share of all. Its number is scattered first: flights at equal steps would be at few points of a
+/// grid.
+fn is_drawn(flight: u64, share: f64) -> bool {
+    // Fibonacci hashing, Knuth, The Art of Computer Programming 3, 6.4.
+    let scattered = flight.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    (scattered as f64) < share * u64::MAX as f64
+}
+
 /// Converts the table of flights to CSV, one row group at a time; missing values become empty cells.
 pub(crate) fn to_csv(from: &Path, to: &Path, inputs: usize) -> Result<(), ParquetError> {
     let reader = SerializedFileReader::new(File::open(from)?)?;

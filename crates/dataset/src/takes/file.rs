@@ -48,23 +48,37 @@ pub fn bytes(file: &Path, largest: u64, what: &str) -> Result<Vec<u8>, TakeError
     Ok(bytes)
 }
 
-/// Decodes the bytes of a table: UTF-8, or UTF-16 with a byte-order mark, which is stripped; lines may end in a carriage
-/// return alone. Fails for other encodings and NUL bytes.
+/// Decodes the bytes of a table as [`decoded`]; an error has the line.
 pub(crate) fn text(bytes: &[u8]) -> Result<Cow<'_, str>, Fault> {
-    let fault = |bytes: &[u8], (offset, found, expected): NotText| {
+    decoded(bytes).map_err(|(offset, found, expected)| {
         let line = 1 + bytes[..offset].iter().filter(|&&b| b == b'\n').count();
         Fault::new(Location::Line(line), found, expected)
+    })
+}
+
+/// Decodes the bytes of a table: UTF-8, UTF-16 with a byte-order mark, which is removed, or Latin-1; lines may end in a
+/// carriage return alone. Fails for NUL bytes and for bytes that are no character of these encodings.
+///
+/// Numbers and separators have the same bytes in every encoding of one byte a character, so that only names could be
+/// decoded wrongly, and these have to agree with what the dataset declares.
+pub(crate) fn decoded(bytes: &[u8]) -> Result<Cow<'_, str>, NotText> {
+    let text = match bytes {
+        [0xff, 0xfe, rest @ ..] => utf16(rest, u16::from_le_bytes)?.into(),
+        [0xfe, 0xff, rest @ ..] => utf16(rest, u16::from_be_bytes)?.into(),
+        _ => match utf8(bytes) {
+            Ok(text) => Cow::Borrowed(text),
+            Err(_) if is_latin1(bytes) => bytes.iter().map(|&b| char::from(b)).collect(),
+            Err(error) => return Err(error),
+        },
     };
-    let wide = match bytes {
-        [0xff, 0xfe, rest @ ..] => utf16(rest, u16::from_le_bytes)?,
-        [0xfe, 0xff, rest @ ..] => utf16(rest, u16::from_be_bytes)?,
-        _ => {
-            let text = utf8(bytes).map_err(|error| fault(bytes, error))?;
-            return Ok(with_newlines(text).map_or(Cow::Borrowed(text), Cow::Owned));
-        }
-    };
-    utf8(wide.as_bytes()).map_err(|error| fault(wide.as_bytes(), error))?;
-    Ok(Cow::Owned(with_newlines(&wide).unwrap_or(wide)))
+    Ok(with_newlines(&text).map_or(text, Cow::Owned))
+}
+
+/// Whether the bytes can be Latin-1: no NUL byte, no control character of its upper half, and no 0xff, which is more often
+/// damage than the letter ÿ.
+fn is_latin1(bytes: &[u8]) -> bool {
+    let is_shown = |&byte: &u8| byte != 0 && byte != 0xff && !(0x80..0xa0).contains(&byte);
+    bytes.iter().all(is_shown)
 }
 
 /// The text with newlines in place of carriage returns, if its lines end in these alone.
@@ -89,8 +103,12 @@ pub(crate) fn utf8(bytes: &[u8]) -> Result<&str, NotText> {
     }
 }
 
-fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Result<String, Fault> {
+fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Result<String, NotText> {
     let units = bytes.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
     let text: Result<String, _> = char::decode_utf16(units).collect();
-    text.map_err(|_| Fault::new(Location::Line(1), "bytes that are not UTF-16", "UTF-8 text"))
+    let text = text.map_err(|_| (0, "bytes that are not UTF-16".into(), "UTF-8 text"))?;
+    match text.contains('\0') {
+        true => Err((0, "a NUL character".into(), "text")),
+        false => Ok(text),
+    }
 }

@@ -107,10 +107,13 @@ impl Format {
 
 /// Recognises the format of a table by the column names in its header line.
 fn by_columns(header: &str) -> Option<Format> {
+    let separator = separator(header);
     let names = header
-        .split(separator(header))
+        .split(separator)
         .map(|name| name.trim().trim_matches('"'));
-    let names: Vec<&str> = names.collect();
+    let names: Vec<&str> = names
+        .filter(|name| separator != ' ' || !name.is_empty())
+        .collect();
     let columns: Vec<Column> = names.iter().map(|name| Column::parse(name)).collect();
     let has = |wanted: fn(&Quantity) -> bool| columns.iter().any(|c| wanted(&c.quantity));
     if has(|q| matches!(q, Quantity::Quaternion(_))) {

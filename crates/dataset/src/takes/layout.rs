@@ -152,6 +152,7 @@ impl Layout {
         let (mut zeros, mut cut) = (0, None);
         let mut more = true;
         while more && !ends(sheet) {
+            flight::cancellation::stop_if_cancelled();
             if !self.is_whole(sheet)? {
                 cut = Some(sheet.line());
                 break;

@@ -1,16 +1,21 @@
 //! Numbers from outside: a table cell as a number, and the bounds of a frame rate.
 
-/// Parses a table cell as a finite number. Returns `None` for an empty cell or NaN, and for any other
-/// text an error message that states what was expected.
+/// Words of other programs for a missing value, besides NaN; in any case.
+const MISSING: [&str; 4] = ["NA", "N/A", "#N/A", "null"];
+
+/// Parses a table cell as a finite number. Returns `None` for an empty cell, NaN or a word for a missing value, and for
+/// any other text an error message that states what was expected.
 pub fn number(cell: &str) -> Result<Option<f64>, &'static str> {
     const EXPECTED: &str = "a finite number, or nothing for a dropout";
     if cell.is_empty() {
         return Ok(None);
     }
+    let is_missing = |word: &&str| word.eq_ignore_ascii_case(cell);
     match cell.parse::<f64>() {
         Ok(value) if value.is_nan() => Ok(None),
         Ok(value) if value.is_finite() => Ok(Some(value)),
         Ok(_) => Err(EXPECTED),
+        Err(_) if MISSING.iter().any(|word| is_missing(&word)) => Ok(None),
         Err(_) => Err(hint(cell).unwrap_or(EXPECTED)),
     }
 }
@@ -52,8 +57,20 @@ mod tests {
         assert_eq!(number("-1.5e-3"), Ok(Some(-1.5e-3)));
         assert_eq!(number(".5"), Ok(Some(0.5)));
         assert_eq!(number(""), Ok(None));
-        assert_eq!(number("NaN"), Ok(None));
-        for bad in ["inf", "-Infinity", "1e999", "one", "1 5", "0x1p3"] {
+        for missing in ["NaN", "nan", "NA", "n/a", "NULL"] {
+            assert_eq!(number(missing), Ok(None), "{missing}");
+        }
+        for bad in [
+            "inf",
+            "-Infinity",
+            "1e999",
+            "one",
+            "1 5",
+            "0x1p3",
+            "NAN1",
+            "-",
+            ".",
+        ] {
             assert!(number(bad).is_err(), "{bad}");
         }
     }

@@ -1,12 +1,14 @@
 //! Row-by-row reader of a table that keeps the locations of cells for error messages.
 
+use std::cell::Cell;
+
 use csv::{Reader, ReaderBuilder, StringRecord};
 
 use crate::place::CellLocations;
 use crate::takes::{Fault, Location, number, shown};
 
-/// Cell separator of a table, by the first of its lines that is neither blank nor a comment: the tab, else the
-/// semicolon, if that line contains one outside quotes; otherwise the comma.
+/// Cell separator of a table, by the first of its lines that is neither blank nor a comment: the first of tab, semicolon,
+/// comma and space that this line contains outside quotes, or the comma. Spaces in a row are one separator.
 pub(crate) fn separator(text: &str) -> char {
     let header = text
         .split(['\n', '\r'])
@@ -18,7 +20,7 @@ pub(crate) fn separator(text: &str) -> char {
         quoted ^= c == '"';
         !quoted
     });
-    let mut marks = ['\t', ';'].into_iter();
+    let mut marks = ['\t', ';', ',', ' '].into_iter();
     marks.find(|&mark| bare.contains(mark)).unwrap_or(',')
 }
 
@@ -29,6 +31,8 @@ pub(crate) struct Sheet<'t> {
     line: usize,
     has_quotes: bool,
     is_strict: bool,
+    /// Decimal mark of the numbers so far, of a table whose cells may have either.
+    decimal_mark: Cell<Option<char>>,
 }
 
 impl<'t> Sheet<'t> {
@@ -56,6 +60,7 @@ impl<'t> Sheet<'t> {
             line: 0,
             has_quotes: text.contains('"'),
             is_strict,
+            decimal_mark: Cell::new(None),
         }
     }
 
@@ -92,12 +97,22 @@ impl<'t> Sheet<'t> {
                 return Ok(false);
             }
             self.line = line;
+            if self.locations.separator == ' ' {
+                self.join_separators();
+            }
             self.check_quotes()?;
-            let is_blank = self.record.len() == 1 && self.cell(0).is_empty();
+            let is_blank = self.record.len() <= 1 && self.cell(0).is_empty();
             if !is_blank && !self.cell(0).starts_with('#') {
                 return Ok(true);
             }
         }
+    }
+
+    /// Removes the empty cells between spaces in a row.
+    fn join_separators(&mut self) {
+        let place = self.record.position().cloned();
+        self.record = self.record.iter().filter(|c| !c.is_empty()).collect();
+        self.record.set_position(place);
     }
 
     /// Returns an error if a quote of the current row is not closed, which would extend over the following rows.
@@ -178,20 +193,33 @@ impl<'t> Sheet<'t> {
         self.reader.position().byte() as usize >= text.len() && !text.ends_with('\n')
     }
 
-    /// Value of a cell of the current row of the table; `None` if the cell is empty or NaN. A decimal comma is accepted
-    /// unless the comma is the cell separator.
+    /// Value of a cell of the current row of the table; `None` if the value is missing. A decimal comma is accepted unless
+    /// the comma is the cell separator, or the table has decimal points.
     pub fn number(&self, index: usize) -> Result<Option<f64>, Fault> {
         let cell = self.cell(index);
+        let mark = match self.locations.separator {
+            ',' => None,
+            _ => cell.chars().find(|c| [',', '.'].contains(c)),
+        };
         let is_decimal = |c: char| c.is_ascii_digit() || ['-', '+', ',', 'e', 'E'].contains(&c);
-        let has_comma = self.locations.separator != ','
-            && cell.matches(',').count() == 1
-            && cell.chars().all(is_decimal);
-        let read = if has_comma {
+        let is_other =
+            mark == Some(',') && cell.matches(',').count() == 1 && cell.chars().all(is_decimal);
+        let read = if is_other {
             number(&cell.replace(',', "."))
         } else {
             number(cell)
         };
-        read.map_err(|expected| self.fault(index, shown(cell), expected))
+        let read = read.map_err(|expected| self.fault(index, shown(cell), expected))?;
+        match (mark, self.decimal_mark.get()) {
+            (Some(mark), Some(before)) if mark != before => {
+                let expected = format!("one decimal mark in a file, which is `{before}` above");
+                Err(self.fault(index, shown(cell), expected))
+            }
+            (mark, before) => {
+                self.decimal_mark.set(before.or(mark));
+                Ok(read)
+            }
+        }
     }
 
     /// Values of the cells with the indices `columns`; `None` if one of them is empty or NaN.

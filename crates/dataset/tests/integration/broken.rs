@@ -261,8 +261,24 @@ fn tables() {
         ("a hexadecimal number", rows("0,1,0x1F,3\n")),
         ("a typographic minus", rows("0,1,\u{2212}2,3\n")),
         (
-            "decimal commas between semicolons",
-            text("t;centre_x;centre_y;centre_z\n0;1,5;2;3\n"),
+            "decimal commas and decimal points",
+            text("t;centre_x;centre_y;centre_z\n0;1.5;2;3\n0.1;1,500;2;3\n"),
+        ),
+        (
+            "thousands with commas",
+            text("t;centre_x;centre_y;centre_z\n0;1,234.5;2;3\n"),
+        ),
+        (
+            "a missing cell between spaces",
+            text("t centre_x centre_y centre_z\n 0   1.5  2\n"),
+        ),
+        (
+            "a word between spaces",
+            text("t   centre_x centre_y centre_z\n 0   1.5  zwei 3\n"),
+        ),
+        (
+            "a control character of another encoding",
+            b"t,centre_x,centre_y,centre_z\n0,1,\x96 2,3\n".to_vec(),
         ),
         ("decimal commas between commas", rows("0,0,1,5,2,0,3,0\n")),
         (

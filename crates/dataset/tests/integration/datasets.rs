@@ -33,6 +33,30 @@ fn tabs_capitals_of_nan_old_line_ends_and_columns_in_any_order_are_ordinary() {
     assert_eq!(positions[1], [None]);
 }
 
+/// Tables as R, MATLAB, spreadsheets with a decimal comma and terminals of instruments write them.
+#[test]
+fn tables_of_other_programs_are_ordinary() {
+    let rows = |table: &[u8]| {
+        let dataset = read_both(MANIFEST.as_bytes(), table).expect("it is well formed");
+        let flight = &dataset.flights[0];
+        assert_eq!(flight.times, [0.0, 0.5, 1.0], "{table:?}");
+        flight.positions.concat()
+    };
+    let expected = [Some([1.5, 2.0, -3.25]), None, Some([4.0, 5e-3, 6.0])];
+    let spaces = "\"t\" \"centre_x\"  centre_y centre_z\n  0.0  1.5 2   -3.25  \n0.5 NA NA NA\n\n1 4 5e-3 6\n";
+    assert_eq!(rows(spaces.as_bytes()), expected);
+    let commas = "t centre_x centre_y centre_z\n0 1,5 2 -3,25\n0,5 n/a NaN null\n1 4 5e-3 6\n";
+    assert_eq!(rows(commas.as_bytes()), expected);
+    let semicolons =
+        "t;centre_x;centre_y;centre_z\r\n0,0;1,5;2;-3,25\r\n0,5;;#N/A;\r\n1;4;5E-3;6\r\n";
+    assert_eq!(rows(semicolons.as_bytes()), expected);
+    let latin1 = [b"# \xfcber Gras, 20 \xb0C\n", semicolons.as_bytes()].concat();
+    assert_eq!(rows(&latin1), expected);
+    let wide = semicolons.encode_utf16().flat_map(u16::to_le_bytes);
+    let wide: Vec<u8> = [0xff, 0xfe].into_iter().chain(wide).collect();
+    assert_eq!(rows(&wide), expected);
+}
+
 #[test]
 fn one_sample_integers_and_all_flights_held_out_are_ordinary() {
     let manifest = MANIFEST.replace("[0.0, 0.0, 0.0]", "[0, 0, 0]").replace(

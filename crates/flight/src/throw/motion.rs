@@ -96,11 +96,8 @@ impl MotionModel {
             .map_or_else(Default::default, |b| b.span);
         own.aux_variables
             .extend(vectors.iter().enumerate().map(|(k, value)| AuxVariable {
-                name: format!("motion__{k}"),
-                doc: String::new(),
-                value: value.clone(),
                 span,
-                effect: None,
+                ..AuxVariable::new(format!("motion__{k}"), value.clone())
             }));
         Some(MotionModel {
             compiled: CompiledModel::compiled_for(&own, &Selection::Only(Vec::new())),

@@ -79,10 +79,6 @@ fn summary(report: &Report, finding: &Finding, figure: Option<Figure>) -> Html {
     let (mut picture, mut gain) = (Html::new(), Html::new());
     picture.leading_figure(figure);
     gain.leading_figure(draw::gain(report));
-    let mut opening = Html::from("\n");
-    opening.element("div", "words lead", lead);
-    opening.element("div", "picture", picture);
-    opening.element("div", "gain", gain);
     let mut more = Html::from("\n");
     if let Some(test) = &report.lack_of_fit {
         more.element("p", "", test.sentence());
@@ -96,7 +92,7 @@ fn summary(report: &Report, finding: &Finding, figure: Option<Figure>) -> Html {
     }
     let mut content = Html::from("\n");
     content.element("p", &verdict, report.verdict_sentence());
-    content.element("div", "opening", opening);
+    content.opening(lead, picture, gain);
     content.element("div", "words", more);
     content
 }

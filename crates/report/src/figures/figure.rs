@@ -2,7 +2,7 @@
 
 use super::axis::number;
 use super::layout::{Layout, Scale};
-use super::panel::{Look, Panel};
+use super::panel::{Dots, Look, Panel};
 use super::svg::{Svg, cut};
 use crate::thin::stride;
 use identify::numbers::significant;
@@ -31,6 +31,18 @@ pub fn figure_of(layout: Layout, title: &str, panels: &[Panel]) -> String {
     svg.finish(title, size, layout.most, layout.letters)
 }
 
+fn draw_dots<'d>(svg: &mut Svg, scale: &Scale, all: impl IntoIterator<Item = &'d Dots>) {
+    for dots in all {
+        let points = dots.points.iter();
+        let points = points.map(|(x, y)| (scale.x(*x), scale.y(*y)));
+        match dots.look {
+            Look::Colour(i) => svg.dots(&format!("d{}", i % 4), points),
+            Look::Pale => svg.dots("dg", points),
+            Look::Cross => svg.crosses("dx", points),
+        }
+    }
+}
+
 impl Panel {
     /// Draws the panel with its upper edge at `top`; returns its lower edge.
     fn draw(&self, svg: &mut Svg, layout: &Layout, top: f64) -> f64 {
@@ -44,21 +56,16 @@ impl Panel {
 
         self.draw_ribbon(svg, &scale);
         self.draw_marks(svg, &scale, width, letter);
+        let (behind, front): (Vec<_>, Vec<_>) =
+            self.dots.iter().partition(|dots| dots.look == Look::Pale);
+        draw_dots(svg, &scale, behind);
         let kind = if self.thin { 't' } else { 'c' };
         for (i, line) in self.lines.iter().enumerate() {
             let points = line.points.iter();
             let points = points.map(|(x, y)| (scale.x(*x), scale.y(*y)));
             svg.path(&format!("{kind}{}", i % 4), points);
         }
-        for dots in &self.dots {
-            let points = dots.points.iter();
-            let points = points.map(|(x, y)| (scale.x(*x), scale.y(*y)));
-            match dots.look {
-                Look::Colour(i) => svg.dots(&format!("d{}", i % 4), points),
-                Look::Pale => svg.dots("dg", points),
-                Look::Cross => svg.crosses("dx", points),
-            }
-        }
+        draw_dots(svg, &scale, front);
         self.draw_places(svg, &scale, width, letter);
         self.draw_names(svg, &scale, width, letter);
         self.draw_values(svg, &scale, (width, letter));

@@ -4,7 +4,7 @@ use dataset::Role;
 use identify::FlightReport;
 
 use super::{FitPage, coefficients, flights, page, words};
-use crate::text::{MAX_ROWS, cautions, wrapped};
+use crate::text::{MAX_ROWS, cautions, fitted, wrapped};
 use crate::thin::largest_first;
 use identify::numbers::significant;
 
@@ -37,7 +37,7 @@ pub fn text(of: &FitPage<'_>) -> String {
         if !flights.is_empty() {
             let flights = largest_first(flights, MAX_ROWS, |flight| Some(flight.rms()));
             let table = flights::table(of, &flights);
-            text += &format!("\n{what}\n{}", table.text(MAX_ROWS));
+            text += &format!("\n{}{}", fitted(what), table.text(MAX_ROWS));
         }
     };
     add("fitted", report.used(Role::Fit).collect());

@@ -33,6 +33,13 @@ pub(super) fn flight(number: usize, flight: &ImportedFlight) -> Figure {
     without_table(figure)
 }
 
+/// Whether the body was tracked where no flight is.
+pub(super) fn is_cut(take: &ImportedTake) -> bool {
+    let is_inside = |time: f64| take.flights.iter().any(|flight| flight.holds(time));
+    let mut tracked = take.heights.iter().filter(|point| point.1.is_finite());
+    tracked.any(|(time, _)| !is_inside(*time))
+}
+
 /// Height of the body over the whole recording, with begin and end of each flight.
 pub(super) fn take(number: usize, take: &ImportedTake) -> Figure {
     let inside = |time: f64| take.flights.iter().any(|flight| flight.holds(time));

@@ -11,9 +11,12 @@ use crate::thin::MAX_ROWS;
 
 const MAX_GAPS: usize = 5;
 
+/// Number of flights whose figures are not folded: a row of a wide page.
+const OPEN: usize = 3;
+
 /// Renders the self-contained page of an import.
 pub fn html(page: &ImportPage) -> String {
-    let flights: usize = page.takes.iter().map(|take| take.flights.len()).sum();
+    let flights = page.takes.iter().map(|take| take.flights.len()).sum();
     let from = count(page.takes.len(), "recording");
     let mut body = Html::new();
     body.paragraph(format!(
@@ -21,14 +24,18 @@ pub fn html(page: &ImportPage) -> String {
          what was cut away.",
         count(flights, "flight")
     ));
-    let mut drawn = 0;
-    for (number, take) in page.takes.iter().enumerate() {
-        let content = section(take, number + 1, drawn);
-        body.section("", &take.file, content);
-        drawn = (drawn + take.flights.len()).min(MAX_ROWS);
-    }
-    if flights > drawn {
-        body.note(format!("{} more flights are not drawn.", flights - drawn));
+    body.alarms("Notes", notes(page));
+    body.section("decisions", "What was decided", decisions(page));
+    body.section("flights", "Flights", of_flights(page, flights));
+    let pairs = pairs(page);
+    if !pairs.is_empty() {
+        let mut content = Html::new();
+        content.table(&pairs);
+        content.note(
+            "Of each pair, the flight in which its distance departs farthest from its median. The distances of a \
+             rigid body are constant: one that jumps has exchanged labels, one that drifts a loose marker.",
+        );
+        body.section("distances", "Distances between markers", content);
     }
     let version = env!("CARGO_PKG_VERSION");
     body.note(format!(
@@ -43,47 +50,115 @@ pub fn html(page: &ImportPage) -> String {
     .html()
 }
 
-/// Section of one recording; `drawn` flights of the recordings before it are drawn.
-fn section(take: &ImportedTake, number: usize, drawn: usize) -> Html {
-    let mut content = Html::new();
-    content.heading("What was decided");
-    let decisions = Table::of(&take.decisions)
-        .name("", |(what, _)| what)
-        .text("", |(_, decision)| decision)
-        .table();
-    content.table(&decisions);
-    content.alarms("Notes", take.notes.iter().map(|note| capitalized(note)));
-    if take.flights.is_empty() {
-        content.paragraph("No throw was found.");
-    } else {
-        content.heading("Flights");
-        content.table(&flights(take));
+/// Notes on the recordings, with their names if there are several, and the recordings without a flight.
+fn notes(page: &ImportPage) -> Vec<String> {
+    let of_take = |take: &ImportedTake| {
+        let empty = take.flights.is_empty();
+        let empty = empty.then(|| "no throw was found".to_owned());
+        let notes = take.notes.iter().cloned().chain(empty);
+        let file = take.file.clone();
+        notes
+            .map(move |note| match page.takes.len() {
+                1 => capitalized(&note),
+                _ => format!("{file}: {note}"),
+            })
+            .collect::<Vec<_>>()
+    };
+    page.takes.iter().flat_map(of_take).collect()
+}
+
+/// Tables of decisions, one for all recordings on which they are the same; their lengths do not count.
+fn decisions(page: &ImportPage) -> Html {
+    let own = |take: &ImportedTake| {
+        let mut own = take.decisions.clone();
+        own.retain(|(what, _)| what != "samples" || page.takes.len() == 1);
+        own
+    };
+    let mut groups: Vec<(&ImportedTake, Vec<&str>)> = Vec::new();
+    for take in &page.takes {
+        let alike = groups.iter_mut();
+        let mut alike = alike.filter(|(first, _)| own(first) == own(take));
+        match alike.next() {
+            Some((_, files)) => files.push(&take.file),
+            None => groups.push((take, vec![&take.file])),
+        }
     }
-    content.figure(draw::take(number, take), false);
-    let room = take.flights.iter().take(MAX_ROWS - drawn).enumerate();
-    let figures = room.map(|(i, flight)| draw::flight(drawn + i + 1, flight));
-    content.grid(figures.collect(), MAX_ROWS, true);
-    let pairs = pairs(take);
-    if !pairs.is_empty() {
-        content.heading("Distances between markers");
-        content.table(&pairs);
-        content.note(
-            "Of each pair, the flight in which its distance departs farthest from its median. The distances of a \
-             rigid body are constant: one that jumps has exchanged labels, one that drifts a loose marker.",
-        );
+    let mut tables = Html::from("\n");
+    for (take, files) in groups.iter().take(MAX_ROWS) {
+        let table = Table::of(own(take))
+            .name("", |(what, _)| what.clone())
+            .text("", |(_, decision)| decision.clone())
+            .table();
+        let mut content = Html::new();
+        if page.takes.len() > 1 {
+            let others = match files.len() {
+                1 => String::new(),
+                n => format!(" and {} more", n - 1),
+            };
+            content.heading(format!("{}{others}", files[0]));
+        }
+        content.table(&table);
+        tables.element("div", "", content);
+    }
+    let mut content = Html::new();
+    content.element("div", "two", tables);
+    if groups.len() > MAX_ROWS {
+        content.note(format!(
+            "{} more recordings with other decisions are in import.txt.",
+            groups.len() - MAX_ROWS
+        ));
     }
     content
 }
 
-fn flights(take: &ImportedTake) -> Table {
-    Table::of(&take.flights)
-        .name("table", |flight| &flight.file)
-        .number("from, s", |flight| plain(flight.release.time, 3))
-        .text("because", |flight| short(&flight.release.reason))
-        .number("to, s", |flight| plain(flight.end.time, 3))
-        .text("because", |flight| short(&flight.end.reason))
-        .number("samples", |flight| flight.samples)
-        .text("not seen", |flight| unseen(flight))
+/// Table and figures of the flights, and the recordings of which something was cut away.
+fn of_flights(page: &ImportPage, flights: usize) -> Html {
+    let mut content = Html::new();
+    content.table(&table(page));
+    let all = page.takes.iter().flat_map(|take| &take.flights);
+    let figures = all.take(MAX_ROWS).enumerate();
+    let figures = figures.map(|(i, flight)| draw::flight(i + 1, flight));
+    content.grid(figures.collect(), OPEN, true);
+    if flights > MAX_ROWS {
+        content.note(format!(
+            "{} more flights are not drawn.",
+            flights - MAX_ROWS
+        ));
+    }
+    let cut = page.takes.iter().enumerate();
+    let cut = cut.filter(|(_, take)| take.flights.len() != 1 || draw::is_cut(take));
+    let mut whole = Html::new();
+    for (i, take) in cut.take(MAX_ROWS) {
+        whole.figure(draw::take(i + 1, take), false);
+    }
+    if !whole.is_empty() {
+        content.heading("Whole recordings");
+        match page.takes.len() {
+            1 => content.push(whole),
+            n => content.folded(
+                format!("of {n}, those of which something was cut away"),
+                whole,
+            ),
+        }
+    }
+    content
+}
+
+fn table(page: &ImportPage) -> Table {
+    let flights = page.takes.iter();
+    let flights =
+        flights.flat_map(|take| take.flights.iter().map(move |flight| (&take.file, flight)));
+    Table::of(flights)
+        .name("table", |(_, flight)| &flight.file)
+        .when(page.takes.len() > 1, |rows| {
+            rows.file("recording", |(file, _)| *file)
+        })
+        .number("from, s", |(_, flight)| plain(flight.release.time, 3))
+        .text("because", |(_, flight)| short(&flight.release.reason))
+        .number("to, s", |(_, flight)| plain(flight.end.time, 3))
+        .text("because", |(_, flight)| short(&flight.end.reason))
+        .number("samples", |(_, flight)| flight.samples)
+        .text("not seen", |(_, flight)| unseen(flight))
         .table()
 }
 
@@ -106,10 +181,10 @@ fn unseen(flight: &ImportedFlight) -> String {
 }
 
 /// Table of the marker pairs, each in the flight in which its distance departs farthest from the median.
-fn pairs(take: &ImportedTake) -> Table {
+fn pairs(page: &ImportPage) -> Table {
     type Worst<'a> = (&'a Distance, &'a str, f64, f64);
     let mut worst: Vec<Worst<'_>> = Vec::new();
-    for flight in &take.flights {
+    for flight in page.takes.iter().flat_map(|take| &take.flights) {
         for pair in &flight.distances {
             let Some((median, farthest)) = draw::median_and_departure(flight, pair) else {
                 continue;

@@ -3,8 +3,10 @@
 use analysis::stability::{Criteria, Instant, Mode, ModeKind, Modes};
 
 use super::Found;
-use super::words::{INSTANT, lead, nutation, of_criteria, slowest, steady};
+use super::words::{INSTANT, lead, named, nutation, of_criteria, slowest, steady};
+use crate::equation::{plain_sentence, sentence};
 use crate::figures::{Layout, Look, Panel};
+use crate::text::fitted;
 use crate::{Figure, Html, Page, Table};
 
 /// Maximum number of lines in a panel: the number of distinct colours.
@@ -12,18 +14,22 @@ const LINES: usize = 4;
 
 /// The page of a stability analysis.
 pub fn page(model: &str, found: &Found) -> Page {
-    let mut body = Html::new();
+    let mut words = Html::new();
     for text in lead(found) {
-        body.paragraph(text);
+        words.paragraph(text);
     }
     let instant = (!found.release.modes.is_symmetric).then_some(INSTANT);
-    body.alarms("Mind", instant);
-    let mut section = Html::new();
+    words.alarms("Mind", instant);
     for text in of_criteria(&found.release) {
-        section.paragraph(text);
+        words.paragraph(sentence(&text));
     }
+    let mut picture = Html::new();
+    picture.leading_figure(Some(fields(&found.map)));
+    let mut body = Html::new();
+    body.opening(words, picture, Html::new());
+    let mut section = Html::new();
     section.table(&table(&found.release.modes));
-    body.section("release", "At release", section);
+    body.section("release", "Modes at release", section);
     if let Some((trim, modes)) = &found.trim {
         let mut section = Html::new();
         section.paragraph(steady(trim));
@@ -57,18 +63,20 @@ fn table(modes: &Modes) -> Table {
         let frequency = Some(mode.frequency()).filter(|f| *f > 1e-9);
         frequency.map_or_else(String::new, |f| format!("{:.4}", std::f64::consts::TAU / f))
     };
-    let mut rows = Table::of(&modes.modes)
-        .name("mode", |mode| mode.kind.name())
-        .number("frequency, rad/s", |mode| {
+    let mut rows = Table::of(named(modes))
+        .name("mode", |(_, name)| name.clone())
+        .number("frequency, rad/s", |(mode, _)| {
             format!("{:.4}", mode.frequency())
         })
-        .number("decay, 1/s", |mode| format!("{:.5}", mode.decay()))
-        .number("damping ratio", |mode| {
+        .number("decay, 1/s", |(mode, _)| format!("{:.5}", mode.decay()))
+        .number("damping ratio", |(mode, _)| {
             format!("{:.4}", mode.damping_ratio())
         })
-        .number("period, s", |mode| period(mode));
+        .number("period, s", |(mode, _)| period(mode));
     for (i, share) in ["axis", "path", "speed", "spin"].into_iter().enumerate() {
-        rows = rows.number(share, |mode| format!("{:.0} %", 100.0 * mode.shares[i]));
+        rows = rows.number(share, |(mode, _)| {
+            format!("{:.0} %", 100.0 * mode.shares[i])
+        });
     }
     rows.table()
 }
@@ -102,7 +110,8 @@ fn along(flight: &[Instant]) -> Figure {
     let caption =
         "Blue: eigenvalues of the whole body. Red, dashed: the closed forms of the criteria.";
     let title = "Modes along the flight";
-    Figure::of_panels("modes", title, caption, Layout::COLUMN, &panels)
+    let layout = Layout::WIDE.with_columns(2);
+    Figure::of_panels("modes", title, caption, layout, &panels)
 }
 
 fn over(map: &[Instant]) -> Figure {
@@ -117,10 +126,6 @@ fn over(map: &[Instant]) -> Figure {
             panel.line(format!("{speed} m/s"), own.map(|i| (spin(i), of(i))))
         })
     };
-    let points = |holds: bool| {
-        let own = map.iter().filter(move |i| i.criteria.is_stable() == holds);
-        own.map(|i| (spin(i), i.throw.speed))
-    };
     let fast = |i: &Instant| nutation(&i.modes).map_or(f64::NAN, Mode::frequency);
     let panels = [
         panel("Frequency of the fast mode, rad/s", &fast),
@@ -130,27 +135,41 @@ fn over(map: &[Instant]) -> Figure {
                 slowest(&i.modes)
             })
         },
-        Panel::new("Criteria: speed, m/s", "spin, rpm")
-            .dots(Look::Colour(0), points(true))
-            .dots(Look::Cross, points(false)),
     ];
-    let caption = "Last panel: dots where all three criteria hold, crosses where one fails.";
-    let title = "Over speed and spin";
-    Figure::of_panels("map", title, caption, Layout::COLUMN, &panels)
+    let caption = "A line for each speed. Below 0, dashed, a mode grows.";
+    let title = "Modes over speed and spin";
+    let layout = Layout::WIDE.with_columns(2);
+    Figure::of_panels("map", title, caption, layout, &panels)
+}
+
+/// Where in the plane of spin and speed the criteria hold.
+fn fields(map: &[Instant]) -> Figure {
+    let points = |holds: bool| {
+        let own = map.iter().filter(move |i| i.criteria.is_stable() == holds);
+        own.map(|i| (i.throw.spin.unwrap_or(0.0), i.throw.speed))
+    };
+    let panel = Panel::new("Speed, m/s", "spin, rpm")
+        .dots(Look::Colour(0), points(true))
+        .dots(Look::Cross, points(false));
+    let caption = "The throw of the release at other speeds and spins. Dots: all three criteria hold; crosses: one fails.";
+    let title = "Where the axis is stable";
+    Figure::of_panels("criteria", title, caption, Layout::COLUMN, &[panel])
 }
 
 const INSTANTS: usize = 8;
 
 /// Text of a stability analysis.
 pub fn text(model: &str, found: &Found) -> String {
-    let mut text = format!("{model}: {}\n", lead(found).join(" "));
+    let mut text = fitted(&format!("{model}: {}", lead(found).join(" ")));
     text += &table(&found.release.modes).text(usize::MAX);
     if !found.release.modes.is_symmetric {
-        text += &format!("{INSTANT}\n");
+        text += &fitted(INSTANT);
     }
-    text += &(of_criteria(&found.release).join("\n") + "\n\n");
+    let criteria = of_criteria(&found.release).into_iter();
+    text.extend(criteria.map(|line| fitted(&plain_sentence(&line))));
+    text.push('\n');
     text += &match &found.trim {
-        Some((trim, modes)) => format!("{}\n{}", steady(trim), table(modes).text(usize::MAX)),
+        Some((trim, modes)) => fitted(&steady(trim)) + &table(modes).text(usize::MAX),
         None => "No steady flight was found at this spin.\n".to_owned(),
     };
     if let Some(last) = found.flight.last() {

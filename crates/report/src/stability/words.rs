@@ -10,6 +10,20 @@ use crate::CsvTable;
 pub(super) const INSTANT: &str = "The motion depends on the turn about the body's axis. For a spinning body the modes are those of an instant alone, and \
      the criteria do not apply.";
 
+/// The modes with their names, those of one kind numbered from the fastest.
+pub(super) fn named(modes: &Modes) -> Vec<(&Mode, String)> {
+    let all = &modes.modes;
+    let named = all.iter().enumerate().map(|(i, mode)| {
+        let alike = |of: &[Mode]| of.iter().filter(|other| other.kind == mode.kind).count();
+        let name = mode.kind.name();
+        match alike(all) {
+            1 => (mode, name.to_owned()),
+            _ => (mode, format!("{name} {}", alike(&all[..=i]))),
+        }
+    });
+    named.collect()
+}
+
 pub(super) fn steady(trim: &Trim) -> String {
     format!(
         "At the spin of release, held, the body can fly at {:.2} m/s, {:.2}° below the horizontal, nose {:.2}°, hyzer {:.2}°, \
@@ -34,9 +48,9 @@ pub(super) fn lead(found: &Found) -> Vec<String> {
             decay.abs()
         ));
     }
-    let modes = found.release.modes.modes.iter();
-    let growing = modes.filter(|mode| mode.decay() < -1e-6);
-    let names = growing.map(|m| format!("{} ({:.3} 1/s)", m.kind.name(), -m.decay()));
+    let growing = named(&found.release.modes).into_iter();
+    let growing = growing.filter(|(mode, _)| mode.decay() < -1e-6);
+    let names = growing.map(|(mode, name)| format!("{name} ({:.3} 1/s)", -mode.decay()));
     let names: Vec<String> = names.collect();
     lead.push(if names.is_empty() {
         "At release none of its modes grows.".into()
@@ -57,33 +71,44 @@ pub(super) fn lead(found: &Found) -> Vec<String> {
     lead
 }
 
+/// Sentences on the criteria of an instant, with formulas as LaTeX between dollar signs.
 pub(super) fn of_criteria(instant: &Instant) -> Vec<String> {
     let (d, c) = (&instant.derivatives, &instant.criteria);
     let holds = |holds: bool| if holds { "holds" } else { "fails" };
     let derivatives = format!(
-        "a = {:.4} 1/s (lift), δ = {:.4} 1/s (damping), κ = {:.3} 1/s² (pitching moment), ν = I_a r/I_d = {:.3} rad/s",
+        r"$a$ = {:.4} 1/s (lift), $\delta$ = {:.4} 1/s (damping), $\kappa$ = {:.3} 1/s² (pitching moment), $\nu = I_a r/I_d$ = {:.3} rad/s",
         d.lift, d.damping, d.pitching, d.gyroscopic
     );
     let (spin, factor) = (holds(c.gyroscopic), factor(c));
     let mut lines = match d.flight {
         FlightDirection::AcrossAxis => vec![
             derivatives,
-            format!("stiffness of the spin, ν² + δ² + 2aδ > κ: {spin}{factor}"),
-            format!("incidence, a(ν² + δ²) > κδ: {}", holds(c.slow)),
             format!(
-                "wobble, (2δ + a)(ν² + δ² + 2aδ − κ) > a(ν² + δ²) − κδ: {}",
+                r"stiffness of the spin, $\nu^2 + \delta^2 + 2a\delta > \kappa$: {spin}{factor}"
+            ),
+            format!(
+                r"incidence, $a(\nu^2 + \delta^2) > \kappa\delta$: {}",
+                holds(c.slow)
+            ),
+            format!(
+                r"wobble, $(2\delta + a)(\nu^2 + \delta^2 + 2a\delta - \kappa) > a(\nu^2 + \delta^2) - \kappa\delta$: {}",
                 holds(c.wobble)
             ),
         ],
         FlightDirection::AlongAxis => {
             let (slow, fast) = (decays(c.slow), decays(c.wobble));
             let dynamic = c.dynamic_factor;
-            let dynamic = dynamic.map_or_else(String::new, |s_d| format!(", S_d = {s_d:.2}"));
+            let dynamic = dynamic.map_or_else(String::new, |s_d| format!(", $S_d$ = {s_d:.2}"));
             vec![
-                format!("{derivatives}, μ = {:.3} 1/s² (Magnus moment)", d.magnus),
-                format!("gyroscopic stability, S_g = ν²/(4(κ − aδ)) > 1: {spin}{factor}"),
                 format!(
-                    "dynamic stability, 1/S_g < S_d(2 − S_d): the slow motion of the axis {slow}, the fast one {fast}{dynamic}"
+                    r"{derivatives}, $\mu$ = {:.3} 1/s² (Magnus moment)",
+                    d.magnus
+                ),
+                format!(
+                    r"gyroscopic stability, $S_g = \nu^2/(4(\kappa - a\delta)) > 1$: {spin}{factor}"
+                ),
+                format!(
+                    r"dynamic stability, $1/S_g < S_d(2 - S_d)$: the slow motion of the axis {slow}, the fast one {fast}{dynamic}"
                 ),
             ]
         }

@@ -51,6 +51,10 @@ impl Reach {
             let words = words(&text);
             let mut found: BTreeSet<Key> = words.iter().flat_map(|w| by_name(w)).collect();
             found.remove(key);
+            if item.is_of_call() {
+                let function = key.1.split("__").next().unwrap_or_default();
+                found.insert(("function", function.to_owned()));
+            }
             // Only `der(…)` refers to the equation of a state; the name of the state does not.
             let mut used = BTreeSet::new();
             if let Some(value) = value(item) {

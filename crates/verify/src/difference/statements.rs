@@ -47,7 +47,13 @@ pub type IsSame<'a> = dyn Fn(&Key) -> Option<bool> + 'a;
 
 /// Statements that differ between two model files.
 pub fn compare(old: &File, new: &File, is_same: &IsSame<'_>) -> Vec<Statement> {
-    let (olds, news) = (keyed(old), keyed(new));
+    // A call of a function is compared by the statement that calls it and by the function.
+    let written = |file| {
+        let mut all = keyed(file);
+        all.retain(|(_, item)| !item.is_of_call());
+        all
+    };
+    let (olds, news) = (written(old), written(new));
     let find = |list: &[(Key, &'_ Item)], key: &Key| list.iter().any(|(k, _)| k == key);
     let mut out = Vec::new();
     for (key, item) in &news {
@@ -149,6 +155,7 @@ pub fn keyed(file: &File) -> Vec<(Key, &Item)> {
             ItemKind::Body(_) => Some(("body", String::new())),
             ItemKind::Claim(_) => Some(("claim", String::new())),
             ItemKind::Table(t) => name("table", &t.name),
+            ItemKind::Function(own) => name("function", &own.name),
             ItemKind::Let(l) => name("let", &l.name),
             ItemKind::Load(l) if l.class == LoadClass::Force => name("force", &l.name),
             ItemKind::Load(l) => name("moment", &l.name),

@@ -59,7 +59,11 @@ fn rewrites(e: &Expr, names: &Names, item: usize, serial: usize) -> Vec<Mutation
         }
     }
     match &e.kind {
-        ExprKind::Number(_) | ExprKind::Derivative(_) => {}
+        ExprKind::Number(_)
+        | ExprKind::Derivative(_)
+        | ExprKind::Element(..)
+        | ExprKind::Sum(..)
+        | ExprKind::Ascribed(..) => {}
         ExprKind::Name(name) => {
             for other in names.exchanges(name, item) {
                 let how = format!("exchanged for `{other}`");
@@ -196,11 +200,16 @@ fn times(e: &Expr, factor: &str) -> Expr {
 pub fn children(e: &mut Expr) -> Vec<&mut Expr> {
     match &mut e.kind {
         ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Derivative(_) => Vec::new(),
-        ExprKind::Part(a, _) | ExprKind::Neg(a) => vec![a],
+        ExprKind::Part(a, _)
+        | ExprKind::Neg(a)
+        | ExprKind::Sum(_, a)
+        | ExprKind::Ascribed(a, _) => vec![a],
         ExprKind::Components(parts, _) => parts.iter_mut().collect(),
         // An exponent is a literal and is mutated together with its power.
         ExprKind::Binary(BinaryOp::Pow, a, _) => vec![a],
         ExprKind::Binary(_, a, b) => vec![a, b],
-        ExprKind::Call(_, arguments) => arguments.iter_mut().collect(),
+        ExprKind::Call(_, arguments) | ExprKind::Element(_, arguments) => {
+            arguments.iter_mut().collect()
+        }
     }
 }

@@ -135,6 +135,7 @@ pub(super) fn centre(shape: &Shape, flights: &[FreeFlight<'_>]) -> Result<Centre
     for _ in 0..PASSES {
         sums = Sums::default();
         for motion in &motions {
+            flight::cancellation::stop_if_cancelled();
             motion.add(&point, axis.as_ref(), variance, &mut sums);
         }
         let found = axis_of(&sums).ok_or_else(|| TemplateError::NoSpin {

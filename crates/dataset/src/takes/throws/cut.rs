@@ -151,6 +151,7 @@ impl<'p> FlightEnd<'p> {
     /// Fits to the samples, on each axis, a cubic in the time since `time`, plus hinge terms with the exponents
     /// `hinge`. `None` if there are too few samples or the equations are singular.
     fn fit(&self, time: f64, hinge: &'static [i32]) -> Option<Fit> {
+        flight::cancellation::stop_if_cancelled();
         let rows = self.samples.len();
         let columns = CUBIC + hinge.len();
         if rows < columns + 2 {

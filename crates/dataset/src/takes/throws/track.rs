@@ -130,6 +130,7 @@ fn refined(
 ) -> Vec<Vector3<f64>> {
     let mut sums = vec![(Vector3::zeros(), 0.0); first.len()];
     for row in samples {
+        flight::cancellation::stop_if_cancelled();
         let Some((centre, rotation)) = fitted(first, &row) else {
             continue;
         };

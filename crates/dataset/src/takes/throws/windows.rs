@@ -78,6 +78,7 @@ pub(super) fn windows(track: &Track) -> Vec<Option<Window>> {
 }
 
 fn window(track: &Track, i: usize, half: usize) -> Option<Window> {
+    flight::cancellation::stop_if_cancelled();
     let range = i.checked_sub(half)?..i + half + 1;
     if range.end > track.times.len() {
         return None;

@@ -1,0 +1,188 @@
+//! Expansion of functions and arrays on the syntax tree, after which a model has neither calls of functions nor indices.
+//!
+//! An element `r[3]` becomes the quantity `r_3`. A call becomes the result of its function, with a `let` for each
+//! argument and each `let` of the body; their names contain `__`. Functions themselves stay, so that they are checked
+//! and effects may call them.
+
+mod inline;
+mod unroll;
+
+use std::collections::HashSet;
+
+use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::syntax::ast::{
+    BodyPartKind, ClaimPartKind, Effect, EffectPart, Expanded, Expr, ExprKind, File, Inertia, Item,
+    ItemKind, Template,
+};
+use crate::syntax::reserved::{FIXED, OF_BODY};
+use inline::Inliner;
+use std::sync::Arc;
+use unroll::Unroller;
+
+/// Maximum number of operations, names and numbers of the statements that functions and arrays expand to.
+const MAX_NODES: usize = 100_000;
+
+/// Expands all statements of a file in place; returns the errors. An expanded file does not change.
+pub(crate) fn expand(file: &mut File) -> Vec<Diagnostic> {
+    let mut budget = Budget::default();
+    let mut unroller = Unroller::new(taken(file), &mut budget);
+    let items = std::mem::take(&mut file.items);
+    for item in items {
+        file.items.extend(unroller.item(item));
+    }
+    let mut faults = unroller.finish();
+    if faults.is_empty() {
+        let mut inliner = Inliner::new(file, &mut budget);
+        let inlined = inliner.items(&file.items);
+        faults = inliner.finish();
+        if let Some(items) = inlined {
+            file.items = items;
+        }
+    }
+    faults.extend(budget.fault);
+    faults
+}
+
+/// Writes out the arrays and indices of an effect; returns the errors. `file` is the model that it is applied to.
+pub(crate) fn unroll_effect(effect: &mut Effect, file: &File) -> Vec<Diagnostic> {
+    let mut budget = Budget::default();
+    let mut unroller = Unroller::new(taken(file), &mut budget);
+    let parts = std::mem::take(&mut effect.parts);
+    for part in parts {
+        match part {
+            EffectPart::Add(item) => {
+                let items = unroller.item(*item).into_iter();
+                let items = items.map(|item| EffectPart::Add(Box::new(written_out(item))));
+                effect.parts.extend(items);
+            }
+            EffectPart::Replace(item) => {
+                let items = unroller.item(*item).into_iter();
+                let items = items.map(|item| EffectPart::Replace(Box::new(written_out(item))));
+                effect.parts.extend(items);
+            }
+            EffectPart::ReplaceInertia(mut inertia, span) => {
+                for entry in inertia.rows.iter_mut().flatten().flatten() {
+                    unroller.root(entry);
+                }
+                effect.parts.push(EffectPart::ReplaceInertia(inertia, span));
+            }
+            other => effect.parts.push(other),
+        }
+    }
+    let mut faults = unroller.finish();
+    faults.extend(budget.fault);
+    faults
+}
+
+fn written_out(item: Item) -> Item {
+    Item {
+        expanded: None,
+        ..item
+    }
+}
+
+/// Whether a file has arrays, elements or sums, which only [`expand`] writes out.
+pub(crate) fn is_needed(file: &File) -> bool {
+    file.items.iter().any(|item| has_indices(&item.kind))
+}
+
+fn has_indices(kind: &ItemKind) -> bool {
+    fn in_expression(e: &Expr) -> bool {
+        let mut found = matches!(e.kind, ExprKind::Element(..) | ExprKind::Sum(..));
+        e.children(&mut |child| found = found || in_expression(child));
+        found
+    }
+    matches!(kind, ItemKind::Array(_)) || roots(kind).into_iter().any(in_expression)
+}
+
+/// Names that an index cannot have.
+fn taken(file: &File) -> HashSet<String> {
+    let mut names = file.declared();
+    names.extend(FIXED.iter().chain(&OF_BODY).map(|name| (*name).to_owned()));
+    names
+}
+
+/// Nodes of the expanded statements so far, and the error if there are more than [`MAX_NODES`].
+#[derive(Default)]
+struct Budget {
+    nodes: usize,
+    fault: Option<Diagnostic>,
+}
+
+impl Budget {
+    /// Counts nodes that the statement at `span` expands to; whether there are still few enough.
+    fn spend(&mut self, nodes: usize, span: Span) -> bool {
+        self.nodes = self.nodes.saturating_add(nodes);
+        if self.nodes > MAX_NODES && self.fault.is_none() {
+            let message = format!(
+                "written out, the functions and arrays have more than {MAX_NODES} operations, names and numbers"
+            );
+            self.fault = Some(Diagnostic::new(Kind::Limit, span, message).note(
+                "each call has a copy of its function, and each element one of its statement",
+            ));
+        }
+        self.fault.is_none()
+    }
+}
+
+/// Marks `items`, which the statement `written` was expanded to; `calls` are the spans of the calls that added them.
+fn of_template(written: Item, items: Vec<(Item, Option<Span>)>) -> Vec<Item> {
+    let expanded = items.iter().map(|(item, _)| item.kind.clone()).collect();
+    let from = Arc::new(Template { written, expanded });
+    let mark = |(item, call)| Item {
+        expanded: Some(Expanded {
+            from: Arc::clone(&from),
+            call,
+        }),
+        ..item
+    };
+    items.into_iter().map(mark).collect()
+}
+
+macro_rules! roots {
+    ($name:ident, $inertia:ident, $iter:ident, $value:ident $(, $mutable:tt)?) => {
+        fn $inertia(inertia: &$($mutable)? Inertia) -> impl Iterator<Item = &$($mutable)? Expr> {
+            inertia.rows.$iter().flatten().flatten()
+        }
+
+        /// Expressions of a statement that are not part of another one; none of an effect.
+        pub(crate) fn $name(kind: &$($mutable)? ItemKind) -> Vec<&$($mutable)? Expr> {
+            match kind {
+                ItemKind::Limit(limit) => vec![&$($mutable)? limit.value],
+                ItemKind::Body(body) => { body.parts.$iter() }
+                    .flat_map(|part| match &$($mutable)? part.kind {
+                        BodyPartKind::Mass(e) => vec![e],
+                        BodyPartKind::Inertia(own) => $inertia(own).collect(),
+                        _ => Vec::new(),
+                    })
+                    .collect(),
+                ItemKind::Claim(claim) => { claim.parts.$iter() }
+                    .flat_map(|part| match &$($mutable)? part.kind {
+                        ClaimPartKind::Value(e) => vec![e],
+                        ClaimPartKind::Inertia(own) => $inertia(own).collect(),
+                        ClaimPartKind::Fixed(_) => Vec::new(),
+                    })
+                    .collect(),
+                ItemKind::Function(own) => { own.lets.$iter() }
+                    .map(|own| &$($mutable)? own.value)
+                    .chain([&$($mutable)? own.value])
+                    .collect(),
+                other => other.$value().into_iter().collect(),
+            }
+        }
+    };
+}
+roots!(roots, entries, iter, value);
+roots!(roots_mut, entries_mut, iter_mut, value_mut, mut);
+
+pub(crate) fn size(e: &Expr) -> usize {
+    let mut nodes = 1;
+    e.children(&mut |child| nodes += size(child));
+    nodes
+}
+
+pub(crate) fn height(e: &Expr) -> u32 {
+    let mut highest = 0;
+    e.children(&mut |child| highest = highest.max(height(child)));
+    1 + highest
+}
