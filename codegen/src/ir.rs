@@ -82,16 +82,11 @@ fn state(state: &State) -> Result<String, NotFinite> {
 fn value(name: &str, unit: &str, value: f64, more: &[Field]) -> Result<String, NotFinite> {
     let mut fields = vec![
         ("name", string(name)),
-        ("unit", self::unit(unit)),
+        ("unit", string(unit)),
         ("value", number(value, name)?),
     ];
     fields.extend_from_slice(more);
     Ok(object(&fields, ""))
-}
-
-/// A unit; 1 for pure numbers, whose unit a model file may write as `[1]`.
-fn unit(text: &str) -> String {
-    string(if text == "[1]" { "1" } else { text })
 }
 
 fn parameters(model: &Model) -> Result<String, NotFinite> {
@@ -143,7 +138,7 @@ fn input(model: &Model, input: &Input) -> String {
     let parameters = [0, 1, 2].map(|k| string(&component(&input.name, k)));
     let fields = [
         ("name", string(&input.name)),
-        ("unit", unit(&input.unit_text)),
+        ("unit", string(&input.unit_text)),
         ("frame", string(&model.frames[input.frame].name)),
         ("parameters", row(parameters)),
     ];

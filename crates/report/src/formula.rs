@@ -90,7 +90,7 @@ impl Reader<'_> {
                 break;
             }
             let part = self.item();
-            let is_word = |c: char| c.is_alphanumeric();
+            let is_word = |c: char| c.is_alphabetic() || c.is_ascii_digit();
             // The argument of a function without parentheses.
             let runs_on = FUNCTIONS.iter().any(|name| ends_in(&text, name));
             if runs_on && part.starts_with(is_word) {

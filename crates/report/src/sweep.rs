@@ -189,7 +189,7 @@ mod tests {
     #[test]
     fn a_coach_reads_miles_per_hour_and_feet() {
         let text = text(&summary(), Units::Imperial);
-        assert!(text.contains("speed, mph     60.00000"), "{text}");
+        assert!(text.contains("speed, mph      60.00000"), "{text}");
         assert!(text.contains("landing_x, ft  100.00000"), "{text}");
         assert!(text.contains("C_D0             0.10000"), "{text}");
     }

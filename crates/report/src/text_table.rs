@@ -75,6 +75,7 @@ pub(crate) fn written(mut columns: Vec<TextColumn>, width: Option<usize>) -> Str
         if columns[i].breaks && surplus > 0 {
             let own = columns[i].width().saturating_sub(surplus);
             columns[i].break_cells(own);
+            columns[i].break_head();
         }
     }
     let blocks: Vec<String> = blocks(&columns, width)

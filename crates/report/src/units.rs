@@ -28,7 +28,7 @@ impl Units {
 
     /// The unit that stands for the SI unit `unit`, and how many SI units it has. Other units than those of lengths and
     /// speeds stay.
-    pub fn instead_of<'u>(self, unit: &'u str) -> (&'u str, f64) {
+    pub fn instead_of(self, unit: &str) -> (&str, f64) {
         match (self, unit) {
             (Units::Imperial, "m") => ("ft", FOOT),
             (Units::Imperial, "m/s") => ("mph", MILE_PER_HOUR),

@@ -180,7 +180,7 @@ impl Parser<'_> {
 
     /// Whether a sum follows `at` tokens ahead in the statement, as in `2 m + d`, before the bounds.
     fn adds_behind(&self, at: usize) -> bool {
-        (at + 1..at + MAX_UNIT_TOKENS)
+        (at..at + MAX_UNIT_TOKENS)
             .take_while(|&at| !matches!(self.peek_at(at), Token::End | Token::Sign(";" | "=")))
             .take_while(|&at| self.raw_at(at) != "in")
             .any(|at| {

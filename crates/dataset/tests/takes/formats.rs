@@ -153,13 +153,21 @@ fn tables() {
     let take = read(text.as_bytes(), &options()).expect("read");
     has_times(&take, 0.0);
     has_points(&take, &LABELS);
-    // Names have no spaces where these separate cells.
-    let text = support::plain().replace(" (", "_").replace(')', "");
-    let text = text.replace(',', "  ");
+    // Where spaces separate cells, a name with spaces is in quotes and a missing value is a word.
+    let filled = |cell: &str| match cell {
+        "" => "NA".to_owned(),
+        name if name.contains(' ') => format!("\"{name}\""),
+        number => number.to_owned(),
+    };
+    let row = |line: &str| line.split(',').map(filled).collect::<Vec<_>>().join("  ");
+    let text: String = support::plain()
+        .lines()
+        .map(|line| row(line) + "\n")
+        .collect();
     let take = read(text.as_bytes(), &options()).expect("read");
     has_points(&take, &LABELS);
     // One comma for the decimals, one for the thousands.
-    let mixed = "t_s;m1_x_mm;m1_y_mm;m1_z_mm\n0;1.5;2;3\n0,1;1,500;2;3\n";
+    let mixed = "t_s;m1_x_mm;m1_y_mm;m1_z_mm\n0;1.5;2;3\n1;1,500;2;3\n";
     let error = read(mixed.as_bytes(), &options()).expect_err("two decimal marks");
     assert!(error.contains("one decimal mark"), "{error}");
 }
