@@ -381,10 +381,25 @@ fn a_template_that_cannot_be_estimated_is_asked_for() {
     command
         .arg("import")
         .args(ball)
-        .args(["--model", "ball", "--out"]);
+        .args(["--model", "disc", "--out"]);
     let (status, _, errors) = told(command.arg(&out));
     assert_eq!(status, 2, "{errors}");
     assert!(errors.contains("expected at least 3 points"), "{errors}");
+    // The one point of a point mass is its centre; a recording that cannot be read is left out of several.
+    let broken = around.path().join("broken.csv");
+    std::fs::write(&broken, "t,a_x,a_y,a_z\n0,1,2\n").expect("written");
+    let mut command = hyzer();
+    command.arg("import").arg(&broken).args(ball);
+    let point = around.path().join("point");
+    let (status, _, errors) = told(command.args(["--model", "ball", "--out"]).arg(&point));
+    assert_eq!(status, 0, "{errors}");
+    assert!(
+        errors.contains("left out: ") && errors.contains("broken.csv"),
+        "{errors}"
+    );
+    let made = dataset::load(&point).expect("a dataset");
+    assert_eq!(made.markers[0].position, [0.0; 3]);
+    assert!(!made.flights.is_empty());
     let mut command = hyzer();
     command
         .arg("import")

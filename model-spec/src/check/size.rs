@@ -7,7 +7,7 @@ use crate::model::{Expr, ExprKind, Function, Shape};
 
 pub(crate) const MAX_FACTORS: u64 = 1_000;
 
-pub(crate) const MAX_OPERATIONS: u64 = 10_000;
+pub(crate) const MAX_OPERATIONS: u64 = 20_000;
 
 #[derive(Clone, Copy)]
 struct Size {

@@ -11,9 +11,6 @@ use dataset::{BodyTemplate, Marker};
 use super::no_throw;
 use crate::cli::Import;
 
-/// Maximum magnitude of `--centre-height`, m; larger values suggest millimetres.
-const MAX_HEIGHT: f64 = 2.0;
-
 /// A template estimated from recordings, a text on how it was estimated, and a comment for each marker.
 pub struct Estimated {
     pub template: BodyTemplate,
@@ -31,12 +28,6 @@ pub fn estimated(
     reading: &ReadOptions,
     names: &mut BTreeMap<String, String>,
 ) -> anyhow::Result<Estimated> {
-    if let Some(height) = options.centre_height {
-        ensure!(
-            height.abs() <= MAX_HEIGHT,
-            "--centre-height: found {height}, expected metres, at most {MAX_HEIGHT} (millimetres?)"
-        );
-    }
     let up = super::up(options)?;
     let mut thrown: Vec<(Take, Throws)> = Vec::new();
     for file in &options.takes {

@@ -17,6 +17,8 @@ use report::import::{ImportPage, ImportedTake};
 use crate::cli::Import;
 use crate::{Answer, output, progress};
 
+/// Maximum magnitude of `--centre-height`, m; larger values suggest millimetres.
+const MAX_HEIGHT: f64 = 2.0;
 const DECISIONS: &str = "import.txt";
 const PAGE: &str = "import.html";
 
@@ -71,6 +73,12 @@ pub struct Imported {
 /// # Errors
 /// If an option or a recording is faulty, or no throw is found.
 pub(crate) fn imported(options: &Import) -> anyhow::Result<Imported> {
+    if let Some(height) = options.centre_height {
+        ensure!(
+            height.abs() <= MAX_HEIGHT,
+            "--centre-height: found {height}, expected metres, at most {MAX_HEIGHT} (millimetres?)"
+        );
+    }
     let mut labels = labels(&options.label)?;
     let reading = reading(options)?;
     let mut found = Found::default();
