@@ -380,7 +380,7 @@ impl Fields<'_> {
             return Err(self.refused(value, "unknown", "no list", expected));
         };
         let mut names: Vec<String> = Vec::with_capacity(items.len());
-        for item in items.iter() {
+        for item in items {
             let name = self.text(item, "unknown", expected)?;
             if names.contains(&name) {
                 let found = format!("a second {}", shown(&name));

@@ -63,6 +63,7 @@ impl SensorKind {
     ];
 
     /// Name of the kind of sensor in `dataset.toml`, such as `gyroscope`.
+    #[doc(hidden)]
     pub fn name(self) -> &'static str {
         match self {
             Self::Pose => "pose",
@@ -71,6 +72,7 @@ impl SensorKind {
     }
 
     /// Unit of the components of a reading of this kind of sensor; for a pose, the unit of its position.
+    #[doc(hidden)]
     pub fn unit(self) -> &'static str {
         match self {
             Self::Pose => "m",
@@ -83,6 +85,7 @@ impl SensorKind {
     /// For each channel of a sensor of this kind, the suffixes of its column names, which follow the sensor's name. A
     /// channel is a measured quantity; a pose sensor has two, position and attitude. An empty suffix means that the
     /// column has the sensor's name.
+    #[doc(hidden)]
     pub fn channels(self) -> &'static [&'static [&'static str]] {
         const VECTOR: &[&str] = &["_x", "_y", "_z"];
         const ATTITUDE: &[&str] = &["_qw", "_qx", "_qy", "_qz"];

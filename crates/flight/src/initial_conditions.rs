@@ -67,6 +67,7 @@ impl Release {
     }
 
     /// Initial state vector, SI units, in the model's order of states.
+    #[doc(hidden)]
     pub fn state(&self) -> Vec<f64> {
         self.initial.iter().map(|(_, value)| *value).collect()
     }
@@ -90,6 +91,7 @@ impl Release {
 
     /// Values of parameters and coefficients in the order of `defaults` (name and default value); the defaults are
     /// overridden by the parameters, coefficients and constant wind of the release.
+    #[doc(hidden)]
     pub fn constants<'a>(&self, defaults: impl IntoIterator<Item = (&'a str, f64)>) -> Vec<f64> {
         let of_wind = self.wind_field.as_ref().map(WindField::parameters);
         let of_wind = of_wind.unwrap_or_default();

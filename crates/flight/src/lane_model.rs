@@ -240,7 +240,7 @@ impl LaneRhs for TapeRhs<'_> {
     #[inline(always)]
     fn derivative<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], dx: &mut [T]) {
         self.within(at, scratch, |at, scratch| {
-            evaluate(&self.tape.f, at, scratch, dx)
+            evaluate(&self.tape.f, at, scratch, dx);
         });
     }
 
@@ -249,7 +249,7 @@ impl LaneRhs for TapeRhs<'_> {
         let of_model = self.model.bounds.len();
         let (own, ends) = margins.split_at_mut(of_model);
         self.within(at, scratch, |at, scratch| {
-            evaluate(&self.tape.limits, at, scratch, own)
+            evaluate(&self.tape.limits, at, scratch, own);
         });
         self.model.subtract_bounds(own);
         for (margin, own) in ends.iter_mut().zip(self.model.inputs.iter()) {

@@ -363,6 +363,7 @@ impl DataFault {
 
 impl FaultKind {
     /// Name of the kind of mistake in reports, such as `labels_exchanged`.
+    #[doc(hidden)]
     pub fn name(self) -> &'static str {
         match self {
             Self::LabelsExchanged => "labels_exchanged",
@@ -391,6 +392,13 @@ impl fmt::Display for DataFault {
     }
 }
 
+fn inputs_of(available: &[String]) -> String {
+    match available.is_empty() {
+        true => "it has no scalar input: `input NAME: UNIT = DEFAULT;`".to_owned(),
+        false => format!("it has {}", available.join(", ")),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -414,12 +422,5 @@ mod tests {
             let value = toml::Value::try_from(kind).map(|value| value.to_string());
             assert_eq!(value, Ok(quoted));
         }
-    }
-}
-
-fn inputs_of(available: &[String]) -> String {
-    match available.is_empty() {
-        true => "it has no scalar input: `input NAME: UNIT = DEFAULT;`".to_owned(),
-        false => format!("it has {}", available.join(", ")),
     }
 }

@@ -88,6 +88,17 @@ fn components(value: &KnownValue) -> Vec<f64> {
     }
 }
 
+/// Prior standard deviation about 0 by the unit of a state, far wider than what a flight determines.
+pub(crate) fn wide_deviation(unit: &str) -> f64 {
+    match unit {
+        "m" => 10.0,
+        "m/s" => 100.0,
+        "rad" => 3.0,
+        "rad/s" => 1000.0,
+        _ => 1.0,
+    }
+}
+
 /// Standard deviation of the prior of an unknown quantity, over the model's value of it.
 const WIDE: f64 = 10.0;
 
@@ -307,7 +318,7 @@ impl FitProblem {
             }
             let mean = states[of].value;
             if unknown.contains(&name) || flight.unknown.contains(&name) {
-                let wide = crate::predict::wide_deviation(&states[of].unit_text);
+                let wide = wide_deviation(&states[of].unit_text);
                 found.priors.push(StatePrior {
                     state: id,
                     mean,

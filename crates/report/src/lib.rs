@@ -9,6 +9,7 @@ pub mod design;
 pub mod diagnosis;
 pub mod effects;
 mod equation;
+mod faults;
 mod figure;
 mod figure_file;
 pub mod figures;

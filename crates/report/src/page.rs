@@ -3,6 +3,7 @@
 use flight::files::ResultFile;
 use identify::DataFault;
 
+use crate::faults::data_faults;
 use crate::figure::Figure;
 use crate::figures::svg::{STYLE, escape, without_style};
 use crate::html::Html;
@@ -174,16 +175,6 @@ impl Page {
         let page = std::iter::once(ResultFile::new("report.html", html));
         page.chain(figures.into_iter().flat_map(Figure::files))
     }
-}
-
-/// Table of the first [`MAX_ROWS`] faults of the measured data.
-pub(crate) fn data_faults(faults: &[DataFault]) -> Table {
-    Table::of(faults.iter().take(MAX_ROWS))
-        .file("flight", |fault| &fault.file)
-        .plain("fault", |fault| fault.fault.name().replace('_', " "))
-        .text("found", |fault| &fault.detail)
-        .text("correction", |fault| &fault.correction)
-        .table()
 }
 
 /// Link to the CSV table of a figure: a data URI, or the path of the file if the table is large.

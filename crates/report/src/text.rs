@@ -2,10 +2,6 @@
 
 use std::sync::OnceLock;
 
-use identify::DataFault;
-
-use crate::page::data_faults;
-
 pub(crate) const MAX_ROWS: usize = 20;
 const WIDTH: usize = 100;
 
@@ -24,23 +20,6 @@ pub fn set_width(characters: usize) {
 /// Width of the terminal, if it was stated.
 pub(crate) fn width() -> Option<usize> {
     TERMINAL.get().copied()
-}
-
-/// Reasons not to rely on a result, `what`, and faults of the data with their corrections.
-pub(crate) fn cautions(what: &str, reasons: &[String], faults: &[DataFault]) -> String {
-    let mut text = String::new();
-    if !reasons.is_empty() {
-        let reasons = reasons.join("\n  ");
-        text += &format!(
-            "DO NOT RELY ON THIS {}:\n  {reasons}\n\n",
-            what.to_uppercase()
-        );
-    }
-    if !faults.is_empty() {
-        let table = data_faults(faults).text(MAX_ROWS);
-        text += &format!("faults of the data ({}):\n{table}\n", faults.len());
-    }
-    text
 }
 
 /// A sentence in lines that fit the terminal, or elsewhere on one line; it ends with a line break.

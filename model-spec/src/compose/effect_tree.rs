@@ -215,6 +215,7 @@ impl Instrument {
     pub const ALL: [Self; 3] = [Self::Gyroscope, Self::Accelerometer, Self::Speed];
 
     /// Name of the predicting variable in models, and of the measurement in datasets.
+    #[doc(hidden)]
     pub fn name(self) -> &'static str {
         match self {
             Self::Gyroscope => "gyroscope",
@@ -224,6 +225,7 @@ impl Instrument {
     }
 
     /// Number of scalar components of the measured quantity: 3 for a vector, 1 for a speed.
+    #[doc(hidden)]
     pub fn components(self) -> usize {
         match self {
             Self::Gyroscope | Self::Accelerometer => 3,

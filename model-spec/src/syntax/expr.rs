@@ -149,14 +149,22 @@ impl Parser<'_> {
         }
     }
 
+    /// Whether the name here continues the statement after a number, as in `within 1e-9`, and is not its unit. `in` is the
+    /// inch unless another name follows, as in `i in F`.
+    fn follows_a_number(&self) -> bool {
+        match self.raw() {
+            INCH => self.peek_at(1) == Token::Name,
+            word => FOLLOWING.contains(&word),
+        }
+    }
+
     fn literal(&mut self) -> Read<Tree> {
         let number = self.digits("a number")?;
         let unit = match self.peek() {
             Token::Sign("[") => Some(self.square_unit()?),
             Token::Name
                 if !self.first_on_line()
-                    && !(FOLLOWING.contains(&self.raw()) && self.raw() != INCH)
-                    && !(self.raw() == INCH && self.peek_at(1) == Token::Name)
+                    && !self.follows_a_number()
                     && self.peek_at(1) != Token::Sign("(") =>
             {
                 let factor = self.unit_power()?;

@@ -15,7 +15,7 @@ pub fn number(cell: &str) -> Result<Option<f64>, &'static str> {
         Ok(value) if value.is_nan() => Ok(None),
         Ok(value) if value.is_finite() => Ok(Some(value)),
         Ok(_) => Err(EXPECTED),
-        Err(_) if MISSING.iter().any(|word| is_missing(word)) => Ok(None),
+        Err(_) if MISSING.iter().any(is_missing) => Ok(None),
         Err(_) => Err(hint(cell).unwrap_or(EXPECTED)),
     }
 }

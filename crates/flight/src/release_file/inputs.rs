@@ -78,7 +78,7 @@ impl<'t> Reader<'t> {
                 let samples: Vec<(f64, f64)> = times.into_iter().zip(values).collect();
                 Some(InputSeries::new(&samples, interpolation))
             }
-            (None, None, Some(file)) => self.from_file(name, file, table, interpolation),
+            (None, None, Some(file)) => self.column_of_file(name, file, table, interpolation),
             _ => {
                 let expected = "{ t = […], value = […] } or { file = \"…\", column = \"…\" }";
                 self.fault(
@@ -113,7 +113,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Reads a column of a table, whose path is relative to the release file.
-    fn from_file(
+    fn column_of_file(
         &mut self,
         name: &str,
         value: &Value<'t>,

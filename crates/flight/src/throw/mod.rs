@@ -235,6 +235,7 @@ impl Throw {
 
     /// Component of the angular velocity along the body axis d3, rad/s; its sign is opposite to that of `spin`. 0 where
     /// the throw states no spin.
+    #[doc(hidden)]
     pub fn rotation_rate(&self) -> f64 {
         -self.spin.unwrap_or(0.0) * RPM
     }

@@ -97,6 +97,7 @@ pub enum GustStrength {
 impl WindField {
     /// Names and values of the parameters that the wind adds to a model, in the units of these parameters: SI, with
     /// directions in degrees.
+    #[doc(hidden)]
     pub fn parameters(&self) -> Vec<(String, f64)> {
         let mut own = self.clone();
         let values = own.places().into_iter();
@@ -108,6 +109,7 @@ impl WindField {
 
     /// Sets the parameter of this name to a value in the unit that [`parameters`](Self::parameters) uses; returns false
     /// if the wind has no such parameter.
+    #[doc(hidden)]
     pub fn set(&mut self, name: &str, value: f64) -> bool {
         let mut places = self.places().into_iter();
         let place = places.find(|(own, _)| *own == name);

@@ -13,7 +13,6 @@ use self::jacobian_columns::JacobianColumns;
 use self::trajectory_pass::TrajectoryPass;
 pub use self::trajectory_pass::{Residuals, residuals, residuals_of, robust_scale, states};
 use self::weighted_rows::WeightedRows;
-pub(crate) use self::weighted_rows::wide_deviation;
 use crate::error::FlightError;
 use crate::least_squares::{NormalBlock, Unknowns};
 use crate::noise::NoiseModel;

@@ -7,7 +7,7 @@ use crate::channel::Channel;
 use crate::least_squares::{GramAccumulator, NormalBlock};
 use crate::noise::{AxesNoise, HUBER_LIMIT};
 use crate::observations::Observations;
-use crate::problem::FitProblem;
+use crate::problem::{FitProblem, wide_deviation};
 
 /// Accumulates normal equations from rows that it weights by the loss; the previous rows serve AR(1) innovations.
 pub(super) struct WeightedRows<'a> {
@@ -93,17 +93,6 @@ fn innovations(noise: &AxesNoise, gap: Option<f64>) -> [(f64, f64); 3] {
 }
 
 // Weak priors of an initial state for flights without measured positions, which leave position and heading open.
-
-/// Prior standard deviation about 0 by the unit of a state, far wider than what a flight determines.
-pub fn wide_deviation(unit: &str) -> f64 {
-    match unit {
-        "m" => 10.0,
-        "m/s" => 100.0,
-        "rad" => 3.0,
-        "rad/s" => 1000.0,
-        _ => 1.0,
-    }
-}
 
 /// Adds the weak priors of the initial state `local` to the normal equations `block`.
 pub(super) fn add(

@@ -238,11 +238,13 @@ impl FitReport {
     }
 
     /// Noise of the measured positions; without positions, that of the first kind of sensor in `noise`.
+    #[doc(hidden)]
     pub fn leading_noise(&self) -> &NoiseReport {
         leading_noise(&self.noise)
     }
 
     /// Noise of the measured positions; `None` where no positions are measured.
+    #[doc(hidden)]
     pub fn position_noise(&self) -> Option<&NoiseReport> {
         self.noise.get(MARKER)
     }

@@ -24,6 +24,7 @@ pub enum FlightOutcome {
 
 impl FlightOutcome {
     /// Name of the outcome in reports: `fitted`, `held_out` or `excluded`.
+    #[doc(hidden)]
     pub fn name(&self) -> &'static str {
         match self {
             Self::Fitted => "fitted",

@@ -136,7 +136,7 @@ fn spinning() -> (Model, Dataset, Vec<[f64; 3]>) {
     let text = built_in("serve").expect("a release");
     let serve = read("serve", text, |_| Ok(Vocabulary::of(&model))).expect("a release");
     let spins: Vec<[f64; 3]> = (0..8)
-        .map(|k| f64::from(k))
+        .map(f64::from)
         .map(|k| {
             [
                 150.0 * (1.3 * k).sin(),

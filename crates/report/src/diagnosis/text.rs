@@ -3,7 +3,8 @@
 use diagnose::{LackOfFit, Report};
 
 use super::{evidence, explanations, page, words};
-use crate::text::{cautions, wrapped};
+use crate::faults::cautions;
+use crate::text::wrapped;
 
 const MAX_TESTS: usize = 10;
 

@@ -4,7 +4,8 @@ use dataset::Role;
 use identify::FlightReport;
 
 use super::{FitPage, coefficients, flights, page, words};
-use crate::text::{MAX_ROWS, cautions, fitted, wrapped};
+use crate::faults::cautions;
+use crate::text::{MAX_ROWS, fitted, wrapped};
 use crate::thin::largest_first;
 use identify::numbers::significant;
 
