@@ -192,7 +192,12 @@ fn of_point(
 /// Whether each recording has one tracked body and no single points.
 fn are_poses(options: &Import, reading: &ReadOptions) -> anyhow::Result<bool> {
     for file in &options.takes {
-        let take = dataset::takes::read(file, reading)?;
+        let take = match dataset::takes::read(file, reading) {
+            Ok(take) => take,
+            // It is told where the recordings are cut.
+            Err(_) if options.takes.len() > 1 => continue,
+            Err(error) => return Err(error.into()),
+        };
         if !take.points.is_empty() || take.bodies.len() != 1 {
             return Ok(false);
         }
