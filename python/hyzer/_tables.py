@@ -73,7 +73,9 @@ def manifest(
 ) -> str:
     """Return the text of dataset.toml; `inputs` are the files of the inputs over time."""
     parts = [f"model = {_toml.text(os.fspath(model))}\n"]
-    of_flights = unknown if isinstance(unknown, Mapping) else {}
+    of_flights: Mapping[str | int, Iterable[str]] = {}
+    if isinstance(unknown, Mapping):
+        of_flights = cast("Mapping[str | int, Iterable[str]]", unknown)
     if unknown is not None and not isinstance(unknown, Mapping):
         parts.append(f"unknown = {_toml.text(list(unknown))}\n")
     if interpolation is not None:
@@ -87,8 +89,13 @@ def manifest(
     parts.append(_toml.table("[noise]", {} if sigma is None else {"sigma": sigma}))
     apart = {_file(flight, files) for flight in held_out or ()}
     own: dict[str, dict[str, Any]] = {file: {} for file in files}
-    for key, stated in {"known": known, "unknown": of_flights, "inputs": inputs}.items():
-        for flight, value in (stated or {}).items():
+    stated: list[tuple[str, Mapping[str | int, Any]]] = [
+        ("known", known or {}),
+        ("unknown", of_flights),
+        ("inputs", inputs or {}),
+    ]
+    for key, values in stated:
+        for flight, value in values.items():
             own[_file(flight, files)][key] = value
     for file in files:
         about = {"file": file, "role": "held-out" if file in apart else "fit"}
