@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use super::write::{inputs_file, read_back};
-use super::{Dataset, assemble, inputs, manifest, manifest_text, table_text};
+use super::write::{read_back, tables, text_of};
+use super::{Dataset, assemble, manifest, manifest_text};
 use crate::input_error::InputError;
 
 /// Reads and checks a dataset from texts in memory, as [`load`](fn@super::load) does from files: the text of
@@ -37,17 +37,8 @@ impl Dataset {
     /// # Errors
     /// The first fault found; its line and column refer to the files that [`write`](fn@super::write) would write.
     pub fn validate(&self) -> Result<(), InputError> {
-        let table = |path: &Path| {
-            let text = self.flights.iter().find_map(|flight| {
-                if Path::new(&flight.file) == path {
-                    return Some(table_text(flight, &self.markers, &self.sensors));
-                }
-                let is_inputs = Path::new(&inputs_file(flight)) == path;
-                is_inputs.then(|| inputs::text(&flight.inputs))
-            });
-            Ok(text.unwrap_or_default().into_bytes().into())
-        };
-        if read_back(&manifest_text(self), table)? == *self {
+        let tables = tables(self);
+        if read_back(&manifest_text(self), |path| Ok(text_of(&tables, path)))? == *self {
             return Ok(());
         }
         let found = "a time or position that is not finite, or rows of different lengths";

@@ -232,20 +232,20 @@ fn assemble<'t>(
             }
             inputs.extend(own);
         }
-        Ok((path, (table, inputs)))
+        Ok((path, table, inputs))
     });
     for (entry, table) in manifest.flights.into_iter().zip(tables) {
-        let (path, table) = table?;
+        let (path, table, inputs) = table?;
         paths.push(path);
         flights.push(Flight {
             file: entry.file,
             role: entry.role,
             known: entry.known,
             unknown: entry.unknown,
-            inputs: table.1,
-            times: table.0.times,
-            positions: table.0.positions,
-            readings: table.0.readings,
+            inputs,
+            times: table.times,
+            positions: table.positions,
+            readings: table.readings,
         });
     }
     let (mut markers, mut sensors) = (manifest.markers, manifest.sensors);

@@ -10,9 +10,9 @@ use toml::Spanned;
 use toml::de::DeTable;
 
 use super::fields::{Entry, Fields, Value};
-use super::recording::Recording;
+use super::recording::{Recording, choice};
 use super::unplaced::Unplaced;
-use super::words::{listed, meant, shown};
+use super::words::{meant, shown};
 use super::{KnownValue, Marker, Role, Sensor, file, names};
 use crate::input_error::InputError;
 use crate::pose::distance;
@@ -397,22 +397,11 @@ impl Fields<'_> {
             return Ok(InputInterpolation::default());
         };
         self.keys(table, " in [inputs]", &["interpolation"])?;
-        let Some(value) = table.get("interpolation") else {
-            return Ok(InputInterpolation::default());
-        };
         let words = InputInterpolation::NAMES.map(|(word, _)| word);
-        let expected = listed(words);
-        let word = self.text(value, "interpolation", &expected)?;
-        let known = InputInterpolation::NAMES
-            .iter()
-            .find(|(own, _)| *own == word);
-        match known {
-            Some((_, interpolation)) => Ok(*interpolation),
-            None => {
-                let expected = format!("{expected}{}", meant(&word, words));
-                Err(self.refused(value, "interpolation", shown(&word), expected))
-            }
-        }
+        let word = choice(self, table, "interpolation", &words)?;
+        let known = InputInterpolation::NAMES.iter();
+        let known = known.filter(|(own, _)| Some(*own) == word.as_deref());
+        Ok(known.map(|(_, own)| *own).next().unwrap_or_default())
     }
 
     fn role(&self, flight: &DeTable<'_>) -> Result<Role, InputError> {

@@ -168,7 +168,7 @@ impl Recording {
 }
 
 /// Reads the text under a key of `table`, which must be one of `choices`; `None` if the key is absent.
-fn choice(
+pub(super) fn choice(
     fields: &Fields<'_>,
     table: &DeTable<'_>,
     key: &str,

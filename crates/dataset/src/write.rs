@@ -46,24 +46,13 @@ pub fn write_commented(
 ) -> io::Result<()> {
     let manifest = commented(&manifest_text(dataset), comments);
     let mut files = vec![("dataset.toml".to_owned(), manifest)];
-    let each = dataset.flights.iter();
-    files.extend(each.map(|flight| {
-        let text = table_text(flight, &dataset.markers, &dataset.sensors);
-        (flight.file.clone(), text)
-    }));
-    let with_inputs = dataset
-        .flights
-        .iter()
-        .filter(|flight| !flight.inputs.is_empty());
-    files.extend(with_inputs.map(|flight| (inputs_file(flight), inputs::text(&flight.inputs))));
+    files.extend(tables(dataset));
     let text = |path: &Path| {
         if names::is_c3d(path) {
             let expected = "a table: C3D is read and not written";
             return Err(InputError::of_file(path, "a C3D file", expected));
         }
-        let mut all = files.iter();
-        let own = all.find(|(name, _)| Path::new(name) == path);
-        Ok(own.map_or(&[][..], |(_, text)| text.as_bytes()).into())
+        Ok(text_of(&files[1..], path))
     };
     let read = read_back(&files[0].1, text).map_err(|error| invalid(error.to_string()))?;
     if read != *dataset {
@@ -121,6 +110,24 @@ fn files_below(folder: &Path, most: usize) -> io::Result<usize> {
         }
     }
     Ok(count + left.len())
+}
+
+/// Names and texts of the tables of all flights, and of those of their inputs over time.
+pub(super) fn tables(dataset: &Dataset) -> Vec<(String, String)> {
+    let flights = dataset.flights.iter();
+    let with_inputs = flights.clone().filter(|flight| !flight.inputs.is_empty());
+    let of_inputs = with_inputs.map(|flight| (inputs_file(flight), inputs::text(&flight.inputs)));
+    let of_flights = flights.map(|flight| {
+        let text = table_text(flight, &dataset.markers, &dataset.sensors);
+        (flight.file.clone(), text)
+    });
+    of_flights.chain(of_inputs).collect()
+}
+
+/// Text of the table `path` among `tables`, as bytes; empty for another name.
+pub(super) fn text_of<'t>(tables: &'t [(String, String)], path: &Path) -> Cow<'t, [u8]> {
+    let own = tables.iter().find(|(name, _)| Path::new(name) == path);
+    own.map_or(&[][..], |(_, text)| text.as_bytes()).into()
 }
 
 /// Reads a dataset without access to files.
@@ -220,7 +227,7 @@ fn list(names: &[String]) -> Option<String> {
 }
 
 /// Name of the file with the inputs over time of a flight.
-pub(super) fn inputs_file(flight: &Flight) -> String {
+fn inputs_file(flight: &Flight) -> String {
     let stem = flight
         .file
         .rsplit_once('.')

@@ -273,10 +273,7 @@ impl TapeRhs<'_> {
         }
         varied.copy_from_slice(at.p);
         for own in self.model.inputs.iter() {
-            let read = |lane: usize| {
-                let delay = own.delay.map_or(0.0, |id| at.p[id.index()].lane(lane));
-                own.at(at.t.lane(lane), delay)
-            };
+            let read = |lane: usize| own.at(at.t.lane(lane), |id| at.p[id.index()].lane(lane));
             varied[own.value.index()] = T::from_fn(|lane| read(lane).0);
             if let Some((id, _)) = &own.rate {
                 varied[id.index()] = T::from_fn(|lane| read(lane).1);

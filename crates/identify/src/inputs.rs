@@ -2,7 +2,7 @@
 
 use dataset::Flight;
 use dataset::statistics::median_of;
-use flight::{InputSeries, InputsOverTime};
+use flight::InputsOverTime;
 
 use crate::error::FlightError;
 use crate::problem::FitProblem;
@@ -40,7 +40,9 @@ pub fn of_flight(
             });
         }
         let given = series.span();
-        let interval = interval(series).unwrap_or(0.0);
+        let times: Vec<f64> = series.samples().map(|(t, _)| t).collect();
+        let intervals = times.windows(2).map(|pair| pair[1] - pair[0]);
+        let interval = median_of(intervals).unwrap_or(0.0);
         let slack = OUTLASTING * interval;
         if given.0 > span.0 + slack || given.1 < span.1 - slack {
             return Err(FlightError::InputSpan {
@@ -49,7 +51,7 @@ pub fn of_flight(
                 needed: span,
             });
         }
-        let gap = widest_gap(series, span);
+        let gap = widest_gap(&times, span);
         if gap > NOTED_GAP * interval {
             notes.push(format!(
                 "the input {name} is bridged over {gap:.3} s without a sample"
@@ -61,15 +63,8 @@ pub fn of_flight(
     Ok((InputsOverTime::of(layout, inputs), notes))
 }
 
-/// Median time between samples, s; `None` for a single sample.
-fn interval(series: &InputSeries) -> Option<f64> {
-    let times: Vec<f64> = series.samples().map(|(t, _)| t).collect();
-    median_of(times.windows(2).map(|pair| pair[1] - pair[0]))
-}
-
-/// Longest time between two samples within `span`, s.
-fn widest_gap(series: &InputSeries, (from, until): (f64, f64)) -> f64 {
-    let times: Vec<f64> = series.samples().map(|(t, _)| t).collect();
+/// Longest time between two samples at `times` within `span`, s.
+fn widest_gap(times: &[f64], (from, until): (f64, f64)) -> f64 {
     let pairs = times.windows(2);
     let inside = pairs.filter(|pair| pair[1] > from && pair[0] < until);
     inside.map(|pair| pair[1] - pair[0]).fold(0.0, f64::max)

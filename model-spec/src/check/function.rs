@@ -7,6 +7,7 @@ use super::{Checker, Definition, Typed, UnitOf};
 use crate::diagnostic::{Diagnostic, Kind, Label, Span};
 use crate::model::{self, Expr, ExprKind, Shape};
 use crate::syntax::ast::{self, Ascription, ItemKind, Name, UnitExpr};
+use crate::syntax::expand::wrong_count;
 use crate::syntax::of_kind;
 
 /// Errors found at the definitions of functions. Copies of a faulty function are not reported again.
@@ -70,13 +71,8 @@ impl<'a> Checker<'a> {
             let typed = typed.map(|typed| (typed.expr, typed.unit));
             hidden.push((&own.name.text, self.local(&own.name, typed)));
         }
-        let ascription = Ascription {
-            function: function.name.text.clone(),
-            parameter: None,
-            of: function.result.clone(),
-        };
         if let Some(typed) = self.elaborate(&function.value) {
-            self.must_have_type(&typed, &ascription);
+            self.must_have_type(&typed, &function.of_result());
         }
         for (name, before) in hidden.into_iter().rev() {
             self.scope.restore(name, before);
@@ -239,20 +235,11 @@ impl<'a> Checker<'a> {
         arguments: &[ast::Expr],
         span: Span,
     ) -> Option<Typed> {
-        let (expected, found) = (function.parameters.len(), arguments.len());
-        if expected != found {
-            let name = &function.name.text;
-            let message = format!("`{name}` takes {expected} arguments, but this call has {found}");
-            let fault = Diagnostic::new(Kind::Shape, span, message);
-            return self.refuse(fault.label(function.name.span, "declared here"));
+        if function.parameters.len() != arguments.len() {
+            return self.refuse(wrong_count(function, arguments.len(), span));
         }
         for (parameter, argument) in function.parameters.iter().zip(arguments) {
-            let ascription = Ascription {
-                function: function.name.text.clone(),
-                parameter: Some(parameter.name.clone()),
-                of: parameter.of.clone(),
-            };
-            self.ascribed(argument, &ascription, argument.span);
+            self.ascribed(argument, &function.of_argument(parameter), argument.span);
         }
         let (shape, term) = self.type_of(&function.result)?;
         // In messages, a call is an operand like a number with a unit.

@@ -143,10 +143,11 @@ pub(crate) struct RecordedInput {
 }
 
 impl RecordedInput {
-    /// Values of the input and of its rate at time `t`, s. With a delay the model subtracts delay × rate; together that
-    /// is exactly the value at the earlier time.
+    /// Values of the input and of its rate at time `t`, s, where `value_of` gives the value of a parameter. With a
+    /// delay the model subtracts delay × rate; together that is exactly the value at the earlier time.
     #[inline(always)]
-    pub fn at(&self, t: f64, delay: f64) -> (f64, f64) {
+    pub fn at(&self, t: f64, value_of: impl Fn(ParamId) -> f64) -> (f64, f64) {
+        let delay = self.delay.map_or(0.0, value_of);
         let rate = self
             .rate
             .as_ref()
@@ -219,8 +220,7 @@ impl InputsOverTime {
         buffer.clear();
         buffer.extend_from_slice(parameters);
         for own in self.iter() {
-            let delay = own.delay.map_or(0.0, |id| parameters[id.index()]);
-            let (value, rate) = own.at(t, delay);
+            let (value, rate) = own.at(t, |id| parameters[id.index()]);
             buffer[own.value.index()] = value;
             if let Some((id, _)) = &own.rate {
                 buffer[id.index()] = rate;

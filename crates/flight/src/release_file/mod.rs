@@ -40,9 +40,10 @@ pub fn read_file_in_wind(
 
 /// Parses the text of a release file.
 ///
-/// `file` is the file name in error messages; the paths in the text are relative to its folder. `vocabulary` returns the names defined by a model, given the model's name
-/// or path; an error of `vocabulary` becomes a fault at the location of that name. Winds by height and gusts, which
-/// change the model, are rejected; [`read_in_wind`] accepts them.
+/// `file` is the file name in error messages; the paths in the text are relative to its folder. `vocabulary` returns
+/// the names defined by a model, given the model's name or path; an error of `vocabulary` becomes a fault at the
+/// location of that name. Winds by height and gusts, which change the model, are rejected; [`read_in_wind`] accepts
+/// them.
 ///
 /// # Errors
 /// [`ReleaseError`] with all faults of the file.

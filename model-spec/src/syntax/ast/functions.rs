@@ -74,6 +74,26 @@ pub struct Ascription {
     pub of: Type,
 }
 
+impl Function {
+    /// What an argument for `parameter` must be.
+    pub(crate) fn of_argument(&self, parameter: &FunctionParameter) -> Ascription {
+        Ascription {
+            function: self.name.text.clone(),
+            parameter: Some(parameter.name.clone()),
+            of: parameter.of.clone(),
+        }
+    }
+
+    /// What the result must be.
+    pub(crate) fn of_result(&self) -> Ascription {
+        Ascription {
+            function: self.name.text.clone(),
+            parameter: None,
+            of: self.result.clone(),
+        }
+    }
+}
+
 /// A statement of the text, and the statements that it was expanded to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Template {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::{Budget, height, of_template, roots, roots_mut, size};
 use crate::diagnostic::{Diagnostic, Kind, Span};
-use crate::syntax::ast::{Ascription, Expr, ExprKind, File, Function, Item, ItemKind, Let, Name};
+use crate::syntax::ast::{Expr, ExprKind, File, Function, Item, ItemKind, Let, Name};
 use crate::syntax::{MAX_HEIGHT, of_kind};
 
 /// Maximum number of functions that call one another, which bounds the recursion.
@@ -128,7 +128,8 @@ impl<'b> Inliner<'b> {
         };
         let arguments = std::mem::take(arguments);
         if arguments.len() != function.parameters.len() {
-            self.wrong_count(&function, arguments.len(), e.span);
+            let fault = wrong_count(&function, arguments.len(), e.span);
+            self.diagnostics.push(fault);
             return;
         }
         let number = self.calls.entry(name.text.clone()).or_default();
@@ -136,11 +137,7 @@ impl<'b> Inliner<'b> {
         let prefix = format!("{}__{number}_", name.text);
         let mut names: HashMap<&str, String> = HashMap::new();
         for (parameter, argument) in function.parameters.iter().zip(arguments) {
-            let ascription = Ascription {
-                function: name.text.clone(),
-                parameter: Some(parameter.name.clone()),
-                of: parameter.of.clone(),
-            };
+            let ascription = function.of_argument(parameter);
             let span = argument.span;
             let kind = ExprKind::Ascribed(Box::new(argument), Arc::new(ascription));
             let local = Name::new(prefix.clone() + &parameter.name.text, parameter.name.span);
@@ -154,12 +151,7 @@ impl<'b> Inliner<'b> {
             self.add(local, own.unit.clone(), value, e.span);
         }
         let result = self.copy(&function.value, &names, e.span);
-        let ascription = Ascription {
-            function: name.text.clone(),
-            parameter: None,
-            of: function.result.clone(),
-        };
-        e.kind = ExprKind::Ascribed(Box::new(result), Arc::new(ascription));
+        e.kind = ExprKind::Ascribed(Box::new(result), Arc::new(function.of_result()));
     }
 
     fn add(
@@ -186,20 +178,6 @@ impl<'b> Inliner<'b> {
             self.expression(&mut own);
         }
         own
-    }
-
-    fn wrong_count(&mut self, function: &Function, found: usize, call: Span) {
-        let (name, expected) = (&function.name.text, function.parameters.len());
-        let plural = if expected == 1 { "" } else { "s" };
-        let message =
-            format!("`{name}` takes {expected} argument{plural}, but this call has {found}");
-        let parameters: Vec<String> = { function.parameters.iter() }
-            .map(|own| format!("{}{}", own.name.text, own.of))
-            .collect();
-        let label = format!("`{name}({})` is declared here", parameters.join(", "));
-        let fault = Diagnostic::new(Kind::Shape, call, message);
-        self.diagnostics
-            .push(fault.label(function.name.span, label));
     }
 
     /// Reports functions that call themselves, and those that call one another too deeply.
@@ -277,6 +255,18 @@ impl<'b> Inliner<'b> {
         }
         fault.help("a function is written out at each call, so that it cannot call itself")
     }
+}
+
+/// Error of a call with `found` arguments.
+pub(crate) fn wrong_count(function: &Function, found: usize, call: Span) -> Diagnostic {
+    let (name, expected) = (&function.name.text, function.parameters.len());
+    let plural = if expected == 1 { "" } else { "s" };
+    let message = format!("`{name}` takes {expected} argument{plural}, but this call has {found}");
+    let parameters: Vec<String> = { function.parameters.iter() }
+        .map(|own| format!("{}{}", own.name.text, own.of))
+        .collect();
+    let label = format!("`{name}({})` is declared here", parameters.join(", "));
+    Diagnostic::new(Kind::Shape, call, message).label(function.name.span, label)
 }
 
 fn rename(e: &mut Expr, names: &HashMap<&str, String>) {

@@ -16,6 +16,7 @@ use crate::syntax::ast::{
 };
 use crate::syntax::reserved::{FIXED, OF_BODY};
 use inline::Inliner;
+pub(crate) use inline::wrong_count;
 use std::sync::Arc;
 use unroll::Unroller;
 
