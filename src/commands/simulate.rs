@@ -134,7 +134,7 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     let is_thrown = options.throw.speed.is_some() || options.throw.techdisc.is_some();
     let (mut model, mut release) = match (&options.release, &options.model) {
         (Some(name), model) => released_in_wind(name, model.as_deref(), &options.with)?,
-        (None, _) if !is_thrown => {
+        (None, None) if !is_thrown => {
             let names: Vec<&str> = BUILT_IN.iter().map(|(name, _)| *name).collect();
             bail!(
                 "no --release: name one of {} or a TOML file, or state a throw by --speed or --techdisc",
@@ -146,6 +146,11 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
         ),
         (None, Some(name)) => {
             let model = load(name, &super::names(&options.with))?;
+            // Equations stated outright also state where they start.
+            ensure!(
+                is_thrown || model.body.is_none() || !options.set.is_empty(),
+                "no release of {name}: state one by --release, a throw by --speed or --techdisc, or initial states by --set"
+            );
             let release = throws::at_defaults(name, &model);
             (model, release)
         }

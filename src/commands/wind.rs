@@ -20,7 +20,7 @@ pub fn apply(
 ) -> anyhow::Result<Model> {
     let (unit, size) = units.instead_of("m/s");
     if release.wind_field.is_some() {
-        bail!("--wind: the release states a wind by height or gusts, expected one wind alone");
+        bail!("--wind: the release states a wind by height or gusts, expected only one wind");
     }
     if text.split(',').count() == 3 && !Path::new(text).is_file() {
         release.wind = vector("--wind", text, unit)?.map(|own| own * size);

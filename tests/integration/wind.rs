@@ -41,7 +41,7 @@ fn contradictions_and_what_is_not_flown_are_refused() {
     for (arguments, words) in [
         (
             &["simulate", "--release", GUSTY, "--wind", "1,2,3"][..],
-            "expected one wind alone",
+            "expected only one wind",
         ),
         (
             &["simulate", "disc", "--speed", "20", "--wind", "absent.toml"],
@@ -60,7 +60,7 @@ fn contradictions_and_what_is_not_flown_are_refused() {
         ),
         (
             &["stability", "disc", "--release", GUSTY],
-            "expected a constant wind alone here",
+            "expected only a constant wind here",
         ),
         (
             &["simulate", "--release", GUSTY, "--set", "wind_speed=-1"],

@@ -212,7 +212,7 @@ fn assemble<'t>(
             )?
         } else if let Some(sensor) = sensors.first() {
             let found = format!("the sensor {} with a C3D file", sensor.name);
-            let expected = "a table: C3D has points alone";
+            let expected = "a table: C3D has only points";
             return Err(InputError::of_file(&path, found, expected));
         } else {
             c3d::parse(&path, &bytes, &names)?

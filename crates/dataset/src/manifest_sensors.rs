@@ -48,7 +48,7 @@ impl Fields<'_> {
             let own_sigma = self.deviation(entry.1, "sigma")?;
             let sigma_angle = self.deviation(entry.1, "sigma_angle")?;
             if sigma_angle.is_some() && kind != Some(SensorKind::Pose) {
-                let expected = "sigma_angle with kind = \"pose\" alone";
+                let expected = "sigma_angle only with kind = \"pose\"";
                 return Err(self.fault(entry.0.clone(), "sigma_angle", expected));
             }
             match kind {

@@ -61,7 +61,7 @@ impl BoundModel<'_> {
             .map(|RecordedInput { value, series, .. }| {
                 let names = &self.model.layout.parameters;
                 let (name, until) = (&names[value.index()], series.span().1);
-                let reason = format!("the input `{name}` is given until {until} s alone");
+                let reason = format!("the input `{name}` is given only until {until} s");
                 let end = series.end();
                 Event::limit(reason, move |t, _: &X| end - t)
             });

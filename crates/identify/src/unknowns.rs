@@ -178,7 +178,7 @@ fn place_sensors(resolved: &mut Resolved<'_>) -> Result<(), FitError> {
                 resolved.free(&OFFSET, [UNKNOWN; 3])?;
             }
             SensorKind::Pose => {
-                return Err(refused("one pose alone, or three markers with positions"));
+                return Err(refused("a single pose, or three markers with positions"));
             }
             SensorKind::Instrument(Instrument::Accelerometer) if alone => {
                 resolved.free(&LEVER, [UNKNOWN; 3])?;

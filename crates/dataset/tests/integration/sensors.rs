@@ -67,7 +67,7 @@ fn what_is_stated_wrongly_is_refused() {
         (
             sensor("gyroscope", "sigma_angle = 0.1"),
             table,
-            "sigma_angle with kind = \"pose\" alone",
+            "sigma_angle only with kind = \"pose\"",
         ),
         (
             sensor("gyroscope", "rate = 3"),

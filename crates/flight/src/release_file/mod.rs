@@ -131,7 +131,7 @@ impl<'t> Reader<'t> {
         if let (Some(field), Some(table)) = (&wind_field, document.get("wind")) {
             if !in_wind {
                 let message =
-                    "found a wind by height or gusts; expected a constant wind alone here";
+                    "found a wind by height or gusts; expected only a constant wind here";
                 self.fault(table.span(), message);
                 return None;
             }
@@ -179,7 +179,7 @@ impl<'t> Reader<'t> {
         let of_wind = field.parameters();
         for (name, span, _) in self.table(document, "parameters") {
             if of_wind.iter().any(|(own, _)| own == name) {
-                let message = format!("{name} follows from [wind]; expected it there alone");
+                let message = format!("{name} follows from [wind]; expected it only there");
                 self.fault(span, message);
             }
         }

@@ -76,7 +76,7 @@ fn an_input_ends_a_flight_that_outlasts_it() {
     );
     let error = flown.expect_err("too short").to_string();
     assert!(
-        error.contains("the input `thrust` is given until 2 s alone"),
+        error.contains("the input `thrust` is given only until 2 s"),
         "{error}"
     );
 }

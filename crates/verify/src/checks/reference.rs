@@ -106,7 +106,7 @@ fn uncovered(
         let rows: Vec<String> = rows.into_iter().collect();
         let name = &model.coefficients[coefficient].name;
         format!(
-            "NOT IN THE LAW: `{name}`, which changes {}; the reference holds with `{name}` at its null value alone",
+            "NOT IN THE LAW: `{name}`, which changes {}; the reference holds only with `{name}` at its null value",
             rows.join(", ")
         )
     });

@@ -245,7 +245,7 @@ fn kind<'t>(reader: &mut Reader<'t>, name: &str, own: f64, value: &Value<'t>) ->
     };
     let given = table.get(way)?;
     if let Some(count) = table.get("count").filter(|_| way != "range") {
-        let message = format!("found count with {way}; expected it with range alone");
+        let message = format!("found count with {way}; expected it only with range");
         return refuse(reader, count.span(), message);
     }
     match way {

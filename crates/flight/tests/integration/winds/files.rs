@@ -192,7 +192,7 @@ fn who_flies_constant_winds_alone_refuses_others() {
     assert!(
         error.faults[0]
             .message
-            .contains("expected a constant wind alone")
+            .contains("expected only a constant wind")
     );
 }
 
