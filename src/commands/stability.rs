@@ -69,7 +69,10 @@ pub(super) fn run(options: &Options) -> anyhow::Result<Answer> {
         stability::text(&body.model.name, &found)
     })?;
     if let Some(out) = &out {
-        let what = "stability.json, report.html, modes.csv and map.csv";
+        let what = match found.release.state_space.inputs.is_empty() {
+            true => "stability.json, report.html, modes.csv and map.csv",
+            false => "stability.json, report.html, modes.csv, map.csv and controls.csv",
+        };
         out.write(files(&body.model, &found), what)?;
     }
     Ok(Answer::Yes)
@@ -84,7 +87,7 @@ pub fn found(
     release: &Release,
     times: usize,
 ) -> Result<(Found, Option<IntegrationError>), StabilityError> {
-    let bound = body.with_parameters(body.compiled.release_parameters(release).constants);
+    let bound = body.with_parameters(body.compiled.release_parameters(release));
     let first = at(&bound, 0.0, &release.state())?;
     let settings = IntegrationOptions::with_tolerance(1e-9);
     let (flight, missing) = match simulate(&body.compiled, release, &settings) {
@@ -118,6 +121,8 @@ pub fn files(model: &Model, found: &Found) -> Vec<ResultFile> {
         ResultFile::new("modes.csv", stability::csv(&found.flight)),
         ResultFile::new("map.csv", stability::csv(&found.map)),
     ];
+    let controls = stability::controls(found);
+    files.extend(controls.map(|table| ResultFile::new("controls.csv", table)));
     files.extend(stability::page(&model.name, found).files());
     files
 }
