@@ -62,8 +62,13 @@ pub fn square_sums(problem: &FitProblem, channels: &[ChannelSum]) -> SquareSums 
             ChannelKind::Position => continue,
             ChannelKind::Attitude => "attitude",
             ChannelKind::Instrument(place) => problem.instruments[place].0.name(),
+            ChannelKind::Summary(_) => match own.summary() {
+                Some(name) => name,
+                None => continue,
+            },
         };
-        sums.add(kind, own.unit, sum.squares, own.components * sum.count);
+        let unit = (own.unit, own.to_si.abs());
+        sums.add(kind, unit, sum.squares, own.components * sum.count);
     }
     sums
 }

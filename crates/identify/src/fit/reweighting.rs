@@ -4,6 +4,7 @@ use super::FitError;
 use super::horizon_continuation::unevaluated_step;
 use super::residual_cache::{ResidualCache, exclude_failed, solve_flights};
 use super::state::State;
+use super::{flight_error, summary_noise};
 use crate::error::FlightError;
 use crate::least_squares::{FailedFlight, Solution, StopReason, StoppingCriteria};
 use crate::noise::NoiseModel;
@@ -153,7 +154,10 @@ pub fn estimate_noise(
     let unknowns = local.sum::<usize>() + problem.globals.len();
     let after = (unknowns, state.interval);
     let flights = &mut state.flights;
-    Ok(outliers::estimate_noise(
-        problem, flights, &residuals, after, threads,
-    ))
+    let (mut noise, changed) =
+        outliers::estimate_noise(problem, flights, &residuals, after, threads);
+    if let Err(reason) = summary_noise::estimate(state, &mut noise) {
+        return Err(flight_error(&state.flights[0], reason));
+    }
+    Ok((noise, changed))
 }
