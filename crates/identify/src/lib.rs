@@ -42,8 +42,8 @@ pub use options::{CancellationToken, FitOptions, Prior, Progress};
 pub use report::{
     AxisNoise, AxisResiduals, Coefficient, Estimate, FitReport, FitStatus, FlightEvidence,
     FlightOutcome, FlightReport, Iterations, LackOfFit, MARKER, MarkerDistance, NoiseReport,
-    NonIdentifiable, Profile, Rms, SeenValue, SensorEvidence, SensorReport, SmoothMisfit, convergence_caution,
-    exclusion_caution, leading_noise,
+    NonIdentifiable, Profile, Rms, SeenValue, SensorEvidence, SensorReport, SmoothMisfit,
+    convergence_caution, exclusion_caution, leading_noise,
 };
 pub use uncertainty::interval;
 
