@@ -6,6 +6,7 @@ mod datasets;
 mod made_noise;
 mod recording;
 mod sensors;
+mod summaries;
 mod support;
 mod synthesize;
 mod written;

@@ -131,6 +131,10 @@ pub fn evidence(
     observations: &Observations,
     (global, local): (&DVector<f64>, &DVector<f64>),
 ) -> Option<FlightEvidence> {
+    // What summaries tell is no motion over time.
+    if observations.is_summary {
+        return None;
+    }
     let samples = observations.times.len();
     let trajectory = states(problem, observations, (global, local), samples).ok()?;
     let parameters = observations.parameters(problem, global);

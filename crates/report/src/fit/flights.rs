@@ -20,6 +20,16 @@ pub(super) fn section(page: &FitPage<'_>) -> Html {
     if page.report.flights.is_empty() {
         content.paragraph("None.");
     }
+    if page
+        .report
+        .flights
+        .iter()
+        .any(|flight| !flight.seen.is_empty())
+    {
+        content.heading("Seen → predicted");
+        content.note("All values are in summaries.csv.");
+        content.table(&super::summaries::table(page.report));
+    }
     if !fitted.is_empty() {
         content.heading("Fitted");
         worst(&mut content, page, fitted);

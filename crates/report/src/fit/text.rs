@@ -34,6 +34,10 @@ pub fn text(of: &FitPage<'_>) -> String {
     for table in tables.iter().filter(|table| !table.is_empty()) {
         text += &format!("\n{}", table.text(usize::MAX));
     }
+    let seen = super::summaries::table(report);
+    if !seen.is_empty() {
+        text += &format!("\nSeen → predicted\n{}", seen.text(MAX_ROWS));
+    }
     let mut add = |what: &str, flights: Vec<&FlightReport>| {
         if !flights.is_empty() {
             let flights = largest_first(flights, MAX_ROWS, |flight| Some(flight.rms()));
