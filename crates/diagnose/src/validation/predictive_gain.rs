@@ -19,6 +19,9 @@ pub struct PredictiveGain {
     pub std_error_m: f64,
     /// Standard deviation of the noise of one coordinate, m: the smallest possible prediction error.
     pub noise_m: f64,
+    /// Whether errors of summaries are among them: those are in units of the noise of their columns, times `noise_m`.
+    #[serde(default)]
+    pub has_summaries: bool,
     /// Number of flights predicted both without and with the added effects; flights in `set_apart` are not counted.
     pub flights: usize,
     /// Number of flights whose first samples contradict the effects, which are not applied.
@@ -111,6 +114,7 @@ pub(super) struct FlightErrors {
     before: f64,
     /// Mean squared error of the extended model, m²; `before` if it is not applied.
     after: f64,
+    is_summary: bool,
     is_applied: bool,
 }
 
@@ -182,6 +186,7 @@ pub(super) fn predictions(
                 file: before.file.clone(),
                 before: error(before, before, noise_m),
                 after: error(after, before, noise_m),
+                is_summary: !before.seen.is_empty(),
                 is_applied,
             }),
             (true, false) => predictions.only_before += 1,
@@ -224,6 +229,7 @@ pub(super) fn summarize(
             _ => (spread * (count - 1.0) / count).sqrt(),
         },
         noise_m,
+        has_summaries: flights.iter().any(|flight| flight.is_summary),
         flights: flights.len(),
         without: flights.iter().filter(|flight| !flight.is_applied).count(),
         held_out_by_dataset,

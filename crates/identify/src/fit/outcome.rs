@@ -114,13 +114,19 @@ pub fn reports(
 
 /// Adds a note to the report of each flight whose residuals are far larger than those of the other flights.
 fn note_misfits(flights: &mut [FlightReport]) {
-    let median = median_of(flights.iter().map(FlightReport::rms)).unwrap_or(0.0);
-    for flight in flights {
-        if flight.rms() > MISFIT_RATIO * median {
-            flight.notes.push(format!(
-                "its residuals are {:.0} times the usual: look at it before you rely on this fit",
-                flight.rms() / median
-            ));
+    let (summaries, tracks): (Vec<_>, Vec<_>) = flights
+        .iter_mut()
+        .partition(|flight| !flight.seen.is_empty());
+    for mut alike in [summaries, tracks] {
+        let median = median_of(alike.iter().map(|flight| flight.misfit())).unwrap_or(0.0);
+        for flight in &mut alike {
+            let misfit = flight.misfit();
+            if misfit > MISFIT_RATIO * median {
+                flight.notes.push(format!(
+                    "its residuals are {:.0} times the usual: look at it before you rely on this fit",
+                    misfit / median
+                ));
+            }
         }
     }
 }
@@ -206,11 +212,11 @@ fn noise_by_kind(
 }
 
 fn noise_report(state: &State<'_>, noise: &NoiseModel) -> NoiseReport {
-    let flights = &state.flights;
-    let measured = flights.iter().map(|f| f.measured.iter().flatten().count());
+    let flights = state.flights.iter().filter(|flight| !flight.is_summary);
+    let measured = flights.clone().map(|f| f.measured.iter().flatten().count());
     let points: usize = measured.sum();
-    let all: usize = flights.iter().map(|f| f.measured.len()).sum();
-    let outliers: usize = flights.iter().map(Observations::outliers).sum();
+    let all: usize = flights.clone().map(|f| f.measured.len()).sum();
+    let outliers: usize = flights.map(Observations::outliers).sum();
     let axis = |(k, name): (usize, &&str)| {
         let axis = AxisNoise {
             sigma: noise.sigma[k],

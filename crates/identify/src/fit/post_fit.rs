@@ -94,7 +94,9 @@ pub fn post_fit(
 ) -> PostFit {
     let mut pool = ResidualPool::default();
     let series = path.residuals.iter().enumerate();
-    for (channel, series) in series.filter(|(channel, _)| problem.is_scored(*channel)) {
+    // Values of summaries have no axes.
+    let is_scored = |channel: usize| problem.is_scored(channel) && !observations.is_summary;
+    for (channel, series) in series.filter(|(channel, _)| is_scored(*channel)) {
         let inliers = series.iter().enumerate();
         let inliers: Vec<_> = inliers
             .map(|(sample, residual)| {

@@ -15,6 +15,9 @@ use crate::report::FitStatus;
 /// Maximum number of rounds, each of which estimates the noise from the residuals and then fits by least squares again.
 const MAX_ROUNDS: usize = 8;
 
+/// The same number for summaries, whose columns are traded against each other slowly, and whose rounds are short.
+const MAX_ROUNDS_OF_SUMMARIES: usize = 60;
+
 /// Maximum difference of equal noise estimates: relative for standard deviations, absolute for autocorrelations.
 const SAME_NOISE: f64 = 0.005;
 
@@ -73,7 +76,11 @@ fn agree(
     let mut noise = NoiseModel::white(problem.sigma0, state.interval);
     let mut solution: Option<Solution> = None;
     let (mut unfinished, mut misfits) = (0, 0);
-    for round in 0..MAX_ROUNDS {
+    let rounds = match problem.summary {
+        Some(_) => MAX_ROUNDS_OF_SUMMARIES,
+        None => MAX_ROUNDS,
+    };
+    for round in 0..rounds {
         let (estimated, marks_changed) = estimate_noise(state, &cache)?;
         let agrees = !marks_changed && estimated.is_within(&noise, SAME_NOISE);
         if let Some(solution) = solution.take_if(|_| agrees) {

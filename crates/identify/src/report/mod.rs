@@ -300,6 +300,16 @@ impl FlightReport {
         outcome::leading(&self.residual_rms).map_or(f64::NAN, |rms| rms.value)
     }
 
+    /// [`rms`](Self::rms), or of a summary the root mean square residual in units of the noise.
+    pub(crate) fn misfit(&self) -> f64 {
+        let squares = self.seen.iter();
+        let squares = squares.map(|own| ((own.predicted - own.measured) / own.sigma).powi(2));
+        match self.seen.is_empty() {
+            true => self.rms(),
+            false => (squares.sum::<f64>() / self.seen.len() as f64).sqrt(),
+        }
+    }
+
     /// [`rms`](Self::rms) with its unit, in words; `–` if there is none.
     #[doc(hidden)]
     pub fn rms_text(&self) -> String {

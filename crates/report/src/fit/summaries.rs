@@ -22,6 +22,11 @@ fn flights(report: &FitReport) -> impl Iterator<Item = &FlightReport> {
         .filter(|flight| !flight.seen.is_empty())
 }
 
+/// Number of values that were seen of the fitted flights.
+pub(super) fn values(report: &FitReport) -> usize {
+    report.used(Role::Fit).map(|flight| flight.seen.len()).sum()
+}
+
 /// Root mean square residuals of the quantities, in words.
 pub(super) fn residuals(report: &FitReport) -> Option<String> {
     let mut names: Vec<&str> = Vec::new();

@@ -38,7 +38,9 @@ pub fn text(of: &FitPage<'_>) -> String {
     if !seen.is_empty() {
         text += &format!("\nSeen → predicted\n{}", seen.text(MAX_ROWS));
     }
-    let mut add = |what: &str, flights: Vec<&FlightReport>| {
+    let mut add = |what: &str, mut flights: Vec<&FlightReport>| {
+        // Summaries have the table above, and those with a remark are listed here as well.
+        flights.retain(|flight| flight.seen.is_empty() || !flight.notes.is_empty());
         if !flights.is_empty() {
             let flights = largest_first(flights, MAX_ROWS, |flight| Some(flight.rms()));
             let table = flights::table(of, &flights);

@@ -35,7 +35,10 @@ pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
         " was fitted to {} of ‘{}’, {}",
         count(fitted, "flight"),
         page.dataset,
-        count(noise.points, "measured point")
+        match super::summaries::only(report) {
+            true => count(super::summaries::values(report), "measured value"),
+            false => count(noise.points, "measured point"),
+        }
     );
     if held_out > 0 {
         text += &format!("; {} held out for validation", count(held_out, "flight"));
