@@ -3,9 +3,11 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use dataset::{Dataset, from_texts};
+use dataset::synthesize::{Plan, flights};
+use dataset::{Dataset, Flight, Role, from_texts};
+use flight::release::{Vocabulary, read};
 use identify::{
-    FitOptions, FitProblem, FlightId, LocalId, PointResidual, each_residual, fit, resolve,
+    Fit, FitOptions, FitProblem, FlightId, LocalId, PointResidual, each_residual, fit, resolve,
 };
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
@@ -199,6 +201,53 @@ fn intervals_hold_the_coefficients_of_simulated_shots() {
     let share = f64::from(held) / f64::from(all);
     println!("the intervals hold {held} of {all} coefficients");
     assert!((0.93..=0.97).contains(&share), "{held} of {all}");
+}
+
+/// Tracks of the golf ball, whose spin is known, made by hyzer's own integrator.
+fn tracks() -> Dataset {
+    let model = model_spec::load::load("golf_ball", &[]).expect("built in");
+    let text = "model = \"golf_ball\"\nduration = 1.5\n[initial]\nx = 0\ny = 0\nz = 1\nvx = 60\nvy = 0\nvz = 12\nspin_left = 1\n";
+    let release = read("shot", text, |_| Ok(Vocabulary::of(&model))).expect("a release");
+    let plan = Plan {
+        flights: 4,
+        held_out: 1,
+        seed: 3,
+        ..Plan::default()
+    };
+    flights(&model, &[release], &plan).expect("made").dataset
+}
+
+#[test]
+fn summaries_and_tracks_are_fitted_together() {
+    let model = model_spec::load::load("golf_ball", &[]).expect("built in");
+    let tracks = tracks();
+    let mut both = tracks.clone();
+    let shots = dataset(10, 5, |_| true);
+    both.sensors = shots.sensors.clone();
+    for flight in &mut both.flights {
+        flight.readings = vec![vec![None; both.sensors.len()]; flight.times.len()];
+    }
+    let markers = both.markers.len();
+    both.flights
+        .extend(shots.flights.into_iter().map(|flight| Flight {
+            positions: vec![vec![None; markers]],
+            ..flight
+        }));
+    both.flights.last_mut().expect("a shot").role = Role::HeldOut;
+    both.validate().expect("a dataset that can be written");
+    let alone = fit(&model, &tracks, &options()).expect("a fit of the tracks");
+    let found = fit(&model, &both, &options()).expect("a fit of both");
+    let report = &found.report;
+    assert!(report.iterations.converged && report.excluded().count() == 0);
+    assert_eq!(report.used(Role::HeldOut).count(), 2);
+    let kinds = ["marker", "carry", "hang_time"];
+    assert!(
+        kinds
+            .iter()
+            .all(|kind| report.residual_rms.contains_key(*kind))
+    );
+    let error = |fit: &Fit| fit.report.coefficients["n_L"].std_error;
+    assert!(error(&found) < 0.5 * error(&alone));
 }
 
 /// Largest difference of the derivatives of residuals from central differences, relative to the largest derivative of
