@@ -401,7 +401,7 @@ pub struct Synthesize {
 /// Arguments of `hyzer import`.
 #[derive(Args)]
 pub struct Import {
-    /// Recordings: motion-capture files of a laboratory
+    /// Recordings: motion-capture files of a laboratory, or with --launch-monitor the table of the shots
     #[arg(required = true, value_name = "TAKE")]
     pub takes: Vec<PathBuf>,
     /// Format: c3d, vicon, qualisys, qualisys-6dof, optitrack, dltdv, poses or csv; by default recognised by the content
@@ -441,6 +441,12 @@ pub struct Import {
     /// Model: a name or a path; by default that of the template
     #[arg(long, value_name = "MODEL")]
     pub model: Option<String>,
+    /// The file is the export of a launch monitor: a row for each shot
+    #[arg(long, conflicts_with_all = ["format", "length", "time", "rate", "up", "left_handed", "label", "markers", "centre_height"])]
+    pub launch_monitor: bool,
+    /// With --launch-monitor: what a column is, where its header does not tell, and its unit; may be repeated
+    #[arg(long, value_name = "HEADER=IS[,UNIT]", requires = "launch_monitor")]
+    pub column: Vec<String>,
     /// Folder for the dataset: a new or an empty one
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,

@@ -22,6 +22,7 @@ mod recording;
 mod samples;
 mod sensor;
 pub mod statistics;
+mod summary;
 pub mod synthesize;
 mod table;
 pub mod takes;
@@ -40,6 +41,10 @@ pub use in_memory::from_texts;
 pub use input_error::InputError;
 pub use recording::ANGULAR_RATES;
 pub use sensor::{Reading, Sensor, SensorKind, attitude, points_on_body, points_seen, spin_axis};
+pub use summary::{
+    ImportedShots, ShotOptions, SummaryColumn, SummaryEvent, SummaryQuantity, SummaryUnit,
+    import_shots,
+};
 use write::quoted;
 pub use write::{manifest_text, table_text, write, write_commented, write_with};
 
@@ -74,6 +79,8 @@ pub struct Dataset {
     pub unknown: Vec<String>,
     /// Interpolation of the inputs over time.
     pub input_interpolation: InputInterpolation,
+    /// What the reports say of the recordings, such as that a device did not measure what it tells.
+    pub notes: Vec<String>,
     /// The measured flights, in the order of their entries in `dataset.toml`.
     pub flights: Vec<Flight>,
 }
@@ -248,7 +255,15 @@ fn assemble<'t>(
             readings: table.readings,
         });
     }
+    let notes = manifest.summaries.iter().flat_map(|own| own.notes.clone());
+    let notes: Vec<String> = notes.collect();
     let (mut markers, mut sensors) = (manifest.markers, manifest.sensors);
+    let rows = summary_flights(&manifest.summaries, markers.len(), &mut sensors, &read)?;
+    fill_readings(&mut flights, &sensors);
+    for (path, flight) in rows {
+        paths.push(path);
+        flights.push(flight);
+    }
     let unknown_vertical = manifest.recording.up == recording::Up::Unknown;
     let unplaced = (&manifest.unplaced[..], !unknown_vertical);
     let estimated = unplaced::estimate_positions(&mut markers, unplaced, &mut sensors, &flights)?;
@@ -271,6 +286,75 @@ fn assemble<'t>(
         sigma: manifest.sigma,
         unknown: manifest.unknown,
         input_interpolation: interpolation,
+        notes,
         flights,
     })
+}
+
+/// Flights that are rows of the tables of summaries, each with the path of its table. Adds their columns to `sensors`;
+/// tables with the same column share it.
+fn summary_flights<'t>(
+    entries: &[summary::SummariesEntry],
+    markers: usize,
+    sensors: &mut Vec<Sensor>,
+    read: impl Fn(&str) -> Result<(PathBuf, Cow<'t, [u8]>, bool), InputError>,
+) -> Result<Vec<(PathBuf, Flight)>, InputError> {
+    let before = sensor::channels(sensors).count();
+    let first = sensors.len();
+    let mut flights = Vec::new();
+    for entry in entries {
+        let (path, bytes, _) = read(&entry.file)?;
+        let table = summary::parse(&path, &file::table_text(&path, &bytes)?, entry)?;
+        let places = entry.columns.iter().map(|column| {
+            let known = sensors[first..].iter().position(|own| own == column);
+            known.unwrap_or_else(|| {
+                sensors.push(column.clone());
+                sensors.len() - 1 - first
+            })
+        });
+        let places: Vec<usize> = places.collect();
+        for (line, values) in table.rows {
+            let mut readings = vec![None; before + sensors.len() - first];
+            for (place, value) in places.iter().zip(values) {
+                readings[before + place] = value.map(|value| [value, 0.0, 0.0, 0.0]);
+            }
+            let role = match entry.held_out.contains(&line) {
+                true => Role::HeldOut,
+                false => Role::Fit,
+            };
+            let flight = Flight {
+                file: format!("{}:{line}", entry.file),
+                role,
+                known: entry.known.clone(),
+                unknown: entry.unknown.clone(),
+                times: vec![0.0],
+                positions: vec![vec![None; markers]],
+                readings: vec![readings],
+                ..Flight::default()
+            };
+            flights.push((path.clone(), flight));
+        }
+    }
+    let channels = before + sensors.len() - first;
+    for (_, flight) in &mut flights {
+        flight.readings[0].resize(channels, None);
+    }
+    Ok(flights)
+}
+
+/// Adds missing readings of the columns of summaries to the tracks.
+fn fill_readings(flights: &mut [Flight], sensors: &[Sensor]) {
+    let channels = sensor::channels(sensors).count();
+    if !sensors
+        .iter()
+        .any(|sensor| matches!(sensor.kind, SensorKind::Summary(_)))
+    {
+        return;
+    }
+    for flight in flights {
+        flight.readings.resize(flight.times.len(), Vec::new());
+        for row in &mut flight.readings {
+            row.resize(channels, None);
+        }
+    }
 }

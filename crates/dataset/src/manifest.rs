@@ -11,6 +11,7 @@ use toml::de::DeTable;
 
 use super::fields::{Entry, Fields, Value};
 use super::recording::{Recording, choice};
+use super::summary::SummariesEntry;
 use super::unplaced::Unplaced;
 use super::words::{meant, shown};
 use super::{KnownValue, Marker, Role, Sensor, file, names};
@@ -45,6 +46,7 @@ pub(super) struct Manifest {
     pub unknown: Vec<String>,
     pub input_interpolation: InputInterpolation,
     pub flights: Vec<FlightEntry>,
+    pub summaries: Vec<SummariesEntry>,
 }
 
 /// One `[[flights]]` entry of `dataset.toml`: the file of a flight, whether it is fitted or held out, and its known
@@ -88,7 +90,7 @@ fn syntax(file: &Path, text: &str, error: &toml::de::Error) -> InputError {
 
 impl Fields<'_> {
     fn manifest(&self, document: &DeTable<'_>) -> Result<Manifest, InputError> {
-        const KEYS: [&str; 10] = [
+        const KEYS: [&str; 11] = [
             "model",
             "recording",
             "template",
@@ -99,6 +101,7 @@ impl Fields<'_> {
             "unknown",
             "inputs",
             "flights",
+            "summaries",
         ];
         self.keys(document, "", &KEYS)?;
         let model = self.model(document)?;
@@ -112,6 +115,7 @@ impl Fields<'_> {
         let unknown = self.unknown(document)?;
         let input_interpolation = self.interpolation(document)?;
         let flights = self.flights(document)?;
+        let summaries = self.summaries(document)?;
         Ok(Manifest {
             model,
             recording,
@@ -125,6 +129,7 @@ impl Fields<'_> {
             unknown,
             input_interpolation,
             flights,
+            summaries,
         })
     }
 
@@ -206,7 +211,8 @@ impl Fields<'_> {
         unplaced: &mut Vec<Unplaced>,
     ) -> Result<Vec<Marker>, InputError> {
         let tables = self.entries(document, "markers")?;
-        if tables.is_empty() && !document.contains_key("sensors") {
+        let others = ["sensors", "summaries"];
+        if tables.is_empty() && !others.iter().any(|key| document.contains_key(*key)) {
             let expected = "at least one marker: what was tracked";
             return Err(self.fault(0..0, "no [[markers]]", expected));
         }
@@ -327,7 +333,7 @@ impl Fields<'_> {
 
     fn flights(&self, document: &DeTable<'_>) -> Result<Vec<FlightEntry>, InputError> {
         let tables = self.tables(document, "flights")?;
-        if tables.is_empty() {
+        if tables.is_empty() && !document.contains_key("summaries") {
             return Err(self.fault(0..0, "no [[flights]]", "at least one flight"));
         }
         let mut seen = BTreeSet::new();
@@ -357,7 +363,7 @@ impl Fields<'_> {
     }
 
     /// Reads the name of a file of the dataset under the key `key`.
-    fn file_name(
+    pub(super) fn file_name(
         &self,
         value: &Value<'_>,
         key: &str,
@@ -371,7 +377,7 @@ impl Fields<'_> {
     }
 
     /// Reads the names under the key `unknown` of the document or of a flight.
-    fn unknown(&self, table: &DeTable<'_>) -> Result<Vec<String>, InputError> {
+    pub(super) fn unknown(&self, table: &DeTable<'_>) -> Result<Vec<String>, InputError> {
         let expected = "a list of names, as in [\"omega\"]";
         let Some(value) = table.get("unknown") else {
             return Ok(Vec::new());
@@ -453,7 +459,10 @@ impl Fields<'_> {
         }
     }
 
-    fn known(&self, flight: &DeTable<'_>) -> Result<BTreeMap<String, KnownValue>, InputError> {
+    pub(super) fn known(
+        &self,
+        flight: &DeTable<'_>,
+    ) -> Result<BTreeMap<String, KnownValue>, InputError> {
         let mut known = BTreeMap::new();
         let Some(table) = self.table(flight, "known")? else {
             return Ok(known);

@@ -21,7 +21,7 @@ impl Fields<'_> {
         sigma: &mut Option<f64>,
     ) -> Result<Vec<Sensor>, InputError> {
         let tables = self.entries(document, "sensors")?;
-        if tables.is_empty() && markers.is_empty() {
+        if tables.is_empty() && markers.is_empty() && !document.contains_key("summaries") {
             let expected = "at least one marker or sensor: what was measured";
             return Err(self.fault(0..0, "no [[markers]] and no [[sensors]]", expected));
         }
@@ -102,7 +102,11 @@ impl Fields<'_> {
 
     /// Reads the standard deviation of a sensor's noise under the key `key`, in the unit of the sensor's readings
     /// (`sigma`) or in rad (`sigma_angle`). `None` if the key is absent, an error if the value is not positive.
-    fn deviation(&self, table: &DeTable<'_>, key: &str) -> Result<Option<f64>, InputError> {
+    pub(super) fn deviation(
+        &self,
+        table: &DeTable<'_>,
+        key: &str,
+    ) -> Result<Option<f64>, InputError> {
         let Some(value) = table.get(key) else {
             return Ok(None);
         };

@@ -3,6 +3,8 @@
 use model_spec::compose::Instrument;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
+use super::summary::SummaryColumn;
+
 /// Distance, m, of the virtual marker points of a pose sensor from the sensor along its axes; the points represent the
 /// pose in computations that use marker positions.
 const REACH: f64 = 0.1;
@@ -14,6 +16,8 @@ pub enum SensorKind {
     Pose,
     /// A quantity that the model predicts, other than the pose, such as an angular velocity.
     Instrument(Instrument),
+    /// A column of a table of summaries, with one value for each flight.
+    Summary(SummaryColumn),
 }
 
 /// A sensor whose measured values are columns of the flights' tables.
@@ -53,7 +57,7 @@ impl Sensor {
 }
 
 impl SensorKind {
-    /// All kinds of sensors, each with its name in `dataset.toml`. `marker` is not included: an entry of that kind is
+    /// All kinds of sensors under `[[sensors]]`, each with its name in `dataset.toml`. `marker` is not included: an entry of that kind is
     /// read as a tracked point on the body, not as a sensor.
     pub const ALL: [(Self, &'static str); 4] = [
         (Self::Pose, "pose"),
@@ -68,6 +72,7 @@ impl SensorKind {
         match self {
             Self::Pose => "pose",
             Self::Instrument(instrument) => instrument.name(),
+            Self::Summary(column) => column.quantity.name(),
         }
     }
 
@@ -79,6 +84,7 @@ impl SensorKind {
             Self::Instrument(Instrument::Gyroscope) => "rad/s",
             Self::Instrument(Instrument::Accelerometer) => "m/s^2",
             Self::Instrument(Instrument::Speed) => "m/s",
+            Self::Summary(column) => column.unit.name(),
         }
     }
 
@@ -91,7 +97,7 @@ impl SensorKind {
         const ATTITUDE: &[&str] = &["_qw", "_qx", "_qy", "_qz"];
         match self {
             Self::Pose => &[VECTOR, ATTITUDE],
-            Self::Instrument(Instrument::Speed) => &[&[""]],
+            Self::Instrument(Instrument::Speed) | Self::Summary(_) => &[&[""]],
             Self::Instrument(_) => &[VECTOR],
         }
     }

@@ -28,6 +28,7 @@ pub(super) fn upright(recording: &Recording, mut table: Table, sensors: &[Sensor
                 (SensorKind::Instrument(instrument), _) => {
                     recording.instrument_reading(instrument, [a, b, c, d])
                 }
+                (SensorKind::Summary(_), _) => [a, b, c, d],
             };
             *reading = reading.map(change);
         }

@@ -7,7 +7,10 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use super::sensor::channels;
-use super::{Dataset, Flight, KnownValue, Marker, Sensor, assemble, inputs, manifest, names};
+use super::{
+    Dataset, Flight, KnownValue, Marker, Sensor, SensorKind, assemble, inputs, manifest, names,
+    summary,
+};
 use crate::input_error::InputError;
 use flight::InputInterpolation;
 use flight::files::{ResultFile, write_new_folder};
@@ -115,13 +118,19 @@ fn files_below(folder: &Path, most: usize) -> io::Result<usize> {
 /// Names and texts of the tables of all flights, and of those of their inputs over time.
 pub(super) fn tables(dataset: &Dataset) -> Vec<(String, String)> {
     let flights = dataset.flights.iter();
+    let flights = flights.filter(|flight| !summary::is_of(flight, &dataset.sensors));
     let with_inputs = flights.clone().filter(|flight| !flight.inputs.is_empty());
     let of_inputs = with_inputs.map(|flight| (inputs_file(flight), inputs::text(&flight.inputs)));
+    // Columns of summaries come last.
+    let is_on_body = |sensor: &Sensor| !matches!(sensor.kind, SensorKind::Summary(_));
+    let on_body = dataset.sensors.partition_point(is_on_body);
+    let on_body = &dataset.sensors[..on_body];
     let of_flights = flights.map(|flight| {
-        let text = table_text(flight, &dataset.markers, &dataset.sensors);
+        let text = table_text(flight, &dataset.markers, on_body);
         (flight.file.clone(), text)
     });
-    of_flights.chain(of_inputs).collect()
+    let summaries = summary::tables(dataset);
+    of_flights.chain(of_inputs).chain(summaries).collect()
 }
 
 /// Text of the table `path` among `tables`, as bytes; empty for another name.
@@ -169,7 +178,8 @@ pub fn manifest_text(dataset: &Dataset) -> String {
             "\n[[markers]]\nname = {name}\nposition = {position:?}"
         );
     }
-    for sensor in &dataset.sensors {
+    let on_body = dataset.sensors.iter();
+    for sensor in on_body.filter(|sensor| !matches!(sensor.kind, SensorKind::Summary(_))) {
         let (name, kind) = (quoted(&sensor.name), sensor.kind.name());
         let position = match sensor.position_is_unknown {
             true => quoted("unknown"),
@@ -198,18 +208,12 @@ pub fn manifest_text(dataset: &Dataset) -> String {
         let word = word.map_or("linear", |(word, _)| word);
         let _ = writeln!(text, "\n[inputs]\ninterpolation = \"{word}\"");
     }
-    for flight in &dataset.flights {
+    let tracks = dataset.flights.iter();
+    for flight in tracks.filter(|flight| !summary::is_of(flight, &dataset.sensors)) {
         let role = flight.role.name();
         let file = quoted(&flight.file);
         let _ = writeln!(text, "\n[[flights]]\nfile = {file}\nrole = \"{role}\"");
-        if !flight.known.is_empty() {
-            let each = flight.known.iter().map(|(name, value)| match value {
-                KnownValue::Scalar(value) => format!("{} = {value:?}", key(name)),
-                KnownValue::Vector(value) => format!("{} = {value:?}", key(name)),
-            });
-            let all: Vec<String> = each.collect();
-            let _ = writeln!(text, "known = {{ {} }}", all.join(", "));
-        }
+        text += &known_text(flight);
         if let Some(names) = list(&flight.unknown) {
             let _ = writeln!(text, "unknown = {names}");
         }
@@ -217,11 +221,24 @@ pub fn manifest_text(dataset: &Dataset) -> String {
             let _ = writeln!(text, "inputs = {}", quoted(&inputs_file(flight)));
         }
     }
-    text
+    text + &summary::manifest_text(dataset)
+}
+
+/// The line with the known values of a flight in `dataset.toml`; empty without any.
+pub(super) fn known_text(flight: &Flight) -> String {
+    let each = flight.known.iter().map(|(name, value)| match value {
+        KnownValue::Scalar(value) => format!("{} = {value:?}", key(name)),
+        KnownValue::Vector(value) => format!("{} = {value:?}", key(name)),
+    });
+    let all: Vec<String> = each.collect();
+    match all.is_empty() {
+        true => String::new(),
+        false => format!("known = {{ {} }}\n", all.join(", ")),
+    }
 }
 
 /// TOML list of names; `None` without names.
-fn list(names: &[String]) -> Option<String> {
+pub(super) fn list(names: &[String]) -> Option<String> {
     let names: Vec<String> = names.iter().map(|name| quoted(name)).collect();
     (!names.is_empty()).then(|| format!("[{}]", names.join(", ")))
 }

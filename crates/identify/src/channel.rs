@@ -2,6 +2,7 @@
 
 use model_spec::compose::Instrument;
 
+use crate::summary::{SummaryValue, exact_deviation};
 use dataset::{Dataset, SensorKind};
 
 /// Quantity that a channel measures.
@@ -15,6 +16,8 @@ pub enum ChannelKind {
     Attitude,
     /// Value measured by an instrument; contains its index in [`FitProblem::instruments`](crate::FitProblem).
     Instrument(usize),
+    /// Value of a summary: of the release, or at an event of the flight.
+    Summary(SummaryValue),
 }
 
 /// A measurement channel of the observations: a marker, or one quantity of a sensor.
@@ -36,11 +39,27 @@ pub struct Channel {
     pub scale: f64,
     /// Unit of one component of the measured value.
     pub unit: &'static str,
+    /// Value of `unit` in SI, with a sign where the channel counts the other way than its quantity.
+    pub to_si: f64,
+    /// Whether the value is taken as exact, with a standard deviation far below what the flights tell.
+    pub is_exact: bool,
+    /// For a quantity of the release that no column states in some flight: its value there.
+    pub assumed: Option<f64>,
 }
 
 impl Channel {
     pub(crate) fn is_marker(&self) -> bool {
         matches!(self.kind, ChannelKind::Marker(_))
+    }
+
+    /// Name of the quantity of a column of summaries that is compared with its prediction.
+    pub fn summary(&self) -> Option<&'static str> {
+        match self.kind {
+            ChannelKind::Summary(SummaryValue::Told(quantity)) => {
+                (self.assumed.is_none() && !self.is_exact).then(|| quantity.name())
+            }
+            _ => None,
+        }
     }
 
     /// Whether the channel measures the position of a point, m.
@@ -62,11 +81,18 @@ pub(crate) fn of_dataset(dataset: &Dataset) -> (Vec<Channel>, Vec<Instrument>) {
             sigma: dataset.sigma,
             scale: 1.0,
             unit: "m",
+            to_si: 1.0,
+            is_exact: false,
+            assumed: None,
         })
         .collect();
     let mut instruments: Vec<Instrument> = Vec::new();
     let mut group = usize::from(!channels.is_empty());
     for sensor in &dataset.sensors {
+        let to_si = match sensor.kind {
+            SensorKind::Summary(column) => column.to_si(),
+            _ => 1.0,
+        };
         let mut add = |kind, components, sigma, unit| {
             channels.push(Channel {
                 name: sensor.name.clone(),
@@ -77,6 +103,9 @@ pub(crate) fn of_dataset(dataset: &Dataset) -> (Vec<Channel>, Vec<Instrument>) {
                 sigma,
                 scale: 1.0,
                 unit,
+                to_si,
+                is_exact: false,
+                assumed: None,
             });
             group += 1;
         };
@@ -84,6 +113,15 @@ pub(crate) fn of_dataset(dataset: &Dataset) -> (Vec<Channel>, Vec<Instrument>) {
             SensorKind::Pose => {
                 add(ChannelKind::Position, 3, sensor.sigma, "m");
                 add(ChannelKind::Attitude, 3, sensor.sigma_angle, "rad");
+            }
+            SensorKind::Summary(column) => {
+                let exact = exact_deviation(column.quantity.si_unit()) / to_si.abs();
+                let sigma = sensor.sigma.or((!sensor.is_outcome()).then_some(exact));
+                let kind = ChannelKind::Summary(SummaryValue::Told(column.quantity));
+                add(kind, 1, sigma, column.unit.name());
+                if let Some(own) = channels.last_mut() {
+                    own.is_exact = sensor.sigma.is_none() && !sensor.is_outcome();
+                }
             }
             SensorKind::Instrument(instrument) => {
                 let known = instruments.iter().position(|own| *own == instrument);

@@ -126,6 +126,9 @@ pub enum FlightError {
     /// No state within the model's domain of validity reproduces the measured motion.
     #[error("the model has no state within its limits that moves as the markers do")]
     NoMatchingState,
+    /// No state of the model has the release of the flight.
+    #[error("its release: {0}")]
+    NoRelease(String),
     /// The trajectory of the flight cannot be integrated numerically.
     #[error(transparent)]
     Integration(#[from] ode::IntegrationError),

@@ -26,6 +26,7 @@ mod problem;
 mod report;
 mod screening;
 mod state_manifold;
+mod summary;
 mod uncertainty;
 mod unknowns;
 mod vertical;
@@ -41,8 +42,8 @@ pub use options::{CancellationToken, FitOptions, Prior, Progress};
 pub use report::{
     AxisNoise, AxisResiduals, Coefficient, Estimate, FitReport, FitStatus, FlightEvidence,
     FlightOutcome, FlightReport, Iterations, LackOfFit, MARKER, MarkerDistance, NoiseReport,
-    NonIdentifiable, Profile, Rms, SensorEvidence, SensorReport, SmoothMisfit, convergence_caution,
-    exclusion_caution, leading_noise,
+    NonIdentifiable, Profile, Rms, SeenValue, SensorEvidence, SensorReport, SmoothMisfit,
+    convergence_caution, exclusion_caution, leading_noise,
 };
 pub use uncertainty::interval;
 
@@ -57,6 +58,7 @@ pub use observations::{Observations, Truncation};
 pub use predict::{Loss, PointResidual, Residuals, each_residual, linearise, linearise_with};
 pub use problem::{FitProblem, GlobalParameter};
 pub use state_manifold::StateManifold;
+pub use summary::{SummaryModel, SummaryValue};
 
 // Mistakes in the data.
 pub use error::{DataFault, FaultKind};

@@ -55,6 +55,12 @@ impl NoiseModel {
         &self.groups[group]
     }
 
+    /// As [`of`](Self::of), to be changed.
+    pub(crate) fn of_mut(&mut self, channel: usize) -> &mut AxesNoise {
+        let group = self.group_of.get(channel).copied().unwrap_or(0);
+        &mut self.groups[group]
+    }
+
     /// Noise of every group, by group index.
     pub fn groups(&self) -> &[AxesNoise] {
         &self.groups

@@ -10,11 +10,12 @@ use serde::{Deserialize, Serialize};
 use crate::channel::ChannelKind;
 use crate::error::FlightError;
 use crate::inputs;
-use crate::problem::{FitProblem, StatePrior};
+use crate::problem::{FitProblem, KnownValues, StatePrior, wide_deviation};
 use crate::state_manifold::StateManifold;
+use crate::summary::{self, SummaryValue};
 use dataset::pose::{Pose, pose};
 use dataset::statistics::median_of;
-use dataset::{Flight, Role, attitude, points_seen};
+use dataset::{Flight, Role, SummaryQuantity, attitude, points_seen};
 
 /// Truncation of a flight before the end of its table, such as at a ground contact.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -43,6 +44,8 @@ pub struct Observations {
     pub measured: Vec<Option<[f64; 3]>>,
     /// Whether a measured value is excluded as an outlier, as `outlier[sample * channels + channel]`.
     pub outlier: Vec<bool>,
+    /// Whether the flight is told by a row of a table of summaries, and has a single sample at its release.
+    pub is_summary: bool,
     /// Number of channels; marker channels come first.
     pub channels: usize,
     /// Number of points from which the pose is determined, as in [`FitProblem::markers`].
@@ -84,17 +87,21 @@ impl Observations {
         let first = first.ok_or(FlightError::NoMeasurement)?;
         let last = all.rev().find(is_measured).unwrap_or(first);
         let origin = flight.times[first];
-        let known = problem.known_values(flight, &problem.unknown)?;
+        let mut known = problem.known_values(flight, &problem.unknown)?;
         let mut parameters = problem.parameters.clone();
-        for (id, value) in known.parameters {
+        for &(id, value) in &known.parameters {
             parameters[id.index()] = value;
         }
         let (inputs, mut notes) = inputs::of_flight(problem, flight, (origin, flight.times[last]))?;
-        let known_states: Vec<StateId> = known.states.iter().map(|(state, _)| *state).collect();
-        let measured: Vec<_> = (first..=last)
-            .flat_map(|sample| row(problem, flight, sample))
-            .collect();
         let channels = problem.channels.len();
+        let mut measured = Vec::with_capacity((last + 1 - first) * channels);
+        for sample in first..=last {
+            measured.extend(row(problem, flight, sample));
+            // What releases have by assumption is told by no table.
+            measured.resize((sample + 1 - first) * channels, None);
+        }
+        let is_summary = problem.assume(flight, &mut measured, &mut known);
+        let known_states: Vec<StateId> = known.states.iter().map(|(state, _)| *state).collect();
         let stand_ins: Vec<_> = match problem.is_shown_by_markers() {
             true => Vec::new(),
             false => (first..=last)
@@ -114,6 +121,7 @@ impl Observations {
             times: times.map(|t| t - origin).collect(),
             outlier: vec![false; measured.len()],
             measured,
+            is_summary,
             channels,
             markers: problem.markers.len(),
             stand_ins,
@@ -308,6 +316,76 @@ impl Observations {
             constants,
             inputs: self.inputs.clone(),
         }
+    }
+}
+
+impl FitProblem {
+    /// Adds what the release of a summary has by assumption to the values of its only sample, and to what is known of its
+    /// states. Returns whether the flight is a summary.
+    fn assume(
+        &self,
+        flight: &Flight,
+        measured: &mut [Option<[f64; 3]>],
+        known: &mut KnownValues,
+    ) -> bool {
+        let Some(summary) = &self.summary else {
+            return false;
+        };
+        let told = |kind: ChannelKind, measured: &[Option<[f64; 3]>]| {
+            let channels = self.channels.iter().zip(measured);
+            channels
+                .into_iter()
+                .any(|(own, seen)| own.kind == kind && seen.is_some())
+        };
+        let all = self
+            .channels
+            .iter()
+            .filter(|own| summary::event(own.kind).is_some());
+        if !all.into_iter().any(|own| told(own.kind, measured)) {
+            return false;
+        }
+        let hold = |state: usize, value: f64, known: &mut KnownValues| {
+            let id = StateId::new(state);
+            if known.states.iter().all(|(own, _)| *own != id) {
+                known.states.push((id, value));
+            }
+        };
+        let [x, y, z] = summary.position;
+        let height = ChannelKind::Summary(SummaryValue::Told(SummaryQuantity::Height));
+        for state in [x, y] {
+            hold(state, 0.0, known);
+        }
+        if !told(height, measured) {
+            hold(z, 0.0, known);
+        }
+        for &state in &summary.held {
+            hold(state, self.model.states[state].value, known);
+        }
+        for &state in &summary.constant {
+            let own = &self.model.states[state];
+            known.priors.push(StatePrior {
+                state: StateId::new(state),
+                mean: own.value,
+                sigma: wide_deviation(&own.unit_text),
+                is_measured: false,
+            });
+        }
+        let spin_is_known = flight.known.contains_key(summary::SPIN);
+        if let Some(spin) = summary.spin_states().filter(|_| !spin_is_known) {
+            known.states.retain(|(own, _)| !spin.contains(&own.index()));
+            known
+                .priors
+                .retain(|own| !spin.contains(&own.state.index()));
+        }
+        for (place, own) in self.channels.iter().enumerate() {
+            let (Some(value), ChannelKind::Summary(of)) = (own.assumed, own.kind) else {
+                continue;
+            };
+            if !told(own.kind, measured) && !(spin_is_known && summary.is_spin_of_point(of)) {
+                measured[place] = Some([value; 3]);
+            }
+        }
+        true
     }
 }
 

@@ -78,7 +78,10 @@ impl<'a> ChannelObservers<'a> {
         match kind {
             ChannelKind::Instrument(index) => &mut self.instruments[index],
             ChannelKind::Marker(marker) => &mut self.points[marker.min(last)],
-            ChannelKind::Position | ChannelKind::Attitude => &mut self.points[last],
+            // Summaries are no measurements at a time, and are evaluated by themselves.
+            ChannelKind::Position | ChannelKind::Attitude | ChannelKind::Summary(_) => {
+                &mut self.points[last]
+            }
         }
     }
 

@@ -15,6 +15,7 @@ use crate::error::{FitError, FlightError, NameSource};
 use crate::levels::{FAR_ABOVE, ROUGHLY_NOISE};
 use crate::noise::{Moments, NoiseModel, group_count};
 use crate::options::FitOptions;
+use crate::summary::{self, SummaryModel, SummaryValue};
 use dataset::pose;
 use dataset::{AXES, Dataset, Flight, KnownValue, SensorKind, points_on_body};
 pub use global_parameters::GlobalParameter;
@@ -36,6 +37,8 @@ pub struct FitProblem {
     pub channels: Vec<Channel>,
     /// For each kind of instrument, the compiled model that observes the quantity it measures.
     pub instruments: Vec<(Instrument, Arc<CompiledModel>)>,
+    /// Functions of the model for summaries; `None` if the dataset has none.
+    pub summary: Option<Arc<SummaryModel>>,
     /// Whether the body of the model has an attitude; `false` for a point mass.
     pub has_attitude: bool,
     /// Values of all parameters in the order of the compiled model, SI, but for those known for single flights.
@@ -144,8 +147,12 @@ impl FitProblem {
             let model = model.name.clone();
             return Err(FitError::NoObservation { model });
         }
-        let (channels, kinds) = channel::of_dataset(dataset);
+        let (mut channels, kinds) = channel::of_dataset(dataset);
         let instruments = instruments(model, &kinds)?;
+        let is_summary = channels
+            .iter()
+            .all(|own| summary::event(own.kind).is_some());
+        let summary = summary_model(model, &mut channels)?;
         if has_attitude && !pose::fix_attitude(&markers) {
             let poses = dataset.sensors.iter();
             let poses = poses.filter(|sensor| sensor.kind == SensorKind::Pose);
@@ -160,7 +167,8 @@ impl FitProblem {
                 reason: format!("{} is a pose, and a point mass has no attitude", pose.name),
             });
         }
-        if has_attitude && !is_seen_by_instruments && !pose::fix_attitude(&markers) {
+        let is_seen = is_seen_by_instruments || is_summary;
+        if has_attitude && !is_seen && !pose::fix_attitude(&markers) {
             return Err(FitError::AttitudeNotObservable {
                 model: model.name.clone(),
                 markers: markers.len(),
@@ -174,6 +182,7 @@ impl FitProblem {
             markers,
             channels,
             instruments,
+            summary,
             has_attitude,
             parameters,
             globals,
@@ -380,6 +389,29 @@ impl FitProblem {
                 .collect(),
         }
     }
+}
+
+/// The functions of the model for the channels of summaries, if there are any, and adds those for what releases have by
+/// assumption.
+fn summary_model(
+    model: &Model,
+    channels: &mut Vec<Channel>,
+) -> Result<Option<Arc<SummaryModel>>, FitError> {
+    let told = channels.iter().filter_map(|own| match own.kind {
+        ChannelKind::Summary(SummaryValue::Told(quantity)) => Some(quantity),
+        _ => None,
+    });
+    let told: Vec<_> = told.collect();
+    if told.is_empty() {
+        return Ok(None);
+    }
+    let summary = SummaryModel::new(model, &told).map_err(|reason| FitError::Sensor {
+        model: model.name.clone(),
+        reason,
+    })?;
+    let groups: Vec<usize> = channels.iter().map(|own| own.group).collect();
+    channels.extend(summary.assumed(group_count(&groups)));
+    Ok(Some(Arc::new(summary)))
 }
 
 /// The model with the quantity that each kind of instrument measures, by default definition if it lacks it.

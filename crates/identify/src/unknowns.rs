@@ -12,9 +12,10 @@ use crate::fit::{self, Fit};
 use crate::levels::AT_NOISE;
 use crate::options::{FitOptions, Prior};
 use crate::problem::measured;
+use crate::summary::SPIN;
 use crate::vertical;
 use crate::vertical::{ANGLES, EFFECT, angles};
-use dataset::{Dataset, KnownValue, Role, Sensor, SensorKind};
+use dataset::{Dataset, KnownValue, Role, Sensor, SensorKind, SummaryQuantity};
 
 /// Effect that displaces all markers together on the body: its name and the names of its coefficients, m.
 const OFFSET: (&str, [&str; 3]) = ("marker_offset", ["offset_1", "offset_2", "offset_3"]);
@@ -110,7 +111,7 @@ pub fn resolve<'d>(
         priors: options.priors.to_vec(),
         fixed: options.fixed.to_vec(),
     };
-    let unknown = quantities(dataset);
+    let unknown = quantities(model, dataset);
     if !unknown.is_empty() {
         resolved.model =
             resolved
@@ -145,7 +146,7 @@ pub fn resolve<'d>(
 }
 
 /// Names of the quantities that are estimated for some flight by itself: unknown, or measured with an error.
-fn quantities(dataset: &Dataset) -> BTreeSet<String> {
+fn quantities(model: &Model, dataset: &Dataset) -> BTreeSet<String> {
     let of_flights = dataset.flights.iter().flat_map(|flight| {
         let measured = flight.known.keys().filter_map(|name| {
             let name = name.strip_suffix(KnownValue::SIGMA)?;
@@ -153,7 +154,18 @@ fn quantities(dataset: &Dataset) -> BTreeSet<String> {
         });
         flight.unknown.iter().cloned().chain(measured)
     });
-    dataset.unknown.iter().cloned().chain(of_flights).collect()
+    // A ball's spin is told by each flight of a summary.
+    let is_spin = |sensor: &Sensor| matches!(sensor.kind, SensorKind::Summary(own) if matches!(own.quantity, SummaryQuantity::Spin | SummaryQuantity::SpinAxis));
+    let has_spin = model.inputs.iter().any(|input| input.name == SPIN);
+    let spin = dataset.sensors.iter().any(is_spin) && has_spin;
+    let spin = spin.then(|| SPIN.to_owned());
+    dataset
+        .unknown
+        .iter()
+        .cloned()
+        .chain(of_flights)
+        .chain(spin)
+        .collect()
 }
 
 /// Adds an effect for each sensor at an unknown position on which its readings depend.
@@ -187,7 +199,8 @@ fn place_sensors(resolved: &mut Resolved<'_>) -> Result<(), FitError> {
                 return Err(refused("one accelerometer"));
             }
             // Their readings do not depend on the position on the body.
-            SensorKind::Instrument(Instrument::Gyroscope | Instrument::Speed) => {}
+            SensorKind::Instrument(Instrument::Gyroscope | Instrument::Speed)
+            | SensorKind::Summary(_) => {}
         }
     }
     for sensor in unplaced {
@@ -212,7 +225,7 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
         .sensors
         .iter()
         .all(|sensor| !sensor.position_is_unknown);
-    let is_known = quantities(dataset).is_empty();
+    let is_known = quantities(model, dataset).is_empty();
     let is_template_exact = dataset.origin_error.is_none() && dataset.axis_error.is_none();
     if is_placed && is_known && !dataset.unknown_vertical && is_template_exact {
         return fit::fit(model, dataset, options);

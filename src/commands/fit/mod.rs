@@ -189,6 +189,9 @@ pub fn files(
         ResultFile::new("flights.csv", tables::flights(&fitted.report)),
         ResultFile::new("residuals.csv", tables::residuals(fitted)),
     ];
+    if let Some(table) = report::fit::summaries_csv(&fitted.report) {
+        files.push(ResultFile::new("summaries.csv", table));
+    }
     if !dataset.sensors.is_empty() {
         let table = tables::sensor_residuals(fitted);
         files.push(ResultFile::new("sensors.csv", table));

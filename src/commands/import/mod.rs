@@ -1,6 +1,7 @@
 //! Command `hyzer import`: converts recordings of laboratories to a dataset, cut to the free flights.
 
 mod estimated;
+mod shots;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -46,7 +47,7 @@ pub(super) fn run(options: &Import) -> anyhow::Result<Answer> {
         "{decisions}{}: {count} flights of {model}\n",
         out.display()
     ))?;
-    if dataset.parameters.is_empty() {
+    if dataset.parameters.is_empty() && !options.launch_monitor {
         output::next(format_args!(
             "state mass and inertia in [parameters] of {}; until then they are those of the model {model}",
             out.join("dataset.toml").display()
@@ -78,6 +79,9 @@ pub(crate) fn imported(options: &Import) -> anyhow::Result<Imported> {
             height.abs() <= MAX_HEIGHT,
             "--centre-height: found {height}, expected metres, at most {MAX_HEIGHT} (millimetres?)"
         );
+    }
+    if options.launch_monitor {
+        return shots::imported(options);
     }
     let mut labels = labels(&options.label)?;
     let reading = reading(options)?;

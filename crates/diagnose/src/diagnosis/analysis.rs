@@ -97,7 +97,7 @@ impl<'a> Analysis<'a> {
             stepwise: None,
             consensus: None,
             discordant: None,
-            notes: Vec::new(),
+            notes: context.dataset.notes.clone(),
         };
         if is_despite_faults {
             analysis.notes.push(

@@ -1,6 +1,6 @@
 //! Sentences of a diagnosis, which report, page and terminal share.
 
-use identify::numbers::{Digits, millimetres, percent, probability, stated, unit};
+use identify::numbers::{Digits, millimetres, percent, probability, significant, stated, unit};
 use identify::wording::{count, names, sentence};
 
 use super::types::{
@@ -121,12 +121,24 @@ impl PredictiveGain {
     /// Reduction of the RMS prediction error with its standard error, such as `19.4 ± 0.4 mm`.
     #[doc(hidden)]
     pub fn text(&self) -> String {
-        let (value, error) = (1e3 * self.error_reduction_m(), 1e3 * self.std_error_m);
+        let (scale, unit) = match self.has_summaries {
+            true => (1.0 / self.noise_m, " times the noise"),
+            false => (1e3, "\u{a0}mm"),
+        };
+        let (value, error) = (scale * self.error_reduction_m(), scale * self.std_error_m);
         if !(error.is_finite() && error > 0.0) {
-            return millimetres(self.error_reduction_m());
+            return self.size(self.error_reduction_m());
         }
         let digits = Digits::of(value, error);
-        format!("{} ± {}\u{a0}mm", digits.one(value), digits.one(error))
+        format!("{} ± {}{unit}", digits.one(value), digits.one(error))
+    }
+
+    /// An error, m, in words; in units of the noise where summaries are predicted.
+    fn size(&self, error_m: f64) -> String {
+        match self.has_summaries {
+            true => format!("{} times the noise", significant(error_m / self.noise_m, 3)),
+            false => millimetres(error_m),
+        }
     }
 
     /// Sentences on the prediction errors without and with the added effects, over all flights and flight by flight.
@@ -143,13 +155,23 @@ impl PredictiveGain {
             1 => format!(" One of them contradicts {first} is predicted without it."),
             n => format!(" {n} of them contradict {first} are predicted without it."),
         };
+        let lower = match self.has_summaries {
+            true => String::new(),
+            false => format!(
+                " The noise, {}, is the lower limit of any model.",
+                millimetres(self.noise_m)
+            ),
+        };
+        let per = if self.has_summaries {
+            "value"
+        } else {
+            "coordinate"
+        };
         let mut text = format!(
-            "{on} the RMS prediction error per coordinate is {} without the extension and {} with it: a gain of {}.{without} \
-             The noise, {}, is the lower limit of any model.",
-            millimetres(self.rms_before_m),
-            millimetres(self.rms_after_m),
+            "{on} the RMS prediction error per {per} is {} without the extension and {} with it: a gain of {}.{without}{lower}",
+            self.size(self.rms_before_m),
+            self.size(self.rms_after_m),
             self.text(),
-            millimetres(self.noise_m)
         );
         let compared = self.improved + self.worsened;
         if compared > 0 {
@@ -159,8 +181,8 @@ impl PredictiveGain {
                 count(compared, "flight"),
                 if self.improved == 1 { "s" } else { "" },
                 probability(self.sign_test_p_value),
-                millimetres(self.median_before_m),
-                millimetres(self.median_after_m)
+                self.size(self.median_before_m),
+                self.size(self.median_after_m)
             );
         }
         for (number, by) in [
@@ -300,8 +322,8 @@ pub(crate) fn refused(validated: &ChosenExtension) -> String {
         let (before, after) = (gain.rms_before_m, gain.rms_after_m);
         format!(
             " (RMS {} without, {} with)",
-            millimetres(before),
-            millimetres(after)
+            gain.size(before),
+            gain.size(after)
         )
     });
     format!(

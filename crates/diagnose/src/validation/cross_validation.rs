@@ -46,7 +46,8 @@ pub(crate) fn cross_validate(
             }
             (Ok(before), Ok(after)) => {
                 let not_applied = apply_to.exceptions(before, after);
-                all.join(predictions(&before.report, &after.report, &not_applied));
+                let (before, after) = (&before.report, &after.report);
+                all.join(predictions(before, after, &not_applied, noise_m));
             }
             _ => {}
         }

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use dataset::Role;
 use dataset::statistics::median_of;
-use identify::{Fit, FitReport};
+use identify::{Fit, FitReport, FlightReport};
 use serde::{Deserialize, Serialize};
 
 /// Prediction errors on held-out flights, whose initial state is fitted on the first 30 %, without and with the
@@ -19,6 +19,9 @@ pub struct PredictiveGain {
     pub std_error_m: f64,
     /// Standard deviation of the noise of one coordinate, m: the smallest possible prediction error.
     pub noise_m: f64,
+    /// Whether errors of summaries are among them: those are in units of the noise of their columns, times `noise_m`.
+    #[serde(default)]
+    pub has_summaries: bool,
     /// Number of flights predicted both without and with the added effects; flights in `set_apart` are not counted.
     pub flights: usize,
     /// Number of flights whose first samples contradict the effects, which are not applied.
@@ -111,6 +114,7 @@ pub(super) struct FlightErrors {
     before: f64,
     /// Mean squared error of the extended model, m²; `before` if it is not applied.
     after: f64,
+    is_summary: bool,
     is_applied: bool,
 }
 
@@ -137,7 +141,7 @@ pub fn held_out_gain(
     after: &FitReport,
     noise_m: f64,
 ) -> Option<PredictiveGain> {
-    summarize(predictions(before, after, &[]), noise_m, true)
+    summarize(predictions(before, after, &[], noise_m), noise_m, true)
 }
 
 /// [`held_out_gain`] without the extension on the flights in `not_applied` (dataset indices).
@@ -147,15 +151,30 @@ pub(crate) fn gain_of_fits(
     not_applied: &[usize],
     noise_m: f64,
 ) -> Option<PredictiveGain> {
-    let predictions = predictions(&before.report, &after.report, not_applied);
+    let predictions = predictions(&before.report, &after.report, not_applied, noise_m);
     summarize(predictions, noise_m, true)
 }
 
-/// Predictions of the held-out flights; in `not_applied`, that of `before` counts for both.
+/// Mean squared prediction error of a flight, m². That of a summary is in units of the noise of its values in `before`,
+/// times that of a coordinate.
+fn error(flight: &FlightReport, before: &FlightReport, noise_m: f64) -> f64 {
+    let pairs = flight.seen.iter().filter_map(|own| {
+        let same = before.seen.iter().find(|other| other.name == own.name)?;
+        Some(((own.predicted - own.measured) / same.sigma).powi(2))
+    });
+    let squares: Vec<f64> = pairs.collect();
+    match squares.is_empty() {
+        true => flight.rms().powi(2),
+        false => noise_m * noise_m * squares.iter().sum::<f64>() / squares.len() as f64,
+    }
+}
+
+/// Predictions of the held-out flights; `noise_m` is that of a coordinate, m; in `not_applied`, that of `before` counts for both.
 pub(super) fn predictions(
     before: &FitReport,
     after: &FitReport,
     not_applied: &[usize],
+    noise_m: f64,
 ) -> Predictions {
     let mut predictions = Predictions::default();
     let flights = before.flights.iter().zip(&after.flights).enumerate();
@@ -165,8 +184,9 @@ pub(super) fn predictions(
         match (before.is_used(), after.is_used()) {
             (true, true) => predictions.errors.push(FlightErrors {
                 file: before.file.clone(),
-                before: before.rms().powi(2),
-                after: after.rms().powi(2),
+                before: error(before, before, noise_m),
+                after: error(after, before, noise_m),
+                is_summary: !before.seen.is_empty(),
                 is_applied,
             }),
             (true, false) => predictions.only_before += 1,
@@ -209,6 +229,7 @@ pub(super) fn summarize(
             _ => (spread * (count - 1.0) / count).sqrt(),
         },
         noise_m,
+        has_summaries: flights.iter().any(|flight| flight.is_summary),
         flights: flights.len(),
         without: flights.iter().filter(|flight| !flight.is_applied).count(),
         held_out_by_dataset,

@@ -11,6 +11,7 @@ mod gradient;
 mod inverse;
 mod motion;
 mod near;
+mod observed;
 
 use std::f64::consts::PI;
 
@@ -22,6 +23,7 @@ pub use flown::FlownThrow;
 use motion::MotionModel;
 pub use motion::{BoundMotion, Motion, Turning, speed_and_spin};
 pub use near::NearThrows;
+pub use observed::MotionVector;
 
 /// Angular velocity of 1 rpm, rad/s.
 pub const RPM: f64 = PI / 30.0;

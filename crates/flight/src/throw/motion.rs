@@ -262,7 +262,7 @@ impl BoundMotion<'_> {
 
 /// Expressions of the vectors that describe the motion, in the inertial frame and in the order of [`VECTORS`]; and
 /// whether the model defines only the axis of a body of revolution, without a frame that rotates with the body.
-fn vectors(model: &Model) -> Option<(Vec<Expr>, bool)> {
+pub(super) fn vectors(model: &Model) -> Option<(Vec<Expr>, bool)> {
     let vector = |kind, frame, unit| Expr {
         kind,
         shape: Shape::Vector(frame),

@@ -5,9 +5,10 @@ use model_spec::layout::StateId;
 use nalgebra::{DMatrix, DVector};
 
 use super::initial_guess::{observations_and_poses, refined_guesses};
-use super::outcome::{flight_report, initial_state_report};
+use super::outcome::{flight_report, initial_state_report, seen};
 use super::output_error::FixedGlobal;
 use super::post_fit::{channel_sums, square_sums};
+use super::summaries::initial_state;
 use super::{FitError, FittedFlight, FlightResult, left_out};
 use crate::error::FlightError;
 use crate::ground_contact::ContactSearch;
@@ -19,7 +20,8 @@ use crate::outliers;
 use crate::predict::{Loss, residuals};
 use crate::problem::{FitProblem, StatePrior};
 use crate::report::FlightOutcome;
-use dataset::{Dataset, Flight};
+use crate::summary;
+use dataset::{Dataset, Flight, SummaryEvent};
 
 /// Fraction of the samples of a held-out flight to which its initial state is fitted; the rest is predicted.
 pub const CONDITIONING_FRACTION: f64 = 0.3;
@@ -110,6 +112,12 @@ fn predict(
     population: &[StatePrior],
 ) -> Result<FlightResult, FlightError> {
     let (problem, global) = (at.problem, at.global);
+    if problem.summary.is_some() {
+        let observations = Observations::new(problem, flight)?;
+        if observations.is_summary {
+            return predict_summary(at, observations, noise, population);
+        }
+    }
     let (mut observations, _) = observations_and_poses(problem, flight, search)?;
     observations.adopt(population);
     let all = observations.times.len();
@@ -139,6 +147,49 @@ fn predict(
     let initial = initial_state_report(problem, &observations, &local, &covariance);
     let outcome = FlightOutcome::HeldOut;
     let report = flight_report(problem, &observations, outcome, residual_rms, initial);
+    let fitted = FittedFlight {
+        observations,
+        state: local,
+    };
+    Ok((report, Some(fitted)))
+}
+
+/// Predicts what was seen of a flight from the release that its summary tells.
+fn predict_summary(
+    at: FixedGlobal<'_>,
+    mut observations: Observations,
+    noise: &NoiseModel,
+    population: &[StatePrior],
+) -> Result<FlightResult, FlightError> {
+    let (problem, global) = (at.problem, at.global);
+    observations.adopt(population);
+    let mut release = observations.clone();
+    for (value, own) in release.measured.iter_mut().zip(&problem.channels) {
+        if summary::event(own.kind) != Some(SummaryEvent::Release) {
+            *value = None;
+        }
+    }
+    let start = initial_state(problem, &observations)?;
+    let (loss, criteria) = (Loss::Whitened(noise), StoppingCriteria::COARSE);
+    let (local, solution) = at.solve(&release, 1, start, loss, criteria)?;
+    let system = eliminate(&solution.blocks, 0.0);
+    let system = system.map_err(|_| FlightError::SingularInitialState)?;
+    let covariance = system.local_covariance(0, &DMatrix::zeros(0, 0));
+    let mut residuals = residuals(problem, &observations, (global, &local), 1)?;
+    for (series, told) in residuals.iter_mut().zip(&release.measured) {
+        if told.is_some() {
+            series[0] = None;
+        }
+    }
+    let sums = channel_sums(problem, &observations, &residuals, 0);
+    let residual_rms = square_sums(problem, &sums).rms();
+    if residual_rms.is_empty() {
+        return Err(FlightError::NothingMeasuredToPredict);
+    }
+    let initial = initial_state_report(problem, &observations, &local, &covariance);
+    let outcome = FlightOutcome::HeldOut;
+    let mut report = flight_report(problem, &observations, outcome, residual_rms, initial);
+    report.seen = seen(problem, &observations, &residuals, noise);
     let fitted = FittedFlight {
         observations,
         state: local,

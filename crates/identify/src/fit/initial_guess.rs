@@ -16,7 +16,7 @@ use crate::noise_floor::{median_noise_floor, noise_floor, path_noise};
 use crate::observations::{Observations, median_interval};
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
-use crate::{ground_contact, initial_state, vertical};
+use crate::{ground_contact, initial_state, summary, vertical};
 use dataset::pose::Pose;
 use dataset::statistics::{median_of, robust_sigma};
 use dataset::{Dataset, Flight};
@@ -263,6 +263,14 @@ pub fn set_scales<'o>(
         if problem.is_scored(channel) && own.is_position() {
             continue;
         }
+        if summary::event(own.kind).is_some() {
+            let sigma = own
+                .sigma
+                .or_else(|| rough_deviation(flights.clone(), channel));
+            let scale = sigma.map_or(1.0, |sigma| problem.sigma0 / sigma);
+            problem.channels[channel].scale = scale;
+            continue;
+        }
         let is_attitude = own.kind == ChannelKind::Attitude;
         let noise = own.sigma.or_else(|| {
             let each = flights.clone();
@@ -272,6 +280,19 @@ pub fn set_scales<'o>(
             problem.channels[channel].scale = problem.sigma0 / noise;
         }
     }
+}
+
+/// Part of the typical size of the values of a summary that their noise is taken to be at first.
+const ROUGH_PART: f64 = 0.02;
+
+/// Rough standard deviation of the values of a channel of summaries, in its unit.
+fn rough_deviation<'o>(
+    flights: impl Iterator<Item = &'o Observations>,
+    channel: usize,
+) -> Option<f64> {
+    let values = flights.filter_map(|flight| flight.value(0, channel));
+    let size = median_of(values.map(|value| value[0].abs()))?;
+    Some((ROUGH_PART * size).max(LEAST_NOISE.1))
 }
 
 /// Standard deviation of the noise of a channel in one flight, from the deviations of its values from smooth curves, in

@@ -20,6 +20,8 @@ mod reweighting;
 mod single_flights;
 mod starts;
 mod state;
+mod summaries;
+mod summary_noise;
 #[cfg(test)]
 pub(crate) mod tests;
 mod trial;
@@ -36,6 +38,7 @@ use self::initial_guess::InitialGuesses;
 use self::residual_cache::ResidualCache;
 use self::reweighting::Reweighted;
 use self::state::State;
+use self::summaries::Summaries;
 use crate::error::{DataFault, ExcludedFlight, FaultKind, FitError, FlightError};
 use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
@@ -169,15 +172,27 @@ fn fit_within(
             return screened.finish(state, reweighted, floors, clock.elapsed().as_secs_f64());
         }
     }
+    let summaries = Summaries::take(&problem, dataset, &mut fitted);
     let observed = initial_guess::observe(&problem, dataset, &fitted, &screened.contacts, options);
     problem.sigma0 = observed.sigma0.unwrap_or(problem.sigma0);
     let flights = observed.usable.iter().map(|(_, observations)| observations);
-    initial_guess::set_scales(&mut problem, flights);
+    initial_guess::set_scales(&mut problem, flights.chain(summaries.observations()));
     let noise_floor = observed.noise_floor;
     let floor_m = noise_floor.map(initial_guess::overall).or(observed.sigma0);
-    let guesses = initial_guess::initial_guesses(&problem, dataset, observed, options)?;
+    let (mut state, (mut cache, mut predicted_reduction)) = match fitted.is_empty() {
+        true => (
+            State::new(&problem, options, problem.model_values(), 1.0),
+            (ResidualCache::default(), None),
+        ),
+        false => {
+            let guesses = initial_guess::initial_guesses(&problem, dataset, observed, options)?;
+            from_guesses(dataset, guesses, doubtful)?
+        }
+    };
     let started = clock.elapsed().as_secs_f64();
-    let (mut state, (cache, predicted_reduction)) = from_guesses(dataset, guesses, doubtful)?;
+    if !summaries.is_empty() {
+        (cache, predicted_reduction) = (summaries.join(&mut state)?, None);
+    }
     let reweighted = reweighting::reweight(&mut state, cache, predicted_reduction)?;
     let reweighted = ends::leave_out_ends(&mut state, reweighted)?;
     screened.finish(state, reweighted, (noise_floor, floor_m), started)
@@ -248,6 +263,7 @@ impl Screened<'_> {
             noise.floor = floor_m;
         }
         report.marker_distances = marker_distances;
+        report.notes = summaries::notes(problem, dataset);
         report.assess();
         let total = self.clock.elapsed().as_secs_f64();
         let seconds = [started, solved - started, total];
@@ -312,6 +328,7 @@ fn left_out(flight: &Flight, reason: &FlightError) -> FlightResult {
         initial: BTreeMap::new(),
         cut: None,
         notes: vec![format!("left out: {reason}")],
+        seen: Vec::new(),
         outcome: FlightOutcome::Excluded { reason },
     };
     (report, None)

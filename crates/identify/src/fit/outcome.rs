@@ -16,11 +16,11 @@ use crate::ids::GlobalId;
 use crate::least_squares::{ReducedSystem, SolveError, StoppingCriteria, eliminate, solve};
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
-use crate::predict::Loss;
+use crate::predict::{Loss, Residuals};
 use crate::problem::FitProblem;
 use crate::report::{
     AxisNoise, Coefficient, Estimate, FitReport, FlightOutcome, FlightReport, Iterations, MARKER,
-    NoiseReport, NonIdentifiable, Profile, ResidualPool, Rms, SensorReport,
+    NoiseReport, NonIdentifiable, Profile, ResidualPool, Rms, SeenValue, SensorReport,
 };
 use crate::uncertainty::{Covariance, interval, non_identifiable, profile};
 use dataset::AXES;
@@ -93,6 +93,7 @@ pub fn reports(
         data_faults: Vec::new(),
         marker_distances: Vec::new(),
         sensors,
+        notes: Vec::new(),
         lack_of_fit: None,
         doubts,
         excess: marker_distances::excess(state, &fitted.noise),
@@ -113,13 +114,19 @@ pub fn reports(
 
 /// Adds a note to the report of each flight whose residuals are far larger than those of the other flights.
 fn note_misfits(flights: &mut [FlightReport]) {
-    let median = median_of(flights.iter().map(FlightReport::rms)).unwrap_or(0.0);
-    for flight in flights {
-        if flight.rms() > MISFIT_RATIO * median {
-            flight.notes.push(format!(
-                "its residuals are {:.0} times the usual: look at it before you rely on this fit",
-                flight.rms() / median
-            ));
+    let (summaries, tracks): (Vec<_>, Vec<_>) = flights
+        .iter_mut()
+        .partition(|flight| !flight.seen.is_empty());
+    for mut alike in [summaries, tracks] {
+        let median = median_of(alike.iter().map(|flight| flight.misfit())).unwrap_or(0.0);
+        for flight in &mut alike {
+            let misfit = flight.misfit();
+            if misfit > MISFIT_RATIO * median {
+                flight.notes.push(format!(
+                    "its residuals are {:.0} times the usual: look at it before you rely on this fit",
+                    misfit / median
+                ));
+            }
         }
     }
 }
@@ -146,6 +153,7 @@ fn sensors(problem: &FitProblem, noise: &NoiseModel, sums: &[ChannelSum]) -> Vec
             ChannelKind::Position => "position",
             ChannelKind::Attitude => "attitude",
             ChannelKind::Instrument(place) => problem.instruments[place].0.name(),
+            ChannelKind::Summary(_) => own.summary()?,
         };
         let noise = noise.of(index);
         Some(SensorReport {
@@ -176,6 +184,10 @@ fn noise_by_kind(
         .iter()
         .filter(|sensor| sensor.measures != "position");
     let kinds: BTreeSet<&str> = others.map(|sensor| &*sensor.measures).collect();
+    let channel = |kind: &str| {
+        let mut channels = state.problem.channels.iter();
+        channels.find(|own| own.summary() == Some(kind))
+    };
     for kind in kinds {
         let own: Vec<&SensorReport> = sensors.iter().filter(|s| s.measures == kind).collect();
         let count = own.len() as f64;
@@ -187,7 +199,7 @@ fn noise_by_kind(
             sigma: (squares / count).sqrt(),
             unit: own[0].unit.clone(),
             lag1_autocorrelation: correlations / count,
-            estimated: true,
+            estimated: channel(kind).is_none_or(|own| own.sigma.is_none()),
             interval_s: noise.interval,
             points,
             outliers,
@@ -200,11 +212,11 @@ fn noise_by_kind(
 }
 
 fn noise_report(state: &State<'_>, noise: &NoiseModel) -> NoiseReport {
-    let flights = &state.flights;
-    let measured = flights.iter().map(|f| f.measured.iter().flatten().count());
+    let flights = state.flights.iter().filter(|flight| !flight.is_summary);
+    let measured = flights.clone().map(|f| f.measured.iter().flatten().count());
     let points: usize = measured.sum();
-    let all: usize = flights.iter().map(|f| f.measured.len()).sum();
-    let outliers: usize = flights.iter().map(Observations::outliers).sum();
+    let all: usize = flights.clone().map(|f| f.measured.len()).sum();
+    let outliers: usize = flights.map(Observations::outliers).sum();
     let axis = |(k, name): (usize, &&str)| {
         let axis = AxisNoise {
             sigma: noise.sigma[k],
@@ -378,7 +390,8 @@ fn evaluate(
         let local = &fitted.solution.iterate.local[index];
         let rms = square_sums(problem, &post_fit.channels).rms();
         let initial = initial_state_report(problem, observations, local, &covariance);
-        let report = flight_report(problem, observations, FlightOutcome::Fitted, rms, initial);
+        let mut report = flight_report(problem, observations, FlightOutcome::Fitted, rms, initial);
+        report.seen = seen(problem, observations, &path.residuals, &fitted.noise);
         Ok((post_fit, report))
     });
     each.into_iter().collect()
@@ -403,7 +416,32 @@ pub fn flight_report(
             .chain(undetermined(problem, observations, &initial))
             .collect(),
         initial,
+        seen: Vec::new(),
     }
+}
+
+/// Values of a summary beside what the model predicts; empty for a track.
+pub fn seen(
+    problem: &FitProblem,
+    observations: &Observations,
+    residuals: &Residuals,
+    noise: &NoiseModel,
+) -> Vec<SeenValue> {
+    let channels = problem.channels.iter().zip(residuals).enumerate();
+    let each = channels.filter_map(|(index, (own, series))| {
+        let measures = own.summary()?;
+        let measured = observations.value(0, index)?[0];
+        let residual = series[0]?[0] / own.scale;
+        Some(SeenValue {
+            name: own.name.clone(),
+            measures: measures.to_owned(),
+            unit: own.unit.to_owned(),
+            measured,
+            predicted: measured + residual,
+            sigma: noise.of(index).sigma[0] / own.scale,
+        })
+    });
+    each.collect()
 }
 
 /// Share of the standard deviation of its prior from which the standard error of an unknown quantity tells that the

@@ -62,8 +62,13 @@ pub fn square_sums(problem: &FitProblem, channels: &[ChannelSum]) -> SquareSums 
             ChannelKind::Position => continue,
             ChannelKind::Attitude => "attitude",
             ChannelKind::Instrument(place) => problem.instruments[place].0.name(),
+            ChannelKind::Summary(_) => match own.summary() {
+                Some(name) => name,
+                None => continue,
+            },
         };
-        sums.add(kind, own.unit, sum.squares, own.components * sum.count);
+        let unit = (own.unit, own.to_si.abs());
+        sums.add(kind, unit, sum.squares, own.components * sum.count);
     }
     sums
 }
@@ -89,7 +94,9 @@ pub fn post_fit(
 ) -> PostFit {
     let mut pool = ResidualPool::default();
     let series = path.residuals.iter().enumerate();
-    for (channel, series) in series.filter(|(channel, _)| problem.is_scored(*channel)) {
+    // Values of summaries have no axes.
+    let is_scored = |channel: usize| problem.is_scored(channel) && !observations.is_summary;
+    for (channel, series) in series.filter(|(channel, _)| is_scored(*channel)) {
         let inliers = series.iter().enumerate();
         let inliers: Vec<_> = inliers
             .map(|(sample, residual)| {
@@ -126,6 +133,10 @@ pub fn evidence(
     observations: &Observations,
     (global, local): (&DVector<f64>, &DVector<f64>),
 ) -> Option<FlightEvidence> {
+    // What summaries tell is no motion over time.
+    if observations.is_summary {
+        return None;
+    }
     let samples = observations.times.len();
     let trajectory = states(problem, observations, (global, local), samples).ok()?;
     let parameters = observations.parameters(problem, global);

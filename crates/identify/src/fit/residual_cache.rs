@@ -19,6 +19,7 @@ use dataset::Dataset;
 use dataset::statistics::median_of;
 
 /// Trajectories and residuals of all flights for one set of values of the unknowns.
+#[derive(Default)]
 pub struct ResidualCache(Vec<CachedFlight>);
 
 /// Size at which residuals are clipped in the deviance, in units of the residual scale: outliers tell nothing.
@@ -59,11 +60,13 @@ impl ResidualCache {
             }
             let (observations, global) = (&state.flights[flight], &state.global);
             let unknowns = (global, &state.local[flight]);
-            let path =
-                states(problem, observations, unknowns, samples[flight]).map(|states| Path {
-                    residuals: residuals_of(problem, observations, global, &states),
+            let path = states(problem, observations, unknowns, samples[flight]);
+            let path = path.and_then(|states| {
+                Ok(Path {
+                    residuals: residuals_of(problem, observations, global, &states)?,
                     states,
-                });
+                })
+            });
             let scale = path.as_ref().ok();
             let scale = scale.and_then(|path| robust_scale(&path.residuals));
             CachedFlight { path, scale }

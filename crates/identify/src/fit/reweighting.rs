@@ -4,6 +4,7 @@ use super::FitError;
 use super::horizon_continuation::unevaluated_step;
 use super::residual_cache::{ResidualCache, exclude_failed, solve_flights};
 use super::state::State;
+use super::{flight_error, summary_noise};
 use crate::error::FlightError;
 use crate::least_squares::{FailedFlight, Solution, StopReason, StoppingCriteria};
 use crate::noise::NoiseModel;
@@ -13,6 +14,9 @@ use crate::report::FitStatus;
 
 /// Maximum number of rounds, each of which estimates the noise from the residuals and then fits by least squares again.
 const MAX_ROUNDS: usize = 8;
+
+/// The same number for summaries, whose columns are traded against each other slowly, and whose rounds are short.
+const MAX_ROUNDS_OF_SUMMARIES: usize = 60;
 
 /// Maximum difference of equal noise estimates: relative for standard deviations, absolute for autocorrelations.
 const SAME_NOISE: f64 = 0.005;
@@ -72,7 +76,11 @@ fn agree(
     let mut noise = NoiseModel::white(problem.sigma0, state.interval);
     let mut solution: Option<Solution> = None;
     let (mut unfinished, mut misfits) = (0, 0);
-    for round in 0..MAX_ROUNDS {
+    let rounds = match problem.summary {
+        Some(_) => MAX_ROUNDS_OF_SUMMARIES,
+        None => MAX_ROUNDS,
+    };
+    for round in 0..rounds {
         let (estimated, marks_changed) = estimate_noise(state, &cache)?;
         let agrees = !marks_changed && estimated.is_within(&noise, SAME_NOISE);
         if let Some(solution) = solution.take_if(|_| agrees) {
@@ -153,7 +161,10 @@ pub fn estimate_noise(
     let unknowns = local.sum::<usize>() + problem.globals.len();
     let after = (unknowns, state.interval);
     let flights = &mut state.flights;
-    Ok(outliers::estimate_noise(
-        problem, flights, &residuals, after, threads,
-    ))
+    let (mut noise, changed) =
+        outliers::estimate_noise(problem, flights, &residuals, after, threads);
+    if let Err(reason) = summary_noise::estimate(state, &mut noise) {
+        return Err(flight_error(&state.flights[0], reason));
+    }
+    Ok((noise, changed))
 }

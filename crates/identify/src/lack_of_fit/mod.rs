@@ -156,12 +156,13 @@ struct FittedFlight<'f> {
     id: FlightId,
 }
 
-/// The flights of a fit that have the role `fit` and were not excluded.
+/// The tracks of a fit that have the role `fit` and were not excluded.
 fn fitted_flights(fit: &Fit) -> Vec<FittedFlight<'_>> {
     let all = (0..fit.report.flights.len()).map(FlightId::new);
     let fitted = all.filter_map(|id| {
         let (observed, _) = fit.flight(id)?;
-        (observed.role == Role::Fit).then_some(FittedFlight { observed, id })
+        let is_track = observed.role == Role::Fit && !observed.is_summary;
+        is_track.then_some(FittedFlight { observed, id })
     });
     fitted.collect()
 }

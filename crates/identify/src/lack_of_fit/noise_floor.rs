@@ -223,6 +223,9 @@ mod tests {
             sigma: None,
             scale: 1.0,
             unit: "m",
+            to_si: 1.0,
+            is_exact: false,
+            assumed: None,
         }
     }
 

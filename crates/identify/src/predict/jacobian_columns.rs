@@ -11,7 +11,7 @@ use crate::observations::Observations;
 
 /// Order of a Jacobian row's columns: directions of the initial state with integrated sensitivities, parameters,
 /// directions with constant sensitivity 1, on whose state no derivative of the model depends.
-pub(super) struct JacobianColumns<'p> {
+pub(crate) struct JacobianColumns<'p> {
     pub integrated: usize,
     /// Column index of each free direction of the initial state (see `StateManifold`).
     local: Vec<usize>,

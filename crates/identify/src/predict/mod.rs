@@ -9,10 +9,11 @@ use model_spec::layout::ParamId;
 use nalgebra::DVector;
 use ode::DifferentiableRhs;
 
-use self::jacobian_columns::JacobianColumns;
-use self::trajectory_pass::TrajectoryPass;
+pub(crate) use self::jacobian_columns::JacobianColumns;
+pub(crate) use self::trajectory_pass::{ObservedPoint, TrajectoryPass, integration_options};
 pub use self::trajectory_pass::{Residuals, residuals, residuals_of, robust_scale, states};
 use self::weighted_rows::WeightedRows;
+pub(crate) use self::weighted_rows::add_state_priors;
 use crate::error::FlightError;
 use crate::least_squares::{NormalBlock, Unknowns};
 use crate::noise::NoiseModel;
@@ -86,7 +87,7 @@ pub fn linearise_with(
         rows.add(point.channel, point.time, point.rows, point.residual);
     })?;
     let mut block = rows.accumulator.block();
-    if !problem.sees_positions() {
+    if !problem.sees_positions() && !observations.is_summary {
         weighted_rows::add(problem, observations, local, &mut block);
     }
     weighted_rows::add_state_priors(observations, local, &mut block);

@@ -12,6 +12,7 @@ use crate::error::FlightError;
 use crate::observations::Observations;
 use crate::observers::ChannelConditions;
 use crate::problem::{FitProblem, RESIDUAL_TOLERANCE};
+use crate::summary;
 use dataset::statistics::robust_sigma;
 
 /// Range of integration tolerances, m: rounding errors limit the accuracy.
@@ -21,7 +22,7 @@ const TOLERANCES: (f64, f64) = (1e-10, 1e-3);
 const STEPS: (usize, usize) = (1_000, 20);
 
 /// Options for a flight of `samples` samples; `tolerance`, m, is clamped.
-pub(super) fn integration_options(tolerance: f64, samples: usize) -> IntegrationOptions {
+pub(crate) fn integration_options(tolerance: f64, samples: usize) -> IntegrationOptions {
     IntegrationOptions {
         method: Method::Tsit5,
         max_steps: STEPS.0 + STEPS.1 * samples,
@@ -30,7 +31,7 @@ pub(super) fn integration_options(tolerance: f64, samples: usize) -> Integration
 }
 
 /// One integration of a flight with sensitivities, which evaluates every residual.
-pub(super) struct TrajectoryPass<'a> {
+pub(crate) struct TrajectoryPass<'a> {
     pub problem: &'a FitProblem,
     pub observations: &'a Observations,
     pub global: &'a DVector<f64>,
@@ -43,7 +44,7 @@ pub(super) struct TrajectoryPass<'a> {
 }
 
 /// Residual of one measured value, and derivatives of this residual, evaluated on the integrated trajectory.
-pub(super) struct ObservedPoint<'r> {
+pub(crate) struct ObservedPoint<'r> {
     pub channel: usize,
     pub sample: usize,
     pub time: f64,
@@ -73,6 +74,12 @@ impl TrajectoryPass<'_> {
             .collect();
         let mut variations = Sensitivities::new(motion, &directions, &parameters);
         let places = variations.layout();
+        let tangent = observations.manifold.tangent(self.local.as_slice());
+        let start =
+            variations.initial_state_with(self.local.as_slice(), &columns.tangent(&tangent));
+        if observations.is_summary {
+            return summary::each_point(self, &mut variations, &start, columns, each);
+        }
         let values = observations.parameters(problem, self.global);
         let conditions = ChannelConditions::new(problem, &values);
         let mut observers = conditions.observers();
@@ -105,9 +112,6 @@ impl TrajectoryPass<'_> {
             }
             return Ok(());
         }
-        let tangent = observations.manifold.tangent(self.local.as_slice());
-        let start =
-            variations.initial_state_with(self.local.as_slice(), &columns.tangent(&tangent));
         let (from, options) = (
             (times[0], &start),
             integration_options(self.tolerance, times.len()),
@@ -171,6 +175,9 @@ pub fn states(
 ) -> Result<Vec<f64>, FlightError> {
     let conditions = problem.body.bind(observations.parameters(problem, global));
     let start: ModelState = local.as_slice().into();
+    if observations.is_summary {
+        return Ok(start.into());
+    }
     let times = &observations.times[..samples];
     let mut states = vec![0.0; start.len() * times.len()];
     let tolerance = RESIDUAL_TOLERANCE * problem.sigma0 * observations.tolerance_factor;
@@ -188,16 +195,20 @@ pub fn residuals(
     samples: usize,
 ) -> Result<Residuals, FlightError> {
     let states = states(problem, observations, unknowns, samples)?;
-    Ok(residuals_of(problem, observations, unknowns.0, &states))
+    residuals_of(problem, observations, unknowns.0, &states)
 }
 
-/// Residuals at the samples of `trajectory`, the model states concatenated sample by sample.
+/// Residuals at the samples of `trajectory`, the model states concatenated sample by sample; for a summary, the
+/// initial state.
 pub fn residuals_of(
     problem: &FitProblem,
     observations: &Observations,
     global: &DVector<f64>,
     trajectory: &[f64],
-) -> Residuals {
+) -> Result<Residuals, FlightError> {
+    if observations.is_summary {
+        return summary::residuals(problem, observations, global, trajectory);
+    }
     let parameters = observations.parameters(problem, global);
     let conditions = ChannelConditions::new(problem, &parameters);
     let mut observers = conditions.observers();
@@ -211,7 +222,7 @@ pub fn residuals_of(
             residuals.push(measured.map(|seen| observers.residual(time, state, channel, seen)));
         }
     }
-    residuals
+    Ok(residuals)
 }
 
 /// Robust standard deviation of one flight's residuals, m; `None` if there are no residuals.

@@ -117,7 +117,7 @@ pub(super) fn add(
 }
 
 /// Adds the priors of the unknown or measured states of a flight to its normal equations.
-pub(super) fn add_state_priors(
+pub(crate) fn add_state_priors(
     observations: &Observations,
     local: &DVector<f64>,
     block: &mut NormalBlock,

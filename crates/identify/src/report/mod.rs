@@ -54,6 +54,9 @@ pub struct FitReport {
     pub marker_distances: Vec<MarkerDistance>,
     /// Residuals and noise of sensor channels other than markers.
     pub sensors: Vec<SensorReport>,
+    /// What the dataset says of its recordings, and what is taken as exact, one sentence each.
+    #[serde(default)]
+    pub notes: Vec<String>,
     /// Lack-of-fit test of the residuals; `None` if it was not made, or the residuals are too few for it.
     pub lack_of_fit: Option<LackOfFit>,
     /// Combinations of coefficients that are not identifiable, the largest standard error first.
@@ -197,6 +200,26 @@ pub struct FlightReport {
     pub cut: Option<Truncation>,
     /// Remarks on the flight, such as the reason for its exclusion or a repeated fit.
     pub notes: Vec<String>,
+    /// For a summary, what was seen of the flight beside what the model predicts; of a held-out one, after the release.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub seen: Vec<SeenValue>,
+}
+
+/// A value of a summary beside its prediction.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SeenValue {
+    /// Header of the column.
+    pub name: String,
+    /// Quantity, such as `carry`.
+    pub measures: String,
+    /// Unit of the values.
+    pub unit: String,
+    /// Measured value, in `unit`.
+    pub measured: f64,
+    /// Predicted value, in `unit`.
+    pub predicted: f64,
+    /// Standard deviation of the noise, in `unit`; given or estimated.
+    pub sigma: f64,
 }
 
 /// Noise of the measured positions among the kinds of sensors of `noise`; without positions, that of the first kind.
@@ -275,6 +298,16 @@ impl FlightReport {
     /// Root mean square residual of a position coordinate, m, or of the first kind of sensor; NaN if excluded.
     pub fn rms(&self) -> f64 {
         outcome::leading(&self.residual_rms).map_or(f64::NAN, |rms| rms.value)
+    }
+
+    /// [`rms`](Self::rms), or of a summary the root mean square residual in units of the noise.
+    pub(crate) fn misfit(&self) -> f64 {
+        let squares = self.seen.iter();
+        let squares = squares.map(|own| ((own.predicted - own.measured) / own.sigma).powi(2));
+        match self.seen.is_empty() {
+            true => self.rms(),
+            false => (squares.sum::<f64>() / self.seen.len() as f64).sqrt(),
+        }
     }
 
     /// [`rms`](Self::rms) with its unit, in words; `–` if there is none.

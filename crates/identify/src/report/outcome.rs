@@ -105,20 +105,24 @@ pub struct Rms {
 
 /// Sums of squared residuals and their numbers, by kind of sensor.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct SquareSums(BTreeMap<&'static str, (f64, usize, &'static str)>);
+pub(crate) struct SquareSums(BTreeMap<&'static str, (f64, usize, Unit)>);
+
+/// Name of a unit, and its value in SI.
+type Unit = (&'static str, f64);
 
 impl SquareSums {
-    /// Adds `count` squared residuals of a kind of sensor, whose sum is `squares`, in the square of `unit`.
-    pub fn add(&mut self, kind: &'static str, unit: &'static str, squares: f64, count: usize) {
+    /// Adds `count` squared residuals of a kind of sensor, whose sum is `squares`, in the square of `unit`. The unit of
+    /// a kind is the one that is added first.
+    pub fn add(&mut self, kind: &'static str, unit: Unit, squares: f64, count: usize) {
         let sum = self.0.entry(kind).or_insert((0.0, 0, unit));
-        sum.0 += squares;
+        sum.0 += squares * (unit.1 / sum.2.1).powi(2);
         sum.1 += count;
     }
 
     /// Root mean square of the residuals of each kind that has any.
     pub fn rms(self) -> BTreeMap<String, Rms> {
         let kinds = self.0.into_iter().filter(|(_, (_, count, _))| *count > 0);
-        let each = kinds.map(|(kind, (squares, count, unit))| {
+        let each = kinds.map(|(kind, (squares, count, (unit, _)))| {
             let value = (squares / count as f64).sqrt();
             let unit = unit.to_owned();
             (kind.to_owned(), Rms { value, unit })

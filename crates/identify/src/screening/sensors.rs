@@ -39,7 +39,7 @@ pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
     let mut channel = 0;
     for sensor in &dataset.sensors {
         let found = match sensor.kind {
-            SensorKind::Instrument(Instrument::Speed) => None,
+            SensorKind::Instrument(Instrument::Speed) | SensorKind::Summary(_) => None,
             SensorKind::Instrument(instrument) => {
                 faults.extend(saturated(dataset, (sensor, channel)));
                 let unit = (instrument == Instrument::Gyroscope).then(|| unit(dataset, channel));

@@ -6,3 +6,4 @@ mod arrival;
 mod bootstrap;
 mod known_and_markers;
 mod single_flights;
+mod summaries;

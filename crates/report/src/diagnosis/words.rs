@@ -1,6 +1,7 @@
 //! Names and sentences of the page of a diagnosis.
 
 use diagnose::Report;
+use identify::MARKER;
 use identify::numbers::{percent, plain, quantity};
 
 /// Name of an effect as words separated by spaces.
@@ -10,6 +11,12 @@ pub(super) fn readable(name: &str) -> String {
 
 pub(super) fn noise(report: &Report) -> String {
     let noise = report.leading_noise();
+    if !report.noise.contains_key(MARKER) && report.noise.len() > 1 {
+        let each = report.noise.iter();
+        let each = each.map(|(kind, own)| format!("{kind} {}", quantity(own.sigma, &own.unit)));
+        let each: Vec<String> = each.collect();
+        return format!("Standard deviation of the noise: {}.", each.join(", "));
+    }
     format!(
         "The noise per coordinate is {} (standard deviation), with a lag-1 autocorrelation of {}; {} of the points were \
          classified as outliers.",

@@ -14,11 +14,23 @@ use identify::wording::short;
 pub(super) fn section(page: &FitPage<'_>) -> Html {
     let mut content = Html::new();
     content.grid(draw::histogram(page.report).into_iter().collect(), 1, true);
-    let fitted: Vec<_> = page.report.used(Role::Fit).collect();
-    let held_out: Vec<_> = page.report.used(Role::HeldOut).collect();
+    // Summaries have a table of their own; those with a remark are listed here as well.
+    let is_listed = |flight: &&FlightReport| flight.seen.is_empty() || !flight.notes.is_empty();
+    let fitted: Vec<_> = page.report.used(Role::Fit).filter(is_listed).collect();
+    let held_out: Vec<_> = page.report.used(Role::HeldOut).filter(is_listed).collect();
     let excluded: Vec<_> = page.report.excluded().collect();
     if page.report.flights.is_empty() {
         content.paragraph("None.");
+    }
+    if page
+        .report
+        .flights
+        .iter()
+        .any(|flight| !flight.seen.is_empty())
+    {
+        content.heading("Seen → predicted");
+        content.note("All values are in summaries.csv.");
+        content.table(&super::summaries::table(page.report));
     }
     if !fitted.is_empty() {
         content.heading("Fitted");

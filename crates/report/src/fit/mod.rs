@@ -4,6 +4,7 @@ mod coefficients;
 pub(crate) mod draw;
 mod flights;
 mod page;
+mod summaries;
 pub mod tables;
 mod text;
 pub(crate) mod words;
@@ -12,6 +13,7 @@ pub use crate::figure::Figure;
 use identify::{Coefficient, Fit, FitReport, FlightEvidence};
 use model_spec::model::Model;
 pub use page::page;
+pub use summaries::csv as summaries_csv;
 pub use text::text;
 
 /// Input of the report of a fit.

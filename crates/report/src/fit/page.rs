@@ -190,6 +190,9 @@ fn noise(report: &FitReport) -> Html {
 /// Table of the measurement noise: a row for each axis, and one for all.
 pub(super) fn noise_table(report: &FitReport) -> Table {
     let noise = report.leading_noise();
+    if super::summaries::only(report) {
+        return Table::default();
+    }
     let axes = noise.axes.iter().take(3);
     let axes = axes.map(|(axis, n)| (axis.as_str(), n.sigma, n.lag1_autocorrelation));
     let all = ("all", noise.sigma, noise.lag1_autocorrelation);

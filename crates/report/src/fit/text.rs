@@ -34,7 +34,13 @@ pub fn text(of: &FitPage<'_>) -> String {
     for table in tables.iter().filter(|table| !table.is_empty()) {
         text += &format!("\n{}", table.text(usize::MAX));
     }
-    let mut add = |what: &str, flights: Vec<&FlightReport>| {
+    let seen = super::summaries::table(report);
+    if !seen.is_empty() {
+        text += &format!("\nSeen → predicted\n{}", seen.text(MAX_ROWS));
+    }
+    let mut add = |what: &str, mut flights: Vec<&FlightReport>| {
+        // Summaries have the table above, and those with a remark are listed here as well.
+        flights.retain(|flight| flight.seen.is_empty() || !flight.notes.is_empty());
         if !flights.is_empty() {
             let flights = largest_first(flights, MAX_ROWS, |flight| Some(flight.rms()));
             let table = flights::table(of, &flights);

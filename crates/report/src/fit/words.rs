@@ -35,7 +35,10 @@ pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
         " was fitted to {} of ‘{}’, {}",
         count(fitted, "flight"),
         page.dataset,
-        count(noise.points, "measured point")
+        match super::summaries::only(report) {
+            true => count(super::summaries::values(report), "measured value"),
+            false => count(noise.points, "measured point"),
+        }
     );
     if held_out > 0 {
         text += &format!("; {} held out for validation", count(held_out, "flight"));
@@ -43,6 +46,14 @@ pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
     text.push('.');
     if left_out > 0 {
         text += &format!(" {} excluded.", counted(left_out, "flight"));
+    }
+    if super::summaries::only(report) {
+        let residuals = super::summaries::residuals(report);
+        return [text]
+            .into_iter()
+            .chain(residuals)
+            .chain(report.notes.clone())
+            .collect();
     }
     let rms = report.rms_text();
     let sigma = quantity(noise.sigma, &noise.unit);
@@ -63,6 +74,8 @@ pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
     };
     let mut all = vec![text, fits];
     all.extend(held_out_words(report));
+    all.extend(super::summaries::residuals(report));
+    all.extend(report.notes.clone());
     all
 }
 
@@ -207,6 +220,9 @@ pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
 }
 
 pub(super) fn noise(report: &FitReport) -> String {
+    if super::summaries::only(report) {
+        return super::summaries::noise(report);
+    }
     let noise = report.leading_noise();
     let how = if noise.estimated {
         "estimated"
@@ -226,7 +242,13 @@ pub(super) fn noise(report: &FitReport) -> String {
 }
 
 pub(super) fn sensors(report: &FitReport) -> Vec<String> {
-    let sensors = report.sensors.iter().map(|sensor| {
+    let sensors = report.sensors.iter();
+    let seen = |name: &str| {
+        let mut values = report.flights.iter().flat_map(|flight| &flight.seen);
+        values.any(|own| own.name == name)
+    };
+    // Columns of summaries have a sentence of their own.
+    let sensors = sensors.filter(|sensor| !seen(&sensor.name)).map(|sensor| {
         format!(
             "{} ({}): RMS residual {:.3} {unit}, noise {:.3} {unit}, lag-1 autocorrelation {}, {} of {} outliers.",
             sensor.name,

@@ -13,6 +13,10 @@ use crate::thin::{MAX_DOTS, MAX_FLIGHTS, largest_first, stride};
 /// RMS prediction errors without and with the added effects, of all held-out flights and of each.
 pub(in super::super) fn gain(report: &Report) -> Option<Figure> {
     let gain = report.predictive_gain.as_ref()?;
+    // Errors of summaries are no lengths.
+    if gain.has_summaries {
+        return None;
+    }
     let mut held_out: Vec<&FlightGain> = Vec::new();
     if gain.held_out_by_dataset {
         let all = report.flights.iter();

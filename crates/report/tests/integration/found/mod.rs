@@ -217,6 +217,7 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
             rms_after_m: 0.00162,
             std_error_m: 0.0009,
             noise_m: SIGMA,
+            has_summaries: false,
             flights: flights.len() / 4,
             without: 0,
             held_out_by_dataset: true,

@@ -58,6 +58,7 @@ pub fn flight(number: usize, samples: usize) -> FlightEvidence {
         outlier: Vec::new(),
         predicted: Vec::new(),
         sensors: Vec::new(),
+        notes: Vec::new(),
         state_names: names.split(' ').map(str::to_owned).collect(),
         states: Vec::new(),
         quantity_names: ["V", "alpha", "d1_x"].map(str::to_owned).to_vec(),
@@ -196,6 +197,7 @@ pub fn report(flights: usize) -> FitReport {
             samples: 14,
             reason: "the velocity jumps by 3.1 m/s: the disc touched the ground".into(),
         }),
+        seen: Vec::new(),
         notes: if number == 2 {
             vec!["fitted again from the pose of its markers".into()]
         } else {

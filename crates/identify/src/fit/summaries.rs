@@ -1,0 +1,89 @@
+//! Flights that are told by summaries in a fit: their initial states by their releases, before noise is estimated.
+
+use super::FitError;
+use super::residual_cache::{ResidualCache, exclude_failed};
+use super::state::State;
+use crate::error::{ExcludedFlight, FlightError};
+use crate::ids::FlightId;
+use crate::observations::Observations;
+use crate::problem::FitProblem;
+use dataset::Dataset;
+use nalgebra::DVector;
+
+/// Flights of summaries with their initial states, and those that cannot be used.
+#[derive(Default)]
+pub struct Summaries {
+    found: Vec<(FlightId, Observations, DVector<f64>)>,
+    excluded: Vec<ExcludedFlight>,
+}
+
+impl Summaries {
+    /// Takes the flights that are summaries out of `flights`.
+    pub fn take(problem: &FitProblem, dataset: &Dataset, flights: &mut Vec<FlightId>) -> Self {
+        let mut own = Self::default();
+        if problem.summary.is_none() {
+            return own;
+        }
+        flights.retain(|&flight| {
+            let data = &dataset.flights[flight.index()];
+            let Ok(observations) = Observations::new(problem, data) else {
+                return true;
+            };
+            if observations.is_summary {
+                match initial_state(problem, &observations) {
+                    Ok(state) => own.found.push((flight, observations, state)),
+                    Err(reason) => own.excluded.push(ExcludedFlight {
+                        flight,
+                        file: data.file.clone(),
+                        reason,
+                    }),
+                }
+                return false;
+            }
+            true
+        });
+        own
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.found.is_empty() && self.excluded.is_empty()
+    }
+
+    pub fn observations(&self) -> impl Iterator<Item = &Observations> + Clone {
+        self.found.iter().map(|(_, observations, _)| observations)
+    }
+
+    /// Adds the flights to a fit in progress, and returns the residuals of all its flights.
+    pub fn join(self, state: &mut State<'_>) -> Result<ResidualCache, FitError> {
+        state.excluded.extend(self.excluded);
+        for (flight, observations, local) in self.found {
+            state.push(flight, observations, local);
+        }
+        state.exclude(Vec::new())?;
+        let residuals = state.residuals();
+        exclude_failed(state, residuals)
+    }
+}
+
+/// Initial state of a summary by its release.
+pub fn initial_state(
+    problem: &FitProblem,
+    observations: &Observations,
+) -> Result<DVector<f64>, FlightError> {
+    let summary = problem.summary.as_ref().ok_or(FlightError::NoMeasurement)?;
+    let state = summary.initial_state(problem, observations)?;
+    Ok(observations.with_known_states(DVector::from_vec(state)))
+}
+
+/// What the dataset says of its recordings, and which columns are taken as exact.
+pub fn notes(problem: &FitProblem, dataset: &Dataset) -> Vec<String> {
+    let exact = problem.channels.iter();
+    let exact = exact.filter(|own| own.is_exact && own.assumed.is_none());
+    let names: Vec<&str> = exact.map(|own| own.name.as_str()).collect();
+    let note = format!(
+        "{}: taken as exact, as their standard deviations are not stated",
+        names.join(", ")
+    );
+    let notes = dataset.notes.iter().cloned();
+    notes.chain((!names.is_empty()).then_some(note)).collect()
+}

@@ -1,0 +1,129 @@
+//! Noise of the columns of summaries: the sum of squared residuals over their redundancy, the number of values less the
+//! leverages of the unknowns on them (Förstner 1979, estimation of variance components).
+
+use nalgebra::{DMatrix, DVector};
+
+use super::state::State;
+use crate::error::FlightError;
+use crate::least_squares::{NormalBlock, ScaledCholesky, pseudo_inverse};
+use crate::noise::NoiseModel;
+use crate::observations::Observations;
+use crate::predict::{add_state_priors, each_residual};
+
+/// Maximum number of iterations, and relative change of the standard deviations at their end.
+const ITERATIONS: (usize, f64) = (50, 1e-4);
+
+/// Least redundancy of a column whose noise is estimated.
+const LEAST_REDUNDANCY: f64 = 0.5;
+
+/// Least noise relative to the one that was assumed at first.
+const LEAST_NOISE: f64 = 1e-9;
+
+/// A value of a summary with the derivatives of its residual by the local and the global parameters, m.
+struct Row {
+    channel: usize,
+    residual: f64,
+    by_local: DVector<f64>,
+    by_global: DVector<f64>,
+}
+
+/// Replaces the estimates of the noise of columns of summaries in `noise`.
+///
+/// # Errors
+/// [`FlightError`] if a flight cannot be integrated.
+pub fn estimate(state: &State<'_>, noise: &mut NoiseModel) -> Result<(), FlightError> {
+    let problem = state.problem;
+    let of_summary = |channel: usize| {
+        let own = &problem.channels[channel];
+        crate::summary::event(own.kind).is_some() && own.sigma.is_none()
+    };
+    let estimated: Vec<usize> = (0..problem.channels.len())
+        .filter(|k| of_summary(*k))
+        .collect();
+    if estimated.is_empty() {
+        return Ok(());
+    }
+    let flights = state.flights.iter().zip(&state.local);
+    let flights = flights.filter(|(flight, _)| flight.is_summary);
+    let flights: Vec<(Vec<Row>, _)> = flights
+        .map(|(flight, local)| Ok((rows(state, flight, local)?, (flight, local))))
+        .collect::<Result<_, FlightError>>()?;
+    for _ in 0..ITERATIONS.0 {
+        let mut sums = vec![(0.0, 0.0); problem.channels.len()];
+        let mut factors = Vec::with_capacity(flights.len());
+        let globals = problem.globals.len();
+        let mut reduced = DMatrix::zeros(globals, globals);
+        for (rows, (flight, local)) in &flights {
+            let mut block = NormalBlock::zero(flight.manifold.dimension(), globals);
+            for row in rows {
+                let weight = 1.0 / noise.of(row.channel).sigma[0];
+                let (by_local, by_global) = (&row.by_local * weight, &row.by_global * weight);
+                block.add(weight * row.residual, &by_local, &by_global);
+            }
+            add_state_priors(flight, local, &mut block);
+            let factor = ScaledCholesky::independent(&block.local, 0.0);
+            let factor = factor.ok_or(FlightError::SingularInitialState)?;
+            let through = factor.solve_matrix(&block.cross);
+            reduced += &block.global - block.cross.tr_mul(&through);
+            factors.push((factor, through));
+        }
+        let covariance =
+            pseudo_inverse(&reduced).unwrap_or_else(|| DMatrix::zeros(globals, globals));
+        for ((rows, _), (factor, through)) in flights.iter().zip(&factors) {
+            for row in rows.iter().filter(|row| estimated.contains(&row.channel)) {
+                let beyond = &row.by_global - through.tr_mul(&row.by_local);
+                let variance = row.by_local.dot(&factor.solve(&row.by_local))
+                    + beyond.dot(&(&covariance * &beyond));
+                let weight = noise.of(row.channel).sigma[0].powi(-2);
+                let (squares, redundancy) = &mut sums[row.channel];
+                *squares += row.residual * row.residual;
+                *redundancy += 1.0 - (variance * weight).min(1.0);
+            }
+        }
+        let mut change: f64 = 0.0;
+        for &channel in &estimated {
+            let (squares, redundancy) = sums[channel];
+            let sigma = (squares / redundancy.max(LEAST_REDUNDANCY)).sqrt();
+            let sigma = sigma.max(LEAST_NOISE * problem.sigma0);
+            let own = noise.of_mut(channel);
+            change = change.max((sigma / own.sigma[0] - 1.0).abs());
+            own.sigma = [sigma; 3];
+            own.ar1 = [0.0; 3];
+        }
+        if change < ITERATIONS.1 {
+            break;
+        }
+    }
+    Ok(())
+}
+
+fn rows(
+    state: &State<'_>,
+    flight: &Observations,
+    local: &DVector<f64>,
+) -> Result<Vec<Row>, FlightError> {
+    let problem = state.problem;
+    let conditions = problem.body.bind(flight.parameters(problem, &state.global));
+    let globals: Vec<_> = problem.globals.iter().map(|global| global.param).collect();
+    let unknowns = (&state.global, local);
+    let directions = flight.manifold.dimension();
+    let mut rows = Vec::new();
+    let mut motion = conditions.rhs();
+    each_residual(
+        problem,
+        flight,
+        unknowns,
+        &mut motion,
+        &globals,
+        &mut |point| {
+            let (by_local, by_global) = point.rows[0].split_at(directions);
+            rows.push(Row {
+                channel: point.channel,
+                residual: point.residual[0],
+                by_local: DVector::from_column_slice(by_local),
+                by_global: DVector::from_column_slice(by_global),
+            });
+        },
+    )?;
+    Ok(rows)
+}

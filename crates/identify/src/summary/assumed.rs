@@ -1,0 +1,92 @@
+//! What a release has where no column tells it, as further channels with values and standard deviations of their own.
+
+use dataset::SummaryQuantity as Q;
+
+use super::{SummaryModel, SummaryValue};
+use crate::channel::{Channel, ChannelKind};
+
+/// Standard deviations of what is taken as exact, in the unit of its dimension: m/s, rad, rad/s, m. They are far below
+/// what the path of a flight tells.
+const EXACT: [(&str, f64); 4] = [("m/s", 1e-3), ("rad", 2e-5), ("rad/s", 0.02), ("m", 1e-4)];
+
+/// Standard deviation, SI, of a quantity of the release that a column states without one: it is taken as exact.
+pub(crate) fn exact_deviation(unit: &str) -> f64 {
+    let own = EXACT.iter().find(|(of, _)| *of == unit);
+    own.map_or(1e-4, |(_, sigma)| *sigma)
+}
+
+/// Value and standard deviation of what is unknown, SI.
+const SPEED: (f64, f64) = (30.0, 100.0);
+const LAUNCH: (f64, f64) = (0.2, 0.6);
+const NOSE: (f64, f64) = (0.0, 0.2);
+const HYZER: (f64, f64) = (0.0, 0.5);
+const BALL_SPIN: (f64, f64) = (200.0, 300.0);
+const BODY_SPIN: (f64, f64) = (0.0, 200.0);
+
+impl SummaryModel {
+    /// Channels for what releases of the model's body have by assumption; their noise groups begin at `group`.
+    pub(crate) fn assumed(&self, group: usize) -> Vec<Channel> {
+        let exact =
+            |value: SummaryValue, unit: &'static str| (value, unit, 0.0, exact_deviation(unit));
+        let told = |quantity: Q| exact(SummaryValue::Told(quantity), quantity.si_unit());
+        let unknown = |quantity: Q, (value, sigma)| {
+            (
+                SummaryValue::Told(quantity),
+                quantity.si_unit(),
+                value,
+                sigma,
+            )
+        };
+        let mut all = vec![
+            unknown(Q::Speed, SPEED),
+            unknown(Q::Launch, LAUNCH),
+            told(Q::Heading),
+        ];
+        if self.thrown.has_attitude() {
+            all.extend([
+                unknown(Q::Nose, NOSE),
+                unknown(Q::Hyzer, HYZER),
+                unknown(Q::Spin, BODY_SPIN),
+                told(Q::Wobble),
+                exact(SummaryValue::SideWobble, "rad"),
+            ]);
+            if self.vectors.iter().any(|(k, _)| *k == 4) {
+                all.push(exact(SummaryValue::Turn, "rad"));
+            }
+        }
+        if self.spin.is_some() {
+            all.extend([
+                unknown(Q::Spin, BALL_SPIN),
+                told(Q::SpinAxis),
+                exact(SummaryValue::Rifle, "rad/s"),
+            ]);
+        }
+        let channels = all.into_iter().enumerate();
+        channels
+            .map(|(index, (value, unit, assumed, sigma))| Channel {
+                name: String::new(),
+                kind: ChannelKind::Summary(value),
+                position: [0.0; 3],
+                components: 1,
+                group: group + index,
+                sigma: Some(sigma),
+                scale: 1.0,
+                unit,
+                to_si: 1.0,
+                is_exact: true,
+                assumed: Some(assumed),
+            })
+            .collect()
+    }
+
+    /// Whether the quantity of an assumption is the spin of a point mass.
+    pub(crate) fn is_spin_of_point(&self, value: SummaryValue) -> bool {
+        let of_spin = [Q::Spin, Q::SpinAxis].map(SummaryValue::Told);
+        self.spin.is_some() && (of_spin.contains(&value) || value == SummaryValue::Rifle)
+    }
+
+    /// States that are the spin of a point mass, if it is estimated.
+    pub(crate) fn spin_states(&self) -> Option<[usize; 3]> {
+        self.spin
+    }
+}

@@ -1,0 +1,212 @@
+//! Summaries of flights: the release, and what was seen of the apex and the landing, as functions of the initial state.
+
+mod assumed;
+mod dual;
+mod pass;
+mod quantity;
+
+use flight::throw::{MotionVector, Throw, ThrownModel};
+use flight::{BoundModel, CompiledModel, FlightParameters, ModelObserver};
+use model_spec::model::{ExprKind, Model};
+
+pub(crate) use self::assumed::exact_deviation;
+pub(crate) use self::pass::{each_point, residuals};
+pub use self::quantity::SummaryValue;
+use self::quantity::Vectors;
+use crate::channel::ChannelKind;
+use crate::error::FlightError;
+use crate::observations::Observations;
+use crate::problem::FitProblem;
+use dataset::{SummaryEvent, SummaryQuantity};
+
+/// The vectors of a motion, in the order of [`Vectors`].
+const VECTORS: [MotionVector; 6] = [
+    MotionVector::Position,
+    MotionVector::Velocity,
+    MotionVector::Spin,
+    MotionVector::Axis,
+    MotionVector::FirstAxis,
+    MotionVector::Momentum,
+];
+
+/// Compiled functions of a model that summaries need.
+pub struct SummaryModel {
+    /// The vectors of the motion that the model has, each with its index in [`Vectors`].
+    vectors: Vec<(usize, CompiledModel)>,
+    thrown: ThrownModel,
+    /// States that are the position of the mass centre.
+    pub(crate) position: [usize; 3],
+    /// States that are not of the motion and begin at their own values.
+    pub(crate) held: Vec<usize>,
+    /// States that effects add and that keep their values during a flight.
+    pub(crate) constant: Vec<usize>,
+    /// States that are the spin of a point mass, if it is estimated.
+    spin: Option<[usize; 3]>,
+}
+
+impl SummaryModel {
+    /// Compiles the functions; an error, as text for the message, if the model has no quantity of `told`.
+    pub fn new(model: &Model, told: &[SummaryQuantity]) -> Result<Self, String> {
+        let thrown = ThrownModel::new(model).map_err(|error| error.to_string())?;
+        let compiled = VECTORS.iter().enumerate();
+        let compiled = compiled.filter_map(|(k, vector)| Some((k, vector.compile(model)?)));
+        let vectors: Vec<(usize, CompiledModel)> = compiled.collect();
+        let has = |k: usize| vectors.iter().any(|(own, _)| *own == k);
+        for &quantity in told {
+            check(quantity, thrown.has_attitude(), has(2))?;
+        }
+        let position = vectors.first().and_then(|(_, own)| coordinates(own));
+        let position = position.ok_or(
+            "the position of its body is not three of its states, as `position (x, y, z)` states it",
+        )?;
+        let unknown: Vec<usize> = model
+            .unknown_states()
+            .into_iter()
+            .map(|own| own.1)
+            .collect();
+        let is_constant = |state: usize| {
+            let own = model.equations.iter().find(|own| own.state == state);
+            own.is_some_and(
+                |own| matches!(own.value.kind, ExprKind::Number { value, .. } if value == 0.0),
+            )
+        };
+        let added = model.added_states().into_iter();
+        let (constant, held) = added
+            .filter(|state| !unknown.contains(state))
+            .partition(|state| is_constant(*state));
+        let omega = model.unknown_states().into_iter();
+        let omega = omega
+            .filter(|(name, _)| name == SPIN)
+            .map(|(_, state)| state);
+        let spin = omega.collect::<Vec<_>>().try_into().ok();
+        Ok(Self {
+            spin: spin.filter(|_| !thrown.has_attitude()),
+            vectors,
+            thrown,
+            position,
+            held,
+            constant,
+        })
+    }
+
+    fn bind(&self, parameters: &FlightParameters) -> Vec<(usize, BoundModel<'_>)> {
+        let each = self.vectors.iter();
+        each.map(|(k, own)| (*k, own.bind(parameters.clone())))
+            .collect()
+    }
+}
+
+/// Input of a point mass that is its spin.
+pub(crate) const SPIN: &str = "omega";
+
+/// Checks that a body, or a point mass if `has_attitude` is false, has a quantity.
+fn check(quantity: SummaryQuantity, has_attitude: bool, has_spin: bool) -> Result<(), String> {
+    let name = quantity.name();
+    match quantity {
+        SummaryQuantity::Nose | SummaryQuantity::Hyzer | SummaryQuantity::Wobble
+            if !has_attitude =>
+        {
+            Err(format!(
+                "{name} is of a body with an attitude, and it is a point mass"
+            ))
+        }
+        SummaryQuantity::SpinAxis if has_attitude => Err(format!(
+            "{name} is of a ball; the attitude of a body is told by nose and hyzer"
+        )),
+        SummaryQuantity::Spin | SummaryQuantity::SpinAxis | SummaryQuantity::FinalSpin
+            if !has_spin =>
+        {
+            Err(format!(
+                "it has no {name}; expected an input {SPIN} of a ball, or a body that turns"
+            ))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// States that are the three components of an observed vector; `None` if it is not three states.
+fn coordinates(observed: &CompiledModel) -> Option<[usize; 3]> {
+    let layout = observed.layout();
+    let bound = observed.bind(layout.default_parameters());
+    let mut observer = bound.observer();
+    let (_, by) = observer.position_with_jacobians(0.0, &layout.default_states(), &[0.0; 3]);
+    let row = |row: usize| {
+        let entries = by.by_state_pattern.iter().zip(by.by_state);
+        let mut own = entries.filter(|((axis, _), value)| *axis == row && **value != 0.0);
+        match (own.next(), own.next()) {
+            (Some(((_, state), value)), None) if *value == 1.0 => Some(*state),
+            _ => None,
+        }
+    };
+    Some([row(0)?, row(1)?, row(2)?])
+}
+
+/// Vectors of the motion at a state; those that the model lacks are zero.
+fn vectors(observers: &mut [(usize, ModelObserver<'_>)], time: f64, state: &[f64]) -> Vectors {
+    let mut vectors = Vectors::default();
+    for (k, observer) in observers {
+        vectors[*k] = observer.position(time, state, &[0.0; 3]);
+    }
+    vectors
+}
+
+/// Event at which the value of a channel is seen; `None` if the channel is not of summaries.
+pub(crate) fn event(kind: ChannelKind) -> Option<SummaryEvent> {
+    match kind {
+        ChannelKind::Summary(SummaryValue::Told(quantity)) => Some(quantity.event()),
+        ChannelKind::Summary(_) => Some(SummaryEvent::Release),
+        _ => None,
+    }
+}
+
+impl SummaryModel {
+    /// Initial state by the release that the flight tells, with assumptions where it does not.
+    ///
+    /// # Errors
+    /// [`FlightError::NoRelease`] if the model has no such release.
+    pub fn initial_state(
+        &self,
+        problem: &FitProblem,
+        observations: &Observations,
+    ) -> Result<Vec<f64>, FlightError> {
+        let told = |quantity: SummaryQuantity| {
+            let mut channels = problem.channels.iter().enumerate();
+            channels.find_map(|(index, own)| {
+                let is_own = own.kind == ChannelKind::Summary(SummaryValue::Told(quantity));
+                let value = observations.value(0, index).filter(|_| is_own)?;
+                Some(value[0] * own.to_si)
+            })
+        };
+        let angle = |quantity| told(quantity).map(f64::to_degrees);
+        let mut throw = Throw {
+            heading: angle(SummaryQuantity::Heading).unwrap_or(0.0),
+            launch: angle(SummaryQuantity::Launch).unwrap_or(0.0),
+            height: told(SummaryQuantity::Height).unwrap_or(0.0),
+            ..Throw::at_speed(told(SummaryQuantity::Speed).unwrap_or(0.0))
+        };
+        if self.thrown.has_attitude() {
+            throw.nose = angle(SummaryQuantity::Nose);
+            throw.hyzer = angle(SummaryQuantity::Hyzer);
+            throw.spin = told(SummaryQuantity::Spin).map(|spin| spin / flight::throw::RPM);
+            throw.wobble = angle(SummaryQuantity::Wobble).filter(|_| throw.spin != Some(0.0));
+        }
+        let found = self
+            .thrown
+            .state(&throw, [0.0; 2], &observations.parameters);
+        let mut state = found.map_err(|error| FlightError::NoRelease(error.to_string()))?;
+        if let Some(places) = self.spin {
+            let (size, tilt) = (
+                told(SummaryQuantity::Spin).unwrap_or(0.0),
+                told(SummaryQuantity::SpinAxis).unwrap_or(0.0),
+            );
+            let motion = self.thrown.motion(&state, &observations.parameters);
+            let along = motion.velocity.normalize();
+            let left = nalgebra::Vector3::z().cross(&along).normalize();
+            let spin = -size * (left * tilt.cos() + along.cross(&left) * tilt.sin());
+            for (place, value) in places.into_iter().zip(spin.iter()) {
+                state[place] = *value;
+            }
+        }
+        Ok(state)
+    }
+}

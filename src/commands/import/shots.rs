@@ -1,0 +1,59 @@
+//! The export of a launch monitor as a dataset of summaries.
+
+use std::fmt::Write;
+
+use anyhow::{Context, bail, ensure};
+use dataset::{ShotOptions, import_shots};
+
+use super::{DECISIONS, Imported};
+use crate::cli::Import;
+
+/// Largest export that is read, bytes.
+const MAX_BYTES: u64 = 256 << 20;
+
+/// Reads a launch monitor's table.
+///
+/// # Errors
+/// If an option or the table is faulty.
+pub(super) fn imported(options: &Import) -> anyhow::Result<Imported> {
+    let [file] = options.takes.as_slice() else {
+        bail!(
+            "--launch-monitor: found {} files, expected one table of shots",
+            options.takes.len()
+        );
+    };
+    let columns = options.column.iter().map(|text| column(text));
+    let columns = columns.collect::<anyhow::Result<_>>()?;
+    let size = std::fs::metadata(file).with_context(|| file.display().to_string())?;
+    ensure!(
+        size.is_file() && size.len() <= MAX_BYTES,
+        "{}: found no file of at most {} MB, expected a table of shots",
+        file.display(),
+        MAX_BYTES >> 20
+    );
+    let bytes = std::fs::read(file).with_context(|| file.display().to_string())?;
+    let model = options.model.clone();
+    let made = import_shots(file, &bytes, &ShotOptions { model, columns })?;
+    let mut decisions = format!("{}\n", file.display());
+    for line in &made.decisions {
+        let _ = writeln!(decisions, "  {line}");
+    }
+    Ok(Imported {
+        dataset: made.dataset,
+        beside: vec![(DECISIONS.to_owned(), decisions.clone())],
+        comments: Vec::new(),
+        decisions,
+    })
+}
+
+/// Reads HEADER=IS or HEADER=IS,UNIT.
+fn column(text: &str) -> anyhow::Result<(String, String, Option<String>)> {
+    let Some((header, is)) = text.rsplit_once('=') else {
+        bail!("--column: found {text:?}, expected HEADER=IS,UNIT, as in \"Carry=carry,yd\"");
+    };
+    let (is, unit) = match is.split_once(',') {
+        Some((is, unit)) => (is, Some(unit.trim().to_owned())),
+        None => (is, None),
+    };
+    Ok((header.trim().to_owned(), is.trim().to_owned(), unit))
+}
