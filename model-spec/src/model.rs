@@ -14,7 +14,7 @@ use crate::unit::Unit;
 pub use crate::location::Source;
 pub use parts::{
     AppliedEffect, Claim, ClaimedAttitude, ClaimedRotation, Continuation, EffectUnknown, Function,
-    Interpolation, OfferedEffect, Table,
+    Interpolation, OfferedEffect, Table, TableArgument,
 };
 
 /// A checked model of a flying body: its states, parameters, frames, forces, moments and equations.
@@ -460,6 +460,8 @@ pub enum ExprKind {
     Reexpress(Box<Expr>),
     /// A function of one scalar, with its argument.
     Call(Function, Box<Expr>),
+    /// A table of two arguments, by index into [`Model::tables`], with its arguments.
+    Lookup(usize, Box<Expr>, Box<Expr>),
     /// Arctangent `atan2(y, x)` of y/x in the correct quadrant; 0 with derivative 0 where both arguments are 0.
     Atan2(Box<Expr>, Box<Expr>),
     /// The smaller of two scalars. Where they are equal, the compiled derivative is that of the second.

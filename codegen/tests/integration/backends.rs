@@ -160,9 +160,9 @@ mod zoo_sizes {
     pub const JP: usize = 7;
 }
 
-struct EveryLane<'a> {
-    compiled: &'a Compiled,
-    points: &'a [(Vec<f64>, Vec<f64>)],
+pub(crate) struct EveryLane<'a> {
+    pub(crate) compiled: &'a Compiled,
+    pub(crate) points: &'a [(Vec<f64>, Vec<f64>)],
 }
 
 impl Kernel for EveryLane<'_> {

@@ -139,7 +139,7 @@ impl Tables {
             }
             K::Call(Function::Abs, a) => a.unit,
             K::Call(Function::Sqrt, a) => a.unit.checked_pow_half(1).unwrap_or_default(),
-            K::Call(Function::Table(i), _) => self.tables[*i],
+            K::Call(Function::Table(i), _) | K::Lookup(i, ..) => self.tables[*i],
             K::Call(..) => Unit::ONE,
         };
     }

@@ -2,7 +2,7 @@
 
 use super::Checker;
 use crate::diagnostic::{Diagnostic, Kind, Span};
-use crate::model::{Expr, ExprKind, Function, Model};
+use crate::model::{Expr, ExprKind, Function, Interpolation, Model};
 
 /// A subexpression that is not differentiable at some point, with its defined behaviour there.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -403,6 +403,14 @@ pub fn singular_points(model: &Model) -> Vec<SingularPoint> {
                 K::Call(Function::Abs, a) => format!("derivative 0 where `{}` is 0", text(a)),
                 K::Call(Function::Sign | Function::Step, a) => {
                     format!("jumps, with derivative 0, where `{}` passes 0", text(a))
+                }
+                K::Call(Function::Table(index), _) | K::Lookup(index, ..)
+                    if model.tables[*index].interpolation == Interpolation::Linear =>
+                {
+                    format!(
+                        "a kink at each knot of the table `{}`",
+                        model.tables[*index].name
+                    )
                 }
                 K::Min(a, b) | K::Max(a, b) => {
                     format!("a kink where `{}` equals `{}`", text(a), text(b))

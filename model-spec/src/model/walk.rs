@@ -38,6 +38,7 @@ macro_rules! visit_children {
             | K::RealPower(a, b)
             | K::Dot(a, b)
             | K::Cross(a, b)
+            | K::Lookup(_, a, b)
             | K::Atan2(a, b)
             | K::Min(a, b)
             | K::Max(a, b) => {
@@ -109,6 +110,7 @@ impl Expr {
             (K::Pow(_, a), K::Pow(_, b)) => a == b,
             (K::Component(_, a), K::Component(_, b)) => a == b,
             (K::Call(f, _), K::Call(g, _)) => f == g,
+            (K::Lookup(f, ..), K::Lookup(g, ..)) => f == g,
             (a, b) => std::mem::discriminant(a) == std::mem::discriminant(b),
         };
         if !kinds || self.shape != other.shape {
