@@ -139,7 +139,7 @@ pub struct Frame {
 }
 
 /// Orientation of a frame relative to its parent, the frame from which it is rotated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FrameKind {
     /// The inertial frame, with its third axis up. Only frame 0 has this kind.
     Inertial,
@@ -152,6 +152,16 @@ pub enum FrameKind {
         /// Index into [`Model::states`] of the time derivative of the rotation angle, rad/s; `None` if that derivative
         /// is not a state, which is possible only in a model without a body.
         rate: Option<usize>,
+        /// Number of the rotation axis: axis 1, 2 or 3 of the parent frame, which the rotation leaves unchanged.
+        axis: u8,
+    },
+    /// The parent frame rotated by an angle that is constant during a flight about the parent's axis `axis`, positive by
+    /// the right-hand rule.
+    Fixed {
+        /// Index into [`Model::frames`] of the parent frame.
+        parent: usize,
+        /// The rotation angle.
+        angle: ConstantAngle,
         /// Number of the rotation axis: axis 1, 2 or 3 of the parent frame, which the rotation leaves unchanged.
         axis: u8,
     },
@@ -169,9 +179,22 @@ impl FrameKind {
     pub fn parent(self) -> Option<usize> {
         match self {
             FrameKind::Inertial => None,
-            FrameKind::Turned { parent, .. } | FrameKind::Quaternion { parent, .. } => Some(parent),
+            FrameKind::Turned { parent, .. }
+            | FrameKind::Fixed { parent, .. }
+            | FrameKind::Quaternion { parent, .. } => Some(parent),
         }
     }
+}
+
+/// An angle, rad, that is constant during a flight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ConstantAngle {
+    /// The number, rad.
+    Number(f64),
+    /// A known constant, by index into [`Model::params`].
+    Param(usize),
+    /// A coefficient, by index into [`Model::coefficients`].
+    Coefficient(usize),
 }
 
 /// The body whose equations of motion are derived from Newton's and Euler's laws.

@@ -8,6 +8,7 @@ mod design;
 mod diagnose;
 mod export;
 mod fit;
+mod gallery;
 mod generate;
 mod help;
 mod import;

@@ -155,7 +155,7 @@ impl ScalarKernel for Zoo<'_> {
 }
 
 mod zoo_sizes {
-    pub const PREPARED: usize = 13;
+    pub const PREPARED: usize = 14;
     pub const J: usize = 8;
     pub const JP: usize = 7;
 }

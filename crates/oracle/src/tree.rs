@@ -58,7 +58,7 @@ impl<'a, T: Real> Tree<'a, T> {
     /// Evaluates a model at a point; auxiliary variables listed in `given` have the values stated there, as pairs
     /// (index of the auxiliary variable, value), instead of those computed from their definitions.
     pub fn overriding(model: &'a Model, point: &'a Point<T>, given: &[(usize, Value<T>)]) -> Self {
-        let frames = place_frames(model, &point.states);
+        let frames = place_frames(model, point);
         let mut tree = Self {
             model,
             point,

@@ -112,7 +112,10 @@ impl Tables {
         e.children_mut(&mut |child| self.assign(child));
         e.unit = match &e.kind {
             K::Number { .. } => e.unit,
-            K::Pi | K::Axis(..) | K::Direction(..) | K::RealPower(..) => Unit::ONE,
+            K::Pi | K::Axis(..) | K::Direction(..) => Unit::ONE,
+            K::RealPower(a, b) => { b.rational() }
+                .and_then(|(above, below)| a.unit.checked_pow(above, below))
+                .unwrap_or(Unit::ONE),
             K::Time => Unit::SECOND,
             K::Param(i) => self.params[*i],
             K::Coefficient(i) => self.coefficients[*i],

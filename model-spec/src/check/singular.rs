@@ -113,6 +113,13 @@ impl<'m> Signs<'m> {
             K::Call(Function::Sqrt, _) => Sign::NotNegative,
             K::Call(Function::Abs, a) if self.of(a).never_zero() => Sign::Positive,
             K::Call(Function::Abs, _) => Sign::NotNegative,
+            K::Ratio(parts) => {
+                let signs = parts.each_ref().map(|part| self.of(part));
+                match signs.iter().all(|sign| sign.never_negative()) {
+                    true => Sign::NotNegative,
+                    false => Sign::Unknown,
+                }
+            }
             K::Max(a, b) => match (self.of(a), self.of(b)) {
                 (Sign::Positive, _) | (_, Sign::Positive) => Sign::Positive,
                 (a, b) if a.never_negative() || b.never_negative() => Sign::NotNegative,

@@ -27,6 +27,9 @@ impl Checker<'_> {
             self.report(Diagnostic::new(Kind::Limit, table.name.span, message));
         }
         self.define_table(&table.name, index);
+        if let Some(file) = &table.file {
+            self.not_read(file);
+        }
         let of_value = self.measure_or_one(table.unit.as_ref());
         let arguments = table.arguments.iter();
         let measures: Vec<_> = arguments
@@ -45,15 +48,25 @@ impl Checker<'_> {
             span: table.name.span,
             effect: item.effect,
         };
+        // A fault of the values does not hide one of the arguments.
+        let is_read = table.file.is_none();
+        let arguments = self.arguments_of(table, &measures).filter(|_| is_read);
         if let Some(of_value) = of_value
             && let Some(values) = self.values(table, &of_value)
-            && let Some(arguments) = self.arguments_of(table, &measures)
+            && let Some(arguments) = arguments
         {
             made.arguments = arguments;
             made.values = values;
             (made.unit, made.unit_text) = (of_value.unit, of_value.text);
         }
         self.model.tables.push(made);
+    }
+
+    /// Reports a file that is named in a tree that was not read from a file.
+    pub fn not_read(&mut self, file: &ast::Name) {
+        let message = format!("`{}` has not been read", file.text);
+        let fault = Diagnostic::new(Kind::Missing, file.span, message);
+        self.report(fault.help("load the model by its path"));
     }
 
     /// Values of a table, SI; reports rows of another length than that of the knots.

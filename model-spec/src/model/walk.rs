@@ -123,6 +123,21 @@ impl Expr {
     }
 }
 
+impl Expr {
+    /// Numerator and denominator of a number or a quotient of numbers; `None` for other expressions.
+    pub fn rational(&self) -> Option<(i64, i64)> {
+        match &self.kind {
+            ExprKind::Number { exact, .. } => *exact,
+            ExprKind::Neg(a) => a.rational().map(|(above, below)| (-above, below)),
+            ExprKind::Div(a, b) => {
+                let ((a, b), (c, d)) = (a.rational()?, b.rational()?);
+                Some((a.checked_mul(d)?, b.checked_mul(c)?))
+            }
+            _ => None,
+        }
+    }
+}
+
 impl Model {
     /// All expressions that are not part of another expression: definitions of the auxiliary variables, then mass and
     /// entries of the inertia tensor, loads, equations, `claim` block, observation, rate of the clock, validity limits.

@@ -17,7 +17,7 @@ impl Parser<'_> {
         } else {
             BodyClass::Point
         };
-        let parts = self.braces(&format!("`{word} {}`", name.text), Self::body_part)?;
+        let parts = self.block(&format!("`{word} {}`", name.text), Self::body_part)?;
         Ok(ItemKind::Body(Body { class, name, parts }))
     }
 
@@ -62,6 +62,19 @@ impl Parser<'_> {
         })
     }
 
+    /// Parses a block in which `let` defines quantities of the model.
+    fn block<T>(&mut self, what: &str, mut read: impl FnMut(&mut Self) -> Read<T>) -> Read<Vec<T>> {
+        let parts = self.braces(what, |parser| {
+            if !parser.at_word("let") {
+                return read(parser).map(Some);
+            }
+            let definition = parser.statement()?;
+            parser.block_lets.push(definition);
+            Ok(None)
+        })?;
+        Ok(parts.into_iter().flatten().collect())
+    }
+
     pub fn in_frame(&mut self, after: &str) -> Read<Name> {
         self.need_word("in", after)?;
         self.name("the name of a frame after `in`")
@@ -99,7 +112,7 @@ impl Parser<'_> {
     pub fn check_case(&mut self) -> Read<ItemKind> {
         self.advance();
         let title = self.quoted("the title of the check")?;
-        let parts = self.braces("this `check`", Self::check_part)?;
+        let parts = self.block("this `check`", Self::check_part)?;
         Ok(ItemKind::Check(Check { title, parts }))
     }
 
@@ -163,7 +176,7 @@ impl Parser<'_> {
         };
         self.advance();
         let name = self.name(&format!("a name after `claim {word}`"))?;
-        let parts = self.braces(&format!("`claim {word} {}`", name.text), Self::claim_part)?;
+        let parts = self.block(&format!("`claim {word} {}`", name.text), Self::claim_part)?;
         Ok(ItemKind::Claim(Claim { class, name, parts }))
     }
 

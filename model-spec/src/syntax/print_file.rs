@@ -131,6 +131,7 @@ fn write_kind(f: &mut Formatter<'_>, kind: &ItemKind, of: &Elements) -> Result {
         }
         ItemKind::Claim(claim) => write!(f, "{claim}"),
         ItemKind::Table(table) => write!(f, "{table}"),
+        ItemKind::Include(file) => write!(f, "include \"{}\";", file.text),
         ItemKind::Let(l) => {
             f.write_str(if l.is_constant { "param " } else { "let " })?;
             write_let(f, l, of)
@@ -261,6 +262,11 @@ impl Display for FrameKind {
             } => {
                 write!(f, " = {} turned {} about {axis}", parent.text, angle.text)
             }
+            FrameKind::Fixed {
+                parent,
+                angle,
+                axis,
+            } => write!(f, " = {} turned {angle} about {axis}", parent.text),
             FrameKind::Quaternion {
                 parent,
                 states: [a, b, c, d],
