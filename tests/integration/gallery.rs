@@ -88,7 +88,12 @@ fn check(case: Case) {
         ..Options::default()
     };
     let report = verify::run(&loaded, &options);
-    assert_eq!(report.outcome(), Outcome::Verified, "{name}\n{}", report.table());
+    assert_eq!(
+        report.outcome(),
+        Outcome::Verified,
+        "{name}\n{}",
+        report.table()
+    );
 
     let model = Model::load(path).unwrap_or_else(|error| panic!("{error}"));
     let release = release(loaded.model.as_ref().expect("a model"), case);
@@ -97,11 +102,17 @@ fn check(case: Case) {
         rate: 60.0,
         ..Plan::default()
     };
-    let data = hyzer::synthesize(&model, &[release], &plan).unwrap_or_else(|e| panic!("{name}: {e}"));
-    let fit = Fit::of(&model).run(&data).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let data =
+        hyzer::synthesize(&model, &[release], &plan).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let fit = Fit::of(&model)
+        .run(&data)
+        .unwrap_or_else(|e| panic!("{name}: {e}"));
     for (coefficient, estimate) in fit.coefficients() {
         let model = loaded.model.as_ref().expect("a model");
-        let own = model.coefficients.iter().find(|own| own.name == coefficient);
+        let own = model
+            .coefficients
+            .iter()
+            .find(|own| own.name == coefficient);
         let distance = (estimate.value - own.expect("its coefficient").value).abs();
         assert!(
             distance <= MAX_DISTANCE * estimate.std_error,

@@ -49,8 +49,10 @@ impl Checker<'_> {
             effect: item.effect,
         };
         // A fault of the values does not hide one of the arguments.
-        let is_read = table.file.is_none();
-        let arguments = self.arguments_of(table, &measures).filter(|_| is_read);
+        let arguments = match table.file {
+            Some(_) => None,
+            None => self.arguments_of(table, &measures),
+        };
         if let Some(of_value) = of_value
             && let Some(values) = self.values(table, &of_value)
             && let Some(arguments) = arguments
@@ -139,7 +141,8 @@ impl Checker<'_> {
                     column.unit.explained(),
                     measure.unit.explained()
                 );
-                return self.refuse(Diagnostic::new(Kind::Unit, number.span, message));
+                // A model with faults of units alone is still compiled, with this number as it stands.
+                self.report(Diagnostic::new(Kind::Unit, number.span, message));
             }
             own = Some(measure);
         }

@@ -44,6 +44,52 @@ fn numbers_have_the_unit_of_their_column_or_their_own() {
 }
 
 #[test]
+fn a_table_of_two_arguments_prints_and_reads_as_the_same() {
+    let statements = "table a(x: deg, y: m): N = { y: (0, 50 cm, 2), 0: (1, 2, 3), 0.5 rad: (4 kN, 5, 6) } linear;
+        let b = a(0.2, z);";
+    let model = read(statements);
+    let table = &model.tables[0];
+    assert_eq!(table.arguments[0].knots, [0.0, 0.5]);
+    assert_eq!(table.arguments[1].knots, [0.0, 0.5, 2.0]);
+    assert_eq!(table.values, [1.0, 2.0, 3.0, 4000.0, 5.0, 6.0]);
+    let text = format!("{MODEL}{statements}");
+    let printed = syntax::parse("probe.hyz", &text).file.to_string();
+    let again =
+        from_text("printed.hyz", &printed, &[]).unwrap_or_else(|e| panic!("{printed}\n{e}"));
+    assert_eq!(again.tables[0].fingerprint(), table.fingerprint());
+    let points = model_spec::singular_points(&model);
+    assert!(
+        points
+            .iter()
+            .any(|point| point.what == "a kink at each knot of the table `a`")
+    );
+}
+
+#[test]
+fn a_model_with_a_wrong_unit_in_a_table_has_all_its_knots() {
+    let text = format!("{MODEL}table a(x: m) = {{ 0: 1, 1 s: 2 kg, 2: 3 }}; let b = a(z);");
+    let loaded = model_spec::load::inspect_text("probe.hyz", &text, &[]).unwrap();
+    assert_eq!(loaded.diagnostics.len(), 2);
+    assert_eq!(loaded.model.unwrap().tables[0].points().len(), 3);
+}
+
+#[test]
+fn calls_of_a_table_of_two_arguments_are_checked() {
+    for (statement, message) in [
+        ("let b = a(z);", "takes two numbers"),
+        (
+            "let b = a(m, z);",
+            "the argument `x` of `a` must be a length",
+        ),
+        ("let b = a(z, z) + m;", "different units"),
+    ] {
+        let table = "table a(x: m, y: m) = { y: (0, 1), 0: (1, 2), 1: (3, 4) };";
+        let error = from_text("probe.hyz", &format!("{MODEL}{table}{statement}"), &[]).unwrap_err();
+        assert!(error.to_string().contains(message), "{error}");
+    }
+}
+
+#[test]
 fn a_printed_table_reads_as_the_same() {
     let statements = "table a(x: m): kg/m = { 0: 1, 1 cm: 2 g/m, 2: 3 } constant;
         table b(x) = { 0: 1, 1: 2, 2: 3 } monotone;
