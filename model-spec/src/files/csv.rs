@@ -45,14 +45,18 @@ pub(super) fn knots(text: &str, source: u16, arguments: usize) -> Result<Knots, 
 
 /// Fields of each line that is neither empty nor a comment.
 fn lines(text: &str, source: u16) -> Result<Vec<Vec<Field<'_>>>, Diagnostic> {
-    let separator = [';', '\t'].into_iter().find(|&c| text.contains(c));
+    let is_read = |line: &str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
+    let separator = [';', '\t'].into_iter().find(|&c| {
+        let mut lines = text.lines().filter(|line| is_read(line));
+        lines.any(|line| line.contains(c))
+    });
     let separator = separator.unwrap_or(',');
     let mut rows = Vec::new();
     let mut start = 0;
     for line in text.split_inclusive('\n') {
         let mut at = start;
         start += line.len();
-        if line.trim().is_empty() || line.trim_start().starts_with('#') {
+        if !is_read(line) {
             continue;
         }
         let fields = line.split(separator).take(MAX_COUNT).map(|field| {

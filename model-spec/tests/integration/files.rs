@@ -72,7 +72,7 @@ fn a_model_is_made_of_files_and_prints_as_one() {
             ("parts/drag.csv", "Ma,C_D\n0,0.1\n0.8,0.12\n1.2, 0.4\n"),
             (
                 "lift.csv",
-                "# measured\nalpha\\Ma;0.2;0.8\n-5;-0.3;-0.4\n0;0;0\n\n10;0.9;1.1\n",
+                "# measured, by hand\nalpha\\Ma;0.2;0.8\n-5;-0.3;-0.4\n0;0;0\n\n10;0.9;1.1\n",
             ),
         ],
     );
