@@ -34,6 +34,7 @@ use crate::generate;
 use crate::rust::{LanesRust, PlainRust};
 use model_spec::load;
 use model_spec::load::LoadError;
+use model_spec::model::Model;
 use std::path::{Path, PathBuf};
 use std::{env, io};
 
@@ -108,7 +109,6 @@ impl Config {
         let out_dir = out_dir
             .or_else(|| env::var_os("OUT_DIR").map(PathBuf::from))
             .ok_or(BuildError::NoOutDir)?;
-        self.request_reruns();
         let files = self.generate()?;
         generate::write_files(&out_dir, &files).map_err(|source| BuildError::Write {
             directory: out_dir.clone(),
@@ -126,6 +126,7 @@ impl Config {
                 model: model.clone(),
                 source: Box::new(source),
             })?;
+            Self::request_reruns(&loaded);
             for file in generate::generate_with(backend, &[loaded]) {
                 if files.iter().any(|other| other.path == file.path) {
                     return Err(BuildError::SamePath { path: file.path });
@@ -136,15 +137,12 @@ impl Config {
         Ok(files)
     }
 
-    /// In a build script, prints `cargo::rerun-if-changed` for each file.
-    fn request_reruns(&self) {
+    /// In a build script, prints `cargo::rerun-if-changed` for each file of a model, those that it includes among them.
+    fn request_reruns(model: &Model) {
         if env::var_os("OUT_DIR").is_none() {
             return;
         }
-        let names = self
-            .models
-            .iter()
-            .flat_map(|m| m.effects.iter().chain([&m.model]));
+        let names = model.sources.iter().map(|source| &source.name);
         for path in names.filter(|name| Path::new(name).is_file()) {
             println!("cargo::rerun-if-changed={path}");
         }

@@ -40,7 +40,7 @@ impl Count {
                 Binary::Add | Binary::Sub => &mut self.add,
                 Binary::Mul => &mut self.mul,
                 Binary::Div => &mut self.div,
-                Binary::Atan2 => &mut self.call,
+                Binary::Atan2 | Binary::Table(_) => &mut self.call,
                 Binary::Min | Binary::Max => &mut self.select,
             },
             Op::Unary(unary, _) => match unary {

@@ -4,7 +4,7 @@
 //! (a new form of derivative is also in `differentiate/partials.rs`). The tables of a model are functions too; their knots and values are in [`Tables`].
 
 use crate::number::Number;
-use crate::table::{TableFunction, TableId, Tables};
+use crate::table::{SurfaceFunction, TableFunction, TableId, Tables};
 use lanes::{ElementaryFunction, Real};
 use model_spec::model::Function as Named;
 
@@ -46,6 +46,8 @@ pub enum BinaryFunction {
     Min,
     /// The greater of the operands.
     Max,
+    /// A table of two arguments, or a partial derivative of one.
+    Table(SurfaceFunction),
 }
 
 /// Symmetry of a function about 0.

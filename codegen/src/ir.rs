@@ -5,7 +5,7 @@
 use crate::compile::{Compiled, compile};
 use crate::functions::MathFunction;
 use crate::program::{Binary, Function, Fused, Op, Operand, Section, Unary};
-use crate::table::{PiecewiseCubic, TableFunction, Tables};
+use crate::table::{PiecewiseCubic, SurfaceFunction, TableFunction, Tables};
 use model_spec::layout::{Layout, is_unlisted};
 use model_spec::model::{Input, Model, Parameter, Shape, State, ValidityLimit};
 use std::fmt::Write;
@@ -203,7 +203,14 @@ fn compiled_fields(compiled: &Compiled) -> Result<Vec<Field>, NotFinite> {
 
 struct Writer<'a> {
     compiled: &'a Compiled,
-    tables: Vec<TableFunction>,
+    tables: Vec<Looked>,
+}
+
+/// A table that a function looks up, or a derivative of one.
+#[derive(Clone, Copy, PartialEq)]
+enum Looked {
+    One(TableFunction),
+    Two(SurfaceFunction),
 }
 
 impl Writer<'_> {
@@ -224,7 +231,10 @@ impl Writer<'_> {
     fn statement(&mut self, op: &Op, function: &str) -> Result<String, NotFinite> {
         let mut items = vec![string(operation(op))];
         if let Op::Unary(Unary::Call(MathFunction::Table(table)), _) = *op {
-            items.push(self.table(table).to_string());
+            items.push(self.table(Looked::One(table)).to_string());
+        }
+        if let Op::Binary(Binary::Table(table), ..) = *op {
+            items.push(self.table(Looked::Two(table)).to_string());
         }
         for operand in op.operands() {
             items.push(written(operand, function)?);
@@ -232,7 +242,7 @@ impl Writer<'_> {
         Ok(row(items))
     }
 
-    fn table(&mut self, table: TableFunction) -> usize {
+    fn table(&mut self, table: Looked) -> usize {
         let known = self.tables.iter().position(|&known| known == table);
         known.unwrap_or_else(|| {
             self.tables.push(table);
@@ -323,6 +333,7 @@ fn operation(op: &Op) -> &'static str {
         Op::Binary(Binary::Atan2, ..) => "atan2",
         Op::Binary(Binary::Min, ..) => "min",
         Op::Binary(Binary::Max, ..) => "max",
+        Op::Binary(Binary::Table(_), ..) => "table_of_two",
         Op::Fused(Fused::MulAdd, ..) => "mul_add",
         Op::Fused(Fused::MulSub, ..) => "mul_sub",
         Op::Fused(Fused::NegMulAdd, ..) => "neg_mul_add",
@@ -330,7 +341,11 @@ fn operation(op: &Op) -> &'static str {
     }
 }
 
-fn table(tables: &Tables, used: TableFunction) -> Result<String, NotFinite> {
+fn table(tables: &Tables, used: Looked) -> Result<String, NotFinite> {
+    let used = match used {
+        Looked::One(used) => used,
+        Looked::Two(used) => return surface(tables, used),
+    };
     let cubic: &PiecewiseCubic = tables.of(used);
     let name = tables.name(used);
     let cubics = cubic.cubics().iter().map(|cubic| numbers(cubic, &name));
@@ -338,6 +353,21 @@ fn table(tables: &Tables, used: TableFunction) -> Result<String, NotFinite> {
         ("name", string(&name)),
         ("knots", numbers(cubic.knots(), &name)?),
         ("cubics", row(cubics.collect::<Result<Vec<_>, _>>()?)),
+    ];
+    Ok(object(&fields, ""))
+}
+
+fn surface(tables: &Tables, used: SurfaceFunction) -> Result<String, NotFinite> {
+    let bicubic = tables.table(used.table()).bicubic();
+    let bicubic = bicubic.derivative(used.orders());
+    let name = tables.surface_name(used);
+    let [first, second] = bicubic.knots();
+    let cells = bicubic.cells().iter().map(|cell| numbers(cell, &name));
+    let fields = [
+        ("name", string(&name)),
+        ("knots", numbers(first, &name)?),
+        ("second_knots", numbers(second, &name)?),
+        ("bicubics", row(cells.collect::<Result<Vec<_>, _>>()?)),
     ];
     Ok(object(&fields, ""))
 }

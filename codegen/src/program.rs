@@ -1,7 +1,7 @@
 //! Straight-line programs, which every backend prints or interprets.
 
 use crate::functions::{BinaryFunction, MathFunction};
-use crate::table::Tables;
+use crate::table::{SurfaceFunction, Tables};
 
 /// Source of an operand: an input, a constant or the result of an earlier statement.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,6 +47,8 @@ pub enum Binary {
     Atan2,
     Min,
     Max,
+    /// A table of two arguments, or a partial derivative of one.
+    Table(SurfaceFunction),
 }
 
 impl From<BinaryFunction> for Binary {
@@ -55,6 +57,7 @@ impl From<BinaryFunction> for Binary {
             BinaryFunction::Atan2 => Binary::Atan2,
             BinaryFunction::Min => Binary::Min,
             BinaryFunction::Max => Binary::Max,
+            BinaryFunction::Table(function) => Binary::Table(function),
         }
     }
 }

@@ -3,8 +3,10 @@
 //! A table lookup is one operation of a program, as an elementary function is. Searching the interval costs less than
 //! evaluating the cubics of all intervals and selecting one, and the generated code contains the table's name.
 
+mod bicubic;
 mod cubic;
 
+pub use bicubic::{PiecewiseBicubic, SurfaceFunction};
 pub use cubic::PiecewiseCubic;
 
 use model_spec::model;
@@ -50,44 +52,70 @@ impl TableFunction {
     }
 }
 
-/// Table of a model as a piecewise cubic, with its derivatives.
+/// Table of a model as a piecewise cubic with its derivatives, or as a piecewise bicubic.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CubicTable {
     /// Name of the table in the model.
     pub name: String,
     /// Doc comment (`///` lines) of the table in the model.
     pub doc: String,
-    /// Name of the table's argument.
-    pub argument: String,
-    /// Units of the argument and of the value, as text in SI units.
-    pub unit_texts: [String; 2],
+    /// Name and SI unit, as text, of each of the table's arguments.
+    pub arguments: Vec<(String, String)>,
     /// [`model::Table::fingerprint`].
     pub fingerprint: u64,
-    derivatives: [PiecewiseCubic; TableFunction::LAST as usize + 1],
+    function: TableOf,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum TableOf {
+    /// A function of one argument, with its derivatives.
+    One([PiecewiseCubic; TableFunction::LAST as usize + 1]),
+    Two(PiecewiseBicubic),
 }
 
 impl CubicTable {
     fn of(table: &model::Table) -> CubicTable {
-        let value = PiecewiseCubic::of(table);
-        let first = value.derivative();
-        let second = first.derivative();
-        let third = second.derivative();
+        let function = if table.arguments.len() == 1 {
+            let value = PiecewiseCubic::of(table);
+            let first = value.derivative();
+            let second = first.derivative();
+            let third = second.derivative();
+            TableOf::One([value, first, second, third])
+        } else {
+            TableOf::Two(PiecewiseBicubic::of(table))
+        };
+        let arguments = table.arguments.iter();
         CubicTable {
             name: table.name.clone(),
             doc: table.doc.clone(),
-            argument: table.argument.clone(),
-            unit_texts: table.unit_texts.clone(),
+            arguments: arguments
+                .map(|own| (own.name.clone(), own.unit_text.clone()))
+                .collect(),
             fingerprint: table.fingerprint(),
-            derivatives: [value, first, second, third],
+            function,
         }
     }
 
     /// Piecewise cubic of the value (`order` 0) or of a derivative, of an order up to [`TableFunction::LAST`].
     ///
     /// # Panics
-    /// If the order exceeds [`TableFunction::LAST`].
+    /// If the order exceeds [`TableFunction::LAST`], or the table has two arguments.
     pub fn cubic(&self, order: u8) -> &PiecewiseCubic {
-        &self.derivatives[usize::from(order)]
+        match &self.function {
+            TableOf::One(derivatives) => &derivatives[usize::from(order)],
+            TableOf::Two(_) => panic!("the table `{}` has two arguments", self.name),
+        }
+    }
+
+    /// Piecewise bicubic of a table of two arguments.
+    ///
+    /// # Panics
+    /// If the table has one argument.
+    pub fn bicubic(&self) -> &PiecewiseBicubic {
+        match &self.function {
+            TableOf::One(_) => panic!("the table `{}` has one argument", self.name),
+            TableOf::Two(bicubic) => bicubic,
+        }
     }
 }
 
@@ -120,13 +148,26 @@ impl Tables {
 
     /// Name of a table or its derivative: `C_L`, `C_L_slope`.
     pub fn name(&self, function: TableFunction) -> String {
-        let known = self.0.get(function.table().index());
-        let name = known.map_or("", |table| table.name.as_str());
-        let name = if name.is_empty() { "table" } else { name };
+        let name = self.base_name(function.table());
         match function.order() {
             0 => name.to_owned(),
             1 => format!("{name}_slope"),
             order => format!("{name}_derivative_{order}"),
         }
+    }
+
+    /// Name of a table of two arguments or of its derivative: `C_L`, `C_L_derivative_1_0`.
+    pub fn surface_name(&self, function: SurfaceFunction) -> String {
+        let name = self.base_name(function.table());
+        match function.orders() {
+            [0, 0] => name.to_owned(),
+            [by_first, by_second] => format!("{name}_derivative_{by_first}_{by_second}"),
+        }
+    }
+
+    fn base_name(&self, table: TableId) -> &str {
+        let known = self.0.get(table.index());
+        let name = known.map_or("", |table| table.name.as_str());
+        if name.is_empty() { "table" } else { name }
     }
 }

@@ -8,7 +8,7 @@ mod steps;
 
 use crate::functions::MathFunction;
 use crate::program::{Binary, Fused, Op, Operand, Program, Unary};
-use crate::table::Tables;
+use crate::table::{SurfaceFunction, Tables};
 use lanes::Real;
 
 /// Operation code of an instruction of the register bytecode.
@@ -27,6 +27,7 @@ enum Opcode {
     Min,
     Max,
     Atan2,
+    Lookup(SurfaceFunction),
     IfZero,
     Call(MathFunction),
     /// Sine of register `a` to the target, its cosine to register `b`.
@@ -150,6 +151,11 @@ impl Tape {
                 Opcode::Sub => each!(|a, b| a - b),
                 Opcode::Div => each!(|a, b| a / b),
                 Opcode::Atan2 => each!(|a, b| a.atan2(b)),
+                Opcode::Lookup(function) => {
+                    let bicubic = self.tables.table(function.table()).bicubic();
+                    let orders = function.orders();
+                    each!(|a, b| bicubic.eval(a, b, orders));
+                }
                 Opcode::Min => each!(|a, b| a.min(b)),
                 Opcode::Max => each!(|a, b| a.max(b)),
                 Opcode::IfZero => each!(|a, b, c| a.if_zero(b, c)),
@@ -184,6 +190,7 @@ impl From<Op> for Opcode {
             Op::Binary(Binary::Mul, ..) => Opcode::Mul,
             Op::Binary(Binary::Div, ..) => Opcode::Div,
             Op::Binary(Binary::Atan2, ..) => Opcode::Atan2,
+            Op::Binary(Binary::Table(function), ..) => Opcode::Lookup(function),
             Op::Binary(Binary::Min, ..) => Opcode::Min,
             Op::Binary(Binary::Max, ..) => Opcode::Max,
             Op::Fused(Fused::MulAdd, ..) => Opcode::MulAdd,

@@ -26,6 +26,7 @@ mod check;
 pub mod compose;
 pub mod diagnostic;
 mod effect;
+mod files;
 mod fingerprint;
 pub mod index;
 pub mod layout;

@@ -34,7 +34,7 @@ pub fn load(name_or_path: &str, with: &[&str]) -> Result<Model, LoadError> {
 }
 
 /// Loads a model from text and applies the effects `with`; fails if any text has an error. Messages refer to the text
-/// as `name`.
+/// as `name`. The files that the text names are read if `name` is the path of a file, beside it.
 ///
 /// # Errors
 /// [`LoadError`] if an effect is missing or any text has an error, unit errors included.

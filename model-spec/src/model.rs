@@ -14,7 +14,7 @@ use crate::unit::Unit;
 pub use crate::location::Source;
 pub use parts::{
     AppliedEffect, Claim, ClaimedAttitude, ClaimedRotation, Continuation, EffectUnknown, Function,
-    Interpolation, OfferedEffect, Table,
+    Interpolation, OfferedEffect, Table, TableArgument,
 };
 
 /// A checked model of a flying body: its states, parameters, frames, forces, moments and equations.
@@ -139,7 +139,7 @@ pub struct Frame {
 }
 
 /// Orientation of a frame relative to its parent, the frame from which it is rotated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FrameKind {
     /// The inertial frame, with its third axis up. Only frame 0 has this kind.
     Inertial,
@@ -152,6 +152,16 @@ pub enum FrameKind {
         /// Index into [`Model::states`] of the time derivative of the rotation angle, rad/s; `None` if that derivative
         /// is not a state, which is possible only in a model without a body.
         rate: Option<usize>,
+        /// Number of the rotation axis: axis 1, 2 or 3 of the parent frame, which the rotation leaves unchanged.
+        axis: u8,
+    },
+    /// The parent frame rotated by an angle that is constant during a flight about the parent's axis `axis`, positive by
+    /// the right-hand rule.
+    Fixed {
+        /// Index into [`Model::frames`] of the parent frame.
+        parent: usize,
+        /// The rotation angle.
+        angle: ConstantAngle,
         /// Number of the rotation axis: axis 1, 2 or 3 of the parent frame, which the rotation leaves unchanged.
         axis: u8,
     },
@@ -169,9 +179,22 @@ impl FrameKind {
     pub fn parent(self) -> Option<usize> {
         match self {
             FrameKind::Inertial => None,
-            FrameKind::Turned { parent, .. } | FrameKind::Quaternion { parent, .. } => Some(parent),
+            FrameKind::Turned { parent, .. }
+            | FrameKind::Fixed { parent, .. }
+            | FrameKind::Quaternion { parent, .. } => Some(parent),
         }
     }
+}
+
+/// An angle, rad, that is constant during a flight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ConstantAngle {
+    /// The number, rad.
+    Number(f64),
+    /// A known constant, by index into [`Model::params`].
+    Param(usize),
+    /// A coefficient, by index into [`Model::coefficients`].
+    Coefficient(usize),
 }
 
 /// The body whose equations of motion are derived from Newton's and Euler's laws.
@@ -460,6 +483,8 @@ pub enum ExprKind {
     Reexpress(Box<Expr>),
     /// A function of one scalar, with its argument.
     Call(Function, Box<Expr>),
+    /// A table of two arguments, by index into [`Model::tables`], with its arguments.
+    Lookup(usize, Box<Expr>, Box<Expr>),
     /// Arctangent `atan2(y, x)` of y/x in the correct quadrant; 0 with derivative 0 where both arguments are 0.
     Atan2(Box<Expr>, Box<Expr>),
     /// The smaller of two scalars. Where they are equal, the compiled derivative is that of the second.

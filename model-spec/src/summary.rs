@@ -190,25 +190,29 @@ fn unknown(out: &mut String, what: &str, unknown: &EffectUnknown, unit: &str) ->
 }
 
 fn table(table: &Table) -> String {
-    let [of_argument, of_value] = &table.unit_texts;
-    let argument =
-        |knot: Option<&(f64, f64)>| with_unit(knot.map_or(0.0, |knot| knot.0), of_argument);
-    let (from, to) = (argument(table.knots.first()), argument(table.knots.last()));
+    let knots = table.arguments.iter().map(|own| {
+        let at = |knot: Option<&f64>| with_unit(knot.copied().unwrap_or_default(), &own.unit_text);
+        let (from, to) = (at(own.knots.first()), at(own.knots.last()));
+        format!("{} knots from {from} to {to}", own.knots.len())
+    });
+    let knots = knots.collect::<Vec<_>>().join(" by ");
     let way = match table.interpolation {
         Interpolation::Spline => "spline",
         Interpolation::Monotone => "monotone",
+        Interpolation::Linear => "straight lines",
     };
     let beyond = match table.continuation {
         Continuation::Linear => "linear",
         Continuation::Constant => "constant",
     };
-    let unit = match of_value.as_str() {
+    let unit = match table.unit_text.as_str() {
         "1" => String::new(),
         unit => format!(" in {unit}"),
     };
-    let (name, x, count) = (&table.name, &table.argument, table.knots.len());
+    let arguments = table.arguments.iter().map(|own| own.name.as_str());
+    let (name, arguments) = (&table.name, arguments.collect::<Vec<_>>().join(", "));
     let doc = first(&table.doc);
-    format!("{name}({x}){unit}, {count} knots from {from} to {to}, {way}, {beyond} beyond   {doc}")
+    format!("{name}({arguments}){unit}, {knots}, {way}, {beyond} beyond   {doc}")
 }
 
 /// Text of a limit that avoids gimbal lock, such as `cos(theta)`.

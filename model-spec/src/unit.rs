@@ -102,6 +102,19 @@ impl Unit {
         Some(Unit { doubled })
     }
 
+    /// The unit to the power `above / below`; `None` if an exponent is no multiple of 1/2 or overflows.
+    pub fn checked_pow(self, above: i64, below: i64) -> Option<Unit> {
+        let mut doubled = [0; 8];
+        for (power, own) in doubled.iter_mut().zip(self.doubled) {
+            let product = i64::from(own).checked_mul(above)?;
+            *power = i8::try_from(product.checked_div(below)?).ok()?;
+            if i64::from(*power).checked_mul(below)? != product {
+                return None;
+            }
+        }
+        Some(Unit { doubled })
+    }
+
     /// Whether two units are equal; the radian counts as 1.
     pub fn agrees(self, other: Unit) -> bool {
         self.doubled[..7] == other.doubled[..7]

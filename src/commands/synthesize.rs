@@ -6,6 +6,7 @@ use anyhow::{Context, bail};
 use dataset::synthesize::{Corruption, Plan, Spread, SyntheticDataset, flights};
 use dataset::{Marker, write_with};
 use flight::release::Release;
+use model_spec::ModelTree;
 use model_spec::model::Model;
 
 use super::simulate::{apply_all, released};
@@ -24,8 +25,7 @@ pub(super) fn run(options: &Synthesize) -> anyhow::Result<Answer> {
     let named = options.model.as_deref().unwrap_or(&releases[0].model);
     let own_file = format!("{}.hyz", model.name);
     if Path::new(named).is_file() {
-        let text = model.sources.first().map(|source| source.text.clone());
-        beside.push((own_file.as_str(), text.unwrap_or_default()));
+        beside.push((own_file.as_str(), alone(named)?));
         made.dataset.model = own_file.clone();
     }
     beside.push(("truth.toml", made.truth.text()));
@@ -37,6 +37,15 @@ pub(super) fn run(options: &Synthesize) -> anyhow::Result<Answer> {
         options.out.display()
     ));
     Ok(Answer::Yes)
+}
+
+/// Text of a model's file; of one that names other files, the text that stands alone.
+fn alone(path: &str) -> anyhow::Result<String> {
+    let tree = ModelTree::load(path)?;
+    Ok(match tree.sources() {
+        [only] => only.text.clone(),
+        _ => tree.to_text(""),
+    })
 }
 
 /// The releases, with the changes by options, and the model that they have in common.

@@ -9,6 +9,7 @@ mod design;
 mod diagnose;
 mod export;
 mod fit;
+mod gallery;
 mod generate;
 mod help;
 mod import;

@@ -44,6 +44,16 @@ static double if_zero(double x, double a, double b) { return fabs(x) < 1e-75 ? a
 static double clamped_asin(double x) { return asin(x < -1 ? -1 : x > 1 ? 1 : x); }
 static double sign(double x) { return (x > 0) - (x < 0); }
 static double step(double x) { return x > 0; }
+static double bicubic(double x, double y, int n, int m, const double *kx, const double *ky, const double (*c)[16]) {
+  int i = 0, j = 0;
+  while (i < n && kx[i] <= x) i++;
+  while (j < m && ky[j] <= y) j++;
+  double h = x - kx[i ? i - 1 : 0], k = y - ky[j ? j - 1 : 0], value = 0;
+  const double *p = c[i * (m + 1) + j];
+  for (int a = 3; a >= 0; a--)
+    value = value * h + ((p[4*a+3] * k + p[4*a+2]) * k + p[4*a+1]) * k + p[4*a];
+  return value;
+}
 static double cubic(double x, int n, const double *knots, const double (*c)[4]) {
   int i = 0;
   while (i < n && knots[i] <= x) i++;
@@ -158,6 +168,31 @@ fn op(body: &Body<'_>, op: &Op) -> String {
             format!("{name}({})", v(a))
         }
         Op::Binary(Binary::Atan2, a, b) => format!("atan2({}, {})", v(a), v(b)),
+        Op::Binary(Binary::Table(function), a, b) => {
+            let bicubic = body
+                .function
+                .program
+                .tables
+                .table(function.table())
+                .bicubic();
+            let bicubic = bicubic.derivative(function.orders());
+            let list = |values: &[f64]| {
+                let values: Vec<String> = values.iter().map(|v| format!("{v:?}")).collect();
+                format!("{{{}}}", values.join(", "))
+            };
+            let rows: Vec<String> = bicubic.cells().iter().map(|row| list(row)).collect();
+            let [x, y] = bicubic.knots();
+            format!(
+                "bicubic({}, {}, {}, {}, (const double[]){}, (const double[]){}, (const double[][16]){{{}}})",
+                v(a),
+                v(b),
+                x.len(),
+                y.len(),
+                list(x),
+                list(y),
+                rows.join(", ")
+            )
+        }
         Op::Binary(Binary::Min, a, b) => format!("fmin({}, {})", v(a), v(b)),
         Op::Binary(Binary::Max, a, b) => format!("fmax({}, {})", v(a), v(b)),
         Op::Binary(Binary::Add, a, b) => format!("({} + {})", v(a), v(b)),

@@ -242,7 +242,7 @@ pub(crate) fn share_values(ssa: &Ssa, graph: &mut ExprGraph, namer: &mut Namer) 
         let vertex = match graph.node(node) {
             Node::Symbol(Symbol::Local(_))
             | Node::Call(..)
-            | Node::Call2(BinaryFunction::Atan2, ..) => true,
+            | Node::Call2(BinaryFunction::Atan2 | BinaryFunction::Table(_), ..) => true,
             Node::Product(_) => rooted[id],
             _ => false,
         };

@@ -48,6 +48,16 @@ pub(crate) fn of_node(graph: &mut ExprGraph, id: NodeId) -> Vec<(NodeId, NodeId)
             let by_x = graph.neg(by_x);
             vec![(y, by_y), (x, by_x)]
         }
+        Node::Call2(BinaryFunction::Table(function), a, b) => {
+            let partials = [a, b].into_iter().enumerate().map(|(k, argument)| {
+                let partial = match function.derivative(k) {
+                    Some(slope) => graph.call2(BinaryFunction::Table(slope), a, b),
+                    None => graph.whole(0),
+                };
+                (argument, partial)
+            });
+            partials.collect()
+        }
         Node::Call2(function, a, b) => {
             let difference = match function {
                 BinaryFunction::Min => graph.sub(b, a),

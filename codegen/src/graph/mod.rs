@@ -366,7 +366,8 @@ impl ExprGraph {
             },
             Node::Call2(function, a, b) => {
                 let (a, b) = (of(a), of(b));
-                let nonneg = *function != BinaryFunction::Atan2 && a.nonneg && b.nonneg;
+                let is_choice = matches!(function, BinaryFunction::Min | BinaryFunction::Max);
+                let nonneg = is_choice && a.nonneg && b.nonneg;
                 ValueFacts {
                     fixed: a.fixed && b.fixed,
                     nonneg,

@@ -3,7 +3,7 @@
 use super::names::{Style, name};
 use super::piece::Piece;
 use super::tree;
-use crate::functions::MathFunction;
+use crate::functions::{BinaryFunction, MathFunction};
 use crate::graph::{ExprGraph, Node, NodeId, Symbol};
 use crate::number::Number;
 
@@ -25,6 +25,15 @@ pub(crate) fn piece(
             tree::table(name(table, Style::Scalar) + &primes, of(*x))
         }
         Node::Call(function, x) => tree::call(function.notation(), of(*x)),
+        Node::Call2(BinaryFunction::Table(function), a, b) => {
+            let table = &graph.tables().table(function.table()).name;
+            let orders = match function.orders() {
+                [0, 0] => String::new(),
+                [by_first, by_second] => format!("^{{({by_first},{by_second})}}"),
+            };
+            let name = name(table, Style::Scalar) + &orders;
+            tree::table_of_two(name, of(*a), of(*b))
+        }
         Node::Call2(function, a, b) => tree::call2(*function, of(*a), of(*b)),
         Node::IfZero(c, a, b) => {
             let case = format!("{} = 0", of(*c).text);
@@ -139,7 +148,6 @@ fn fraction(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::functions::BinaryFunction;
 
     #[test]
     fn nodes_have_the_parentheses_they_need() {

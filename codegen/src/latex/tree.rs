@@ -79,6 +79,10 @@ pub(super) fn piece(model: &Model, expr: &Expr) -> Piece {
             table(of_table, of(x))
         }
         E::Call(function, x) => call(FunctionLowering::of(*function).notation(), of(x)),
+        E::Lookup(index, a, b) => {
+            let of_table = name(&model.tables[*index].name, Style::Scalar);
+            table_of_two(of_table, of(a), of(b))
+        }
         E::Atan2(y, x) => call2(BinaryFunction::Atan2, of(y), of(x)),
         E::Min(a, b) => call2(BinaryFunction::Min, of(a), of(b)),
         E::Max(a, b) => call2(BinaryFunction::Max, of(a), of(b)),
@@ -101,6 +105,7 @@ fn axis(model: &Model, frame: usize, k: u8) -> Piece {
 pub(super) fn call2(function: BinaryFunction, a: Piece, b: Piece) -> Piece {
     let command = match function {
         BinaryFunction::Atan2 => return Piece::operator("atan2", &[a, b]),
+        BinaryFunction::Table(_) => return Piece::operator("table", &[a, b]),
         BinaryFunction::Min => r"\min",
         BinaryFunction::Max => r"\max",
     };
@@ -113,6 +118,11 @@ pub(super) fn call2(function: BinaryFunction, a: Piece, b: Piece) -> Piece {
 /// LaTeX of the lookup of `x` in the table whose LaTeX name is `name`.
 pub(super) fn table(name: String, x: Piece) -> Piece {
     Piece::atom(format!(r"{name}\left({}\right)", x.text))
+}
+
+/// LaTeX of the lookup of two arguments in the table whose LaTeX name is `name`.
+pub(super) fn table_of_two(name: String, a: Piece, b: Piece) -> Piece {
+    Piece::atom(format!(r"{name}\left({},\, {}\right)", a.text, b.text))
 }
 
 pub(super) fn call(notation: Notation, x: Piece) -> Piece {

@@ -5,6 +5,7 @@ use super::{Lowering, Value};
 use crate::functions::{BinaryFunction, FunctionLowering, MathFunction};
 use crate::graph::{ExprGraph, NodeId, Symbol};
 use crate::number::Number;
+use crate::table::{SurfaceFunction, TableId};
 use model_spec::layout::ParamId;
 use model_spec::model::{Body, Expr, ExprKind, Function as Named, Shape};
 
@@ -132,6 +133,10 @@ impl Lowering<'_> {
             E::Call(function, x) => {
                 let x = self.scalar(x);
                 Value::Scalar(self.named(*function, x))
+            }
+            E::Lookup(index, a, b) => {
+                let table = SurfaceFunction::new(TableId::new(*index), [0, 0]);
+                self.call2(BinaryFunction::Table(table), a, b)
             }
             E::Atan2(y, x) => self.call2(BinaryFunction::Atan2, y, x),
             E::Min(a, b) => self.call2(BinaryFunction::Min, a, b),

@@ -3,7 +3,8 @@
 use crate::functions::MathFunction;
 use crate::graph::{ExprGraph, NodeId, Symbol};
 use crate::number::Number;
-use model_spec::model::{FrameKind, Model};
+use model_spec::layout::Layout;
+use model_spec::model::{ConstantAngle, FrameKind, Model};
 
 /// Graph nodes of the three components of a vector in one coordinate frame.
 pub type Vector = [NodeId; 3];
@@ -83,8 +84,8 @@ pub fn reexpress(
 pub fn turn(graph: &mut ExprGraph, model: &Model, v: Vector, frame: usize, up: bool) -> Vector {
     match model.frames[frame].kind {
         FrameKind::Inertial => v,
-        FrameKind::Turned { angle, axis, .. } => {
-            let angle = graph.symbol(Symbol::State(angle as u32));
+        FrameKind::Turned { axis, .. } | FrameKind::Fixed { axis, .. } => {
+            let angle = angle(graph, model, frame);
             let (sin, cos) = (
                 graph.call(MathFunction::Sin, angle),
                 graph.call(MathFunction::Cos, angle),
@@ -114,6 +115,23 @@ pub fn turn(graph: &mut ExprGraph, model: &Model, v: Vector, frame: usize, up: b
             })
         }
     }
+}
+
+/// Angle, rad, by which a frame is turned about an axis of its parent; 0 for other frames.
+fn angle(graph: &mut ExprGraph, model: &Model, frame: usize) -> NodeId {
+    let layout = || Layout::new(model);
+    let symbol = match model.frames[frame].kind {
+        FrameKind::Turned { angle, .. } => Symbol::State(angle as u32),
+        FrameKind::Fixed { angle, .. } => match angle {
+            ConstantAngle::Number(value) => return graph.number(Number::literal(value, None)),
+            ConstantAngle::Param(k) => Symbol::Parameter(layout().param(k).index() as u32),
+            ConstantAngle::Coefficient(k) => {
+                Symbol::Parameter(layout().coefficient(k).index() as u32)
+            }
+        },
+        FrameKind::Inertial | FrameKind::Quaternion { .. } => return graph.whole(0),
+    };
+    graph.symbol(symbol)
 }
 
 /// Rotation matrix, by row, of a unit quaternion, to the parent frame.

@@ -113,7 +113,7 @@ impl Lowering<'_> {
         let model = self.model;
         for (k, frame) in model.frames.iter().enumerate() {
             match frame.kind {
-                FrameKind::Inertial => {}
+                FrameKind::Inertial | FrameKind::Fixed { .. } => {}
                 FrameKind::Turned { angle, rate, .. } => {
                     if let Some(rate) = rate {
                         dx[angle] = self.graph.symbol(Symbol::State(rate as u32));

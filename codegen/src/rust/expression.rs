@@ -73,6 +73,10 @@ impl Writer<'_> {
             Op::Binary(Binary::Atan2, a, b) => self.scalar.call("atan2", first(a), &[rest(b)]),
             Op::Binary(Binary::Min, a, b) => self.scalar.call("min", first(a), &[rest(b)]),
             Op::Binary(Binary::Max, a, b) => self.scalar.call("max", first(a), &[rest(b)]),
+            Op::Binary(Binary::Table(function), a, b) => {
+                let tables = &self.body.function.program.tables;
+                self.scalar.lookup(function, first(a), rest(b), tables)
+            }
             Op::Binary(binary, a, b) => first(a).infix(binary, rest(b)),
         }
     }

@@ -6,7 +6,7 @@ use quote::quote;
 use std::collections::BTreeSet;
 
 /// Pairs of (method of `lanes::Real`, name of the `f64` helper function that replaces the method).
-const HELPERS: [(&str, &str); 11] = [
+const HELPERS: [(&str, &str); 12] = [
     ("sqrt", "sqrt_or_zero"),
     ("recip_or_zero", "recip_or_zero"),
     ("log", "log_or_zero"),
@@ -18,6 +18,7 @@ const HELPERS: [(&str, &str); 11] = [
     ("heaviside", "heaviside"),
     ("if_zero", "if_zero"),
     (table_names::METHOD, table_names::METHOD),
+    (table_names::METHOD_OF_TWO, table_names::METHOD_OF_TWO),
 ];
 
 /// Name of the helper function that replaces a method of `lanes::Real`.
@@ -108,6 +109,7 @@ fn definition(helper: &str) -> TokenStream {
             }
         },
         table_names::METHOD => table_names::helper(),
+        table_names::METHOD_OF_TWO => table_names::helper_of_two(),
         _ => quote! {
             /// `then` where `|x| < 1e-75`, else `otherwise`.
             fn if_zero(x: f64, then: f64, otherwise: f64) -> f64 {

@@ -4,7 +4,7 @@ use super::names::ident;
 use super::{helpers, table_names};
 use crate::functions::MathFunction;
 use crate::program::{Binary, Fused, Unary};
-use crate::table::Tables;
+use crate::table::{SurfaceFunction, Tables};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -78,6 +78,19 @@ impl Scalar {
             Fused::MulSub => product.infix(Binary::Sub, c),
             Fused::NegMulAdd => c.infix(Binary::Sub, product),
         }
+    }
+
+    /// Lookup of `a` and `b` in a table of two arguments.
+    pub fn lookup(self, function: SurfaceFunction, a: Expr, b: Expr, tables: &Tables) -> Expr {
+        let [x, y, cells] = table_names::of_two(tables, function);
+        let orders = function.orders().map(Literal::u8_unsuffixed);
+        let arguments = [
+            b,
+            Expr::atom(quote!([#(#orders),*])),
+            Expr::atom(quote!([&#x, &#y])),
+            Expr::atom(quote!(&#cells)),
+        ];
+        self.call(table_names::METHOD_OF_TWO, a, &arguments)
     }
 
     pub fn unary(self, unary: Unary, a: Expr, tables: &Tables) -> Expr {
@@ -195,7 +208,7 @@ impl Expr {
             Binary::Sub => (quote!(-), Binding::Sum, Binding::Product),
             Binary::Mul => (quote!(*), Binding::Product, Binding::Negation),
             Binary::Div => (quote!(/), Binding::Product, Binding::Negation),
-            Binary::Atan2 | Binary::Min | Binary::Max => {
+            Binary::Atan2 | Binary::Min | Binary::Max | Binary::Table(_) => {
                 unreachable!("a function, not an operator")
             }
         };

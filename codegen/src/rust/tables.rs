@@ -3,12 +3,12 @@
 use super::function::HEADER;
 use super::print;
 use super::scalar::Scalar;
-use super::table_names::{names, used_by};
+use super::table_names::{names, of_two, surfaces_of, used_by};
 use crate::compile::Compiled;
-use crate::table::{PiecewiseCubic, TableFunction, Tables};
+use crate::table::{PiecewiseCubic, SurfaceFunction, TableFunction, TableId, Tables};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Text of the source file with the tables of a model in the crate `generated`; `None` if the model uses no tables.
 pub(super) fn file(compiled: &Compiled) -> Option<String> {
@@ -20,10 +20,12 @@ pub(super) fn file(compiled: &Compiled) -> Option<String> {
 pub(super) fn items(compiled: &Compiled, visibility: &TokenStream) -> TokenStream {
     let mut items = TokenStream::new();
     let functions = compiled.functions();
-    let Some(with_tables) = functions.iter().find(|f| !used_by(f).is_empty()) else {
-        return items;
-    };
-    let tables = &with_tables.program.tables;
+    let tables = &compiled.f.program.tables;
+    let surfaces = functions.iter().flat_map(|f| surfaces_of(f));
+    let surfaces: BTreeMap<TableId, SurfaceFunction> = surfaces.collect();
+    for function in surfaces.into_values() {
+        items.extend(of_surface(tables, function, visibility));
+    }
     let used: BTreeSet<TableFunction> = functions.into_iter().flat_map(used_by).collect();
     let mut table = None;
     for function in used {
@@ -44,12 +46,13 @@ fn knots(tables: &Tables, function: TableFunction, visibility: &TokenStream) -> 
     let table = tables.table(function.table());
     let [name, _] = names(tables, function);
     let knots = table.cubic(0).knots();
+    let (argument, unit) = &table.arguments[0];
     let mut doc = format!(
-        "Table `{}`, arguments `{}` of its knots",
-        table.name, table.argument
+        "Table `{}`, arguments `{argument}` of its knots",
+        table.name
     );
-    if table.unit_texts[0] != "1" {
-        doc.push_str(&format!(" in {}", table.unit_texts[0]));
+    if unit != "1" {
+        doc.push_str(&format!(" in {unit}"));
     }
     doc.push('.');
     if !table.doc.is_empty() {
@@ -82,6 +85,33 @@ fn cubics(tables: &Tables, function: TableFunction, visibility: &TokenStream) ->
     let len = Literal::usize_unsuffixed(cubic.cubics().len());
     let rows = cubic.cubics().iter().map(|row| numbers(row));
     quote!(#fill #doc #attributes #visibility const #name: [[f64; 4]; #len] = [#(#rows),*];)
+}
+
+/// Constants of a table of two arguments: knots of each, and cells.
+fn of_surface(tables: &Tables, function: SurfaceFunction, visibility: &TokenStream) -> TokenStream {
+    let table = tables.table(function.table());
+    let bicubic = table.bicubic();
+    let [x, y, cells] = of_two(tables, function);
+    let (fill, attributes) = (print::fill(), attributes());
+    let of_argument = |k: usize, name| {
+        let (argument, unit) = &table.arguments[k];
+        let doc = print::doc(&format!(
+            "Table `{}`, knots of the argument `{argument}` in {unit}.",
+            table.name
+        ));
+        let knots = bicubic.knots()[k];
+        let (len, knots) = (Literal::usize_unsuffixed(knots.len()), numbers(knots));
+        quote!(#fill #doc #attributes #visibility const #name: [f64; #len] = #knots;)
+    };
+    let (x, y) = (of_argument(0, x), of_argument(1, y));
+    let mut doc = format!("Table `{}`: coefficients of its cells.", table.name);
+    if !table.doc.is_empty() {
+        doc.push_str(&format!("\n\n{}", table.doc));
+    }
+    let doc = print::doc(&doc);
+    let len = Literal::usize_unsuffixed(bicubic.cells().len());
+    let rows = bicubic.cells().iter().map(|row| numbers(row));
+    quote!(#x #y #fill #doc #attributes #visibility const #cells: [[f64; 16]; #len] = [#(#rows),*];)
 }
 
 fn numbers(values: &[f64]) -> TokenStream {

@@ -79,7 +79,7 @@ pub(super) fn latency(op: &Op) -> u32 {
     use crate::program::Unary;
     match op {
         Op::Binary(Binary::Div, ..) => 14,
-        Op::Binary(Binary::Atan2, ..) => 50,
+        Op::Binary(Binary::Atan2 | Binary::Table(_), ..) => 50,
         Op::Binary(..) | Op::Fused(..) | Op::IfZero(..) => 4,
         Op::Unary(unary, _) => match unary {
             Unary::Neg => 1,

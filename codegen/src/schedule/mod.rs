@@ -64,7 +64,7 @@ fn takes_long(def: &SsaDef) -> bool {
     matches!(
         def,
         SsaDef::Call(..)
-            | SsaDef::Call2(BinaryFunction::Atan2, ..)
+            | SsaDef::Call2(BinaryFunction::Atan2 | BinaryFunction::Table(_), ..)
             | SsaDef::Root(_)
             | SsaDef::Recip(_)
     )

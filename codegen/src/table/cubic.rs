@@ -18,10 +18,20 @@ impl PiecewiseCubic {
 
     /// Interpolates a table by its interpolation rule and continues it beyond the end knots by its continuation rule.
     pub fn of(table: &Table) -> PiecewiseCubic {
-        let is_flat = table.continuation == Continuation::Constant;
-        match table.interpolation {
-            Interpolation::Spline => spline(&table.knots, is_flat),
-            Interpolation::Monotone => monotone(&table.knots, is_flat),
+        Self::through(&table.points(), table.interpolation, table.continuation)
+    }
+
+    /// Interpolates at least two knots (argument, value) with increasing arguments.
+    pub fn through(
+        knots: &[(f64, f64)],
+        interpolation: Interpolation,
+        continuation: Continuation,
+    ) -> PiecewiseCubic {
+        let is_flat = continuation == Continuation::Constant;
+        match interpolation {
+            Interpolation::Spline => spline(knots, is_flat),
+            Interpolation::Monotone => monotone(knots, is_flat),
+            Interpolation::Linear => lines(knots, is_flat),
         }
     }
 
@@ -32,13 +42,7 @@ impl PiecewiseCubic {
 
     /// Straight lines between at least two knots (argument, value) with increasing arguments.
     pub fn linear(knots: &[(f64, f64)]) -> PiecewiseCubic {
-        let slopes = knots.windows(2).map(|pair| {
-            let [(x, a), (y, b)] = [pair[0], pair[1]];
-            [a, (b - a) / (y - x), 0.0, 0.0]
-        });
-        let pieces: Vec<_> = slopes.collect();
-        let last = pieces[pieces.len() - 1][1];
-        continued(knots, pieces, last, false)
+        lines(knots, false)
     }
 
     /// The value of each of at least one knot (argument, value), from its argument up to the next one.
@@ -81,6 +85,17 @@ impl PiecewiseCubic {
     pub fn eval<T: Real>(&self, x: T) -> T {
         x.piecewise_cubic(&self.knots, &self.cubics)
     }
+}
+
+/// Straight lines between the knots.
+fn lines(knots: &[(f64, f64)], is_flat: bool) -> PiecewiseCubic {
+    let slopes = knots.windows(2).map(|pair| {
+        let [(x, a), (y, b)] = [pair[0], pair[1]];
+        [a, (b - a) / (y - x), 0.0, 0.0]
+    });
+    let pieces: Vec<_> = slopes.collect();
+    let last = pieces[pieces.len() - 1][1];
+    continued(knots, pieces, last, is_flat)
 }
 
 /// Cubic spline; at the ends the slope is 0 if `is_flat`, else the second derivative is.
@@ -140,6 +155,9 @@ fn monotone(knots: &[(f64, f64)], is_flat: bool) -> PiecewiseCubic {
     let width = |k: usize| knots[k + 1].0 - knots[k].0;
     let mean = |k: usize| (knots[k + 1].1 - knots[k].1) / width(k);
     let end = |at: usize, next: usize| {
+        if n == 2 {
+            return if is_flat { 0.0 } else { mean(0) };
+        }
         let (h, s, t) = (width(at), mean(at), mean(next));
         let sum = h + width(next);
         let slope = ((h + sum) * s - h * t) / sum;
@@ -153,7 +171,7 @@ fn monotone(knots: &[(f64, f64)], is_flat: bool) -> PiecewiseCubic {
     };
     let slope = |k: usize| match k {
         0 => end(0, 1),
-        _ if k == n - 1 => end(n - 2, n - 3),
+        _ if k == n - 1 => end(n - 2, n.saturating_sub(3)),
         _ if mean(k - 1) * mean(k) <= 0.0 => 0.0,
         _ => {
             let (before, behind) = (width(k - 1), width(k));

@@ -155,14 +155,14 @@ impl ScalarKernel for Zoo<'_> {
 }
 
 mod zoo_sizes {
-    pub const PREPARED: usize = 13;
+    pub const PREPARED: usize = 14;
     pub const J: usize = 8;
     pub const JP: usize = 7;
 }
 
-struct EveryLane<'a> {
-    compiled: &'a Compiled,
-    points: &'a [(Vec<f64>, Vec<f64>)],
+pub(crate) struct EveryLane<'a> {
+    pub(crate) compiled: &'a Compiled,
+    pub(crate) points: &'a [(Vec<f64>, Vec<f64>)],
 }
 
 impl Kernel for EveryLane<'_> {

@@ -134,7 +134,7 @@ fn compare(
     }
 }
 
-fn check(compiled: &Compiled, x: &[f64], p: &[f64]) {
+pub(crate) fn check(compiled: &Compiled, x: &[f64], p: &[f64]) {
     let marker = [0.1, -0.03, 0.02];
     let at = Point {
         t: 0.3,

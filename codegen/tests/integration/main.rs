@@ -7,5 +7,6 @@ mod derivatives;
 mod expansion;
 mod functions;
 mod ir;
+mod lookups;
 mod simplify;
 mod support;

@@ -166,8 +166,16 @@ impl<'m> Reader<'m> {
         e.children(&mut |child| self.collect(child, arguments));
         let (argument, knots) = match &e.kind {
             ExprKind::Call(Function::Table(index), a) => {
-                let knots = self.model.tables[*index].knots.iter();
-                (self.read(a), knots.map(|(argument, _)| *argument).collect())
+                let knots = &self.model.tables[*index].arguments[0].knots;
+                (self.read(a), knots.clone())
+            }
+            ExprKind::Lookup(index, a, b) => {
+                let of_arguments = self.model.tables[*index].arguments.iter();
+                for (argument, of_argument) in [a, b].into_iter().zip(of_arguments) {
+                    let read = self.read(argument).filter(InTime::has_time);
+                    arguments.extend(read.map(|read| (read, of_argument.knots.clone())));
+                }
+                return;
             }
             ExprKind::Call(Function::Step | Function::Sign | Function::Abs, a) => {
                 (self.read(a), vec![0.0])

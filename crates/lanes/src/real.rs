@@ -125,6 +125,20 @@ pub trait Real:
     /// # Panics
     /// If `knots` is empty, or `cubics` does not have exactly one element more than `knots`.
     fn piecewise_cubic(self, knots: &[f64], cubics: &[[f64; 4]]) -> Self;
+    /// Piecewise bicubic function of `self` and `y`, or its partial derivative of the given `orders`, each at most 3.
+    /// Each argument has knots and one interval more, as in [`piecewise_cubic`](Real::piecewise_cubic); `cells` lists
+    /// the intervals of `y` for the first interval of `self`, then for the second one, and so on. A cell is given by
+    /// the coefficients of h^a k^b at index 4 a + b, h and k being the distances from the knots at its lower ends.
+    ///
+    /// # Panics
+    /// If the knots of an argument are empty, an order exceeds 3, or the number of `cells` is not that of the intervals.
+    fn piecewise_bicubic(
+        self,
+        y: Self,
+        orders: [usize; 2],
+        knots: [&[f64]; 2],
+        cells: &[[f64; 16]],
+    ) -> Self;
 }
 
 /// [`Real`] numbers with a fixed number of lanes, loaded from and stored to slices of `f64`.
@@ -262,6 +276,16 @@ impl<T: Primitive> Real for T {
     #[inline(always)]
     fn piecewise_cubic(self, knots: &[f64], cubics: &[[f64; 4]]) -> Self {
         piecewise::piecewise_cubic(self, knots, cubics)
+    }
+    #[inline(always)]
+    fn piecewise_bicubic(
+        self,
+        y: Self,
+        orders: [usize; 2],
+        knots: [&[f64]; 2],
+        cells: &[[f64; 16]],
+    ) -> Self {
+        piecewise::piecewise_bicubic([self, y], orders, knots, cells)
     }
 }
 

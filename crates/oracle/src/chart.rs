@@ -308,7 +308,9 @@ pub(crate) fn defaults(model: &Model) -> Vec<f64> {
 fn chain(model: &Model, frame: usize) -> Vec<usize> {
     match model.frames[frame].kind {
         FrameKind::Inertial => vec![frame],
-        FrameKind::Turned { parent, .. } | FrameKind::Quaternion { parent, .. } => {
+        FrameKind::Turned { parent, .. }
+        | FrameKind::Fixed { parent, .. }
+        | FrameKind::Quaternion { parent, .. } => {
             let mut frames = chain(model, parent);
             frames.push(frame);
             frames

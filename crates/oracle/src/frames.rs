@@ -1,8 +1,9 @@
 //! Frames of a model at a state: axes and angular velocities in inertial components.
 
 use crate::attitude::{Quaternion, unit};
+use crate::point::Point;
 use crate::scalar::{Field, Real};
-use model_spec::model::{FrameKind, Model};
+use model_spec::model::{ConstantAngle, FrameKind, Model};
 use nalgebra::{Matrix3, Vector3};
 
 /// Axes and angular velocity of a coordinate frame at one instant.
@@ -26,7 +27,8 @@ pub struct ElementaryRotation<T> {
 }
 
 /// Computes the axes and angular velocities of all frames of a model.
-pub fn place_frames<T: Real>(model: &Model, states: &[T]) -> Vec<PlacedFrame<T>> {
+pub fn place_frames<T: Real>(model: &Model, point: &Point<T>) -> Vec<PlacedFrame<T>> {
+    let states = &point.states;
     let mut placed: Vec<PlacedFrame<T>> = Vec::with_capacity(model.frames.len());
     for (index, frame) in model.frames.iter().enumerate() {
         placed.push(match frame.kind {
@@ -47,6 +49,22 @@ pub fn place_frames<T: Real>(model: &Model, states: &[T]) -> Vec<PlacedFrame<T>>
                     axes: parent.axes * rotated(axis, s, c),
                     angular_velocity: rates
                         .map(|(w, rate)| w + parent.axes * unit::<T>(axis) * states[rate]),
+                }
+            }
+            FrameKind::Fixed {
+                parent,
+                angle,
+                axis,
+            } => {
+                let angle = match angle {
+                    ConstantAngle::Number(angle) => T::lit(angle),
+                    ConstantAngle::Param(index) => point.params[index],
+                    ConstantAngle::Coefficient(index) => point.coefficients[index],
+                };
+                let parent = placed[parent];
+                PlacedFrame {
+                    axes: parent.axes * rotated(axis, angle.sin(), angle.cos()),
+                    ..parent
                 }
             }
             FrameKind::Quaternion { parent, states: q } => {
@@ -82,6 +100,7 @@ pub fn elementary_rotations<T: Field>(
     match model.frames[frame].kind {
         FrameKind::Inertial => Some(Vec::new()),
         FrameKind::Quaternion { .. } => None,
+        FrameKind::Fixed { parent, .. } => elementary_rotations(model, placed, parent),
         FrameKind::Turned {
             parent, rate, axis, ..
         } => {

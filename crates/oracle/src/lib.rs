@@ -41,5 +41,5 @@ pub use frames::PlacedFrame;
 pub use physical::{Load, MassProperties, Motion, Physical, inertia_in_n, solve};
 pub use point::Point;
 pub use reference::{Law, Reference, Stream};
-pub use scalar::Interpolant;
+pub use scalar::{Interpolant, Surface};
 pub use tree::{Tree, Value};

@@ -6,9 +6,9 @@
 use crate::frames::{PlacedFrame, place_frames};
 use crate::physical::{angular_acceleration, inertia_in_n};
 use crate::point::Point;
-use crate::scalar::{Interpolant, Real, call};
+use crate::scalar::{Interpolant, Real, Surface, call};
 use model_spec::layout::depends_on_accelerations;
-use model_spec::model::{Body, Expr, ExprKind, Function, Load, Model, Rotation, Shape};
+use model_spec::model::{Body, Expr, ExprKind, Function, Load, Model, Rotation, Shape, Table};
 use nalgebra::{Matrix3, Vector3};
 
 /// Value of an expression: scalar or vector.
@@ -31,7 +31,22 @@ pub struct Tree<'a, T> {
     pub frames: Vec<PlacedFrame<T>>,
     /// Values of the model's auxiliary variables at the point, in the order of the model.
     pub aux_variables: Vec<Value<T>>,
-    tables: Vec<Interpolant>,
+    tables: Vec<Lookup>,
+}
+
+/// Interpolated table of a model.
+enum Lookup {
+    One(Interpolant),
+    Two(Surface),
+}
+
+impl Lookup {
+    fn new(table: &Table) -> Lookup {
+        match table.arguments.len() {
+            1 => Lookup::One(Interpolant::new(table)),
+            _ => Lookup::Two(Surface::new(table)),
+        }
+    }
 }
 
 impl<'a, T: Real> Tree<'a, T> {
@@ -43,13 +58,13 @@ impl<'a, T: Real> Tree<'a, T> {
     /// Evaluates a model at a point; auxiliary variables listed in `given` have the values stated there, as pairs
     /// (index of the auxiliary variable, value), instead of those computed from their definitions.
     pub fn overriding(model: &'a Model, point: &'a Point<T>, given: &[(usize, Value<T>)]) -> Self {
-        let frames = place_frames(model, &point.states);
+        let frames = place_frames(model, point);
         let mut tree = Self {
             model,
             point,
             frames,
             aux_variables: Vec::with_capacity(model.aux_variables.len()),
-            tables: model.tables.iter().map(Interpolant::new).collect(),
+            tables: model.tables.iter().map(Lookup::new).collect(),
         };
         let of_motion = depends_on_accelerations(model);
         for (index, named) in model.aux_variables.iter().enumerate() {
@@ -247,9 +262,17 @@ impl<'a, T: Real> Tree<'a, T> {
                 )
             }
             K::Reexpress(a) => self.value(a),
-            K::Call(Function::Table(index), a) => {
-                Scalar(self.scalar(a).interpolated(&self.tables[*index], 0))
-            }
+            K::Call(Function::Table(index), a) => match &self.tables[*index] {
+                Lookup::One(curve) => Scalar(self.scalar(a).interpolated(curve, 0)),
+                Lookup::Two(_) => panic!("a table of one argument, by the checker"),
+            },
+            K::Lookup(index, a, b) => match &self.tables[*index] {
+                Lookup::One(_) => panic!("a table of two arguments, by the checker"),
+                Lookup::Two(surface) => {
+                    let (a, b) = (self.scalar(a), self.scalar(b));
+                    Scalar(a.on_surface(b, surface, [0, 0]))
+                }
+            },
             K::Call(function, a) => Scalar(call(*function, self.scalar(a))),
             K::Atan2(y, x) => Scalar(self.scalar(y).atan2(self.scalar(x))),
             K::Min(a, b) => {

@@ -3,7 +3,7 @@
 use codegen::Compiled;
 use codegen::functions::MathFunction;
 use codegen::program::{Binary, Function, Fused, Op, Operand, Program, Unary};
-use codegen::table::Tables;
+use codegen::table::{SurfaceFunction, Tables};
 use codegen::tape;
 use num_traits::Zero;
 use oracle::Point;
@@ -71,6 +71,18 @@ pub trait Arithmetic: Real {
                 self.elementary(function.expect("a function of the oracle"))
             }
         }
+    }
+
+    /// Value of a table of two arguments at (`self`, `other`), or of its derivative.
+    fn looked_up(self, other: Self, function: SurfaceFunction, tables: &Tables) -> Self {
+        let bicubic = tables.table(function.table()).bicubic();
+        let bicubic = bicubic.derivative(function.orders());
+        let ([x, y], cell) = bicubic.piece([self.re(), other.re()]);
+        let (h, k) = (self - Self::lit(x), other - Self::lit(y));
+        cell.rchunks(4).fold(Self::zero(), |value, row| {
+            let powers = row.iter().rev();
+            value * h + powers.fold(Self::zero(), |value, &c| value * k + Self::lit(c))
+        })
     }
 
     fn least(self, other: Self) -> Self {
@@ -150,6 +162,7 @@ fn step<T: Arithmetic>(tables: &Tables, op: Op, value: impl Fn(Operand) -> T) ->
                 Binary::Mul => a * b,
                 Binary::Div => a / b,
                 Binary::Atan2 => a.atan2(b),
+                Binary::Table(function) => a.looked_up(b, function, tables),
                 Binary::Min => a.least(b),
                 Binary::Max => a.greatest(b),
             }

@@ -88,6 +88,13 @@ pub fn table(fingerprint: u64, order: u8, a: Prime) -> Prime {
     symbol(0x100 + u64::from(order), &[Prime::new(fingerprint), a])
 }
 
+/// Symbol of a table of two arguments, or of its partial derivative of the given orders, at `arguments`.
+pub fn surface(fingerprint: u64, orders: [u8; 2], [a, b]: [Prime; 2]) -> Prime {
+    let [first, second] = orders.map(u64::from);
+    let tag = 0x200 + 0x10 * first + second;
+    symbol(tag, &[Prime::new(fingerprint), a, b])
+}
+
 /// Element for a numeric literal: the rational number that rounds to it, or a rational multiple of the symbol of π, or
 /// a symbol of its bits.
 pub fn literal(c: f64) -> Prime {

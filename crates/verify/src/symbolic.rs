@@ -8,10 +8,10 @@ use crate::evaluation::{self, Arithmetic, Inputs};
 use crate::field::{self, Angle, FieldPoint};
 use codegen::functions::MathFunction;
 use codegen::program::Program;
-use codegen::table::Tables;
+use codegen::table::{SurfaceFunction, Tables};
 use num_traits::{One, Zero};
 use oracle::scalar::{Elementary, Field, Prime, Real};
-use oracle::{Interpolant, Point};
+use oracle::{Interpolant, Point, Surface};
 use std::cell::RefCell;
 
 /// An element of the prime field, with the functions of the model language; `None` for a value that does not exist in
@@ -156,6 +156,12 @@ impl Real for Symbolic {
         self.map(|a| symbol(|| field::table(table.fingerprint, order, a)))
     }
 
+    fn on_surface(self, other: Self, table: &Surface, orders: [u8; 2]) -> Self {
+        self.with(other, |a, b| {
+            symbol(|| field::surface(table.fingerprint, orders, [a, b]))
+        })
+    }
+
     fn atan2(self, x: Self) -> Self {
         self.with(x, polar)
     }
@@ -180,6 +186,13 @@ impl Arithmetic for Symbolic {
             }
             _ => self.map(|a| symbol(|| field::call(function, a))),
         }
+    }
+
+    fn looked_up(self, other: Self, function: SurfaceFunction, tables: &Tables) -> Self {
+        let of = tables.table(function.table()).fingerprint;
+        self.with(other, |a, b| {
+            symbol(|| field::surface(of, function.orders(), [a, b]))
+        })
     }
 
     fn least(self, other: Self) -> Self {

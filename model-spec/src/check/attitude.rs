@@ -44,6 +44,7 @@ impl Checker<'_> {
         };
         for &step in &chain[..steps] {
             let about = match self.model.frames[step].kind {
+                FrameKind::Fixed { .. } => continue,
                 FrameKind::Turned { axis, .. } if is_symmetric(inertia, axis) => continue,
                 FrameKind::Turned { axis, .. } => format!(
                     "the body turns in it about axis {axis}, about which these moments are not symmetric"
@@ -72,7 +73,20 @@ impl Checker<'_> {
         let (body_frame, angular) = (rotation.body_frame, rotation.angular_velocity);
         let chain = self.chain(body_frame);
         let name = |i: usize| self.model.frames[i].name.clone();
-        if let Some(loose) = (1..self.model.frames.len()).find(|i| !chain.contains(i)) {
+        let is_fixed = |i: &usize| matches!(self.model.frames[*i].kind, FrameKind::Fixed { .. });
+        if let Some(&fixed) = chain.iter().rev().find(|i| is_fixed(i)) {
+            let message = format!(
+                "the frame {} is turned by a constant and cannot lie between {} and the body's frame {}",
+                name(fixed),
+                name(0),
+                name(body_frame)
+            );
+            let place = self.model.frames[fixed].span;
+            self.report(Diagnostic::new(Kind::Frame, place, message));
+            return;
+        }
+        let mut frames = 1..self.model.frames.len();
+        if let Some(loose) = frames.find(|i| !chain.contains(i) && !is_fixed(i)) {
             let message = format!(
                 "nothing determines how the frame {} moves: it does not lie between {} and the body's frame {}",
                 name(loose),

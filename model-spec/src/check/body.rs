@@ -51,7 +51,7 @@ impl<'a> Checker<'a> {
             .collect();
         for frame in frames.iter().filter(|_| rigid) {
             match &frame.kind {
-                ast::FrameKind::Turned { angle, .. } => {
+                ast::FrameKind::Turned { angle, .. } if self.constant_angle(angle).is_none() => {
                     self.state(&angle.text, angle.span, Unit::RADIAN, 0.0);
                 }
                 ast::FrameKind::Quaternion { states, .. } => {
@@ -60,11 +60,13 @@ impl<'a> Checker<'a> {
                         self.state(&name.text, name.span, Unit::ONE, value);
                     }
                 }
-                ast::FrameKind::Inertial => {}
+                _ => {}
             }
         }
         for frame in frames.iter().filter(|_| rigid) {
-            if let ast::FrameKind::Turned { angle, .. } = &frame.kind {
+            if let ast::FrameKind::Turned { angle, .. } = &frame.kind
+                && self.constant_angle(angle).is_none()
+            {
                 self.state(&format!("{}dot", angle.text), angle.span, Unit::RATE, 0.0);
             }
         }
@@ -91,10 +93,17 @@ impl<'a> Checker<'a> {
             })
         } else {
             let moving = |f: &&&ast::Frame| {
+                let is_constant = match &f.kind {
+                    ast::FrameKind::Fixed { .. } => true,
+                    ast::FrameKind::Turned { angle, .. } => self.constant_angle(angle).is_some(),
+                    _ => false,
+                };
                 // Errors of the first frame and duplicate names have already been reported.
-                self.scope
-                    .frame(&f.name.text)
-                    .is_some_and(|i| i > 0 && self.model.frames[i].span == f.name.span)
+                !is_constant
+                    && self
+                        .scope
+                        .frame(&f.name.text)
+                        .is_some_and(|i| i > 0 && self.model.frames[i].span == f.name.span)
             };
             if let Some(frame) = frames.iter().find(moving) {
                 let message = format!(

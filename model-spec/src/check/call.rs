@@ -24,10 +24,10 @@ const ALIASES: [(&str, &str); 12] = [
 ];
 
 #[derive(Clone, Copy)]
-struct Call<'e> {
-    name: &'e ast::Name,
-    arguments: &'e [ast::Expr],
-    span: Span,
+pub(super) struct Call<'e> {
+    pub(super) name: &'e ast::Name,
+    pub(super) arguments: &'e [ast::Expr],
+    pub(super) span: Span,
 }
 
 impl Checker<'_> {
@@ -42,9 +42,7 @@ impl Checker<'_> {
             return self.of_scalar(function, call);
         }
         if let Some(table) = self.scope.table(function) {
-            let [argument] = self.arguments(call, "one number")?;
-            let argument = self.scalar(argument, &format!("the argument of `{function}`"))?;
-            return Some(self.call_of_table(table, argument, span));
+            return self.call_of_table(table, call);
         }
         if self.scope.has_function(function)
             && let Some(function) = self.declared_function(function)
@@ -81,7 +79,7 @@ impl Checker<'_> {
     }
 
     /// Arguments of a call, reported if their number is not `N`; `takes` describes those expected.
-    fn arguments<'e, const N: usize>(
+    pub fn arguments<'e, const N: usize>(
         &mut self,
         call: Call<'e>,
         takes: &str,

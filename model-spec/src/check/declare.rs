@@ -22,6 +22,7 @@ impl<'a> Checker<'a> {
                 ItemKind::Parameter(constant) => self.constant(constant, item),
                 ItemKind::Input(input) => self.input(input, item),
                 ItemKind::Table(table) => self.table(table, item),
+                ItemKind::Include(file) => self.not_read(file),
                 ItemKind::Function(function) => self.define_function(&function.name),
                 _ => {}
             }

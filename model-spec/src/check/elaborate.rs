@@ -220,6 +220,14 @@ impl Checker<'_> {
     fn real_power(&mut self, base: Typed, exponent: &ast::Expr, span: Span) -> Option<Typed> {
         let exponent = self.scalar(exponent, "an exponent")?;
         let power = self.text(span);
+        if let Some((above, below)) = exponent.expr.rational()
+            && let Some(term) = base.unit.factor()
+            && let Some(unit) = self.units.resolve(&term).unit().filter(|u| !u.is_pure())
+            && let Some(unit) = unit.checked_pow(above, below)
+        {
+            let kind = ExprKind::RealPower(Box::new(base.expr), Box::new(exponent.expr));
+            return Some(Typed::scalar(kind, span, UnitOf::of(unit)));
+        }
         let pure = |what: &str| format!("the {what} of `{power}` must be a pure number");
         self.must_be(&base, &Term::one(), &pure("base"));
         self.must_be(&exponent, &Term::one(), &pure("exponent"));

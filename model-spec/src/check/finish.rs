@@ -112,7 +112,10 @@ impl Tables {
         e.children_mut(&mut |child| self.assign(child));
         e.unit = match &e.kind {
             K::Number { .. } => e.unit,
-            K::Pi | K::Axis(..) | K::Direction(..) | K::RealPower(..) => Unit::ONE,
+            K::Pi | K::Axis(..) | K::Direction(..) => Unit::ONE,
+            K::RealPower(a, b) => { b.rational() }
+                .and_then(|(above, below)| a.unit.checked_pow(above, below))
+                .unwrap_or(Unit::ONE),
             K::Time => Unit::SECOND,
             K::Param(i) => self.params[*i],
             K::Coefficient(i) => self.coefficients[*i],
@@ -139,7 +142,7 @@ impl Tables {
             }
             K::Call(Function::Abs, a) => a.unit,
             K::Call(Function::Sqrt, a) => a.unit.checked_pow_half(1).unwrap_or_default(),
-            K::Call(Function::Table(i), _) => self.tables[*i],
+            K::Call(Function::Table(i), _) | K::Lookup(i, ..) => self.tables[*i],
             K::Call(..) => Unit::ONE,
         };
     }

@@ -2,10 +2,11 @@
 
 use super::Checker;
 use super::scope::Symbol;
+use super::term::Term;
 use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN};
-use crate::model::{self, FrameKind};
+use crate::model::{self, ConstantAngle, FrameKind};
 use crate::suggest;
-use crate::syntax::ast::{self, Name};
+use crate::syntax::ast::{self, Name, Quantity};
 
 const MAX_FRAMES: usize = 100;
 
@@ -41,6 +42,7 @@ impl<'a> Checker<'a> {
                     None
                 }
                 ast::FrameKind::Turned { parent, .. }
+                | ast::FrameKind::Fixed { parent, .. }
                 | ast::FrameKind::Quaternion { parent, .. } => Some(parent),
             };
             if index == 0 && parent.is_some() {
@@ -99,6 +101,11 @@ impl<'a> Checker<'a> {
                     angle,
                     axis,
                 } => self.turned(parent, angle, *axis),
+                ast::FrameKind::Fixed {
+                    parent,
+                    angle,
+                    axis,
+                } => self.fixed(parent, angle, *axis),
                 ast::FrameKind::Quaternion { parent, states } => self.by_quaternion(parent, states),
             };
             if let Some(kind) = kind {
@@ -107,8 +114,55 @@ impl<'a> Checker<'a> {
         }
     }
 
+    /// The constant or coefficient by which a frame is turned; `None` for a state.
+    pub fn constant_angle(&self, angle: &Name) -> Option<ConstantAngle> {
+        match self.scope.find(&angle.text)? {
+            Symbol::Param(index) => Some(ConstantAngle::Param(index)),
+            Symbol::Coefficient(index) => Some(ConstantAngle::Coefficient(index)),
+            _ => None,
+        }
+    }
+
+    fn fixed(&mut self, parent: &Name, angle: &Quantity, axis: u8) -> Option<FrameKind> {
+        let parent = self.scope.frame(&parent.text)?;
+        let measure = self.measure_or_one(angle.unit.as_ref())?;
+        if !measure.unit.is_pure() {
+            let message = format!(
+                "a frame is turned by an angle (rad) or a pure number, but {angle} is in {}",
+                measure.unit.explained()
+            );
+            return self.refuse(Diagnostic::new(Kind::Unit, angle.span, message));
+        }
+        Some(FrameKind::Fixed {
+            parent,
+            angle: ConstantAngle::Number(measure.of(&angle.number).0),
+            axis,
+        })
+    }
+
     fn turned(&mut self, parent: &Name, angle: &Name, axis: u8) -> Option<FrameKind> {
         let parent = self.scope.frame(&parent.text)?;
+        if let Some(constant) = self.constant_angle(angle) {
+            let term = match constant {
+                ConstantAngle::Param(index) if self.model.params[index].varies => {
+                    let message = format!(
+                        "`{}` turns a frame, but it may change during a flight",
+                        angle.text
+                    );
+                    let fault = Diagnostic::new(Kind::Value, angle.span, message);
+                    return self.refuse(fault.help("turn the frame by a state or a constant"));
+                }
+                ConstantAngle::Param(index) => self.params[index].clone(),
+                ConstantAngle::Coefficient(index) => self.coefficients[index].clone(),
+                ConstantAngle::Number(_) => Term::one(),
+            };
+            self.is_angle(angle, &term);
+            return Some(FrameKind::Fixed {
+                parent,
+                angle: constant,
+                axis,
+            });
+        }
         let state = self.frame_state(angle)?;
         let rate = match self.scope.find(&format!("{}dot", angle.text)) {
             Some(Symbol::State(rate)) => Some(rate),
@@ -140,19 +194,27 @@ impl<'a> Checker<'a> {
             }
             return None;
         };
-        if let Some(unit) = self.units.resolve(&self.states[index]).unit()
+        let term = self.states[index].clone();
+        self.is_angle(name, &term);
+        Some(index)
+    }
+
+    /// Reports a name that turns a frame if its unit is not that of an angle.
+    fn is_angle(&mut self, name: &Name, term: &Term) {
+        if let Some(unit) = self.units.resolve(term).unit()
             && !unit.is_pure()
         {
             let message = format!(
                 "`{}` turns a frame and must be an angle (rad) or a pure number, but it is {}",
                 name.text,
-                self.described(&self.states[index])
+                self.described(term)
             );
-            let declared = self.model.states[index].span;
-            let fault = Diagnostic::new(Kind::Unit, name.span, message);
-            self.report(fault.label(declared, format!("in {}", unit.explained())));
+            let mut fault = Diagnostic::new(Kind::Unit, name.span, message);
+            if let Some(declared) = self.scope.place(&name.text) {
+                fault = fault.label(declared, format!("in {}", unit.explained()));
+            }
+            self.report(fault);
         }
-        Some(index)
     }
 
     pub fn no_state(&mut self, name: &Name) {

@@ -157,10 +157,11 @@ impl Checker<'_> {
             fault = fault
                 .note(note)
                 .help(format!("to multiply, write `*` before `{symbol}`"));
-        } else if let Some(near) = symbol::suggest(symbol) {
-            fault = fault.help(format!("did you mean `{near}`?"));
         } else {
-            fault = fault.note(format!("units are made of {}", symbol::listed()));
+            let near = symbol::suggest(symbol);
+            fault = fault
+                .note(format!("units are made of {}", symbol::listed()))
+                .help_if(near.map(|near| format!("did you mean `{near}`?")));
         }
         self.report(fault);
     }

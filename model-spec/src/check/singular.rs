@@ -2,7 +2,7 @@
 
 use super::Checker;
 use crate::diagnostic::{Diagnostic, Kind, Span};
-use crate::model::{Expr, ExprKind, Function, Model};
+use crate::model::{Expr, ExprKind, Function, Interpolation, Model};
 
 /// A subexpression that is not differentiable at some point, with its defined behaviour there.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -113,6 +113,13 @@ impl<'m> Signs<'m> {
             K::Call(Function::Sqrt, _) => Sign::NotNegative,
             K::Call(Function::Abs, a) if self.of(a).never_zero() => Sign::Positive,
             K::Call(Function::Abs, _) => Sign::NotNegative,
+            K::Ratio(parts) => {
+                let signs = parts.each_ref().map(|part| self.of(part));
+                match signs.iter().all(|sign| sign.never_negative()) {
+                    true => Sign::NotNegative,
+                    false => Sign::Unknown,
+                }
+            }
             K::Max(a, b) => match (self.of(a), self.of(b)) {
                 (Sign::Positive, _) | (_, Sign::Positive) => Sign::Positive,
                 (a, b) if a.never_negative() || b.never_negative() => Sign::NotNegative,
@@ -403,6 +410,14 @@ pub fn singular_points(model: &Model) -> Vec<SingularPoint> {
                 K::Call(Function::Abs, a) => format!("derivative 0 where `{}` is 0", text(a)),
                 K::Call(Function::Sign | Function::Step, a) => {
                     format!("jumps, with derivative 0, where `{}` passes 0", text(a))
+                }
+                K::Call(Function::Table(index), _) | K::Lookup(index, ..)
+                    if model.tables[*index].interpolation == Interpolation::Linear =>
+                {
+                    format!(
+                        "a kink at each knot of the table `{}`",
+                        model.tables[*index].name
+                    )
                 }
                 K::Min(a, b) | K::Max(a, b) => {
                     format!("a kink where `{}` equals `{}`", text(a), text(b))

@@ -133,7 +133,7 @@ impl Sizes {
                 let factors = a.factors.max(b.factors).max(c.factors).max(1);
                 (0, Size { terms, factors })
             }
-            K::Atan2(..) | K::Min(..) | K::Max(..) | K::Call(..) => (1, ATOM),
+            K::Atan2(..) | K::Min(..) | K::Max(..) | K::Call(..) | K::Lookup(..) => (1, ATOM),
             _ => (0, ATOM),
         };
         self.count(operations);

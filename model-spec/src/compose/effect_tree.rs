@@ -1,12 +1,12 @@
 //! An effect as a syntax tree, which is parsed from text or built from parts.
 
 use crate::diagnostic::{Diagnostic, Kind, Source};
+use crate::files::{self, Complete};
 use crate::location::Span;
 use crate::read::EFFECTS;
 use crate::read::LoadError;
 use crate::read::read;
 use crate::syntax::ast::{Effect, EffectPart, Item, ItemKind, Need};
-use crate::syntax::{self, Parsed};
 use std::fmt;
 use std::path::Path;
 use std::sync::LazyLock;
@@ -16,13 +16,17 @@ use std::sync::LazyLock;
 pub struct EffectTree {
     tree: Effect,
     /// Source text that the tree's spans refer to; `None` for an effect declared in a model's file.
-    source: Option<Source>,
+    /// Its text, then the files that it names; empty for an effect of a model file.
+    sources: Vec<Source>,
 }
 
 impl EffectTree {
     /// Creates the effect from the syntax tree of an effect declared in a model file; it has no separate source text.
     pub(super) fn of_model(tree: Effect) -> EffectTree {
-        EffectTree { tree, source: None }
+        EffectTree {
+            tree,
+            sources: Vec::new(),
+        }
     }
 
     /// Builds an effect from a syntax tree; its source text is the printed tree.
@@ -45,7 +49,7 @@ impl EffectTree {
         };
         EffectTree {
             tree,
-            source: Some(source),
+            sources: vec![source],
         }
     }
 
@@ -94,11 +98,11 @@ impl EffectTree {
     /// # Errors
     /// [`LoadError::Faults`] if the text has syntax errors or contains no such effect.
     pub fn parse(name: &str, text: &str) -> Result<EffectTree, LoadError> {
-        let Parsed {
+        let Complete {
             file,
-            source,
+            sources,
             mut diagnostics,
-        } = syntax::parse(name, text);
+        } = files::parse(name, text, 0);
         let is_check = |item: &&Item| matches!(item.kind, ItemKind::Check(_));
         let (checks, others): (Vec<&Item>, Vec<&Item>) = file.items.iter().partition(is_check);
         if let Some(case) = checks.first()
@@ -119,13 +123,10 @@ impl EffectTree {
             diagnostics.push(fault.help("write `effect NAME { … }`"));
         }
         match effects.into_iter().next() {
-            Some(tree) if diagnostics.is_empty() => Ok(EffectTree {
-                tree,
-                source: Some(source),
-            }),
+            Some(tree) if diagnostics.is_empty() => Ok(EffectTree { tree, sources }),
             _ => Err(LoadError::Faults {
                 diagnostics,
-                sources: vec![source],
+                sources,
             }),
         }
     }
@@ -162,7 +163,7 @@ impl EffectTree {
 
     /// Source text of a span; empty for an effect of a model file.
     pub(crate) fn text(&self, span: Span) -> &str {
-        let source = self.source.as_ref();
+        let source = self.sources.first();
         source
             .and_then(|source| source.text.get(span.range()))
             .unwrap_or_default()
@@ -170,16 +171,16 @@ impl EffectTree {
 
     /// The tree with spans that refer to `sources`, to which its text is added.
     pub(super) fn in_sources(&self, sources: &mut Vec<Source>) -> Effect {
-        let Some(own) = &self.source else {
+        let Some(own) = self.sources.first() else {
             return self.tree.clone();
         };
         let place = sources.iter().position(|source| source == own);
         let place = place.unwrap_or_else(|| {
-            sources.push(own.clone());
-            sources.len() - 1
+            sources.extend(self.sources.iter().cloned());
+            sources.len() - self.sources.len()
         });
         let place = u16::try_from(place).unwrap_or(u16::MAX);
-        let file = syntax::parse_as(&own.name, &own.text, place).file;
+        let file = files::parse(&own.name, &own.text, place).file;
         let effect = file
             .effects()
             .find(|own| own.name.text == self.name())

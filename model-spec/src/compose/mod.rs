@@ -33,11 +33,11 @@ mod values;
 use crate::check::{self, Checked};
 use crate::diagnostic::{self, Diagnostic, Kind, Source};
 use crate::effect;
+use crate::files::{self, Complete};
 use crate::model::Model;
 use crate::read::LoadError;
 use crate::read::{BODIES, MODELS, REFUTED, find, read};
 use crate::syntax::ast::{File, ItemKind};
-use crate::syntax::{self, Parsed};
 pub use effect_tree::{EffectTree, Instrument};
 pub use known::{KnownEffect, Origin, Refused, known_effects};
 use std::collections::HashSet;
@@ -62,7 +62,8 @@ impl ModelTree {
         ModelTree::parse(&name, &text)
     }
 
-    /// Parses the text of a model; messages refer to the text as `name`.
+    /// Parses the text of a model; messages refer to the text as `name`. The files that the text names are read if
+    /// `name` is the path of a file, beside it.
     ///
     /// # Errors
     /// [`LoadError::Faults`] with all syntax errors.
@@ -85,14 +86,14 @@ impl ModelTree {
 
     /// Parses a model. Returns the tree without the statements that have syntax errors, and the errors.
     pub(crate) fn parse_with_faults(name: &str, text: &str) -> (ModelTree, Vec<Diagnostic>) {
-        let Parsed {
+        let Complete {
             file,
-            source,
+            sources,
             diagnostics,
-        } = syntax::parse(name, text);
+        } = files::parse(name, text, 0);
         let tree = ModelTree {
             file: Arc::new(file),
-            sources: vec![source],
+            sources,
         };
         (tree, diagnostics)
     }

@@ -137,31 +137,34 @@ pub struct EffectUnknown {
     pub smallest_effect_of_interest: Option<f64>,
 }
 
-/// A function of one scalar that is specified by its values at knots. The function and its first derivative are
-/// continuous.
+/// A function of one or two scalars that is specified by its values at knots. The function and its first derivatives
+/// are continuous, except with [`Interpolation::Linear`].
 ///
 /// With [`Interpolation::Spline`], the second derivative is continuous between the first and the last knot. With linear
 /// continuation it is zero at both end knots (natural cubic spline), so it is continuous everywhere. With constant
 /// continuation the slope is zero at both end knots (clamped cubic spline). With [`Interpolation::Monotone`], the slope
 /// at an inner knot is the weighted harmonic mean of the slopes of the two adjacent chords (Fritsch and Butland 1984),
 /// with weights from the chords' widths. The slopes at the end knots are one-sided three-point estimates limited to
-/// preserve the shape, or zero with constant continuation.
+/// preserve the shape, or zero with constant continuation. Two knots are joined by a straight line, with constant
+/// continuation by a cubic.
+///
+/// A table of two arguments is the tensor product: what the function of one argument is along the first argument for
+/// the values at each knot of the second is so along the second argument.
 #[derive(Clone, Debug)]
 pub struct Table {
     /// Name by which expressions call the table.
     pub name: String,
     /// Documentation: the `///` lines before the declaration.
     pub doc: String,
-    /// Name of the argument, which serves only as documentation.
-    pub argument: String,
-    /// Unit of the argument.
-    pub argument_unit: Unit,
+    /// One or two arguments, with their knots.
+    pub arguments: Vec<TableArgument>,
     /// Unit of the value.
     pub unit: Unit,
-    /// Texts of the SI units of the argument and of the value, in this order.
-    pub unit_texts: [String; 2],
-    /// Pairs of argument and value at the knots, SI: at least 3 pairs, arguments strictly increasing, all finite.
-    pub knots: Vec<(f64, f64)>,
+    /// Text of the SI unit of the value.
+    pub unit_text: String,
+    /// Values at the knots, SI; of two arguments at all knots of the second for the first knot of the first, then for
+    /// its second one, and so on.
+    pub values: Vec<f64>,
     /// Method of interpolation between the knots.
     pub interpolation: Interpolation,
     /// Method of extrapolation below the first and above the last knot.
@@ -172,14 +175,32 @@ pub struct Table {
     pub effect: Option<usize>,
 }
 
+/// An argument of a [`Table`].
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TableArgument {
+    /// Name of the argument, which serves only as documentation.
+    pub name: String,
+    /// Unit of the argument.
+    pub unit: Unit,
+    /// Text of the SI unit of the argument.
+    pub unit_text: String,
+    /// Knots, SI: at least 2, strictly increasing, all finite.
+    pub knots: Vec<f64>,
+}
+
 impl Table {
+    /// Knots of the first argument, each with its value, of a table of one argument.
+    pub fn points(&self) -> Vec<(f64, f64)> {
+        let knots = self.arguments[0].knots.iter().copied();
+        knots.zip(self.values.iter().copied()).collect()
+    }
+
     /// 64-bit FNV-1a hash of the curve: equal for tables with the same knots (SI), interpolation and continuation.
     pub fn fingerprint(&self) -> u64 {
         let ways = [self.interpolation as u64, self.continuation as u64];
-        let numbers = self
-            .knots
-            .iter()
-            .flat_map(|(x, y)| [x.to_bits(), y.to_bits()]);
+        let arguments = self.arguments.iter();
+        let knots = arguments.flat_map(|own| own.knots.iter().chain([&f64::INFINITY]));
+        let numbers = knots.chain(&self.values).map(|number| number.to_bits());
         let bytes = ways.into_iter().chain(numbers).flat_map(u64::to_le_bytes);
         fingerprint(&bytes.collect::<Vec<u8>>())
     }

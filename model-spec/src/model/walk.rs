@@ -38,6 +38,7 @@ macro_rules! visit_children {
             | K::RealPower(a, b)
             | K::Dot(a, b)
             | K::Cross(a, b)
+            | K::Lookup(_, a, b)
             | K::Atan2(a, b)
             | K::Min(a, b)
             | K::Max(a, b) => {
@@ -109,6 +110,7 @@ impl Expr {
             (K::Pow(_, a), K::Pow(_, b)) => a == b,
             (K::Component(_, a), K::Component(_, b)) => a == b,
             (K::Call(f, _), K::Call(g, _)) => f == g,
+            (K::Lookup(f, ..), K::Lookup(g, ..)) => f == g,
             (a, b) => std::mem::discriminant(a) == std::mem::discriminant(b),
         };
         if !kinds || self.shape != other.shape {
@@ -118,6 +120,21 @@ impl Expr {
         self.children(&mut |c| ours.push(c));
         other.children(&mut |c| theirs.push(c));
         ours.len() == theirs.len() && ours.iter().zip(theirs).all(|(a, b)| a.same(b))
+    }
+}
+
+impl Expr {
+    /// Numerator and denominator of a number or a quotient of numbers; `None` for other expressions.
+    pub fn rational(&self) -> Option<(i64, i64)> {
+        match &self.kind {
+            ExprKind::Number { exact, .. } => *exact,
+            ExprKind::Neg(a) => a.rational().map(|(above, below)| (-above, below)),
+            ExprKind::Div(a, b) => {
+                let ((a, b), (c, d)) = (a.rational()?, b.rational()?);
+                Some((a.checked_mul(d)?, b.checked_mul(c)?))
+            }
+            _ => None,
+        }
     }
 }
 

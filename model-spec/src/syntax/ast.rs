@@ -5,8 +5,6 @@
 mod blocks;
 mod functions;
 
-use std::sync::Arc;
-
 use crate::location::Span;
 use crate::unit::Unit;
 pub use blocks::{
@@ -16,6 +14,7 @@ pub use blocks::{
 pub use functions::{
     Array, Ascription, Expanded, Function, FunctionParameter, Index, Template, Type,
 };
+use std::sync::Arc;
 
 /// A parsed file: a model, effects, or both.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -95,6 +94,8 @@ pub enum ItemKind {
     Body(Body),
     /// Declaration of a table: `table NAME(ARGUMENT: UNIT): UNIT = { … };`
     Table(Table),
+    /// Statements of another file: `include "FILE";`
+    Include(Name),
     /// Declaration of an auxiliary variable: `let NAME = …;`
     Let(Let),
     /// Declaration of a load: `force NAME = …;` or `moment NAME = …;`
@@ -290,9 +291,18 @@ pub enum FrameKind {
     Turned {
         /// Name of the parent frame.
         parent: Name,
-        /// Name of the state that is the rotation angle.
+        /// Name of the rotation angle: a state, or a constant or coefficient.
         angle: Name,
         /// Number of the rotation axis: axis 1, 2 or 3 of the parent frame, which the rotation leaves unchanged.
+        axis: u8,
+    },
+    /// Parent frame rotated about one of its axes by an angle that is a number.
+    Fixed {
+        /// Name of the parent frame.
+        parent: Name,
+        /// The rotation angle.
+        angle: Quantity,
+        /// Number of the rotation axis: axis 1, 2 or 3 of the parent frame.
         axis: u8,
     },
     /// Parent frame rotated by a unit quaternion.

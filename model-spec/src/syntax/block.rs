@@ -6,6 +6,7 @@ use super::ast::{
 };
 use super::parser::{Parser, Read};
 use super::token::Token;
+use crate::diagnostic::{Diagnostic, Kind};
 use std::fmt::{self, Display, Formatter, Write};
 
 impl Parser<'_> {
@@ -16,7 +17,7 @@ impl Parser<'_> {
         } else {
             BodyClass::Point
         };
-        let parts = self.braces(&format!("`{word} {}`", name.text), Self::body_part)?;
+        let parts = self.block(&format!("`{word} {}`", name.text), Self::body_part)?;
         Ok(ItemKind::Body(Body { class, name, parts }))
     }
 
@@ -61,6 +62,19 @@ impl Parser<'_> {
         })
     }
 
+    /// Parses a block in which `let` defines quantities of the model.
+    fn block<T>(&mut self, what: &str, mut read: impl FnMut(&mut Self) -> Read<T>) -> Read<Vec<T>> {
+        let parts = self.braces(what, |parser| {
+            if !parser.at_word("let") {
+                return read(parser).map(Some);
+            }
+            let definition = parser.statement()?;
+            parser.block_lets.push(definition);
+            Ok(None)
+        })?;
+        Ok(parts.into_iter().flatten().collect())
+    }
+
     pub fn in_frame(&mut self, after: &str) -> Read<Name> {
         self.need_word("in", after)?;
         self.name("the name of a frame after `in`")
@@ -98,7 +112,7 @@ impl Parser<'_> {
     pub fn check_case(&mut self) -> Read<ItemKind> {
         self.advance();
         let title = self.quoted("the title of the check")?;
-        let parts = self.braces("this `check`", Self::check_part)?;
+        let parts = self.block("this `check`", Self::check_part)?;
         Ok(ItemKind::Check(Check { title, parts }))
     }
 
@@ -162,7 +176,7 @@ impl Parser<'_> {
         };
         self.advance();
         let name = self.name(&format!("a name after `claim {word}`"))?;
-        let parts = self.braces(&format!("`claim {word} {}`", name.text), Self::claim_part)?;
+        let parts = self.block(&format!("`claim {word} {}`", name.text), Self::claim_part)?;
         Ok(ItemKind::Claim(Claim { class, name, parts }))
     }
 
@@ -215,33 +229,48 @@ impl Display for ClaimPart {
 }
 
 impl Parser<'_> {
-    /// Parses `table NAME(ARGUMENT: UNIT): UNIT = { argument: value, … } monotone, constant;`.
+    /// Parses `table NAME(ARGUMENT: UNIT, …): UNIT = { argument: value, … } monotone, constant;`, or a file's name in
+    /// place of the braces.
     pub fn table(&mut self) -> Read<ItemKind> {
         let (_, name) = self.keyword_and_name()?;
         let open = format!("`(` and the argument of `{}`", name.text);
         self.need(Token::Sign("("), &open)?;
-        let argument = self.name("the name of the argument")?;
-        let argument_unit = self.unit_behind_colon()?;
+        let arguments = self.list(|parser| {
+            let argument = parser.name("the name of the argument")?;
+            Ok((argument, parser.unit_behind_colon()?))
+        })?;
+        if let Some((third, _)) = arguments.get(2) {
+            let message = "a table has one or two arguments";
+            return self.refuse(Diagnostic::new(Kind::Grammar, third.span, message));
+        }
         self.need(Token::Sign(")"), "`)` after the argument")?;
         let unit = self.unit_behind_colon()?;
         self.need(Token::Sign("="), &format!("`=` after `{}`", name.text))?;
-        self.need(
-            Token::Sign("{"),
-            "`{` and the knots, as in `{ 0: 1.2, 5: 1.4, 10: 1.3 }`",
-        )?;
-        let knots = match self.knots() {
-            Ok(knots) => knots,
-            Err(reported) => {
-                self.leave_braces();
-                return Err(reported);
+        let (mut columns, mut rows, mut file) = (Vec::new(), Vec::new(), None);
+        if self.peek() == Token::Text {
+            let span = self.here();
+            file = Some(Name::new(self.quoted("the name of a file")?, span));
+        } else {
+            self.need(
+                Token::Sign("{"),
+                "`{` and the knots, as in `{ 0: 1.2, 5: 1.4, 10: 1.3 }`",
+            )?;
+            let second = arguments.get(1).map(|(name, _)| name.text.clone());
+            match self.knots(second) {
+                Ok(knots) => (columns, rows) = knots,
+                Err(reported) => {
+                    self.leave_braces();
+                    return Err(reported);
+                }
             }
-        };
+        }
         let (mut interpolation, mut continuation) = <(Interpolation, Continuation)>::default();
         while self.peek() == Token::Name && !self.first_on_line() {
             match self.raw() {
                 "monotone" => interpolation = Interpolation::Monotone,
+                "linear" => interpolation = Interpolation::Linear,
                 "constant" => continuation = Continuation::Constant,
-                _ => return self.expected_word(WAYS, &["monotone", "constant"]),
+                _ => return self.expected_word(WAYS, &["monotone", "linear", "constant"]),
             }
             self.advance();
             if self.eat(Token::Sign(",")) && self.peek() != Token::Name {
@@ -251,26 +280,56 @@ impl Parser<'_> {
         self.semicolon("this `table`")?;
         Ok(ItemKind::Table(Table {
             name,
-            argument,
-            argument_unit,
+            arguments,
             unit,
-            knots,
+            file,
+            columns,
+            rows,
             interpolation,
             continuation,
         }))
     }
 
-    fn knots(&mut self) -> Read<Vec<(Quantity, Quantity)>> {
-        let mut knots = Vec::new();
+    /// Parses the knots of a table, in which the name of the `second` argument begins the line of its own knots.
+    fn knots(&mut self, second: Option<String>) -> Read<Knots> {
+        let mut columns = Vec::new();
+        if let Some(second) = &second {
+            let line = format!("`{second}: (…),` with the knots of the second argument");
+            let found = self.name(&line)?;
+            if found.text != *second {
+                let message = format!("the second argument is `{second}`, not `{}`", found.text);
+                return self.refuse(Diagnostic::new(Kind::Name, found.span, message));
+            }
+            self.need(Token::Sign(":"), &format!("`:` after `{second}`"))?;
+            columns = self.quantities("a knot of the second argument")?;
+            self.behind_knot()?;
+        }
+        let mut rows = Vec::new();
         while !self.eat(Token::Sign("}")) {
             let argument = self.quantity("the argument of a knot")?;
             self.need(Token::Sign(":"), "`:` between argument and value of a knot")?;
-            knots.push((argument, self.quantity("the value at a knot")?));
-            if self.peek() != Token::Sign("}") {
-                self.need(Token::Sign(","), "`,` or `}` after a knot")?;
-            }
+            let values = match second {
+                Some(_) => self.quantities("a value of the row")?,
+                None => vec![self.quantity("the value at a knot")?],
+            };
+            rows.push((argument, values));
+            self.behind_knot()?;
         }
-        Ok(knots)
+        Ok((columns, rows))
+    }
+
+    fn quantities(&mut self, what: &str) -> Read<Vec<Quantity>> {
+        self.need(Token::Sign("("), &format!("`(` and {what}"))?;
+        let quantities = self.list(|parser| parser.quantity(what))?;
+        self.need(Token::Sign(")"), "`,` or `)`")?;
+        Ok(quantities)
+    }
+
+    fn behind_knot(&mut self) -> Read<()> {
+        if self.peek() == Token::Sign("}") {
+            return Ok(());
+        }
+        self.need(Token::Sign(","), "`,` or `}` after a knot")
     }
 
     fn leave_braces(&mut self) {
@@ -281,4 +340,7 @@ impl Parser<'_> {
     }
 }
 
-const WAYS: &str = "`monotone`, `constant` or `;` after the knots";
+/// Knots of the second argument, and each of the first with its values.
+type Knots = (Vec<Quantity>, Vec<(Quantity, Vec<Quantity>)>);
+
+const WAYS: &str = "`monotone`, `linear`, `constant` or `;` after the knots";

@@ -1,6 +1,6 @@
 //! Parser state shared by all grammar rules, with token access, error messages and error recovery.
 
-use super::ast::{Expr, File, Name};
+use super::ast::{Expr, File, Item, Name};
 use super::lexer::{self, Lexed, Lexeme};
 use super::spelling;
 use super::token::Token;
@@ -10,8 +10,9 @@ use crate::suggest;
 /// Maximum nesting depth of an expression, which bounds the recursion of the parser.
 const MAX_DEPTH: u32 = 64;
 
-pub(super) const STATEMENTS: [&str; 31] = [
+pub(super) const STATEMENTS: [&str; 32] = [
     "model",
+    "include",
     "reference",
     "param",
     "coefficient",
@@ -57,6 +58,8 @@ pub(super) struct Parser<'a> {
     at: usize,
     next_doc: usize,
     depth: u32,
+    /// Definitions in the block that is being read; they come before its statement.
+    pub block_lets: Vec<Item>,
 }
 
 impl<'a> Parser<'a> {
@@ -68,6 +71,7 @@ impl<'a> Parser<'a> {
             at: 0,
             next_doc: 0,
             depth: 0,
+            block_lets: Vec::new(),
         }
     }
 
@@ -83,7 +87,10 @@ impl<'a> Parser<'a> {
             }
             let before = self.at;
             match self.statement() {
-                Ok(item) => items.push(item),
+                Ok(item) => {
+                    items.append(&mut self.block_lets);
+                    items.push(item);
+                }
                 Err(Reported) => self.recover(before),
             }
         }

@@ -131,6 +131,7 @@ fn write_kind(f: &mut Formatter<'_>, kind: &ItemKind, of: &Elements) -> Result {
         }
         ItemKind::Claim(claim) => write!(f, "{claim}"),
         ItemKind::Table(table) => write!(f, "{table}"),
+        ItemKind::Include(file) => write!(f, "include \"{}\";", file.text),
         ItemKind::Let(l) => {
             f.write_str(if l.is_constant { "param " } else { "let " })?;
             write_let(f, l, of)
@@ -194,24 +195,46 @@ impl Display for Table {
             let text = unit.as_ref().map(|unit| format!(": {unit}"));
             text.unwrap_or_default()
         };
-        let (argument, value) = (unit(&self.argument_unit), unit(&self.unit));
-        let name = &self.name.text;
-        writeln!(
-            f,
-            "table {name}({}{argument}){value} = {{",
-            self.argument.text
-        )?;
-        for (argument, value) in &self.knots {
-            writeln!(f, "  {argument}: {value},")?;
+        let arguments = self.arguments.iter();
+        let arguments = arguments.map(|(name, of)| name.text.clone() + &unit(of));
+        let arguments = arguments.collect::<Vec<_>>().join(", ");
+        let (name, value) = (&self.name.text, unit(&self.unit));
+        write!(f, "table {name}({arguments}){value} = ")?;
+        match &self.file {
+            Some(file) => write!(f, "\"{}\"", file.text)?,
+            None => self.write_knots(f)?,
         }
-        let monotone = self.interpolation == Interpolation::Monotone;
-        let constant = self.continuation == Continuation::Constant;
-        f.write_str(match (monotone, constant) {
-            (false, false) => "};",
-            (true, false) => "} monotone;",
-            (false, true) => "} constant;",
-            (true, true) => "} monotone, constant;",
-        })
+        let interpolation = match self.interpolation {
+            Interpolation::Spline => None,
+            Interpolation::Monotone => Some("monotone"),
+            Interpolation::Linear => Some("linear"),
+        };
+        let is_constant = self.continuation == Continuation::Constant;
+        let ways = interpolation.into_iter();
+        let ways: Vec<&str> = ways.chain(is_constant.then_some("constant")).collect();
+        let gap = if ways.is_empty() { "" } else { " " };
+        write!(f, "{gap}{};", ways.join(", "))
+    }
+}
+
+impl Table {
+    fn write_knots(&self, f: &mut Formatter<'_>) -> Result {
+        let row = |values: &[Quantity]| {
+            let values: Vec<String> = values.iter().map(Quantity::to_string).collect();
+            values.join(", ")
+        };
+        writeln!(f, "{{")?;
+        if let [_, (second, _)] = &self.arguments[..] {
+            writeln!(f, "  {}: ({}),", second.text, row(&self.columns))?;
+            for (argument, values) in &self.rows {
+                writeln!(f, "  {argument}: ({}),", row(values))?;
+            }
+        } else {
+            for (argument, values) in &self.rows {
+                writeln!(f, "  {argument}: {},", row(values))?;
+            }
+        }
+        f.write_char('}')
     }
 }
 
@@ -239,6 +262,11 @@ impl Display for FrameKind {
             } => {
                 write!(f, " = {} turned {} about {axis}", parent.text, angle.text)
             }
+            FrameKind::Fixed {
+                parent,
+                angle,
+                axis,
+            } => write!(f, " = {} turned {angle} about {axis}", parent.text),
             FrameKind::Quaternion {
                 parent,
                 states: [a, b, c, d],

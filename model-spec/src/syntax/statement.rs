@@ -22,6 +22,7 @@ impl Parser<'_> {
         let word = self.raw();
         let kind = match word {
             "model" => self.named(ItemKind::Model)?,
+            "include" => self.include()?,
             "reference" => self.named(ItemKind::Reference)?,
             "param" | "coefficient" => self.constant()?,
             "input" => self.input()?,
@@ -78,6 +79,14 @@ impl Parser<'_> {
         let (word, name) = self.keyword_and_name()?;
         self.semicolon(&format!("this `{word}`"))?;
         Ok(make(name))
+    }
+
+    fn include(&mut self) -> Read<ItemKind> {
+        self.advance();
+        let span = self.here();
+        let file = Name::new(self.quoted("the name of a file")?, span);
+        self.semicolon("this `include`")?;
+        Ok(ItemKind::Include(file))
     }
 
     /// Parses `param NAME = value unit in lo .. hi;` or `coefficient …`.
@@ -272,14 +281,7 @@ impl Parser<'_> {
         self.need(Token::Sign("="), "`;` or `=` after the name of the frame")?;
         let parent = self.name("the frame that this one is turned from")?;
         let kind = if self.eat_word("turned") {
-            let angle = self.name("the name of the angle after `turned`")?;
-            self.need_word("about", "the angle")?;
-            let axis = self.axis("the axis: 1, 2 or 3")?;
-            FrameKind::Turned {
-                parent,
-                angle,
-                axis,
-            }
+            self.turned(parent)?
         } else if self.eat_word("by") {
             self.need_word("quaternion", "`by`")?;
             let open = "`(` and the four components, scalar part first";
@@ -291,6 +293,28 @@ impl Parser<'_> {
         };
         self.semicolon("this `frame`")?;
         Ok(ItemKind::Frame(Frame { name, kind }))
+    }
+
+    /// Parses the angle, a name or a number, and the axis of a frame that is `turned` from `parent`.
+    fn turned(&mut self, parent: Name) -> Read<FrameKind> {
+        if self.peek() == Token::Name {
+            let angle = self.name("the name of the angle after `turned`")?;
+            self.need_word("about", "the angle")?;
+            let axis = self.axis("the axis: 1, 2 or 3")?;
+            return Ok(FrameKind::Turned {
+                parent,
+                angle,
+                axis,
+            });
+        }
+        let angle = self.quantity("the name of the angle after `turned`")?;
+        self.need_word("about", "the angle")?;
+        let axis = self.axis("the axis: 1, 2 or 3")?;
+        Ok(FrameKind::Fixed {
+            parent,
+            angle,
+            axis,
+        })
     }
 
     pub fn binding(&mut self) -> Read<ItemKind> {

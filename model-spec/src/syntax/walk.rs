@@ -51,7 +51,7 @@ impl File {
                     names.insert(own.name.text.clone());
                 }
                 ItemKind::Frame(frame) => match &frame.kind {
-                    FrameKind::Inertial => {}
+                    FrameKind::Inertial | FrameKind::Fixed { .. } => {}
                     FrameKind::Turned { angle, .. } => {
                         names.extend([angle.text.clone(), format!("{}dot", angle.text)]);
                     }

@@ -2,11 +2,13 @@
 
 mod broken;
 mod effects;
+mod files;
 mod general_effects;
 mod inputs;
 mod language;
 mod meaning;
 mod models;
 mod robust;
+mod small_things;
 mod summary;
 mod tables;

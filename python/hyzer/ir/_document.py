@@ -10,7 +10,7 @@ SCHEMA = "hyzer.ir/1"
 ARITY = {
     **dict.fromkeys(("neg", "recip", "recip_or_zero", "nonzero", "sign", "step", "abs"), 1),
     **dict.fromkeys(("sqrt", "sin", "cos", "asin", "exp", "log", "tanh", "table"), 1),
-    **dict.fromkeys(("add", "sub", "mul", "div", "atan2", "min", "max"), 2),
+    **dict.fromkeys(("add", "sub", "mul", "div", "atan2", "min", "max", "table_of_two"), 2),
     **dict.fromkeys(("mul_add", "mul_sub", "neg_mul_add", "if_zero"), 3),
 }
 """Number of operands of each operation; docs/reference/ir.md states what each computes."""
@@ -83,6 +83,16 @@ class Table:
 
 
 @dataclass(frozen=True)
+class TableOfTwo:
+    """A piecewise bicubic: increasing knots of both arguments, and the coefficients of each cell."""
+
+    name: str
+    knots: tuple[float, ...]
+    second_knots: tuple[float, ...]
+    bicubics: tuple[tuple[float, ...], ...]
+
+
+@dataclass(frozen=True)
 class Statement:
     """One operation; `table` is the index of the table that it looks up, else None."""
 
@@ -123,5 +133,5 @@ class Ir:
     marker: tuple[str, ...]
     quantities: tuple[Quantity, ...]
     limits: tuple[Limit, ...]
-    tables: tuple[Table, ...]
+    tables: tuple[Table | TableOfTwo, ...]
     functions: dict[str, Function]

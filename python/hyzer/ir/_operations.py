@@ -7,7 +7,7 @@ import operator
 from collections.abc import Callable
 from typing import Any
 
-from ._document import Table
+from ._document import Table, TableOfTwo
 
 TINY = 1e-75
 """Below this magnitude a number counts as zero where it would be divided by."""
@@ -56,9 +56,21 @@ class Library:
         """Return the value of a piecewise cubic at `x`."""
         raise NotImplementedError
 
+    def lookup_of_two(self, table: TableOfTwo, x: Any, y: Any) -> Any:
+        """Return the value of a piecewise bicubic at `x`, `y`."""
+        columns = len(table.second_knots) + 1
+
+        def along(column: int, power: int) -> Any:
+            cells = table.bicubics[column::columns]
+            cubics = tuple(cell[power::4] for cell in cells)
+            return self.lookup(Table(table.name, table.knots, cubics), x)
+
+        rows = (tuple(along(column, power) for power in range(4)) for column in range(columns))
+        return self.lookup(Table(table.name, table.second_knots, tuple(rows)), y)
+
 
 def operations(library: Library) -> dict[str, Operation]:
-    """Return the operations by name, except `table`."""
+    """Return the operations by name, except those that look up tables."""
     return {**arithmetic(), **conditional(library), **guarded(library)}
 
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
-from ._document import Function, Ir, Operand
+from ._document import Function, Ir, Operand, Table
 from ._operations import Library, Operation, operations
 
 Values = dict[str, list[Any]]
@@ -82,7 +82,12 @@ class Programs:
 
     def __init__(self, ir: Ir, library: Library, constant: Callable[[float], Any] = float):
         known = operations(library)
-        tables = [partial(library.lookup, table) for table in ir.tables]
+        tables = [
+            partial(library.lookup, table)
+            if isinstance(table, Table)
+            else partial(library.lookup_of_two, table)
+            for table in ir.tables
+        ]
         lengths = {
             "t": 1,
             "x": len(ir.states),

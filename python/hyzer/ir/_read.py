@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -22,10 +22,13 @@ from ._document import (
     State,
     Statement,
     Table,
+    TableOfTwo,
 )
 
 OPERAND = re.compile(r"t|([xpkms])(0|[1-9][0-9]{0,8})")
 Lengths = Mapping[str, int]
+Tables = Sequence[Table | TableOfTwo]
+LOOKUPS = {"table": Table, "table_of_two": TableOfTwo}
 
 
 def state(value: object, place: str) -> State:
@@ -77,13 +80,27 @@ def cubic(value: object, place: str) -> tuple[float, ...]:
     return exactly(each(value, place, number), place, 4)
 
 
-def table(value: object, place: str) -> Table:
-    fields = Fields(value, place)
-    knots, cubics = fields.all("knots", number), fields.all("cubics", cubic)
+def bicubic(value: object, place: str) -> tuple[float, ...]:
+    return exactly(each(value, place, number), place, 16)
+
+
+def knots_of(fields: Fields, key: str, place: str) -> tuple[float, ...]:
+    knots = fields.all(key, number)
     if not knots or any(b <= a for a, b in pairwise(knots)):
-        raise fault(f"{place}.knots", list(knots), "one or more increasing numbers")
-    exactly(cubics, f"{place}.cubics", len(knots) + 1)
-    return Table(fields.of("name", string), knots, cubics)
+        raise fault(f"{place}.{key}", list(knots), "one or more increasing numbers")
+    return knots
+
+
+def table(value: object, place: str) -> Table | TableOfTwo:
+    fields = Fields(value, place)
+    name, knots = fields.of("name", string), knots_of(fields, "knots", place)
+    if "second_knots" not in fields.values:
+        cubics = exactly(fields.all("cubics", cubic), f"{place}.cubics", len(knots) + 1)
+        return Table(name, knots, cubics)
+    second = knots_of(fields, "second_knots", place)
+    count = (len(knots) + 1) * (len(second) + 1)
+    cells = exactly(fields.all("bicubics", bicubic), f"{place}.bicubics", count)
+    return TableOfTwo(name, knots, second, cells)
 
 
 def operand(value: object, place: str, lengths: Lengths) -> Operand:
@@ -105,13 +122,17 @@ def described(lengths: Lengths) -> str:
     return ", ".join(["t", *ranges] if "t" in lengths else ranges)
 
 
-def statement(value: object, place: str, lengths: Lengths, tables: int) -> Statement:
+def statement(value: object, place: str, lengths: Lengths, tables: Tables) -> Statement:
     items = entries(value, place)
     operation = string(items[0], place) if items else ""
     if operation not in ARITY:
         raise fault(place, operation, f"an operation of {SCHEMA}: {', '.join(ARITY)}")
     rest = items[1:]
-    looked_up = index(rest.pop(0), place, tables) if operation == "table" and rest else None
+    looked_up = None
+    if (kind := LOOKUPS.get(operation)) and rest:
+        looked_up = index(rest.pop(0), place, len(tables))
+        if not isinstance(tables[looked_up], kind):
+            raise fault(place, items, f"the index of a table for {operation}")
     if len(rest) != ARITY[operation]:
         raise fault(place, items, f"{ARITY[operation]} operands of {operation}")
     operands = tuple(operand(item, f"{place}[{k + 1}]", lengths) for k, item in enumerate(rest))
@@ -140,7 +161,7 @@ def entry(value: object, place: str, shape: tuple[int, ...]) -> tuple[int, int]:
 
 
 def function(
-    value: object, place: str, lengths: Lengths, shapes: Mapping[str, tuple[int, ...]], tables: int
+    value: object, place: str, lengths: Lengths, shapes: Mapping[str, tuple[int, ...]], tables: Tables
 ) -> Function:
     """Read a function whose outputs have the given names and shapes."""
     fields = Fields(value, place)
@@ -177,7 +198,7 @@ def shapes_of(sizes: Lengths) -> dict[str, dict[str, tuple[int, ...]]]:
     }
 
 
-def functions(value: object, place: str, sizes: Lengths, tables: int) -> dict[str, Function]:
+def functions(value: object, place: str, sizes: Lengths, tables: Tables) -> dict[str, Function]:
     fields = Fields(value, place)
     prepared = prepared_length(fields)
     prepare = {"prepared": (prepared,)}
@@ -273,7 +294,7 @@ def read(ir: object) -> Ir:
         quantities=quantities,
         limits=limits,
         tables=tables,
-        functions=fields.of("functions", lambda v, at: functions(v, at, sizes, len(tables))),
+        functions=fields.of("functions", lambda v, at: functions(v, at, sizes, tables)),
     )
 
 

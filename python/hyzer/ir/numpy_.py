@@ -9,7 +9,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from ._arrays import ArrayLibrary, ArrayModel
-from ._document import Ir, Table
+from ._document import Ir, Table, TableOfTwo
 from ._operations import Library, horner
 from ._program import Programs, Values, required
 from ._read import read
@@ -39,6 +39,19 @@ class NumpyLibrary(Library):
         h = x - knots[self.numpy.maximum(below - 1, 0)]
         return horner([cubics[below, power] for power in range(4)], h)
 
+    def lookup_of_two(self, table: TableOfTwo, x: Any, y: Any) -> Any:
+        """Return the value of a piecewise bicubic at `x`, `y`."""
+        cells = self.numpy.asarray(table.bicubics)
+        places, distances = [], []
+        for knots, at in ((table.knots, x), (table.second_knots, y)):
+            known = self.numpy.asarray(knots)
+            below = self.numpy.searchsorted(known, at, side="right")
+            places.append(below)
+            distances.append(at - known[self.numpy.maximum(below - 1, 0)])
+        cell = places[0] * (len(table.second_knots) + 1) + places[1]
+        rows = [[cells[cell, 4 * a + b] for b in range(4)] for a in range(4)]
+        return horner([horner(row, distances[1]) for row in rows], distances[0])
+
 
 def chosen(condition: Any, then: Any, otherwise: Any) -> Any:
     """Return `then` where `condition` holds, else `otherwise`."""
@@ -63,6 +76,13 @@ class MathLibrary(Library):
         """Return the value of a piecewise cubic at `x`."""
         below = bisect.bisect_right(table.knots, x)
         return horner(table.cubics[below], x - table.knots[max(below - 1, 0)])
+
+    def lookup_of_two(self, table: TableOfTwo, x: Any, y: Any) -> Any:
+        """Return the value of a piecewise bicubic at `x`, `y`."""
+        i, j = bisect.bisect_right(table.knots, x), bisect.bisect_right(table.second_knots, y)
+        h, k = x - table.knots[max(i - 1, 0)], y - table.second_knots[max(j - 1, 0)]
+        cell = table.bicubics[i * (len(table.second_knots) + 1) + j]
+        return horner([horner(cell[4 * a : 4 * a + 4], k) for a in range(4)], h)
 
 
 class NumpyPrograms:

@@ -16,6 +16,9 @@ from hyzer.ir._document import ARITY
 A, B = "x0", "x1"
 STATES = [{"name": name, "unit": "1", "value": 0.0} for name in ("a", "b")]
 TABLE = {"name": "T", "knots": [0, 1], "cubics": [[1, 1, 0, 0], [1, 1, 1, 0], [4, 0, 0, 0]]}
+SMOOTH = [3, 1, 0, 0, 2, 1, *[0] * 10]
+CELLS = [[1, *[0] * 15], [2, *[0] * 15], [0, 0, 0, 0, 1, *[0] * 11], SMOOTH]
+TABLE_OF_TWO = {"name": "U", "knots": [0], "second_knots": [1], "bicubics": CELLS}
 
 POINTS: list[tuple[list[Any], tuple[float, float], float, tuple[float, float]]] = [
     (["neg", A], (2, 0), -2, (-1, 0)),
@@ -71,6 +74,10 @@ POINTS: list[tuple[list[Any], tuple[float, float], float, tuple[float, float]]] 
     (["table", 0, A], (0.5, 0), 1.75, (2, 0)),
     (["table", 0, A], (1, 0), 4, (0, 0)),
     (["table", 0, A], (5, 0), 4, (0, 0)),
+    (["table_of_two", 1, A, B], (-1, 0), 1, (0, 0)),
+    (["table_of_two", 1, A, B], (-1, 1), 2, (0, 0)),
+    (["table_of_two", 1, A, B], (2, 0), 2, (1, 0)),
+    (["table_of_two", 1, A, B], (2, 3), 13, (4, 3)),
 ]
 every_point = pytest.mark.parametrize(("statement", "x", "value", "slopes"), POINTS)
 
@@ -102,7 +109,7 @@ def model_of(statement: list[Any]) -> dict[str, Any]:
         "limits": function([], l=zero(0)),
     }
     head = dict(zip(names, ("hyzer.ir/1", "0", "operation"), strict=True))
-    return {**head, **empty, "states": STATES, "tables": [TABLE], "functions": functions}
+    return {**head, **empty, "states": STATES, "tables": [TABLE, TABLE_OF_TWO], "functions": functions}
 
 
 def test_every_operation_is_among_the_points() -> None:

@@ -74,13 +74,14 @@ def test_what_does_not_fit_the_schema_is_refused(path: tuple[Any, ...], value: A
 
 
 def test_schema_page_and_reader_have_the_same_operations() -> None:
-    *fixed, table = JSON_SCHEMA["$defs"]["statement"]["oneOf"]
+    *fixed, table, table_of_two = JSON_SCHEMA["$defs"]["statement"]["oneOf"]
     arity = {
         operation: len(each["prefixItems"]) - 1
         for each in fixed
         for operation in each["prefixItems"][0]["enum"]
     }
-    assert {**arity, table["prefixItems"][0]["const"]: 1} == ARITY
+    lookups = {table["prefixItems"][0]["const"]: 1, table_of_two["prefixItems"][0]["const"]: 2}
+    assert {**arity, **lookups} == ARITY
     page = (REFERENCE / "ir.md").read_text()
     rows = page.split("| operation |")[1].split("\n\n")[0].splitlines()[2:]
     named = [name for row in rows for name in re.findall(r"`(\w+)`", row.split("|")[1])]

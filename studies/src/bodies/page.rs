@@ -40,14 +40,15 @@ impl Body {
         };
         let constants = model.params.iter().chain(&model.coefficients);
         let tables = model.tables.iter().map(|table| {
-            let ends = [table.knots.first(), table.knots.last()];
-            let [first, last] = ends.map(|knot| knot.map_or(0.0, |knot| knot.0));
-            let range = match table.unit_texts[0].as_str() {
+            let argument = &table.arguments[0];
+            let ends = [argument.knots.first(), argument.knots.last()];
+            let [first, last] = ends.map(|knot| knot.copied().unwrap_or_default());
+            let range = match argument.unit_text.as_str() {
                 "rad" => format!("{:.0}° to {:.0}°", first.to_degrees(), last.to_degrees()),
                 unit => format!("{first} to {}", model_spec::with_unit(last, unit)),
             };
-            let knots = format!("{} knots, {range}", table.knots.len());
-            let name = format!("{}({})", table.name, table.argument);
+            let knots = format!("{} knots, {range}", argument.knots.len());
+            let name = format!("{}({})", table.name, argument.name);
             [name, knots, one_line(&table.doc)]
         });
         Body {

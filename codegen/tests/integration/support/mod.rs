@@ -117,6 +117,30 @@ impl Real for Dual {
         let [a, b, c, d] = cubics[below];
         Dual(h * h * h * d + h * h * c + h * b + a)
     }
+    fn piecewise_bicubic(
+        self,
+        y: Dual,
+        orders: [usize; 2],
+        knots: [&[f64]; 2],
+        cells: &[[f64; 16]],
+    ) -> Dual {
+        let below = |knots: &[f64], x: f64| knots.iter().filter(|&&knot| knot <= x).count();
+        let (i, j) = (below(knots[0], self.0.re), below(knots[1], y.0.re));
+        let h = self.0 - knots[0][i.saturating_sub(1)];
+        let k = y.0 - knots[1][j.saturating_sub(1)];
+        let cell = &cells[i * (knots[1].len() + 1) + j];
+        let power = |x: Dual64, n: usize, order: usize| {
+            let factor = (n + 1 - order..=n).product::<usize>() as f64;
+            (0..n - order).fold(Dual64::from_re(factor), |product, _| product * x)
+        };
+        let mut sum = Dual64::from_re(0.0);
+        for a in orders[0]..4 {
+            for b in orders[1]..4 {
+                sum += power(h, a, orders[0]) * power(k, b, orders[1]) * cell[4 * a + b];
+            }
+        }
+        Dual(sum)
+    }
     fn if_zero(self, then: Dual, otherwise: Dual) -> Dual {
         if self.0.re.abs() < 1e-75 {
             then

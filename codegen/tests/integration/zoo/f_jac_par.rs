@@ -3,111 +3,202 @@
 
 use super::tables::{
     bump_CUBICS, bump_CUBICS_1, bump_KNOTS, ramp_CUBICS, ramp_CUBICS_1, ramp_KNOTS,
+    sheet_BICUBICS, sheet_KNOTS_1, sheet_KNOTS_2,
 };
 
 use lanes::Real;
 
 /// Computes `dx`, `j`, and the nonzero entries `jp` of ∂dx/∂parameters; `JP_PATTERN` gives their positions.
 ///
-/// 224 operations: 74 add, 100 mul, 11 div, 1 neg, 8 sqrt, 16 call, 14 select.
-/// Hoisted into `prepare`: 14 operations.
+/// 252 operations: 82 add, 111 mul, 12 div, 1 neg, 8 sqrt, 23 call, 15 select.
+/// Hoisted into `prepare`: 15 operations.
 #[inline(always)]
 pub fn f_jac_par<T: Real>(
     time: T,
     state: &[T; 3],
     parameters: &[T; 3],
-    prepared: &[T; 13],
+    prepared: &[T; 14],
     dx: &mut [T; 3],
     j: &mut [T; 8],
     jp: &mut [T; 7],
 ) {
+    let e = state[2];
+    let (sin_e, cos_e) = e.sin_cos();
     let a = state[0];
     let a_sq = a * a;
-    let e = state[2];
     let e_sq = e * e;
     let b = state[1];
     let b_sq = b * b;
+    let c = parameters[2];
+    let a_c = c * a;
     let b_const = T::splat(0.3333333333333333) * b;
     let k = parameters[0];
     let k_e = k * e;
-    let c = parameters[2];
     let a_plus_b_c = c.mul_add(b, a);
     let a_plus_two = a + T::splat(2.0);
+    let sheet_derivative_0_1_b_a_c = b
+        .piecewise_bicubic(
+            a_c,
+            [0, 1],
+            [&sheet_KNOTS_1, &sheet_KNOTS_2],
+            &sheet_BICUBICS,
+        );
+    let sheet_derivative_1_0_b_a_c = b
+        .piecewise_bicubic(
+            a_c,
+            [1, 0],
+            [&sheet_KNOTS_1, &sheet_KNOTS_2],
+            &sheet_BICUBICS,
+        );
+    let sheet_b_a_c = b
+        .piecewise_bicubic(
+            a_c,
+            [0, 0],
+            [&sheet_KNOTS_1, &sheet_KNOTS_2],
+            &sheet_BICUBICS,
+        );
     let (sin_b_const, cos_b_const) = b_const.sin_cos();
     let angle_k_e_one = k_e.atan2(T::splat(1.0));
-    let ramp_e = e.piecewise_cubic(&ramp_KNOTS, &ramp_CUBICS);
-    let bump_slope_a_plus_b_c = a_plus_b_c.piecewise_cubic(&bump_KNOTS, &bump_CUBICS_1);
-    let asin_b_half = (T::splat(0.5) * b).asin();
     let sqrt_a_sq_plus_e_sq = (a_sq + e_sq).sqrt();
     let sqrt_one_plus_b_sq = (T::splat(1.0) + b_sq).sqrt();
-
-    // zoo:21  let sum = a + b;
-    let sum = b + a;
-    let log_a_plus_two = a_plus_two.log();
     let bump_a_plus_b_c = a_plus_b_c.piecewise_cubic(&bump_KNOTS, &bump_CUBICS);
-    let one_minus_a_sq_const = a_sq
-        .neg_mul_add(T::splat(0.1111111111111111), T::splat(1.0));
-    let c_sq = prepared[1];
-
-    // zoo:19  let size = norm(v);
-    let size = (c_sq.mul_add(e_sq, a_sq) + b_sq).sqrt();
-    let minus_a_sq = -a_sq;
+    let ramp_e = e.piecewise_cubic(&ramp_KNOTS, &ramp_CUBICS);
     let sin_b_const_inv_cos_b_const = sin_b_const / cos_b_const;
-    let (sin_sum, cos_sum) = sum.sin_cos();
-    let asin_a_half = (T::splat(0.5) * a).asin();
-    let exp_minus_a_sq = minus_a_sq.exp();
-    let sqrt_one_minus_a_sq_const = one_minus_a_sq_const.sqrt();
+    let asin_b_half = (T::splat(0.5) * b).asin();
+    let bump_slope_a_plus_b_c = a_plus_b_c.piecewise_cubic(&bump_KNOTS, &bump_CUBICS_1);
+    let c_sq = prepared[2];
+
+    // zoo:26  let size = norm(v);
+    let size = (c_sq.mul_add(e_sq, a_sq) + b_sq).sqrt();
+
+    // zoo:28  let sum = a + b;
+    let sum = b + a;
+    let two_plus_sin_e = T::splat(2.0) + sin_e;
     let inv_sqrt_one_plus_b_sq = T::splat(1.0) / sqrt_one_plus_b_sq;
     let sqrt_one_minus_b_sq_const = b_sq
         .neg_mul_add(T::splat(0.25), T::splat(1.0))
         .sqrt();
-    let ramp_e_bump_slope_a_plus_b_c = ramp_e * bump_slope_a_plus_b_c;
-    let pi_half = prepared[3];
+    let pi_half = prepared[4];
     let asin_b_half_minus_pi_half = asin_b_half - pi_half;
-    let inv_sqrt_one_minus_b_sq_of = sqrt_one_minus_b_sq_const.recip_or_zero();
+    let ramp_e_bump_slope_a_plus_b_c = ramp_e * bump_slope_a_plus_b_c;
     let inv_one_plus_k_e_sq = T::splat(1.0) / k_e.mul_add(k_e, T::splat(1.0));
+    let inv_sqrt_one_minus_b_sq_of = sqrt_one_minus_b_sq_const.recip_or_zero();
+    let log_two_plus_sin_e = two_plus_sin_e.log();
+    let asin_a_half = (T::splat(0.5) * a).asin();
+    let log_a_plus_two = a_plus_two.log();
+    let one_minus_a_sq_const = a_sq
+        .neg_mul_add(T::splat(0.1111111111111111), T::splat(1.0));
+    let sqrt_one_minus_a_sq_const = one_minus_a_sq_const.sqrt();
+    let (sin_sum, cos_sum) = sum.sin_cos();
     let tanh_sum_c = (c * sum).tanh();
-    let inv_b = b.recip_or_zero();
-    let ramp_slope_e = e.piecewise_cubic(&ramp_KNOTS, &ramp_CUBICS_1);
-    let sqrt_sum = sum.sqrt();
+    let e_minus_const = e - T::splat(0.1);
+    let step_e_minus_const = e_minus_const.heaviside();
+    let max_sum_e = sum.max(e);
+    let min_a_b = a.min(b);
+    let minus_a_sq = -a_sq;
+    let exp_minus_a_sq = minus_a_sq.exp();
     let sqrt_one_minus_a_sq_const_2 = a_sq
         .neg_mul_add(T::splat(0.25), T::splat(1.0))
         .sqrt();
     let inv_sqrt_one_minus_a_sq_of = sqrt_one_minus_a_sq_const_2.recip_or_zero();
-    let a_k = k * a;
-    let e_minus_const = e - T::splat(0.1);
-    let step_e_minus_const = e_minus_const.heaviside();
     let inv_sqrt_a_sq_plus_e_sq = sqrt_a_sq_plus_e_sq.recip_or_zero();
     let nonzero_sqrt_a_sq_plus_e_sq = sqrt_a_sq_plus_e_sq
         .if_zero(T::splat(0.0), T::splat(1.0));
-    let max_sum_e = sum.max(e);
-    let min_a_b = a.min(b);
-    let (sin_a_k, cos_a_k) = a_k.sin_cos();
-    let sign_a = a.sign();
-    let step_sum_minus_e = (sum - e).heaviside();
+    let inv_b = b.recip_or_zero();
+    let ramp_slope_e = e.piecewise_cubic(&ramp_KNOTS, &ramp_CUBICS_1);
     let inv_size = size.recip_or_zero();
-    let nonzero_size = size.if_zero(T::splat(0.0), T::splat(1.0));
+    let sqrt_sum = sum.sqrt();
+    let sign_a = a.sign();
+    let a_k = k * a;
     let b_inv_sqrt_one_plus_b_sq = b * inv_sqrt_one_plus_b_sq;
+    let nonzero_size = size.if_zero(T::splat(0.0), T::splat(1.0));
+    let step_two_plus_sin_e = two_plus_sin_e.heaviside();
+    let inv_two_plus_sin_e = two_plus_sin_e.recip_or_zero();
+    let step_sum_minus_e = (sum - e).heaviside();
+    let (sin_a_k, cos_a_k) = a_k.sin_cos();
     let abs_b = b.abs();
     let sqrt_abs_b = abs_b.sqrt();
-    let step_b_minus_a = (b - a).heaviside();
-    let min_a_b_step_sum_minus_e = min_a_b * step_sum_minus_e;
-    let part_of_d_e_dot_d_e = bump_a_plus_b_c
-        .neg_mul_add(ramp_slope_e, min_a_b * (step_sum_minus_e - T::splat(1.0)));
     let inv_a_plus_two = a_plus_two.recip_or_zero();
     let step_a_plus_two = a_plus_two.heaviside();
     let part_of_d_b_dot_d_a_4 = sqrt_sum * step_a_plus_two * inv_a_plus_two;
     let inv_sqrt_one_minus_a_sq_of_2 = sqrt_one_minus_a_sq_const.recip_or_zero();
-    let inv_tau_const_2 = prepared[10];
+    let inv_tau_const_2 = prepared[11];
     let inv_tau = prepared[0];
     let part_of_d_e_dot_d_a_sq = inv_tau_const_2
         .neg_mul_add(inv_sqrt_one_minus_a_sq_of_2, inv_tau);
-    let a_inv_b = a * inv_b;
+    let step_b_minus_a = (b - a).heaviside();
+    let nonzero_b = b.if_zero(T::splat(0.0), T::splat(1.0));
+    let part_of_d_e_dot_d_c = a
+        .neg_mul_add(sheet_derivative_0_1_b_a_c, nonzero_b - T::splat(1.0));
+    let part_of_d_e_dot_d_c_2 = b
+        .neg_mul_add(ramp_e_bump_slope_a_plus_b_c, part_of_d_e_dot_d_c);
     let d_sqrt_a_sq_plus_e_sq_d_e = e * inv_sqrt_a_sq_plus_e_sq;
+    let d_size_d_a = a * inv_size;
     let d_sqrt_a_sq_plus_e_sq_d_a = a * inv_sqrt_a_sq_plus_e_sq;
     let inv_sqrt_a_sq_plus_e_sq_size = inv_sqrt_a_sq_plus_e_sq * size;
+    let a_inv_b = a * inv_b;
+    let min_a_b_step_sum_minus_e = min_a_b * step_sum_minus_e;
+    let part_of_d_e_dot_d_b = inv_sqrt_one_plus_b_sq + sheet_derivative_1_0_b_a_c
+        + min_a_b_step_sum_minus_e;
+    let unless_b = b.if_zero(c, a_inv_b);
+    let part_of_d_e_dot_d_e = bump_a_plus_b_c
+        .neg_mul_add(ramp_slope_e, min_a_b * (step_sum_minus_e - T::splat(1.0)));
+    let part_of_d_e_dot_d_b_2 = c
+        .mul_add(
+            ramp_e_bump_slope_a_plus_b_c,
+            inv_b.neg_mul_add(a_inv_b, part_of_d_e_dot_d_b),
+        );
+    let part_of_d_e_dot_d_c_3 = T::splat(0.3333333333333333) * log_two_plus_sin_e;
+    let c_const = prepared[1];
+    let exp_log_two_plus_sin_e_c_of = (c_const * log_two_plus_sin_e).exp();
+    let exp_log_two_plus_product = exp_log_two_plus_sin_e_c_of * step_two_plus_sin_e;
+    let part_of_d_e_dot_d_c_4 = exp_log_two_plus_product
+        .neg_mul_add(part_of_d_e_dot_d_c_3, part_of_d_e_dot_d_c_2);
+    let part_of_d_e_dot_d_e_2 = c_const * step_two_plus_sin_e * exp_log_two_plus_product
+        * cos_e;
+    let part_of_d_e_dot_d_e_3 = inv_two_plus_sin_e
+        .neg_mul_add(part_of_d_e_dot_d_e_2, part_of_d_e_dot_d_e);
+    let one_minus_nonzero_sqrt_sum = T::splat(1.0) + d_sqrt_a_sq_plus_e_sq_d_e
+        - nonzero_sqrt_a_sq_plus_e_sq;
+
+    // zoo:27  let along = unit(v, N.3);
+    let along_x = size.if_zero(T::splat(0.0), d_size_d_a);
+    let one_minus_nonzero_sqrt_sum_2 = along_x + one_minus_nonzero_sqrt_sum;
+    let part_of_a_sq_plus_one_plus_step = size
+        .mul_add(one_minus_nonzero_sqrt_sum_2, a_sq + T::splat(1.0));
+    let part_of_a_sq_plus_one_plus_step_2 = max_sum_e
+        .mul_add(min_a_b, part_of_a_sq_plus_one_plus_step);
+    let part_of_a_sq_plus_one_plus_step_3 = step_e_minus_const
+        .mul_add(sign_a, part_of_a_sq_plus_one_plus_step_2);
+    let part_of_a_sq_plus_one_plus_step_4 = part_of_a_sq_plus_one_plus_step_3
+        + b_inv_sqrt_one_plus_b_sq;
+    let part_of_a_sq_plus_one_plus_step_5 = part_of_a_sq_plus_one_plus_step_4
+        + sqrt_one_minus_a_sq_const;
+    let part_of_a_sq_plus_one_plus_step_6 = bump_a_plus_b_c
+        .mul_add(ramp_e, part_of_a_sq_plus_one_plus_step_5);
+    let part_of_a_sq_plus_one_plus_step_7 = part_of_a_sq_plus_one_plus_step_6
+        + exp_log_two_plus_product + sheet_b_a_c;
+    let minus_inv_tau = prepared[3];
+    let inv_size_d_e_dot_d_size = inv_size
+        * (minus_inv_tau * (d_size_d_a - one_minus_nonzero_sqrt_sum_2));
+    let d_e_dot_d_a_sq = inv_size_d_e_dot_d_size
+        .mul_add(T::splat(0.5), part_of_d_e_dot_d_a_sq);
+    let d_e_dot_d_c = inv_tau
+        .neg_mul_add(part_of_d_e_dot_d_c_4, c * e_sq * inv_size_d_e_dot_d_size);
+    jp[6] = d_e_dot_d_c;
+    let part_of_d_e_dot_d_a = d_sqrt_a_sq_plus_e_sq_d_a * d_sqrt_a_sq_plus_e_sq_d_e;
+    let part_of_d_e_dot_d_a_2 = inv_sqrt_a_sq_plus_e_sq_size
+        .neg_mul_add(part_of_d_e_dot_d_a, inv_b + nonzero_size);
+    let part_of_d_e_dot_d_a_3 = c
+        .mul_add(sheet_derivative_0_1_b_a_c, part_of_d_e_dot_d_a_2);
+    let part_of_d_e_dot_d_a_4 = part_of_d_e_dot_d_a_3 + ramp_e_bump_slope_a_plus_b_c;
+    let part_of_d_e_dot_d_a_5 = max_sum_e.mul_add(step_b_minus_a, part_of_d_e_dot_d_a_4)
+        + min_a_b_step_sum_minus_e;
+    let part_of_d_e_dot_d_b_3 = max_sum_e
+        .neg_mul_add(step_b_minus_a - T::splat(1.0), part_of_d_e_dot_d_b_2);
+    let part_of_d_e_dot_d_a_6 = inv_tau.mul_add(time, part_of_d_e_dot_d_a_5);
     let inv_sqrt_sum = sqrt_sum.recip_or_zero();
-    let inv_tau_half = prepared[8];
+    let inv_tau_half = prepared[9];
     let log_a_plus_two_inv_product = inv_tau_half * log_a_plus_two * inv_sqrt_sum;
     let part_of_minus_a_inv_sqrt_a_sq = asin_b_half_minus_pi_half
         .mul_sub(asin_a_half, log_a_plus_two * sqrt_sum);
@@ -123,67 +214,23 @@ pub fn f_jac_par<T: Real>(
             part_of_minus_a_inv_sqrt_a_sq - d_sqrt_a_sq_plus_e_sq_d_a,
         );
     let minus_a_inv_sqrt_a_sq_sum = part_of_minus_a_inv_sqrt_a_sq_2 - angle_k_e_one;
-    let minus_inv_tau = prepared[2];
-    dx[1] = minus_inv_tau * minus_a_inv_sqrt_a_sq_sum;
-    let inv_tau_sq = prepared[11];
-    let d_b_dot_d_tau = inv_tau_sq * minus_a_inv_sqrt_a_sq_sum;
-    jp[4] = d_b_dot_d_tau;
-    let d_size_d_a = a * inv_size;
-    let one_minus_nonzero_sqrt_sum = T::splat(1.0) + d_sqrt_a_sq_plus_e_sq_d_e
-        - nonzero_sqrt_a_sq_plus_e_sq;
-    let part_of_d_e_dot_d_a = d_sqrt_a_sq_plus_e_sq_d_a * d_sqrt_a_sq_plus_e_sq_d_e;
-    let part_of_d_e_dot_d_a_2 = inv_sqrt_a_sq_plus_e_sq_size
-        .neg_mul_add(part_of_d_e_dot_d_a, inv_b + nonzero_size);
     let part_of_d_b_dot_d_a_3 = d_sqrt_a_sq_plus_e_sq_d_a
         .neg_mul_add(d_sqrt_a_sq_plus_e_sq_d_a, T::splat(1.0));
     let part_of_d_b_dot_d_a_5 = inv_sqrt_a_sq_plus_e_sq
         .mul_add(part_of_d_b_dot_d_a_3, part_of_d_b_dot_d_a_4);
     let d_b_dot_d_a = inv_tau.mul_add(part_of_d_b_dot_d_a_5, part_of_d_b_dot_d_a_2);
     j[2] = d_b_dot_d_a;
-    let part_of_d_e_dot_d_a_3 = part_of_d_e_dot_d_a_2 + ramp_e_bump_slope_a_plus_b_c;
-    let part_of_d_e_dot_d_a_4 = max_sum_e.mul_add(step_b_minus_a, part_of_d_e_dot_d_a_3)
-        + min_a_b_step_sum_minus_e;
-    let part_of_d_e_dot_d_b = inv_b
-        .neg_mul_add(a_inv_b, inv_sqrt_one_plus_b_sq + min_a_b_step_sum_minus_e);
-    let unless_b = b.if_zero(c, a_inv_b);
     let part_of_d_b_dot_d_e = inv_sqrt_a_sq_plus_e_sq * inv_sqrt_a_sq_plus_e_sq
         * d_sqrt_a_sq_plus_e_sq_d_e;
-    let part_of_d_e_dot_d_e_2 = d_sqrt_a_sq_plus_e_sq_d_e
+    let part_of_d_e_dot_d_e_4 = d_sqrt_a_sq_plus_e_sq_d_e
         .neg_mul_add(d_sqrt_a_sq_plus_e_sq_d_e, T::splat(1.0));
-    let part_of_d_e_dot_d_e_3 = inv_sqrt_a_sq_plus_e_sq_size
-        .neg_mul_add(part_of_d_e_dot_d_e_2, part_of_d_e_dot_d_e);
-    let part_of_d_e_dot_d_b_2 = c
-        .mul_add(ramp_e_bump_slope_a_plus_b_c, part_of_d_e_dot_d_b);
-    let part_of_d_e_dot_d_b_3 = max_sum_e
-        .neg_mul_add(step_b_minus_a - T::splat(1.0), part_of_d_e_dot_d_b_2);
-    let part_of_d_e_dot_d_a_5 = inv_tau * inv_tau.mul_add(time, part_of_d_e_dot_d_a_4);
-
-    // zoo:20  let along = unit(v, N.3);
-    let along_x = size.if_zero(T::splat(0.0), d_size_d_a);
-    let one_minus_nonzero_sqrt_sum_2 = along_x + one_minus_nonzero_sqrt_sum;
-    let part_of_a_sq_plus_one_plus_ramp = size
-        .mul_add(one_minus_nonzero_sqrt_sum_2, a_sq + T::splat(1.0));
-    let part_of_a_sq_plus_one_plus_ramp_2 = max_sum_e
-        .mul_add(min_a_b, part_of_a_sq_plus_one_plus_ramp);
-    let part_of_a_sq_plus_one_plus_ramp_3 = step_e_minus_const
-        .mul_add(sign_a, part_of_a_sq_plus_one_plus_ramp_2);
-    let part_of_a_sq_plus_one_plus_ramp_4 = part_of_a_sq_plus_one_plus_ramp_3
-        + b_inv_sqrt_one_plus_b_sq;
-    let part_of_a_sq_plus_one_plus_ramp_5 = part_of_a_sq_plus_one_plus_ramp_4
-        + sqrt_one_minus_a_sq_const;
-    let part_of_a_sq_plus_one_plus_ramp_6 = bump_a_plus_b_c
-        .mul_add(ramp_e, part_of_a_sq_plus_one_plus_ramp_5);
-    let inv_size_d_e_dot_d_size = inv_size
-        * (minus_inv_tau * (d_size_d_a - one_minus_nonzero_sqrt_sum_2));
-    let d_e_dot_d_a_sq = inv_size_d_e_dot_d_size
-        .mul_add(T::splat(0.5), part_of_d_e_dot_d_a_sq);
-    let nonzero_b = b.if_zero(T::splat(0.0), T::splat(1.0));
-    let part_of_d_e_dot_d_c = b
-        .neg_mul_add(ramp_e_bump_slope_a_plus_b_c, nonzero_b - T::splat(1.0));
-    let d_e_dot_d_c = inv_size_d_e_dot_d_size
-        .mul_sub(c * e_sq, inv_tau * part_of_d_e_dot_d_c);
-    jp[6] = d_e_dot_d_c;
-    let inv_tau_two = prepared[5];
+    let part_of_d_e_dot_d_e_5 = inv_sqrt_a_sq_plus_e_sq_size
+        .neg_mul_add(part_of_d_e_dot_d_e_4, part_of_d_e_dot_d_e_3);
+    dx[1] = minus_inv_tau * minus_a_inv_sqrt_a_sq_sum;
+    let inv_tau_sq = prepared[12];
+    let d_b_dot_d_tau = inv_tau_sq * minus_a_inv_sqrt_a_sq_sum;
+    jp[4] = d_b_dot_d_tau;
+    let inv_tau_two = prepared[6];
     let part_of_d_a_dot_d_sum = inv_tau_two * cos_sum * sin_sum;
     let d_tanh_sum_c_plus_exp_sum_d_b_const = sin_b_const_inv_cos_b_const
         .mul_add(sin_b_const_inv_cos_b_const, T::splat(1.0));
@@ -193,52 +240,52 @@ pub fn f_jac_par<T: Real>(
     let a_inv_tau = inv_tau * a;
     let minus_one_plus_tanh_sum_c_sq = tanh_sum_c.mul_sub(tanh_sum_c, T::splat(1.0));
     jp[2] = minus_inv_tau * sum * minus_one_plus_tanh_sum_c_sq; // d_a_dot_d_c
-    let minus_c_inv_tau = prepared[4];
-    let d_a_dot_d_sum = minus_c_inv_tau
-        .mul_sub(minus_one_plus_tanh_sum_c_sq, part_of_d_a_dot_d_sum);
-    let sign_b = b.sign();
-    let inv_tau_const = prepared[9];
-    let d_b_dot_d_b = sign_b.mul_add(inv_tau_const * sqrt_abs_b, part_of_d_b_dot_d_b_2);
-    j[3] = d_b_dot_d_b;
-    let time_a_inv_tau = time * a_inv_tau;
-    let d_e_dot_d_a = d_e_dot_d_a_sq.mul_add(T::splat(2.0) * a, part_of_d_e_dot_d_a_5);
-    j[5] = d_e_dot_d_a;
     let part_of_d_e_dot_d_b_4 = inv_tau * inv_sqrt_one_plus_b_sq
         * inv_sqrt_one_plus_b_sq;
-    let k_inv_tau = prepared[6];
+    let minus_c_inv_tau = prepared[5];
+    let d_a_dot_d_sum = minus_c_inv_tau
+        .mul_sub(minus_one_plus_tanh_sum_c_sq, part_of_d_a_dot_d_sum);
+    let time_a_inv_tau = time * a_inv_tau;
+    let part_of_d_e_dot_d_b_5 = b_inv_sqrt_one_plus_b_sq
+        .mul_sub(part_of_d_e_dot_d_b_4, inv_size_d_e_dot_d_size);
+    let sign_b = b.sign();
+    let inv_tau_const = prepared[10];
+    let d_b_dot_d_b = sign_b.mul_add(inv_tau_const * sqrt_abs_b, part_of_d_b_dot_d_b_2);
+    j[3] = d_b_dot_d_b;
+    let k_inv_tau = prepared[7];
     let part_of_d_a_dot_d_a = k_inv_tau.mul_add(cos_a_k, d_a_dot_d_sum);
-    let a_sq_plus_one_plus_ramp_sum = part_of_a_sq_plus_one_plus_ramp_6 + unless_b
+    let a_sq_plus_one_plus_step_sum = part_of_a_sq_plus_one_plus_step_7 + unless_b
         + time_a_inv_tau;
-    let const_inv_tau = prepared[7];
+    let const_inv_tau = prepared[8];
     let d_a_dot_d_b = const_inv_tau
         .mul_add(d_tanh_sum_c_plus_exp_sum_d_b_const, d_a_dot_d_sum);
     j[1] = d_a_dot_d_b;
-    let d_b_dot_d_e = a_inv_tau
-        .neg_mul_add(part_of_d_b_dot_d_e, k_inv_tau * inv_one_plus_k_e_sq);
-    j[4] = d_b_dot_d_e;
-    let d_a_dot_d_k = cos_a_k * a_inv_tau;
-    jp[0] = d_a_dot_d_k;
-    let part_of_d_e_dot_d_b_5 = b_inv_sqrt_one_plus_b_sq
-        .mul_sub(part_of_d_e_dot_d_b_4, inv_size_d_e_dot_d_size);
+    let d_e_dot_d_a = inv_tau
+        .mul_add(part_of_d_e_dot_d_a_6, T::splat(2.0) * a * d_e_dot_d_a_sq);
+    j[5] = d_e_dot_d_a;
     let d_a_dot_d_a = a_inv_tau
         .neg_mul_add(T::splat(2.0) * exp_minus_a_sq, part_of_d_a_dot_d_a);
     j[0] = d_a_dot_d_a;
-    let d_e_dot_d_e = inv_size_d_e_dot_d_size
-        .mul_sub(c_sq * e, inv_tau * part_of_d_e_dot_d_e_3);
+    let d_b_dot_d_e = a_inv_tau
+        .neg_mul_add(part_of_d_b_dot_d_e, k_inv_tau * inv_one_plus_k_e_sq);
+    j[4] = d_b_dot_d_e;
+    let d_e_dot_d_b = inv_tau.mul_sub(part_of_d_e_dot_d_b_3, b * part_of_d_e_dot_d_b_5);
+    j[6] = d_e_dot_d_b;
+    let d_e_dot_d_e = inv_tau
+        .neg_mul_add(part_of_d_e_dot_d_e_5, c_sq * e * inv_size_d_e_dot_d_size);
     j[7] = d_e_dot_d_e;
+    let d_a_dot_d_k = cos_a_k * a_inv_tau;
+    jp[0] = d_a_dot_d_k;
     jp[3] = inv_tau * e * inv_one_plus_k_e_sq; // d_b_dot_d_k
 
-    // zoo:25  der(e) = (min(a, b)*max(sum, e) + ratio(a, b, c) + sign(a)*step(e - 0.1) + size*alon …
-    let e_dot = inv_tau * a_sq_plus_one_plus_ramp_sum;
+    // zoo:32  der(e) = (min(a, b)*max(sum, e) + ratio(a, b, c) + sign(a)*step(e - 0.1) + size*alon …
+    let e_dot = inv_tau * a_sq_plus_one_plus_step_sum;
     dx[2] = e_dot;
 
-    // zoo:23  der(a) = (sin(a*k) + cos(sum)^2 + tan(b/3) + exp(-a^2) + tanh(sum*c))/tau;
+    // zoo:30  der(a) = (sin(a*k) + cos(sum)^2 + tan(b/3) + exp(-a^2) + tanh(sum*c))/tau;
     let a_dot = inv_tau * tanh_sum_c_plus_exp_sum;
     dx[0] = a_dot;
-    let minus_inv_tau_sq = prepared[12];
+    let minus_inv_tau_sq = prepared[13];
     jp[1] = minus_inv_tau_sq * tanh_sum_c_plus_exp_sum; // d_a_dot_d_tau
-    let d_e_dot_d_b = b
-        .neg_mul_add(part_of_d_e_dot_d_b_5, inv_tau * part_of_d_e_dot_d_b_3);
-    j[6] = d_e_dot_d_b;
-    jp[5] = minus_inv_tau_sq * (a_sq_plus_one_plus_ramp_sum + time_a_inv_tau); // d_e_dot_d_tau
+    jp[5] = minus_inv_tau_sq * (a_sq_plus_one_plus_step_sum + time_a_inv_tau); // d_e_dot_d_tau
 }

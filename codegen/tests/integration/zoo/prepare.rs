@@ -5,30 +5,31 @@ use lanes::Real;
 
 /// Computes all subexpressions that depend only on the parameters; call it once per flight.
 ///
-/// 14 operations: 10 mul, 1 div, 3 neg.
+/// 15 operations: 11 mul, 1 div, 3 neg.
 #[inline(always)]
-pub fn prepare<T: Real>(parameters: &[T; 3], prepared: &mut [T; 13]) {
+pub fn prepare<T: Real>(parameters: &[T; 3], prepared: &mut [T; 14]) {
     let tau = parameters[1];
     let inv_tau = T::splat(1.0) / tau;
     prepared[0] = inv_tau;
     let c = parameters[2];
+    prepared[1] = c * T::splat(0.3333333333333333);
     let c_sq = c * c;
-    prepared[1] = c_sq;
-    prepared[3] = T::splat(std::f64::consts::PI) * T::splat(0.5);
+    prepared[2] = c_sq;
+    prepared[4] = T::splat(std::f64::consts::PI) * T::splat(0.5);
     let d_minus_inv_tau_d_tau = inv_tau * inv_tau;
-    prepared[11] = d_minus_inv_tau_d_tau;
-    prepared[5] = inv_tau * T::splat(2.0);
+    prepared[12] = d_minus_inv_tau_d_tau;
+    prepared[6] = inv_tau * T::splat(2.0);
     let k = parameters[0];
     let k_inv_tau = k * inv_tau;
-    prepared[6] = k_inv_tau;
-    prepared[7] = inv_tau * T::splat(0.3333333333333333);
-    prepared[8] = inv_tau * T::splat(0.5);
-    prepared[9] = inv_tau * T::splat(1.5);
-    prepared[10] = inv_tau * T::splat(0.05555555555555555);
+    prepared[7] = k_inv_tau;
+    prepared[8] = inv_tau * T::splat(0.3333333333333333);
+    prepared[9] = inv_tau * T::splat(0.5);
+    prepared[10] = inv_tau * T::splat(1.5);
+    prepared[11] = inv_tau * T::splat(0.05555555555555555);
     let minus_inv_tau = -inv_tau;
-    prepared[2] = minus_inv_tau;
+    prepared[3] = minus_inv_tau;
     let minus_c_inv_tau = -(c * inv_tau);
-    prepared[4] = minus_c_inv_tau;
+    prepared[5] = minus_c_inv_tau;
     let minus_inv_tau_sq = -d_minus_inv_tau_d_tau;
-    prepared[12] = minus_inv_tau_sq;
+    prepared[13] = minus_inv_tau_sq;
 }

@@ -2,7 +2,7 @@
 //! error bound, those of the crate `num-dual`, and complex steps, f'(x) = Im f(x + ih) / h without cancellation.
 
 use super::table::Interpolant;
-use super::{Elementary, Field, Real};
+use super::{Elementary, Field, Real, Surface};
 use nalgebra::Complex;
 use num_dual::{Dual64, DualNum};
 use num_traits::{One, Zero};
@@ -93,6 +93,16 @@ impl<T: Real> Real for Dual<T> {
         Self {
             value: self.value.interpolated(table, order),
             derivative: self.value.interpolated(table, order + 1) * self.derivative,
+        }
+    }
+
+    fn on_surface(self, other: Self, table: &Surface, orders: [u8; 2]) -> Self {
+        let of = |orders| self.value.on_surface(other.value, table, orders);
+        let [first, second] = orders;
+        Self {
+            value: of(orders),
+            derivative: of([first + 1, second]) * self.derivative
+                + of([first, second + 1]) * other.derivative,
         }
     }
 

@@ -5,7 +5,7 @@
 //! the magnitude is therefore comparable with the rounding unit, whether or not terms cancel.
 
 use super::table::Interpolant;
-use super::{Elementary, Field, Real};
+use super::{Elementary, Field, Real, Surface};
 use num_traits::{One, Zero};
 
 /// A computed number and the scale of its rounding error: the sum of the absolute values of the terms that sum to the
@@ -110,6 +110,20 @@ impl Real for ErrorBound {
         Self {
             value,
             magnitude: value.abs() + terms + derivative.abs() * self.magnitude,
+        }
+    }
+
+    fn on_surface(self, other: Self, table: &Surface, orders: [u8; 2]) -> Self {
+        let arguments = [self.value, other.value];
+        let [first, second] = orders;
+        let slope = |orders| table.at::<f64>(arguments, orders).abs();
+        let value: f64 = table.at(arguments, orders);
+        Self {
+            value,
+            magnitude: value.abs()
+                + table.magnitude(arguments, orders)
+                + slope([first + 1, second]) * self.magnitude
+                + slope([first, second + 1]) * other.magnitude,
         }
     }
 

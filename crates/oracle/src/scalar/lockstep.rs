@@ -1,7 +1,7 @@
 //! Pairs of scalars evaluated in one pass.
 
 use super::table::Interpolant;
-use super::{Elementary, Field, Real};
+use super::{Elementary, Field, Real, Surface};
 use num_traits::{One, Zero};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -101,6 +101,13 @@ impl<A: Real, B: Real> Real for Lockstep<A, B> {
         self.map(
             |a| a.interpolated(table, order),
             |b| b.interpolated(table, order),
+        )
+    }
+
+    fn on_surface(self, other: Self, table: &Surface, orders: [u8; 2]) -> Self {
+        self.map(
+            |a| a.on_surface(other.first, table, orders),
+            |b| b.on_surface(other.second, table, orders),
         )
     }
 

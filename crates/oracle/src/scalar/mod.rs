@@ -7,6 +7,7 @@ mod function;
 mod lockstep;
 mod ops;
 mod prime;
+mod surface;
 mod table;
 
 use ::num_traits::{One, Zero};
@@ -19,6 +20,7 @@ pub use lockstep::Lockstep;
 use ops::rounded_literals;
 pub use prime::{PRIME, Prime};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+pub use surface::Surface;
 pub use table::Interpolant;
 
 /// An algebraic field: scalars with sums, differences, products and quotients.
@@ -56,6 +58,11 @@ pub trait Real: Field {
     /// Value of a table at `self` (`order` 0), or its derivative of the given order.
     fn interpolated(self, table: &Interpolant, order: u8) -> Self {
         table.at(self, order)
+    }
+
+    /// Value of a table of two arguments at (`self`, `other`), or its partial derivative of the given orders.
+    fn on_surface(self, other: Self, table: &Surface, orders: [u8; 2]) -> Self {
+        table.at([self, other], orders)
     }
 
     /// Square root; 0 with derivative 0 for arguments ≤ 0.

@@ -12,26 +12,64 @@ pub struct Interpolant {
     /// Hash of the interpolated curve ([`Table::fingerprint`]).
     pub fingerprint: u64,
     knots: Vec<(f64, f64)>,
+    /// Slopes at the knots; empty for straight lines between them.
     slopes: Vec<f64>,
+    is_flat: bool,
 }
 
 impl Interpolant {
-    /// Creates the interpolating curve of a table that a model declares.
+    /// Creates the interpolating curve of a table of one argument that a model declares.
     pub fn new(table: &Table) -> Self {
+        Self::through(table.points(), table)
+    }
+
+    /// Creates the curve through knots (argument, value) by the rules of a table.
+    pub(super) fn through(knots: Vec<(f64, f64)>, table: &Table) -> Self {
         let is_flat = table.continuation == Continuation::Constant;
         let slopes = match table.interpolation {
-            Interpolation::Spline => spline_slopes(&table.knots, is_flat),
-            Interpolation::Monotone => monotone_slopes(&table.knots, is_flat),
+            Interpolation::Spline => spline_slopes(&knots, is_flat),
+            Interpolation::Monotone if knots.len() > 2 => monotone_slopes(&knots, is_flat),
+            Interpolation::Monotone if is_flat => vec![0.0; 2],
+            Interpolation::Monotone => vec![intervals(&knots)[0].1; 2],
+            Interpolation::Linear => Vec::new(),
         };
         Self {
             fingerprint: table.fingerprint(),
-            knots: table.knots.clone(),
+            knots,
             slopes,
+            is_flat,
+        }
+    }
+
+    /// Value of the polygon through the knots at `x` (`order` 0), or its derivative of the given order.
+    fn on_lines<T: Real>(&self, x: T, order: u8) -> T {
+        let last = self.knots.len() - 1;
+        let at = x.re();
+        let is_beyond = at < self.knots[0].0 || at >= self.knots[last].0;
+        let behind = self.knots.iter().filter(|knot| knot.0 <= at).count();
+        let right = behind.clamp(1, last);
+        let ((x0, y0), (x1, y1)) = (self.knots[right - 1], self.knots[right]);
+        let (x0, x1, y0, y1) = (T::lit(x0), T::lit(x1), T::lit(y0), T::lit(y1));
+        match order {
+            0 if is_beyond && self.is_flat => {
+                if at < self.knots[0].0 {
+                    y0
+                } else {
+                    y1
+                }
+            }
+            0 => (y0 * (x1 - x) + y1 * (x - x0)) / (x1 - x0),
+            1 if is_beyond && self.is_flat => T::zero(),
+            1 => (y1 - y0) / (x1 - x0),
+            _ => T::zero(),
         }
     }
 
     /// Value of the interpolated curve at `x` (`order` 0), or its derivative of the given order.
     pub fn at<T: Real>(&self, x: T, order: u8) -> T {
+        if self.slopes.is_empty() {
+            return self.on_lines(x, order);
+        }
         let last = self.knots.len() - 1;
         let line = |end: usize| {
             let ((x_end, y), slope) = (self.knots[end], self.slopes[end]);
@@ -82,7 +120,8 @@ impl Interpolant {
         let right = self.knots.iter().position(|&(knot, _)| x < knot);
         let right = right.unwrap_or(self.knots.len() - 1).max(1);
         let width = self.knots[right].0 - self.knots[right - 1].0;
-        let size = |k: usize| self.knots[k].1.abs() + width * self.slopes[k].abs();
+        let slope = |k: usize| self.slopes.get(k).map_or(0.0, |slope| slope.abs());
+        let size = |k: usize| self.knots[k].1.abs() + width * slope(k);
         size(right - 1) + size(right)
     }
 }

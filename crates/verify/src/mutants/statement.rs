@@ -104,21 +104,26 @@ fn table(out: &mut Changes<'_>, table: &Table) {
             }
         });
     };
-    for (k, (argument, value)) in table.knots.iter().enumerate() {
-        let Ok(number) = value.number.text.parse::<f64>() else {
-            continue;
-        };
-        let changed = if number == 0.0 { 0.1 } else { number * 1.1 };
-        change(
-            Operator::Factor,
-            format!("{changed} at {argument}"),
-            &|table| table.knots[k].1.number.text = format!("{changed:e}"),
-        );
+    for (k, (argument, values)) in table.rows.iter().enumerate() {
+        for (column, value) in values.iter().enumerate() {
+            let Ok(number) = value.number.text.parse::<f64>() else {
+                continue;
+            };
+            let changed = if number == 0.0 { 0.1 } else { number * 1.1 };
+            let second = table.columns.get(column);
+            let second = second.map_or(String::new(), |knot| format!(", {knot}"));
+            change(
+                Operator::Factor,
+                format!("{changed} at {argument}{second}"),
+                &|table| table.rows[k].1[column].number.text = format!("{changed:e}"),
+            );
+        }
     }
     change(Operator::Function, String::from("other slopes"), &|table| {
         table.interpolation = match table.interpolation {
-            Interpolation::Spline => Interpolation::Monotone,
-            Interpolation::Monotone => Interpolation::Spline,
+            Interpolation::Spline if table.arguments.len() == 1 => Interpolation::Monotone,
+            Interpolation::Spline => Interpolation::Linear,
+            Interpolation::Monotone | Interpolation::Linear => Interpolation::Spline,
         };
     });
 }

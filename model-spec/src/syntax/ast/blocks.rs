@@ -211,6 +211,8 @@ pub enum Interpolation {
     Spline,
     /// Piecewise cubic that is monotone between knots (Fritsch and Carlson 1980). Stated as `monotone`.
     Monotone,
+    /// Straight lines between knots, or bilinear in two arguments; the slope jumps at the knots. Stated as `linear`.
+    Linear,
 }
 
 /// Method of extrapolation below the first and above the last knot of a table.
@@ -223,19 +225,22 @@ pub enum Continuation {
     Constant,
 }
 
-/// Declaration of a table: `table NAME(ARGUMENT: UNIT): UNIT = { argument: value, … };`.
+/// Declaration of a table of one or two arguments: `table NAME(ARGUMENT: UNIT): UNIT = { argument: value, … };`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     /// Name of the table, by which it is called.
     pub name: Name,
-    /// Name of the argument, which serves only as documentation.
-    pub argument: Name,
-    /// Unit of the argument; `None` for a pure number.
-    pub argument_unit: Option<UnitExpr>,
+    /// One or two arguments, each with its unit, which is `None` for a pure number.
+    pub arguments: Vec<(Name, Option<UnitExpr>)>,
     /// Unit of the value; `None` for a pure number.
     pub unit: Option<UnitExpr>,
-    /// Argument and value at each knot. A quantity without a unit has the unit declared for the argument or the value.
-    pub knots: Vec<(Quantity, Quantity)>,
+    /// Path of the file with the knots, relative to the file of the statement, until the file has been read.
+    pub file: Option<Name>,
+    /// Knots of the second argument; empty for a table of one argument.
+    pub columns: Vec<Quantity>,
+    /// Each knot of the first argument with the values there: one, or one for each knot of the second argument. A
+    /// quantity without a unit has the unit declared for the argument or the value.
+    pub rows: Vec<(Quantity, Vec<Quantity>)>,
     /// Method of interpolation between the knots.
     pub interpolation: Interpolation,
     /// Method of extrapolation below the first and above the last knot.

@@ -1,0 +1,126 @@
+//! Piecewise bicubic functions: tables of two arguments, as tensor products of the functions of one.
+
+use super::{PiecewiseCubic, TableFunction, TableId};
+use lanes::Real;
+use model_spec::model::{self, TableArgument};
+
+/// A table of two arguments or one of its partial derivatives; encoded in two bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct SurfaceFunction(u16);
+
+impl SurfaceFunction {
+    /// Returns the function of a table (`orders` 0) or of its partial derivative of the given orders.
+    ///
+    /// # Panics
+    /// If an order exceeds [`TableFunction::LAST`], or the index exceeds 4095, far above the number of tables of a
+    /// model.
+    pub fn new(table: TableId, orders: [u8; 2]) -> SurfaceFunction {
+        assert!(orders.iter().all(|&order| order <= TableFunction::LAST));
+        let [first, second] = orders.map(usize::from);
+        let code = (table.index() << 4) | (first << 2) | second;
+        SurfaceFunction(u16::try_from(code).expect("few tables"))
+    }
+
+    /// Index of the table whose value or derivative this function is.
+    pub fn table(self) -> TableId {
+        TableId::new(usize::from(self.0 >> 4))
+    }
+
+    /// Orders of the derivative by each argument; 0 for the value of the table.
+    pub fn orders(self) -> [u8; 2] {
+        [(self.0 >> 2 & 3) as u8, (self.0 & 3) as u8]
+    }
+
+    /// Partial derivative of this function by the argument 0 or 1; `None` if it is identically zero.
+    pub fn derivative(self, argument: usize) -> Option<SurfaceFunction> {
+        let mut orders = self.orders();
+        orders[argument] += 1;
+        (orders[argument] <= TableFunction::LAST).then(|| Self::new(self.table(), orders))
+    }
+}
+
+/// A piecewise bicubic function, given by the knots of both arguments and by the coefficients of each cell.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PiecewiseBicubic {
+    knots: [Vec<f64>; 2],
+    cells: Vec<[f64; 16]>,
+}
+
+impl PiecewiseBicubic {
+    /// Interpolates a table of two arguments: along the second argument at each knot of the first, then the
+    /// coefficients of these cubics along the first.
+    pub fn of(table: &model::Table) -> PiecewiseBicubic {
+        let [first, second] = &table.arguments[..] else {
+            panic!("the table `{}` has two arguments", table.name)
+        };
+        let along = |argument: &TableArgument, values: Vec<f64>| {
+            let points: Vec<(f64, f64)> = argument.knots.iter().copied().zip(values).collect();
+            PiecewiseCubic::through(&points, table.interpolation, table.continuation)
+        };
+        let rows = table.values.chunks(second.knots.len());
+        let rows: Vec<PiecewiseCubic> = rows.map(|row| along(second, row.to_vec())).collect();
+        let (intervals_x, intervals_y) = (first.knots.len() + 1, second.knots.len() + 1);
+        let mut cells = vec![[0.0; 16]; intervals_x * intervals_y];
+        for j in 0..intervals_y {
+            for power in 0..4 {
+                let values = rows.iter().map(|row| row.cubics()[j][power]).collect();
+                for (i, cubic) in along(first, values).cubics().iter().enumerate() {
+                    for (a, coefficient) in cubic.iter().enumerate() {
+                        cells[i * intervals_y + j][4 * a + power] = *coefficient;
+                    }
+                }
+            }
+        }
+        PiecewiseBicubic {
+            knots: [first.knots.clone(), second.knots.clone()],
+            cells,
+        }
+    }
+
+    /// Knots of both arguments, in increasing order.
+    pub fn knots(&self) -> [&[f64]; 2] {
+        [&self.knots[0], &self.knots[1]]
+    }
+
+    /// Coefficients of each cell; see [`Real::piecewise_bicubic`].
+    pub fn cells(&self) -> &[[f64; 16]] {
+        &self.cells
+    }
+
+    /// The partial derivative of the given orders as a piecewise bicubic of its own.
+    pub fn derivative(&self, orders: [u8; 2]) -> PiecewiseBicubic {
+        let [p, q] = orders.map(usize::from);
+        let falling =
+            |n: usize, order: usize| (n + 1..=n + order).map(|n| n as f64).product::<f64>();
+        let of = |cell: &[f64; 16]| {
+            let mut derivative = [0.0; 16];
+            for a in 0..4 - p {
+                for b in 0..4 - q {
+                    let factor = falling(a, p) * falling(b, q);
+                    derivative[4 * a + b] = factor * cell[4 * (a + p) + b + q];
+                }
+            }
+            derivative
+        };
+        PiecewiseBicubic {
+            knots: self.knots.clone(),
+            cells: self.cells.iter().map(of).collect(),
+        }
+    }
+
+    /// Origin and coefficients of the cell that applies at (x, y).
+    pub fn piece(&self, arguments: [f64; 2]) -> ([f64; 2], &[f64; 16]) {
+        let below = [0, 1].map(|k| self.knots[k].partition_point(|&knot| knot <= arguments[k]));
+        let origin = [0, 1].map(|k| self.knots[k][below[k].saturating_sub(1)]);
+        (
+            origin,
+            &self.cells[below[0] * (self.knots[1].len() + 1) + below[1]],
+        )
+    }
+
+    /// Evaluates the function, or its derivative of the given orders, at (x, y).
+    #[inline(always)]
+    pub fn eval<T: Real>(&self, x: T, y: T, orders: [u8; 2]) -> T {
+        x.piecewise_bicubic(y, orders.map(usize::from), self.knots(), &self.cells)
+    }
+}

@@ -1,0 +1,134 @@
+//! Small things that papers write: powers of quantities, turned frames, definitions in blocks.
+
+use model_spec::load::from_text;
+use model_spec::model::{ConstantAngle, FrameKind, Model};
+use model_spec::syntax;
+use model_spec::unit::Unit;
+
+const BODY: &str = "model probe; frame N; param m = 0.5 kg;
+    point probe { mass m; position (x, y, z) in N; velocity (vx, vy, vz) in N; }
+";
+
+fn read(statements: &str) -> Model {
+    let text = format!("{BODY}{statements}");
+    from_text("probe.hyz", &text, &[]).unwrap_or_else(|error| panic!("{text}\n{error}"))
+}
+
+fn refused(statements: &str) -> String {
+    let text = format!("{BODY}{statements}");
+    let error = from_text("probe.hyz", &text, &[]).expect_err(statements);
+    error
+        .to_string()
+        .lines()
+        .next()
+        .unwrap_or_default()
+        .to_owned()
+}
+
+#[test]
+fn a_power_of_a_quantity_has_a_unit_where_that_is_one() {
+    let model =
+        read("param V = 8 m^3; let edge = V^(1/3); let area = V^(-2/3); let half: m = edge/2;");
+    let units: Vec<Unit> = model
+        .aux_variables
+        .iter()
+        .map(|own| own.value.unit)
+        .collect();
+    assert_eq!(units[0], Unit::METRE);
+    assert_eq!(units[1], Unit::METRE.checked_pow(-2, 1).unwrap());
+    let message = refused("let a = z^(1/3);");
+    assert!(
+        message.contains("the base of `z^(1/3)` must be a pure number"),
+        "{message}"
+    );
+    let message = refused("param n = 2; let a = z^n;");
+    assert!(message.contains("must be a pure number"), "{message}");
+}
+
+#[test]
+fn a_frame_is_turned_by_a_number_a_parameter_or_a_coefficient() {
+    let statements = "param i_w = 2 deg; coefficient twist = 0.1 in -1 .. 1; frame A = N turned i_w about 2;
+        frame B = A turned twist about 1; frame C = B turned -3.5 deg about 3; force lift = 1 [N]*C.3;";
+    let model = read(statements);
+    let angle = |frame: usize| match model.frames[frame].kind {
+        FrameKind::Fixed { angle, .. } => angle,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(
+        [angle(1), angle(2)],
+        [ConstantAngle::Param(1), ConstantAngle::Coefficient(0)]
+    );
+    assert_eq!(angle(3), ConstantAngle::Number((-3.5_f64).to_radians()));
+    let text = format!("{BODY}{statements}");
+    let printed = syntax::parse("probe.hyz", &text).file.to_string();
+    let again =
+        from_text("printed.hyz", &printed, &[]).unwrap_or_else(|e| panic!("{printed}\n{e}"));
+    assert_eq!(again.frames[3].kind, model.frames[3].kind);
+    for (statement, message) in [
+        ("frame A = N turned m about 1;", "must be an angle"),
+        (
+            "input flap: deg = 0 in -9 .. 9; frame A = N turned flap about 1;",
+            "may change during a flight",
+        ),
+        (
+            "frame A = N turned 3 m about 1;",
+            "a frame is turned by an angle",
+        ),
+    ] {
+        let found = refused(statement);
+        assert!(found.contains(message), "{found}");
+    }
+}
+
+#[test]
+fn a_body_does_not_turn_in_a_frame_that_is_turned_by_a_constant() {
+    let text = "model probe; param m = 1 kg; param I = 1 kg*m^2; frame N; frame T = N turned 3 deg about 1;
+        frame C = T by quaternion (q0, q1, q2, q3);
+        body probe { mass m; inertia diag(I, I, I) in C; fixed in C; position (x, y, z) in N;
+          velocity (u, v, w) in N; angular velocity (p, q, r) in C; }";
+    let error = from_text("probe.hyz", text, &[]).unwrap_err().to_string();
+    assert!(
+        error.contains("the frame T is turned by a constant"),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_definition_in_a_block_is_one_of_the_model() {
+    let text = "model probe; frame N; param m = 0.5 kg;
+        point probe { let whole = 2*m; mass whole; position (x, y, z) in N; velocity (vx, vy, vz) in N; }
+        check \"a case\" { let twice = 2*x; set x = 3 m; expect twice = 6 m within 1e-12; }";
+    let model = from_text("probe.hyz", text, &[]).unwrap_or_else(|e| panic!("{e}"));
+    let names: Vec<&str> = model
+        .aux_variables
+        .iter()
+        .map(|own| own.name.as_str())
+        .collect();
+    assert_eq!(names, ["whole", "twice"]);
+}
+
+#[test]
+fn comments_stand_anywhere_in_an_effect() {
+    let text = format!(
+        "{BODY}//! of the file
+        force weight = -m*9.81 [m/s^2]*N.3;
+        /// documented
+        effect push {{ // here
+          //! and there
+          /// site
+          site drag; /* no */"
+    );
+    let text = text.replace(" /* no */", "")
+        + "
+          /// what it depends on
+          variables none; // nothing
+          /// size
+          coefficient k = 0 N in -1 .. 1;
+          /// what matters
+          negligible k 1e-3 N;
+          // last
+          replace force weight = previous + k*N.1; // behind
+          // at the end
+        }";
+    from_text("probe.hyz", &text, &["push"]).unwrap_or_else(|e| panic!("{e}"));
+}
