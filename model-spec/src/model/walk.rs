@@ -17,6 +17,8 @@ macro_rules! visit_children {
             | K::Input(_)
             | K::State(_)
             | K::AuxVariable(_)
+            | K::Unknown(..)
+            | K::Determinacy(_)
             | K::Axis(..)
             | K::Position
             | K::Velocity
@@ -30,7 +32,12 @@ macro_rules! visit_children {
             | K::Norm(a)
             | K::Component(a, _)
             | K::Reexpress(a)
+            | K::Partial(a, _)
             | K::Call(_, a) => $visit(a),
+            K::Rate(a, _, rates) => {
+                $visit(a);
+                rates.$iter().for_each($visit);
+            }
             K::Add(a, b)
             | K::Sub(a, b)
             | K::Mul(a, b)
@@ -68,6 +75,7 @@ macro_rules! collect_expressions {
         let loads = model.forces.$iter().chain(model.moments.$iter());
         all.extend(loads.map(|own| &$($mutable)? own.value));
         all.extend(model.equations.$iter().map(|own| &$($mutable)? own.value));
+        all.extend(model.systems.$iter().flat_map(|own| own.equations.$iter()));
         all.extend(model.claim.$iter().flat_map(|claim| claim.$claimed()));
         all.extend(model.observation.$iter().map(|own| &$($mutable)? own.value));
         all.extend(model.clock.$iter().map(|own| &$($mutable)? own.value));
@@ -104,7 +112,10 @@ impl Expr {
             | (K::Coefficient(a), K::Coefficient(b))
             | (K::Input(a), K::Input(b))
             | (K::State(a), K::State(b))
-            | (K::AuxVariable(a), K::AuxVariable(b)) => a == b,
+            | (K::AuxVariable(a), K::AuxVariable(b))
+            | (K::Determinacy(a), K::Determinacy(b)) => a == b,
+            (K::Unknown(s, a), K::Unknown(t, b)) => s == t && a == b,
+            (K::Partial(_, a), K::Partial(_, b)) => a == b,
             (K::Axis(f, a), K::Axis(g, b)) => f == g && a == b,
             (K::Pow(_, a), K::Pow(_, b)) => a == b,
             (K::Component(_, a), K::Component(_, b)) => a == b,
@@ -123,7 +134,7 @@ impl Expr {
 
 impl Model {
     /// All expressions that are not part of another expression: definitions of the auxiliary variables, then mass and
-    /// entries of the inertia tensor, loads, equations, `claim` block, observation, rate of the clock, validity limits.
+    /// entries of the inertia tensor, loads, equations, those of systems, `claim` block, observation, rate of the clock, validity limits.
     pub fn expressions(&self) -> Vec<&Expr> {
         collect_expressions!(self, iter, expressions)
     }
@@ -143,6 +154,10 @@ impl Model {
         for own in &self.equations {
             let state = &*self.states[own.state].name;
             all.push(("a stated equation", state, &own.value, own.span));
+        }
+        for own in &self.systems {
+            let equations = own.equations.iter();
+            all.extend(equations.map(|e| ("an equation", &*own.title, e, e.span)));
         }
         if let Some(own) = &self.observation {
             all.push(("an observation", &*own.name, &own.value, own.span));

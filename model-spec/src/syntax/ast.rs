@@ -4,6 +4,7 @@
 
 mod blocks;
 mod functions;
+mod solve;
 
 use std::sync::Arc;
 
@@ -16,6 +17,7 @@ pub use blocks::{
 pub use functions::{
     Array, Ascription, Expanded, Function, FunctionParameter, Index, Template, Type,
 };
+pub use solve::{ImplicitEquation, Solve, UnknownQuantity};
 
 /// A parsed file: a model, effects, or both.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -101,6 +103,8 @@ pub enum ItemKind {
     Load(Load),
     /// Differential equation: `der(STATE) = …;`
     Equation(Equation),
+    /// Equations that are not solved for: `solve { … }`
+    Solve(Solve),
     /// Declaration of the observed point: `marker NAME in FRAME;`
     Marker(Marker),
     /// Measurement equation: `observe NAME = …;`

@@ -10,7 +10,7 @@ use crate::suggest;
 /// Maximum nesting depth of an expression, which bounds the recursion of the parser.
 const MAX_DEPTH: u32 = 64;
 
-pub(super) const STATEMENTS: [&str; 31] = [
+pub(super) const STATEMENTS: [&str; 32] = [
     "model",
     "reference",
     "param",
@@ -27,6 +27,7 @@ pub(super) const STATEMENTS: [&str; 31] = [
     "force",
     "moment",
     "der",
+    "solve",
     "marker",
     "observe",
     "clock",

@@ -17,6 +17,7 @@ impl Display for File {
                 item.kind,
                 ItemKind::Body(_)
                     | ItemKind::Claim(_)
+                    | ItemKind::Solve(_)
                     | ItemKind::Check(_)
                     | ItemKind::Effect(_)
                     | ItemKind::Function(_)
@@ -130,6 +131,7 @@ fn write_kind(f: &mut Formatter<'_>, kind: &ItemKind, of: &Elements) -> Result {
             f.write_char('}')
         }
         ItemKind::Claim(claim) => write!(f, "{claim}"),
+        ItemKind::Solve(solve) => write!(f, "{solve}"),
         ItemKind::Table(table) => write!(f, "{table}"),
         ItemKind::Let(l) => {
             f.write_str(if l.is_constant { "param " } else { "let " })?;
