@@ -144,7 +144,7 @@ pub fn title((class, name): &Key) -> String {
 
 /// Statements of a model file that influence the motion, by class and name.
 pub fn keyed(file: &File) -> Vec<(Key, &Item)> {
-    let mut limits = 0;
+    let (mut limits, mut blocks) = (0, 0);
     let mut key = |item: &Item| {
         let name = |class, name: &model_spec::syntax::ast::Name| Some((class, name.text.clone()));
         match &item.kind {
@@ -160,6 +160,18 @@ pub fn keyed(file: &File) -> Vec<(Key, &Item)> {
             ItemKind::Load(l) if l.class == LoadClass::Force => name("force", &l.name),
             ItemKind::Load(l) => name("moment", &l.name),
             ItemKind::Equation(e) => name("der", &e.state),
+            ItemKind::Solve(own) => {
+                blocks += 1;
+                let number = || {
+                    if blocks == 1 {
+                        String::new()
+                    } else {
+                        blocks.to_string()
+                    }
+                };
+                let name = own.name.as_ref().map(|name| name.text.clone());
+                Some(("solve", name.unwrap_or_else(number)))
+            }
             ItemKind::Marker(_) => Some(("marker", String::new())),
             ItemKind::Observe(_) => Some(("observe", String::new())),
             ItemKind::Clock(_) => Some(("clock", String::from("clock"))),
