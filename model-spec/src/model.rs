@@ -17,7 +17,7 @@ pub use parts::{
     AppliedEffect, Claim, ClaimedAttitude, ClaimedRotation, Continuation, EffectUnknown, Function,
     Interpolation, OfferedEffect, Table,
 };
-pub use system::{LinearSystem, Unknown};
+pub use system::{Balance, LinearSystem, Unknown};
 
 /// A checked model of a flying body: its states, parameters, frames, forces, moments and equations.
 #[derive(Clone, Debug, Default)]
@@ -56,6 +56,8 @@ pub struct Model {
     pub systems: Vec<LinearSystem>,
     /// Mass, motion and loads of a body that [`Model::equations`] are claimed to describe, for `hyzer verify`.
     pub claim: Option<Claim>,
+    /// Changes of quantities along the motion that are claimed, for `hyzer verify`.
+    pub balances: Vec<Balance>,
     /// The observed point, whose coordinates are specified with each observation.
     pub marker: Option<Marker>,
     /// Measurement equation: the observed position, in the inertial frame, m.

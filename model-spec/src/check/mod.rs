@@ -222,6 +222,7 @@ impl<'a> Checker<'a> {
         self.equations();
         self.systems();
         self.claim();
+        self.balances();
         self.limits();
         self.after_motion();
         self.finish();

@@ -20,7 +20,7 @@ pub(super) struct StateSets {
     rates: HashMap<usize, BTreeSet<usize>>,
 }
 
-/// Whether an expression is `der(…)` of more than the name of a state.
+/// Whether an expression has `der(…)`.
 fn has_rates(e: &ast::Expr) -> bool {
     let mut found = matches!(&e.kind, ast::ExprKind::Call(name, _) if name.text == "der");
     found |= matches!(&e.kind, ast::ExprKind::Derivative(_));
@@ -33,7 +33,9 @@ impl Checker<'_> {
     pub fn find_state_sets(&mut self) {
         let file = self.file;
         let roots = |kind| crate::syntax::expand::roots(kind).into_iter();
-        if !{ file.items.iter() }.any(|item| roots(&item.kind).any(has_rates)) {
+        let is_block = |item: &ast::Item| matches!(item.kind, ItemKind::Solve(_));
+        let mut items = file.items.iter();
+        if !items.any(|item| is_block(item) || roots(&item.kind).any(has_rates)) {
             return;
         }
         let mut sets = StateSets::default();
@@ -149,6 +151,18 @@ impl Checker<'_> {
             visit(&self.model.states[state].name, true, e.span);
         }
         e.children(&mut |child| self.all_uses(child, visit));
+    }
+
+    /// Names of the states whose derivatives a constraint of a block needs: those on which it depends, and those on
+    /// which their derivatives do.
+    pub fn states_of_constraint(&self, equation: &ast::ImplicitEquation) -> Vec<&str> {
+        let sides = [&equation.left, &equation.right].into_iter();
+        let mut found: BTreeSet<usize> = sides
+            .flat_map(|side| self.states_in(side, &self.state_sets))
+            .collect();
+        with_rates(&mut found, &self.state_sets);
+        let names = found.into_iter();
+        names.map(|state| &*self.model.states[state].name).collect()
     }
 
     /// Elaborates `der(EXPR)`: the derivative of a number or vector by the time of the flight, along the motion.

@@ -4,16 +4,24 @@ use std::collections::{HashMap, HashSet};
 
 use super::elaborate::node;
 use super::scope::Symbol;
+use super::term::Term;
 use super::{Checker, Typed, UnitOf};
 use crate::diagnostic::{Diagnostic, Kind};
-use crate::model::{self, Expr, ExprKind, LinearSystem, Shape, Unknown, ValidityLimit};
+use crate::model::{self, Expr, ExprKind, Function, LinearSystem, Shape, Unknown, ValidityLimit};
 use crate::syntax::ast::{self, ItemKind, Solve};
+use crate::unit::Unit;
 
 /// Maximum number of unknowns of a block, scalar ones and components of vectors.
 const MAX_UNKNOWNS: usize = 12;
 
 /// Bound of [`ExprKind::Determinacy`]: half of the digits of a pivot are lost to cancellation.
 const LEAST_DETERMINACY: f64 = 1e-8;
+
+/// Rate at which deviations from a constraint decay, 1/s.
+const DECAY: f64 = 10.0;
+
+/// Maximum number of derivatives of a constraint.
+const MAX_REDUCTION: usize = 2;
 
 /// Definitions by name, as far as blocks use them: quantities, and stated equations by their state.
 struct Defined<'a> {
@@ -43,7 +51,14 @@ impl<'a> Defined<'a> {
     fn used(&self, block: &'a Solve, checker: &Checker<'_>) -> Vec<(String, bool)> {
         let mut found = Vec::new();
         let mut seen = HashSet::new();
+        let constraints = block.equations.iter().filter(|own| own.within.is_some());
         let mut open: Vec<&ast::Expr> = block.sides().collect();
+        for name in constraints.flat_map(|own| checker.states_of_constraint(own)) {
+            if seen.insert((name.to_owned(), true)) {
+                found.push((name.to_owned(), true));
+                open.extend(self.equations.get(name));
+            }
+        }
         open.reverse();
         while let Some(e) = open.pop() {
             let mut next: Vec<&ast::Expr> = Vec::new();
@@ -206,6 +221,7 @@ impl<'a> Checker<'a> {
             title: title.clone(),
             unknowns,
             equations: Vec::new(),
+            constraints: Vec::new(),
             span: item.span,
         });
         if count > MAX_UNKNOWNS {
@@ -249,8 +265,15 @@ impl<'a> Checker<'a> {
         };
         ordered.sort_by_key(|(item, _)| place(item.span));
         for (system, (_, block)) in ordered.into_iter().enumerate() {
+            let known = self.unknowns_of_variables(system);
             let equations: Vec<Option<Expr>> = { block.equations.iter() }
-                .map(|own| self.implicit(own))
+                .map(|own| {
+                    let typed = self.implicit(own)?;
+                    match &own.within {
+                        None => Some(typed.expr),
+                        Some(within) => self.constraint(typed, within, own, &(system, &known)),
+                    }
+                })
                 .collect();
             if equations.iter().all(Option::is_some) && system < self.model.systems.len() {
                 self.model.systems[system].equations = equations.into_iter().flatten().collect();
@@ -260,7 +283,7 @@ impl<'a> Checker<'a> {
     }
 
     /// Left-hand side minus right-hand side of an equation.
-    fn implicit(&mut self, equation: &'a ast::ImplicitEquation) -> Option<Expr> {
+    fn implicit(&mut self, equation: &'a ast::ImplicitEquation) -> Option<Typed> {
         let (left, right) = (
             self.elaborate(&equation.left),
             self.elaborate(&equation.right),
@@ -270,13 +293,154 @@ impl<'a> Checker<'a> {
         let [left, right] = &sides;
         if left.expr.shape != Shape::Scalar && right.expr.shape == Shape::Scalar && is_zero(right) {
             // A bare 0 fits every vector.
-            return Some(sides.into_iter().next()?.expr);
+            return sides.into_iter().next();
         }
         let shape = self.same_shape(&sides, equation.span)?;
         let rule = "the sides of an equation must have one unit";
-        self.same_unit(&sides, equation.span, rule);
+        let unit = self.same_unit(&sides, equation.span, rule);
         let [left, right] = sides.map(|side| Box::new(side.expr));
-        Some(node(ExprKind::Sub(left, right), shape, equation.span))
+        let kind = ExprKind::Sub(left, right);
+        Some(Typed::new(kind, shape, equation.span, unit))
+    }
+
+    /// The constraint, differentiated until it has unknowns of its system, with a part of what it and its derivatives
+    /// deviate by, so that deviations decay (Baumgarte 1972). Limits hold them within the tolerance.
+    fn constraint(
+        &mut self,
+        deviation: Typed,
+        within: &'a ast::Quantity,
+        equation: &'a ast::ImplicitEquation,
+        (system, known): &(usize, &[Vec<usize>]),
+    ) -> Option<Expr> {
+        let span = equation.span;
+        if deviation.expr.shape != Shape::Scalar {
+            let message = "a constraint is an equation of numbers, but this is one of vectors";
+            let fault = Diagnostic::new(Kind::Shape, span, message);
+            return self.refuse(fault.help("state one for each component, such as `….1`"));
+        }
+        let measure = self.measure_or_one(within.unit.as_ref())?;
+        let (tolerance, _) = measure.of(&within.number);
+        let rule = format!("`{within}` is the tolerance of a constraint that");
+        let text = self.text(span);
+        let term = Term::known(measure.unit);
+        self.must_be(
+            &deviation,
+            &term,
+            &format!("{rule} must be {}", self.described(&term)),
+        );
+        let mut orders = vec![deviation];
+        while occurring(&orders.last()?.expr, *system, known).is_empty() {
+            if orders.len() > MAX_REDUCTION {
+                let message =
+                    format!("neither `{text}` nor its derivatives have unknowns of this block");
+                return self.refuse(Diagnostic::new(Kind::Value, span, message));
+            }
+            let next = self.rate_of(orders.last()?.clone(), span)?;
+            orders.push(next);
+        }
+        let rate = |power: i32| {
+            let mut rate = node(
+                ExprKind::Number {
+                    value: DECAY.powi(power),
+                    exact: Some(((DECAY as i64).pow(power as u32), 1)),
+                },
+                Shape::Scalar,
+                span,
+            );
+            rate.unit = Unit::SECOND
+                .checked_pow_half(-2 * power)
+                .unwrap_or_default();
+            rate
+        };
+        let reason = format!(
+            "the constraint \"{}\" is violated",
+            text.trim_end_matches(';')
+        );
+        let reduced = orders.len() as i32 - 1;
+        for (order, own) in orders.iter().take(orders.len() - 1).enumerate() {
+            let size = ExprKind::Call(Function::Abs, Box::new(own.expr.clone()));
+            let size = node(size, Shape::Scalar, span);
+            let mut allowed = rate(order as i32);
+            if let ExprKind::Number { value, exact } = &mut allowed.kind {
+                (*value, *exact) = (*value * tolerance, None);
+            }
+            allowed.unit = allowed.unit.checked_mul(measure.unit).unwrap_or_default();
+            let kind = ExprKind::Sub(Box::new(allowed), Box::new(size));
+            self.model.limits.push(ValidityLimit {
+                value: node(kind, Shape::Scalar, span),
+                bound: 0.0,
+                reason: reason.clone(),
+                span,
+            });
+        }
+        let deviations = orders.iter().take(orders.len() - 1);
+        let deviations = deviations.map(|own| own.expr.clone());
+        self.model.systems[*system].constraints.extend(deviations);
+        let mut sum = orders.pop()?.expr;
+        for (order, own) in orders.into_iter().enumerate() {
+            let power = reduced - order as i32;
+            let mut factor = rate(power);
+            if let (2, 1, ExprKind::Number { value, exact }) = (reduced, power, &mut factor.kind) {
+                (*value, *exact) = (2.0 * DECAY, Some((2 * DECAY as i64, 1)));
+            }
+            let term = ExprKind::Mul(Box::new(factor), Box::new(own.expr));
+            let term = node(term, Shape::Scalar, span);
+            sum = node(
+                ExprKind::Add(Box::new(sum), Box::new(term)),
+                Shape::Scalar,
+                span,
+            );
+        }
+        Some(sum)
+    }
+
+    /// Checks the claimed changes of quantities.
+    pub fn balances(&mut self) {
+        for item in &self.file.items {
+            let ItemKind::Balance(own) = &item.kind else {
+                continue;
+            };
+            let (quantity, change) = (self.elaborate(&own.quantity), self.elaborate(&own.change));
+            let (Some(quantity), Some(change)) = (quantity, change) else {
+                continue;
+            };
+            let span = own.quantity.span;
+            let expr = quantity.expr.clone();
+            let Some(rate) = self.rate_of(quantity, span) else {
+                continue;
+            };
+            let sides = [rate, change];
+            if self.same_shape(&sides, item.span).is_none() {
+                continue;
+            }
+            let rule = "a quantity and its change must agree in their units";
+            self.same_unit(&sides, item.span, rule);
+            let [_, change] = sides;
+            if let Some(name) = self.solved_derivative(&change.expr) {
+                let message = format!(
+                    "`{name}` follows from the equations: a claim made of it would hold whatever they are"
+                );
+                let fault = Diagnostic::new(Kind::Cycle, own.change.span, message);
+                self.report(fault.help("state the change by the states, parameters and reactions"));
+                continue;
+            }
+            self.model.balances.push(model::Balance {
+                quantity: expr,
+                change: change.expr,
+                span: item.span,
+            });
+        }
+    }
+
+    /// Name of a derivative that is an unknown and that an expression depends on.
+    fn solved_derivative(&self, e: &Expr) -> Option<String> {
+        let systems = self.model.systems.iter().enumerate();
+        let mut names = systems.filter_map(|(index, system)| {
+            let found = occurring(e, index, &self.unknowns_of_variables(index));
+            let mut unknowns = found.into_iter().map(|k| &system.unknowns[k]);
+            unknowns.find(|own| own.state.is_some())
+        });
+        names.next().map(|own| own.name.clone())
     }
 
     /// Reports a system that is not linear, or whose equations cannot determine its unknowns.

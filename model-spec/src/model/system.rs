@@ -12,6 +12,9 @@ pub struct LinearSystem {
     pub unknowns: Vec<Unknown>,
     /// Left-hand side minus right-hand side of each equation, which are zero; a vector is three equations.
     pub equations: Vec<Expr>,
+    /// By how much the states deviate from the block's constraints, and the derivatives of these deviations that have no
+    /// unknowns.
+    pub constraints: Vec<Expr>,
     /// Source span of the block.
     pub span: Span,
 }
@@ -23,4 +26,15 @@ pub struct Unknown {
     pub name: String,
     /// Index into [`Model::states`](super::Model::states) of the state whose derivative it is, if any.
     pub state: Option<usize>,
+}
+
+/// A change of a quantity along the motion, such as of the energy, that the model claims for `hyzer verify`.
+#[derive(Clone, Debug)]
+pub struct Balance {
+    /// Number or vector that changes, made of states.
+    pub quantity: Expr,
+    /// Its derivative by the time of the flight.
+    pub change: Expr,
+    /// Source span of the statement.
+    pub span: Span,
 }

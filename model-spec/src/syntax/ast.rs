@@ -17,7 +17,7 @@ pub use blocks::{
 pub use functions::{
     Array, Ascription, Expanded, Function, FunctionParameter, Index, Template, Type,
 };
-pub use solve::{ImplicitEquation, Solve, UnknownQuantity};
+pub use solve::{Balance, ImplicitEquation, Solve, UnknownQuantity};
 
 /// A parsed file: a model, effects, or both.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -117,6 +117,8 @@ pub enum ItemKind {
     Check(Check),
     /// The body that the stated equations describe: `claim body NAME { … }` or `claim point NAME { … }`
     Claim(Claim),
+    /// Claimed change of a quantity along the motion: `claim der(EXPR) = EXPR;`
+    Balance(Balance),
     /// Declaration of an effect: `effect NAME { … }`
     Effect(Effect),
     /// Declaration of a function: `function NAME(PARAMETER: TYPE, …): TYPE { … }`

@@ -132,6 +132,7 @@ fn write_kind(f: &mut Formatter<'_>, kind: &ItemKind, of: &Elements) -> Result {
         }
         ItemKind::Claim(claim) => write!(f, "{claim}"),
         ItemKind::Solve(solve) => write!(f, "{solve}"),
+        ItemKind::Balance(own) => write!(f, "claim der({}) = {};", own.quantity, own.change),
         ItemKind::Table(table) => write!(f, "{table}"),
         ItemKind::Let(l) => {
             f.write_str(if l.is_constant { "param " } else { "let " })?;

@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display, Formatter, Write};
 
-use super::ast::{ImplicitEquation, ItemKind, Solve, UnknownQuantity};
+use super::ast::{Balance, ImplicitEquation, ItemKind, Solve, UnknownQuantity};
 use super::parser::{Parser, Read};
 use super::token::Token;
 
@@ -42,12 +42,51 @@ impl Parser<'_> {
             self.semicolon("this `unknown`")?;
             return Ok(Part::Unknown(UnknownQuantity { name, doc, of }));
         }
+        let is_constraint = self.raw() == "constraint" && !self.is_operator_at(1);
+        if is_constraint {
+            self.advance();
+        }
         let left = self.expr()?;
         self.need(Token::Sign("="), "`=` and the other side of the equation")?;
         let right = self.expr()?;
+        let within = match is_constraint {
+            true if !self.eat_word("within") => {
+                let help = "add by how much the sides may differ: `within 1 mm`".to_owned();
+                return self.expected_help("`within` after the constraint", Some(help));
+            }
+            true => Some(self.quantity("by how much the sides may differ")?),
+            false => None,
+        };
         self.semicolon("this equation")?;
         let span = start.to(self.behind());
-        Ok(Part::Equation(ImplicitEquation { left, right, span }))
+        Ok(Part::Equation(ImplicitEquation {
+            left,
+            right,
+            within,
+            span,
+        }))
+    }
+}
+
+impl Parser<'_> {
+    /// Parses the rest of `claim der(EXPR) = EXPR;` after `claim`.
+    pub fn balance(&mut self) -> Read<ItemKind> {
+        self.advance();
+        self.need(Token::Sign("("), "`(` after `der`")?;
+        let quantity = self.expr()?;
+        self.need(Token::Sign(")"), "`)` after what changes")?;
+        self.need(Token::Sign("="), "`=` and by what it changes")?;
+        let change = self.expr()?;
+        self.semicolon("this `claim`")?;
+        Ok(ItemKind::Balance(Balance { quantity, change }))
+    }
+
+    /// Whether a sign that continues an expression stands `ahead` tokens ahead.
+    fn is_operator_at(&self, ahead: usize) -> bool {
+        matches!(
+            self.peek_at(ahead),
+            Token::Sign("*" | "/" | "+" | "-" | "^" | "=" | "·" | "×" | "." | "[")
+        )
     }
 }
 
@@ -65,7 +104,14 @@ impl Display for Solve {
             writeln!(f, "  unknown {}{};", own.name.text, own.of)?;
         }
         for own in &self.equations {
-            writeln!(f, "  {} = {};", own.left, own.right)?;
+            match &own.within {
+                Some(within) => writeln!(
+                    f,
+                    "  constraint {} = {} within {within};",
+                    own.left, own.right
+                )?,
+                None => writeln!(f, "  {} = {};", own.left, own.right)?,
+            }
         }
         f.write_char('}')
     }

@@ -171,6 +171,10 @@ impl ItemKind {
         match self {
             ItemKind::Limit(limit) => visit(&mut limit.value),
             ItemKind::Solve(solve) => solve.sides_mut().for_each(visit),
+            ItemKind::Balance(own) => {
+                visit(&mut own.quantity);
+                visit(&mut own.change);
+            }
             ItemKind::Array(array) => array.statement.expressions_mut(visit),
             ItemKind::Function(function) => {
                 function

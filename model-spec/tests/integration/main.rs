@@ -8,5 +8,6 @@ mod language;
 mod meaning;
 mod models;
 mod robust;
+mod solve;
 mod summary;
 mod tables;

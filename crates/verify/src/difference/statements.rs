@@ -154,6 +154,7 @@ pub fn keyed(file: &File) -> Vec<(Key, &Item)> {
             ItemKind::Frame(f) => name("frame", &f.name),
             ItemKind::Body(_) => Some(("body", String::new())),
             ItemKind::Claim(_) => Some(("claim", String::new())),
+            ItemKind::Balance(own) => Some(("claim", format!("der({})", own.quantity))),
             ItemKind::Table(t) => name("table", &t.name),
             ItemKind::Function(own) => name("function", &own.name),
             ItemKind::Let(l) => name("let", &l.name),

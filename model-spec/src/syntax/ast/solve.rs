@@ -1,6 +1,6 @@
 //! Syntax tree of the block `solve { … }`, whose equations determine its unknowns together.
 
-use super::{Expr, Name, Type};
+use super::{Expr, Name, Quantity, Type};
 use crate::location::Span;
 
 /// Block `solve NAME { unknown …; LEFT = RIGHT; }`: equations in which derivatives and other unknowns stand linearly.
@@ -25,13 +25,16 @@ pub struct UnknownQuantity {
     pub of: Type,
 }
 
-/// Equation `LEFT = RIGHT;` that is not solved for anything.
+/// Equation `LEFT = RIGHT;` that is not solved for anything, or a constraint.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImplicitEquation {
     /// Left-hand side, a number or a vector.
     pub left: Expr,
     /// Right-hand side, with the shape, frame and unit of the left-hand side.
     pub right: Expr,
+    /// Of a constraint on positions or velocities, `constraint LEFT = RIGHT within TOLERANCE;`, by how much the sides may
+    /// differ; `None` for an equation that holds as it stands.
+    pub within: Option<Quantity>,
     /// Source span of the equation.
     pub span: Span,
 }
@@ -56,4 +59,13 @@ impl Solve {
             None => "`solve`".to_owned(),
         }
     }
+}
+
+/// Claim `claim der(QUANTITY) = CHANGE;` that a quantity, such as the energy or the momentum, changes by what is stated.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Balance {
+    /// Number or vector that changes.
+    pub quantity: Expr,
+    /// Its derivative by the time of the flight.
+    pub change: Expr,
 }

@@ -164,6 +164,9 @@ macro_rules! roots {
                         ClaimPartKind::Fixed(_) => Vec::new(),
                     })
                     .collect(),
+                ItemKind::Balance(own) => {
+                    vec![&$($mutable)? own.quantity, &$($mutable)? own.change]
+                }
                 ItemKind::Solve(own) => roots!(@sides own $(, $mutable)?),
                 ItemKind::Function(own) => { own.lets.$iter() }
                     .map(|own| &$($mutable)? own.value)
