@@ -3,6 +3,7 @@
 //! The compiler and the tree oracle read this representation. All indices refer to the vectors of [`Model`].
 
 mod parts;
+mod system;
 mod walk;
 
 use std::sync::Arc;
@@ -16,6 +17,7 @@ pub use parts::{
     AppliedEffect, Claim, ClaimedAttitude, ClaimedRotation, Continuation, EffectUnknown, Function,
     Interpolation, OfferedEffect, Table, TableArgument,
 };
+pub use system::{Balance, LinearSystem, Unknown};
 
 /// A checked model of a flying body: its states, parameters, frames, forces, moments and equations.
 #[derive(Clone, Debug, Default)]
@@ -50,8 +52,12 @@ pub struct Model {
     pub moments: Vec<Load>,
     /// Stated equations `der(STATE) = …`, in order of the states; with a body, of states that it does not determine.
     pub equations: Vec<Equation>,
+    /// Blocks `solve { … }`, each after those whose unknowns its equations use.
+    pub systems: Vec<LinearSystem>,
     /// Mass, motion and loads of a body that [`Model::equations`] are claimed to describe, for `hyzer verify`.
     pub claim: Option<Claim>,
+    /// Changes of quantities along the motion that are claimed, for `hyzer verify`.
+    pub balances: Vec<Balance>,
     /// The observed point, whose coordinates are specified with each observation.
     pub marker: Option<Marker>,
     /// Measurement equation: the observed position, in the inertial frame, m.
@@ -437,6 +443,16 @@ pub enum ExprKind {
     State(usize),
     /// An auxiliary variable (`let`), by index into [`Model::aux_variables`].
     AuxVariable(usize),
+    /// An unknown of [`Model::systems`]: index of the system, and of the unknown in it.
+    Unknown(usize, usize),
+    /// How well the equations of a system, by index into [`Model::systems`], determine its unknowns: the least, over
+    /// the steps of an elimination, of a pivot's size over the sum of the sizes of its terms. 0 where they do not.
+    Determinacy(usize),
+    /// Derivative by the time of the flight along the motion, of a vector in the inertial frame: `der(EXPR)`. States on
+    /// which the expression depends, and their derivatives.
+    Rate(Box<Expr>, Vec<usize>, Box<[Expr]>),
+    /// Derivative of a scalar by a state, all others held: `partial(EXPR, STATE)`.
+    Partial(Box<Expr>, usize),
     /// Unit vector along an axis of a frame: index into [`Model::frames`], and number of the axis (1 to 3).
     Axis(usize, u8),
     /// Position of the centre of mass, m, with components in the inertial frame.

@@ -60,15 +60,17 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
     section(
         out,
         "limits",
-        model.limits.iter().map(|limit| {
-            let text = if model.is_automatic(limit) {
-                automatic(model, limit)
-            } else {
-                model.text(limit.value.span)
-            };
-            let bound = with_unit(limit.bound, &limit.value.unit.tidy().to_string());
-            format!("{text} > {bound}   {}", limit.reason)
-        }),
+        { model.limits.iter() }
+            .filter(|limit| !is_of_system(limit))
+            .map(|limit| {
+                let text = if model.is_automatic(limit) {
+                    automatic(model, limit)
+                } else {
+                    model.text(limit.value.span)
+                };
+                let bound = with_unit(limit.bound, &limit.value.unit.tidy().to_string());
+                format!("{text} > {bound}   {}", limit.reason)
+            }),
     )?;
     // The points are in the order of their spans, so that each text is read once.
     let mut read = vec![(0, 1); model.sources.len()];
@@ -142,6 +144,11 @@ fn equations(out: &mut String, model: &Model) -> std::fmt::Result {
             }
         }
     }
+    for system in &model.systems {
+        let unknowns: Vec<&str> = system.unknowns.iter().map(|own| &*own.name).collect();
+        let title = system.title.replace('`', "");
+        writeln!(out, "  {title}: {} together", unknowns.join(", "))?;
+    }
     Ok(())
 }
 
@@ -213,6 +220,11 @@ fn table(table: &Table) -> String {
     let (name, arguments) = (&table.name, arguments.collect::<Vec<_>>().join(", "));
     let doc = first(&table.doc);
     format!("{name}({arguments}){unit}, {knots}, {way}, {beyond} beyond   {doc}")
+}
+
+/// Whether the limit ends where a block `solve` does not determine its unknowns.
+fn is_of_system(limit: &ValidityLimit) -> bool {
+    matches!(limit.value.kind, ExprKind::Determinacy(_))
 }
 
 /// Text of a limit that avoids gimbal lock, such as `cos(theta)`.

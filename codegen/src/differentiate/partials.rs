@@ -151,11 +151,12 @@ fn total_of(
     }
     let derivative = match graph.node(id).clone() {
         Node::Number(_) => graph.whole(0),
+        Node::Symbol(symbol) if symbol == by => graph.whole(1),
         Node::Symbol(Symbol::Local(k)) => {
             let definition = graph.definition(k);
             total_of(graph, definition, by, known)
         }
-        Node::Symbol(symbol) => graph.whole(i64::from(symbol == by)),
+        Node::Symbol(_) => graph.whole(0),
         _ => {
             let partials = of_operation(graph, id).into_iter();
             let terms = partials.map(|(operand, partial)| {

@@ -22,6 +22,26 @@ pub(super) fn piece(model: &Model, expr: &Expr) -> Piece {
             let quantity = &model.aux_variables[*k];
             Piece::atom(name(&quantity.name, style(&quantity.value)))
         }
+        E::Unknown(system, k) => {
+            let unknown = &model.systems[*system].unknowns[*k];
+            match unknown.state {
+                Some(state) => {
+                    let state = name(&model.states[state].name, Style::Scalar);
+                    Piece::atom(format!(r"\dot{{{state}}}"))
+                }
+                None => scalar(&unknown.name.replace('.', "_")),
+            }
+        }
+        E::Determinacy(system) => Piece::operator("det", &[scalar(&system.to_string())]),
+        E::Rate(of_rate, ..) => Piece::atom(format!(
+            r"\frac{{\mathrm{{d}}}}{{\mathrm{{d}}t}} {}",
+            of(of_rate).at_least(Bind::Atom).text
+        )),
+        E::Partial(value, state) => Piece::atom(format!(
+            r"\frac{{\partial {}}}{{\partial {}}}",
+            of(value).at_least(Bind::Atom).text,
+            name(&model.states[*state].name, Style::Scalar)
+        )),
         E::Axis(frame, k) => axis(model, *frame, *k),
         E::Position => Piece::atom(r"\mathbf{r}"),
         E::Velocity => Piece::atom(r"\mathbf{v}"),

@@ -2,6 +2,7 @@
 
 use super::frames::{self, Vector};
 use super::{Lowering, Value};
+use crate::differentiate::partials;
 use crate::functions::{BinaryFunction, FunctionLowering, MathFunction};
 use crate::graph::{ExprGraph, NodeId, Symbol};
 use crate::number::Number;
@@ -46,6 +47,14 @@ impl Lowering<'_> {
             E::Input(k) => Value::Vector(self.layout.input(*k).map(|at| self.parameter(at))),
             E::State(k) => self.symbol(Symbol::State(*k as u32)),
             E::AuxVariable(k) => self.lets[*k],
+            E::Unknown(system, k) => Value::Scalar(self.unknowns[*system][*k]),
+            E::Determinacy(system) => Value::Scalar(self.determinacies[*system]),
+            E::Rate(of, states, rates) => self.rate(of, states, rates),
+            E::Partial(of, state) => {
+                let of = self.scalar(of);
+                let state = Symbol::State(*state as u32);
+                Value::Scalar(partials::total(&mut self.graph, of, state))
+            }
             E::Axis(frame, axis) => {
                 let unit = frames::axis(&mut self.graph, *axis);
                 Value::Vector(self.in_frame(unit, *frame, expr.shape))
@@ -141,6 +150,51 @@ impl Lowering<'_> {
             E::Atan2(y, x) => self.call2(BinaryFunction::Atan2, y, x),
             E::Min(a, b) => self.call2(BinaryFunction::Min, a, b),
             E::Max(a, b) => self.call2(BinaryFunction::Max, a, b),
+        }
+    }
+
+    /// Derivative of a number, or of a vector in the inertial frame, by the time of the flight.
+    fn rate(&mut self, of: &Expr, states: &[usize], rates: &[Expr]) -> Value {
+        let value = match (self.evaluate(of), of.shape) {
+            (Value::Vector(vector), Shape::Vector(from)) => Value::Vector(frames::reexpress(
+                &mut self.graph,
+                self.model,
+                vector,
+                from,
+                0,
+            )),
+            (value, _) => value,
+        };
+        let mut moving: Vec<(Symbol, NodeId)> = Vec::new();
+        for (&state, rate) in states.iter().zip(rates) {
+            moving.push((Symbol::State(state as u32), self.scalar(rate)));
+        }
+        let one = self.graph.whole(1);
+        let seconds = match &self.model.clock {
+            Some(clock) => {
+                let pace = self.scalar(&clock.value);
+                self.graph.div(one, pace)
+            }
+            None => one,
+        };
+        moving.push((Symbol::Time, seconds));
+        let changed = value.map(|component| {
+            let terms = moving.iter().map(|&(symbol, rate)| {
+                let by_symbol = partials::total(&mut self.graph, component, symbol);
+                (Number::ONE, self.graph.distribute(by_symbol, rate))
+            });
+            let terms = terms.collect();
+            self.graph.sum(terms, Number::ZERO)
+        });
+        match (changed, of.shape) {
+            (Value::Vector(vector), Shape::Vector(to)) => Value::Vector(frames::reexpress(
+                &mut self.graph,
+                self.model,
+                vector,
+                0,
+                to,
+            )),
+            (changed, _) => changed,
         }
     }
 

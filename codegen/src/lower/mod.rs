@@ -3,8 +3,10 @@
 mod expressions;
 pub mod frames;
 mod inertia;
+mod linear;
 mod motion;
 mod solve;
+mod systems;
 
 use crate::graph::{ExprGraph, NodeId, Symbol};
 use crate::layout::Layout;
@@ -71,6 +73,12 @@ pub(crate) struct Lowering<'a> {
     /// In `Rotation::angular_velocity_frame`, once lowered: rates of the components of the angular velocity, rad/s²,
     /// and the angular velocity of the frame, rad/s.
     pub(crate) component_rates: Option<(Vector, Vector)>,
+    /// Unknowns of each system: local symbols until it is solved.
+    pub(crate) unknowns: Vec<Vec<NodeId>>,
+    /// For each system, [`ExprKind::Determinacy`].
+    pub(crate) determinacies: Vec<NodeId>,
+    /// Whether values depend on unknowns that are not solved for yet, so that nodes are not named.
+    pub(crate) is_provisional: bool,
     pub(crate) provenance: Vec<Provenance>,
     /// Names of the nodes whose source location is already in `provenance`.
     pub(crate) recorded: HashSet<String>,
@@ -85,11 +93,15 @@ pub fn lower(model: &Model) -> Lowered {
         layout,
         lets: Vec::new(),
         component_rates: None,
+        unknowns: Vec::new(),
+        determinacies: Vec::new(),
+        is_provisional: false,
         provenance: Vec::new(),
         recorded: HashSet::new(),
     };
     lowering.leaves();
     lowering.assumptions();
+    lowering.systems();
     let of_motion = crate::layout::depends_on_accelerations(model);
     for (quantity, of_motion) in model.aux_variables.iter().zip(&of_motion) {
         let value = if *of_motion {
@@ -210,7 +222,8 @@ impl Lowering<'_> {
     /// Names a node and records its source location under that name; constants and leaves are skipped.
     pub(crate) fn record(&mut self, node: NodeId, name: &str, span: Span) {
         use crate::graph::Node;
-        if matches!(self.graph.node(node), Node::Number(_) | Node::Symbol(_)) {
+        if self.is_provisional || matches!(self.graph.node(node), Node::Number(_) | Node::Symbol(_))
+        {
             return;
         }
         self.graph.name(node, name);
@@ -233,7 +246,10 @@ impl Lowering<'_> {
 }
 
 fn mentions_let(expr: &model_spec::model::Expr) -> bool {
-    let mut found = matches!(expr.kind, ExprKind::AuxVariable(_));
+    let mut found = matches!(
+        expr.kind,
+        ExprKind::AuxVariable(_) | ExprKind::Determinacy(_)
+    );
     expr.children(&mut |child| found |= mentions_let(child));
     found
 }

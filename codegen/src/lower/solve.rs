@@ -89,7 +89,7 @@ pub fn solve(
 }
 
 /// Determinant of a square matrix by Laplace expansion along the first row.
-fn determinant(graph: &mut ExprGraph, m: &[Vec<NodeId>]) -> NodeId {
+pub(super) fn determinant(graph: &mut ExprGraph, m: &[Vec<NodeId>]) -> NodeId {
     if m.len() == 1 {
         return m[0][0];
     }

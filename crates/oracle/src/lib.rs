@@ -29,6 +29,7 @@ mod physical;
 mod point;
 mod reference;
 pub mod scalar;
+mod system;
 mod tree;
 
 pub use attitude::Quaternion;

@@ -6,7 +6,8 @@
 use crate::frames::{PlacedFrame, place_frames};
 use crate::physical::{angular_acceleration, inertia_in_n};
 use crate::point::Point;
-use crate::scalar::{Interpolant, Real, Surface, call};
+use crate::scalar::{Field, Infinitesimals, Interpolant, Real, Surface, call};
+use crate::system;
 use model_spec::layout::depends_on_accelerations;
 use model_spec::model::{Body, Expr, ExprKind, Function, Load, Model, Rotation, Shape, Table};
 use nalgebra::{Matrix3, Vector3};
@@ -31,7 +32,12 @@ pub struct Tree<'a, T> {
     pub frames: Vec<PlacedFrame<T>>,
     /// Values of the model's auxiliary variables at the point, in the order of the model.
     pub aux_variables: Vec<Value<T>>,
+    /// Unknowns of the model's systems, and how well their equations determine them.
+    unknowns: Vec<Vec<T>>,
+    determinacies: Vec<f64>,
     tables: Vec<Lookup>,
+    /// Number of the infinitesimals that are in use, by derivatives around this evaluation.
+    level: usize,
 }
 
 /// Interpolated table of a model.
@@ -58,14 +64,27 @@ impl<'a, T: Real> Tree<'a, T> {
     /// Evaluates a model at a point; auxiliary variables listed in `given` have the values stated there, as pairs
     /// (index of the auxiliary variable, value), instead of those computed from their definitions.
     pub fn overriding(model: &'a Model, point: &'a Point<T>, given: &[(usize, Value<T>)]) -> Self {
-        let frames = place_frames(model, point);
-        let mut tree = Self {
-            model,
-            point,
-            frames,
-            aux_variables: Vec::with_capacity(model.aux_variables.len()),
-            tables: model.tables.iter().map(Lookup::new).collect(),
-        };
+        let (mut unknowns, mut determinacies) = (Vec::new(), Vec::new());
+        for _ in &model.systems {
+            let solved = system::solved(model, point, given, &unknowns);
+            unknowns.push(solved.unknowns);
+            determinacies.push(solved.determinacy);
+        }
+        let tree = Self::evaluated(model, point, given, unknowns);
+        Self {
+            determinacies,
+            ..tree
+        }
+    }
+
+    /// Evaluates a model at a point for unknowns of its systems; they need not fulfil their equations.
+    pub(crate) fn evaluated(
+        model: &'a Model,
+        point: &'a Point<T>,
+        given: &[(usize, Value<T>)],
+        unknowns: Vec<Vec<T>>,
+    ) -> Self {
+        let mut tree = Self::unevaluated(model, point, unknowns, 0);
         let of_motion = depends_on_accelerations(model);
         for (index, named) in model.aux_variables.iter().enumerate() {
             let given_value = given
@@ -86,6 +105,48 @@ impl<'a, T: Real> Tree<'a, T> {
             }
         }
         tree
+    }
+
+    /// A model at a point, without its auxiliary variables.
+    fn unevaluated(
+        model: &'a Model,
+        point: &'a Point<T>,
+        unknowns: Vec<Vec<T>>,
+        level: usize,
+    ) -> Self {
+        Self {
+            model,
+            point,
+            frames: place_frames(model, point),
+            aux_variables: Vec::with_capacity(model.aux_variables.len()),
+            unknowns,
+            determinacies: Vec::new(),
+            tables: model.tables.iter().map(Lookup::new).collect(),
+            level,
+        }
+    }
+
+    /// Derivative of an expression in the direction that `direct` gives to the point, as factors of an infinitesimal.
+    fn differentiated(
+        &self,
+        of: &Expr,
+        direct: impl FnOnce(&mut Point<T::Jet>, T::Jet),
+    ) -> Value<T> {
+        let mut point = self.point.map(T::jet);
+        direct(&mut point, T::Jet::epsilon(self.level));
+        let unknowns = self.unknowns.iter();
+        let unknowns = unknowns.map(|own| own.iter().map(|value| value.jet()).collect());
+        let mut tree = Tree::unevaluated(self.model, &point, unknowns.collect(), self.level + 1);
+        let needed = needed(self.model, of);
+        for (named, is_needed) in self.model.aux_variables.iter().zip(needed) {
+            let value = match is_needed {
+                true => tree.value(&named.value),
+                false => Value::Scalar(T::Jet::integer(0)),
+            };
+            tree.aux_variables.push(value);
+        }
+        let part = |value: T::Jet| T::of_jet(value.coefficient(self.level));
+        tree.value(of).map(part)
     }
 
     /// Sum of the forces on the model's body except the weight, divided by its mass, m/s², in inertial components.
@@ -162,6 +223,21 @@ impl<'a, T: Real> Tree<'a, T> {
             }
             K::State(i) => Scalar(self.point.states[*i]),
             K::AuxVariable(i) => self.aux_variables[*i],
+            K::Unknown(system, k) => Scalar(self.unknowns[*system][*k]),
+            K::Rate(of, states, rates) => {
+                let rates: Vec<T> = rates.iter().map(|rate| self.scalar(rate)).collect();
+                let seconds = T::one() / self.clock();
+                self.differentiated(of, |point, epsilon| {
+                    point.time += seconds.jet() * epsilon;
+                    for (state, rate) in states.iter().zip(rates) {
+                        point.states[*state] += rate.jet() * epsilon;
+                    }
+                })
+            }
+            K::Partial(of, state) => {
+                self.differentiated(of, |point, epsilon| point.states[*state] += epsilon)
+            }
+            K::Determinacy(system) => lit(self.determinacies.get(*system).copied().unwrap_or(1.0)),
             K::Axis(frame, axis) => Vector(
                 self.frames[*frame]
                     .axes
@@ -309,4 +385,20 @@ impl<'a, T: Real> Tree<'a, T> {
 /// Euclidean norm of a vector; 0 with derivative 0 at the zero vector.
 pub fn norm<T: Real>(v: &Vector3<T>) -> T {
     v.dot(v).sqrt()
+}
+
+/// For each auxiliary variable, whether an expression depends on it.
+fn needed(model: &Model, of: &Expr) -> Vec<bool> {
+    let mut needed = vec![false; model.aux_variables.len()];
+    let mut open = vec![of];
+    while let Some(e) = open.pop() {
+        e.walk(&mut |part| {
+            if let ExprKind::AuxVariable(index) = part.kind
+                && !std::mem::replace(&mut needed[index], true)
+            {
+                open.push(&model.aux_variables[index].value);
+            }
+        });
+    }
+    needed
 }

@@ -11,6 +11,7 @@
 //! [`oracle::scalar::ErrorBound`]), so cancellation neither hides a fault nor looks like one.
 
 pub mod checks;
+mod constrained;
 pub mod difference;
 pub mod engine;
 mod evaluation;
@@ -130,6 +131,7 @@ fn numerical<'a>(
         Box::new(|| vec![checks::reference::reference(subject, options)]),
         Box::new(|| vec![checks::reference::tree(subject, options)]),
         Box::new(|| checks::claim::check(subject, options).into_iter().collect()),
+        Box::new(|| { checks::balances::check(subject, options).into_iter() }.collect()),
         Box::new(|| vec![checks::identities::check(subject, options)]),
         Box::new(|| vec![flights::invariants(subject, options)]),
         Box::new(|| vec![flights::momenta(subject, options)]),

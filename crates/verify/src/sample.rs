@@ -1,5 +1,6 @@
 //! Random points of a model, within its domain of validity.
 
+use crate::constrained;
 use crate::random::Random;
 use model_spec::model::{Model, Parameter, ValidityLimit};
 use model_spec::unit::{Base, Unit};
@@ -125,7 +126,7 @@ pub fn between(from: &Point<f64>, to: &Point<f64>, fraction: f64) -> Point<f64> 
 /// Whether a point is within every validity limit of the model.
 pub fn is_valid(model: &Model, point: &Point<f64>) -> bool {
     let tree = Tree::new(model, point);
-    let mut limits = model.limits.iter();
+    let mut limits = model.limits_of_validity();
     limits.all(|limit| tree.scalar(&limit.value) > limit.bound)
 }
 
@@ -153,7 +154,7 @@ fn margins<'a>(model: &'a Model, point: &Point<f64>) -> Vec<(&'a ValidityLimit, 
         };
         (limit, tree.scalar(&limit.value), margin)
     };
-    model.limits.iter().map(margin).collect()
+    model.limits_of_validity().map(margin).collect()
 }
 
 fn anywhere(model: &Model, random: &mut Random) -> Point<f64> {
@@ -173,7 +174,7 @@ fn anywhere(model: &Model, random: &mut Random) -> Point<f64> {
     point
 }
 
-/// Scales the attitude quaternions of a point to norm 1.
+/// Scales the attitude quaternions of a point to norm 1, and moves it to where the constraints of the model hold.
 fn normalize(model: &Model, point: &mut Point<f64>) {
     for quaternion in model.quaternions() {
         let squares = quaternion.iter().map(|&i| point.states[i].powi(2));
@@ -182,6 +183,7 @@ fn normalize(model: &Model, point: &mut Point<f64>) {
             point.states[i] /= length;
         }
     }
+    constrained::project(model, point);
 }
 
 /// Typical magnitude in flight of a quantity with the given unit, SI.

@@ -130,7 +130,7 @@ impl<'a> Subject<'a> {
         if self.model.body.is_some() {
             return Row::skipped(check, "the model claims no reference");
         }
-        if self.model.claim.is_some() {
+        if self.model.claim.is_some() || !self.model.balances.is_empty() {
             let why = "the model claims no reference; the body that it claims holds its equations";
             return Row::skipped(check, why);
         }
@@ -203,6 +203,13 @@ pub type Bounded = Dual<ErrorBound>;
 /// `None` without a claim or equations.
 pub fn along(subject: &Subject<'_>, point: &Point<f64>) -> Option<ClaimedBody<Bounded>> {
     subject.model.claim.as_ref()?;
+    let point = moving_as_stated(subject, point)?;
+    ClaimedBody::of(&Tree::new(subject.model, &point))
+}
+
+/// The point moving as the equations under test state; bounds of the derivatives are those of the vector tree. `None`
+/// without equations.
+pub fn moving_as_stated(subject: &Subject<'_>, point: &Point<f64>) -> Option<Point<Bounded>> {
     let lifted = point.lift::<ErrorBound>();
     let tree = Tree::new(subject.model, &lifted);
     let pace = tree.clock();
@@ -219,8 +226,7 @@ pub fn along(subject: &Subject<'_>, point: &Point<f64>) -> Option<ClaimedBody<Bo
             ErrorBound { value, magnitude } / pace
         })
         .collect();
-    let point = moving(&lifted, &rates, ErrorBound::integer(1) / pace);
-    ClaimedBody::of(&Tree::new(subject.model, &point))
+    Some(moving(&lifted, &rates, ErrorBound::integer(1) / pace))
 }
 
 /// Difference between both sides of a law, by component, relative to the magnitudes of the terms.

@@ -128,6 +128,8 @@ impl Field for Symbolic {
 }
 
 impl Real for Symbolic {
+    oracle::jet!();
+
     fn lit(value: f64) -> Self {
         Self(field::constant(value).or_else(|| symbol(|| field::literal(value))))
     }

@@ -70,6 +70,14 @@ impl Checker<'_> {
             }
             "atan2" | "min" | "max" => self.of_two(function, call),
             "ratio" => self.ratio(call),
+            "der" => {
+                let [of] = self.arguments(call, "one number or vector")?;
+                self.rate(of, span)
+            }
+            "partial" => {
+                let own = self.arguments(call, "a number and a state")?;
+                self.partial(own, span)
+            }
             "in_frame_of" => self.in_frame_of(call),
             _ => match function.strip_prefix("in_") {
                 Some(frame) if !frame.is_empty() => self.reexpress(frame, call),

@@ -107,7 +107,7 @@ impl Checker<'_> {
             Symbol::InputPart(i, part) => vec![Target::Input(i, usize::from(part) - 1)],
             Symbol::Input(i) => (0..3).map(|k| Target::Input(i, k)).collect(),
             Symbol::Marker => (0..3).map(Target::Marker).collect(),
-            Symbol::Let(_) => {
+            Symbol::Let(_) | Symbol::Unknown(_) => {
                 let message = format!("`{}` is computed and cannot be set", name.text);
                 let declared = self.scope.place(&name.text).unwrap_or(name.span);
                 let fault = Diagnostic::new(Kind::Name, name.span, message)
@@ -137,7 +137,7 @@ impl Checker<'_> {
 
     fn expected_quantity(&mut self, name: &Name) -> Option<Expected> {
         let (message, help) = match self.scope.find(&name.text) {
-            Some(Symbol::Let(i)) => match self.definitions.get(i)?.clone() {
+            Some(symbol @ (Symbol::Let(_) | Symbol::Unknown(_))) => match self.defined(symbol)? {
                 Definition::Done(index, Shape::Scalar, UnitOf::Term(unit)) => {
                     return Some(Expected {
                         observable: Observable::AuxVariable(index),

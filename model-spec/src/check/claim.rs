@@ -1,7 +1,6 @@
 //! Semantic checks of a claim.
 
 use super::body::zero;
-use super::order::uses;
 use super::term::Term;
 use super::{Checker, Definition};
 use crate::diagnostic::{Diagnostic, Kind, Span};
@@ -74,11 +73,11 @@ impl<'a> Checker<'a> {
     }
 
     fn without_derivatives(&mut self, part: &'a ClaimPart) {
-        let mut found: Option<(&str, Span)> = None;
+        let mut found: Option<(String, Span)> = None;
         for e in part.expressions() {
-            uses(e, &mut |name, is_derivative, span| {
+            self.all_uses(e, &mut |name, is_derivative, span| {
                 if is_derivative {
-                    found.get_or_insert((name, span));
+                    found.get_or_insert((name.to_owned(), span));
                 }
             });
         }
@@ -102,6 +101,7 @@ impl<'a> Checker<'a> {
                 Some(Definition::Done(index, ..)) => Some(*index),
                 _ => None,
             })
+            .chain(self.solved.values().copied())
             .collect();
         // Auxiliary variables come after those that they use.
         let mut follows = vec![false; self.model.aux_variables.len()];

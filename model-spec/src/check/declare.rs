@@ -41,6 +41,8 @@ impl<'a> Checker<'a> {
                 _ => {}
             }
         }
+        self.find_state_sets();
+        self.declare_unknowns();
     }
 
     /// Checks the statements `model NAME;` and `reference NAME;`: each may occur at most once, and `model` is required.
@@ -89,7 +91,7 @@ impl<'a> Checker<'a> {
 
     /// Declared unit with its conversion factor, and as term; `true` if it is a new unknown, for `[?]` or an invalid
     /// unit.
-    fn declared_unit(&mut self, name: &Name, unit: Option<&UnitExpr>) -> (Measure, Term, bool) {
+    pub fn declared_unit(&mut self, name: &Name, unit: Option<&UnitExpr>) -> (Measure, Term, bool) {
         let Some(unit) = unit else {
             let term = self.unitless.term(name.span);
             return (Measure::one(), term, false);

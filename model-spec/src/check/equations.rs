@@ -2,13 +2,14 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::order::{Defining, uses};
+use super::order::Defining;
 use super::scope::Symbol;
 use super::term::Term;
 use super::{Checker, Definition};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model;
 use crate::syntax::ast::{self, ItemKind, LoadClass};
+use crate::syntax::expand::roots;
 use crate::unit::Unit;
 
 impl<'a> Checker<'a> {
@@ -43,13 +44,9 @@ impl<'a> Checker<'a> {
     fn used_derivatives(&mut self, definitions: &mut Vec<Defining<'a>>) {
         let file = self.file;
         let mut used: HashSet<usize> = HashSet::new();
-        for item in &file.items {
-            let value = match &item.kind {
-                ItemKind::Limit(limit) => Some(&limit.value),
-                other => other.value(),
-            };
-            let Some(value) = value else { continue };
-            uses(value, &mut |name, derivative, _| {
+        let roots = file.items.iter().flat_map(|item| roots(&item.kind));
+        for value in roots {
+            self.all_uses(value, &mut |name, derivative, _| {
                 if derivative && let Some(Symbol::State(i)) = self.scope.find(name) {
                     used.insert(i);
                 }
@@ -164,6 +161,12 @@ impl<'a> Checker<'a> {
                 ItemKind::Clock(value) => self.clock(value, item),
                 _ => {}
             }
+        }
+        for (&state, &unknown) in &self.solved {
+            let span = self.model.states[state].span;
+            let value = self.unknown(unknown, span).expr;
+            let made = model::Equation { state, value, span };
+            equations[state].get_or_insert((span, Some(made)));
         }
         let states = self.model.states.iter().zip(&equations).skip(self.of_body);
         let missing = states.filter(|(_, equation)| equation.is_none());

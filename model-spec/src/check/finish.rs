@@ -65,8 +65,15 @@ impl Checker<'_> {
     }
 
     fn assign(&mut self) {
+        let rates = self.model.systems.iter().map(|system| {
+            let states = system.unknowns.iter().map(|unknown| unknown.state);
+            let unit = |state: usize| self.model.states[state].unit.checked_div(Unit::SECOND);
+            states.map(|state| state.and_then(unit)).collect()
+        });
+        let rates = rates.collect();
         let model = &mut self.model;
         let mut tables = Tables {
+            rates,
             params: model.params.iter().map(|c| c.unit).collect(),
             coefficients: model.coefficients.iter().map(|c| c.unit).collect(),
             inputs: model.inputs.iter().map(|c| c.unit).collect(),
@@ -101,6 +108,8 @@ struct Tables {
     states: Vec<Unit>,
     tables: Vec<Unit>,
     lets: Vec<Unit>,
+    /// Units of the unknowns of each system that are derivatives.
+    rates: Vec<Vec<Option<Unit>>>,
 }
 
 impl Tables {
@@ -112,7 +121,8 @@ impl Tables {
         e.children_mut(&mut |child| self.assign(child));
         e.unit = match &e.kind {
             K::Number { .. } => e.unit,
-            K::Pi | K::Axis(..) | K::Direction(..) => Unit::ONE,
+            K::Unknown(system, k) => self.rates[*system][*k].unwrap_or(e.unit),
+            K::Determinacy(_) | K::Pi | K::Axis(..) | K::Direction(..) => Unit::ONE,
             K::RealPower(a, b) => { b.rational() }
                 .and_then(|(above, below)| a.unit.checked_pow(above, below))
                 .unwrap_or(Unit::ONE),
@@ -131,6 +141,8 @@ impl Tables {
                 .iter()
                 .find(|p| !bare_zero(p))
                 .map_or(Unit::ONE, |p| p.unit),
+            K::Rate(a, ..) => a.unit.checked_div(Unit::SECOND).unwrap_or_default(),
+            K::Partial(a, i) => a.unit.checked_div(self.states[*i]).unwrap_or_default(),
             K::Neg(a) | K::Norm(a) | K::Component(a, _) | K::Reexpress(a) => a.unit,
             K::Add(a, b) | K::Sub(a, b) | K::Min(a, b) | K::Max(a, b) => either(a, b),
             K::Mul(a, b) | K::Dot(a, b) | K::Cross(a, b) => mul(a.unit, b.unit),

@@ -20,10 +20,12 @@ mod limits;
 mod names;
 mod order;
 mod quantity;
+mod rates;
 mod scope;
 mod shown;
 mod singular;
 mod size;
+mod solve;
 mod sum;
 mod table;
 mod term;
@@ -37,6 +39,7 @@ use crate::model::{self, Model, Source};
 use crate::syntax::{ast, expand};
 use body::Parts;
 use function::FunctionFaults;
+use rates::{Dependence, StateSets};
 use scope::Scope;
 use term::{Term, Units};
 use unitless::Unitless;
@@ -167,6 +170,11 @@ struct Checker<'a> {
     first_uses: Vec<Option<Span>>,
     /// Maps the index of each state whose `der(…)` an expression uses to an index into [`Checker::definitions`].
     derivatives: HashMap<usize, usize>,
+    /// Maps each state whose derivative is an unknown of a block `solve` to an index into [`Model::aux_variables`].
+    solved: HashMap<usize, usize>,
+    state_sets: StateSets,
+    /// What the auxiliary variables depend on, by index into [`Model::aux_variables`], as far as it was needed.
+    dependences: Vec<Dependence>,
     /// Number of states of the body, which precede the states declared with `state`.
     of_body: usize,
     /// Declaration of the body, even if it has errors.
@@ -196,6 +204,9 @@ impl<'a> Checker<'a> {
             definitions: Vec::new(),
             first_uses: Vec::new(),
             derivatives: HashMap::new(),
+            solved: HashMap::new(),
+            state_sets: StateSets::default(),
+            dependences: Vec::new(),
             of_body: 0,
             declared_body: file.body(),
             parts_of_body: Parts::default(),
@@ -209,7 +220,9 @@ impl<'a> Checker<'a> {
         self.functions();
         self.body();
         self.equations();
+        self.systems();
         self.claim();
+        self.balances();
         self.limits();
         self.after_motion();
         self.finish();

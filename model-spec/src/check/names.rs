@@ -25,15 +25,15 @@ impl Checker<'_> {
                     let input = node(ExprKind::Input(i), shape, span);
                     ExprKind::Component(Box::new(input), part)
                 }
-                Symbol::Let(i) => match self.definitions.get(i)? {
+                Symbol::Let(_) | Symbol::Unknown(_) => match self.defined(symbol)? {
                     Definition::Missing => return None,
-                    Definition::Done(index, ..) => ExprKind::AuxVariable(*index),
+                    Definition::Done(index, ..) => ExprKind::AuxVariable(index),
                 },
                 Symbol::Marker => ExprKind::Marker,
             };
             let shape = self.shape_of_symbol(symbol)?;
             let unit = match self.unit_of_symbol(symbol)? {
-                UnitOf::Term(term) if !matches!(symbol, Symbol::Let(_)) => {
+                UnitOf::Term(term) if !matches!(symbol, Symbol::Let(_) | Symbol::Unknown(_)) => {
                     UnitOf::Term(self.used(term, span))
                 }
                 unit => unit,
@@ -48,6 +48,18 @@ impl Checker<'_> {
         }
     }
 
+    /// Definition of an auxiliary variable or of an unknown of a block `solve`; `None` for other symbols.
+    pub fn defined(&self, symbol: Symbol) -> Option<Definition> {
+        match symbol {
+            Symbol::Let(i) => self.definitions.get(i).cloned(),
+            Symbol::Unknown(i) => {
+                let shape = self.model.aux_variables.get(i)?.value.shape;
+                Some(Definition::Done(i, shape, self.let_units[i].clone()))
+            }
+            _ => None,
+        }
+    }
+
     /// Unit of the declared quantity `symbol`; `None` for an auxiliary variable whose definition has an error.
     pub fn unit_of_symbol(&self, symbol: Symbol) -> Option<UnitOf> {
         let term = match symbol {
@@ -56,9 +68,9 @@ impl Checker<'_> {
             Symbol::State(i) => &self.states[i],
             Symbol::Input(i) | Symbol::InputPart(i, _) => &self.inputs[i],
             Symbol::Marker => return Some(UnitOf::of(Unit::METRE)),
-            Symbol::Let(i) => match self.definitions.get(i)? {
+            Symbol::Let(_) | Symbol::Unknown(_) => match self.defined(symbol)? {
                 Definition::Missing => return None,
-                Definition::Done(_, _, unit) => return Some(unit.clone()),
+                Definition::Done(_, _, unit) => return Some(unit),
             },
         };
         Some(UnitOf::Term(term.clone()))
@@ -69,9 +81,9 @@ impl Checker<'_> {
         Some(match symbol {
             Symbol::Input(i) => Shape::Vector(self.model.inputs[i].frame),
             Symbol::Marker => Shape::Vector(self.model.marker.as_ref()?.frame),
-            Symbol::Let(i) => match self.definitions.get(i)? {
+            Symbol::Let(_) | Symbol::Unknown(_) => match self.defined(symbol)? {
                 Definition::Missing => return None,
-                Definition::Done(_, shape, _) => *shape,
+                Definition::Done(_, shape, _) => shape,
             },
             _ => Shape::Scalar,
         })
@@ -225,6 +237,10 @@ impl Checker<'_> {
 
     pub fn derivative(&mut self, state: &ast::Name, span: Span) -> Option<Typed> {
         let found = self.scope.find(&state.text);
+        if !matches!(found, Some(Symbol::State(_)) | None) {
+            let of = self.name(&state.text, state.span)?;
+            return self.rate_of(of, span);
+        }
         let derived = match found {
             Some(Symbol::State(i)) => i < self.of_body,
             _ => self.declared_body.is_some(),
@@ -240,6 +256,9 @@ impl Checker<'_> {
             self.no_state(state);
             return None;
         };
+        if let Some(&unknown) = self.solved.get(&i) {
+            return Some(self.unknown(unknown, span));
+        }
         let definition = self.derivative_definition(i)?;
         // The unit follows from that of the state, even if the equation has an error.
         let unit = self.unit_of_rate(i).map_or(UnitOf::Faulty, UnitOf::Term);

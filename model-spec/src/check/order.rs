@@ -5,7 +5,7 @@ use super::Checker;
 use super::scope::Symbol;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::layout::{depends, depends_on_accelerations, is_acceleration};
-use crate::syntax::ast::{self, Expr, ExprKind};
+use crate::syntax::ast::{self, Expr};
 use std::collections::HashMap;
 
 /// Maximum number of dependency cycles that are reported, since each report traverses the definitions of a cycle.
@@ -29,15 +29,6 @@ pub(super) struct Defining<'a> {
     pub span: Span,
 }
 
-/// Calls `visit` with each name, whether it is the state of a `der(…)`, and its span.
-pub(super) fn uses<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e str, bool, Span)) {
-    match &e.kind {
-        ExprKind::Name(name) => visit(name, false, e.span),
-        ExprKind::Derivative(state) => visit(&state.text, true, e.span),
-        _ => e.children(&mut |child| uses(child, visit)),
-    }
-}
-
 impl Checker<'_> {
     fn dependencies(&self, definitions: &[Defining<'_>]) -> Vec<Vec<(usize, Span)>> {
         let derivatives = definitions.iter().enumerate();
@@ -46,7 +37,7 @@ impl Checker<'_> {
             .collect();
         let used_by = |definition: &Defining<'_>| {
             let mut used = Vec::new();
-            uses(definition.value, &mut |name, is_derivative, span| {
+            self.all_uses(definition.value, &mut |name, is_derivative, span| {
                 let index = match self.scope.find(name) {
                     Some(Symbol::Let(i)) if !is_derivative => Some(i),
                     Some(Symbol::State(s)) if is_derivative => of_state.get(&s).copied(),

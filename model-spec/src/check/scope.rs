@@ -19,6 +19,8 @@ pub(super) enum Symbol {
     State(usize),
     /// Auxiliary variable: index into `Checker::definitions`.
     Let(usize),
+    /// Unknown of a block `solve`: index into `Model::aux_variables`.
+    Unknown(usize),
     Marker,
 }
 
@@ -32,7 +34,7 @@ pub(super) struct Scope {
     order: Vec<String>,
 }
 
-const OTHER_FUNCTIONS: [&str; 11] = [
+const OTHER_FUNCTIONS: [&str; 12] = [
     "atan2",
     "min",
     "max",
@@ -42,6 +44,7 @@ const OTHER_FUNCTIONS: [&str; 11] = [
     "cross",
     "ratio",
     "der",
+    "partial",
     "diag",
     "in_frame_of",
 ];

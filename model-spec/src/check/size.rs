@@ -46,6 +46,10 @@ impl Checker<'_> {
                 return;
             }
         }
+        for system in &model.systems {
+            let unknowns = system.unknowns.len() as u64;
+            sizes.count(unknowns.pow(3) / 3);
+        }
         let mut statements = model.statements().into_iter();
         let fault = statements.find_map(|(_, name, value, span)| {
             let size = sizes.of(value);
@@ -86,16 +90,16 @@ impl Sizes {
             Shape::Vector(_) => 3,
         };
         let merges = matches!(e.kind, K::Add(..) | K::Sub(..) | K::Mul(..) | K::Div(..));
-        let (mut sizes, mut next) = ([ATOM; 3], 0);
+        let mut sizes = Vec::with_capacity(3);
         e.children(&mut |child| {
-            sizes[next] = self.of(child);
+            let size = self.of(child);
             if merges && matches!(child.kind, K::AuxVariable(_)) {
-                let parts = sizes[next].terms.max(sizes[next].factors);
+                let parts = size.terms.max(size.factors);
                 self.count(parts.saturating_sub(1).saturating_mul(each));
             }
-            next += 1;
+            sizes.push(size);
         });
-        let [a, b, c] = sizes;
+        let [a, b, c] = [0, 1, 2].map(|k| sizes.get(k).copied().unwrap_or(ATOM));
         let (operations, size) = match &e.kind {
             K::Number { .. } => (0, Size { factors: 0, ..ATOM }),
             K::Axis(..) => {
@@ -120,6 +124,16 @@ impl Sizes {
                 let times = u64::from(doubled.unsigned_abs()).div_ceil(2).max(1);
                 let factors = a.factors.max(1).saturating_mul(times);
                 (each, Size { terms: 1, factors })
+            }
+            // Each factor of each term is differentiated by each state.
+            K::Rate(..) | K::Partial(..) => {
+                let terms = a.terms.saturating_mul(a.factors.max(1));
+                let by = sizes.len().max(2) as u64 - 1;
+                let factors = { sizes.iter().skip(1) }.fold(a.factors, |most, rate| {
+                    most.max(a.factors.saturating_add(rate.factors))
+                });
+                let terms = terms.saturating_mul(by);
+                (terms.saturating_mul(each), Size { terms, factors })
             }
             K::Norm(_) => (6, Size { terms: 1, ..a }),
             K::Direction(..) => (9, product(a, a)),

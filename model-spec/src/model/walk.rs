@@ -17,6 +17,8 @@ macro_rules! visit_children {
             | K::Input(_)
             | K::State(_)
             | K::AuxVariable(_)
+            | K::Unknown(..)
+            | K::Determinacy(_)
             | K::Axis(..)
             | K::Position
             | K::Velocity
@@ -30,7 +32,12 @@ macro_rules! visit_children {
             | K::Norm(a)
             | K::Component(a, _)
             | K::Reexpress(a)
+            | K::Partial(a, _)
             | K::Call(_, a) => $visit(a),
+            K::Rate(a, _, rates) => {
+                $visit(a);
+                rates.$iter().for_each($visit);
+            }
             K::Add(a, b)
             | K::Sub(a, b)
             | K::Mul(a, b)
@@ -69,6 +76,12 @@ macro_rules! collect_expressions {
         let loads = model.forces.$iter().chain(model.moments.$iter());
         all.extend(loads.map(|own| &$($mutable)? own.value));
         all.extend(model.equations.$iter().map(|own| &$($mutable)? own.value));
+        for own in model.systems.$iter() {
+            all.extend(own.equations.$iter().chain(own.constraints.$iter()));
+        }
+        for own in model.balances.$iter() {
+            all.extend([&$($mutable)? own.quantity, &$($mutable)? own.change]);
+        }
         all.extend(model.claim.$iter().flat_map(|claim| claim.$claimed()));
         all.extend(model.observation.$iter().map(|own| &$($mutable)? own.value));
         all.extend(model.clock.$iter().map(|own| &$($mutable)? own.value));
@@ -105,7 +118,10 @@ impl Expr {
             | (K::Coefficient(a), K::Coefficient(b))
             | (K::Input(a), K::Input(b))
             | (K::State(a), K::State(b))
-            | (K::AuxVariable(a), K::AuxVariable(b)) => a == b,
+            | (K::AuxVariable(a), K::AuxVariable(b))
+            | (K::Determinacy(a), K::Determinacy(b)) => a == b,
+            (K::Unknown(s, a), K::Unknown(t, b)) => s == t && a == b,
+            (K::Partial(_, a), K::Partial(_, b)) => a == b,
             (K::Axis(f, a), K::Axis(g, b)) => f == g && a == b,
             (K::Pow(_, a), K::Pow(_, b)) => a == b,
             (K::Component(_, a), K::Component(_, b)) => a == b,
@@ -140,7 +156,7 @@ impl Expr {
 
 impl Model {
     /// All expressions that are not part of another expression: definitions of the auxiliary variables, then mass and
-    /// entries of the inertia tensor, loads, equations, `claim` block, observation, rate of the clock, validity limits.
+    /// entries of the inertia tensor, loads, equations, those of systems with their constraints, claimed balances, `claim` block, observation, rate of the clock, validity limits.
     pub fn expressions(&self) -> Vec<&Expr> {
         collect_expressions!(self, iter, expressions)
     }
@@ -160,6 +176,14 @@ impl Model {
         for own in &self.equations {
             let state = &*self.states[own.state].name;
             all.push(("a stated equation", state, &own.value, own.span));
+        }
+        for own in &self.systems {
+            let equations = own.equations.iter();
+            all.extend(equations.map(|e| ("an equation", &*own.title, e, e.span)));
+        }
+        for own in &self.balances {
+            let parts = [&own.quantity, &own.change].into_iter();
+            all.extend(parts.map(|e| ("a claim", "claim", e, own.span)));
         }
         if let Some(own) = &self.observation {
             all.push(("an observation", &*own.name, &own.value, own.span));
@@ -226,6 +250,21 @@ impl Model {
             FrameKind::Quaternion { states, .. } => Some(states),
             _ => None,
         })
+    }
+
+    /// Limits but those that hold the constraints of blocks `solve`, which few states fulfil: the equations of motion hold
+    /// beyond them.
+    pub fn limits_of_validity(&self) -> impl Iterator<Item = &ValidityLimit> {
+        let is_of_constraint = |limit: &ValidityLimit| {
+            let mut systems = self.systems.iter();
+            systems.any(|own| {
+                let (of, at) = (own.span, limit.span);
+                of != at && of.source == at.source && of.start <= at.start && at.end <= of.end
+            })
+        };
+        self.limits
+            .iter()
+            .filter(move |limit| !is_of_constraint(limit))
     }
 
     /// Whether the limit was added by the checker to avoid gimbal lock rather than stated in the model's file.

@@ -4,6 +4,7 @@
 
 mod blocks;
 mod functions;
+mod solve;
 
 use crate::location::Span;
 use crate::unit::Unit;
@@ -14,6 +15,7 @@ pub use blocks::{
 pub use functions::{
     Array, Ascription, Expanded, Function, FunctionParameter, Index, Template, Type,
 };
+pub use solve::{Balance, ImplicitEquation, Solve, UnknownQuantity};
 use std::sync::Arc;
 
 /// A parsed file: a model, effects, or both.
@@ -102,6 +104,8 @@ pub enum ItemKind {
     Load(Load),
     /// Differential equation: `der(STATE) = …;`
     Equation(Equation),
+    /// Equations that are not solved for: `solve { … }`
+    Solve(Solve),
     /// Declaration of the observed point: `marker NAME in FRAME;`
     Marker(Marker),
     /// Measurement equation: `observe NAME = …;`
@@ -114,6 +118,8 @@ pub enum ItemKind {
     Check(Check),
     /// The body that the stated equations describe: `claim body NAME { … }` or `claim point NAME { … }`
     Claim(Claim),
+    /// Claimed change of a quantity along the motion: `claim der(EXPR) = EXPR;`
+    Balance(Balance),
     /// Declaration of an effect: `effect NAME { … }`
     Effect(Effect),
     /// Declaration of a function: `function NAME(PARAMETER: TYPE, …): TYPE { … }`

@@ -172,7 +172,11 @@ impl Parser<'_> {
         let class = match word {
             "body" => BodyClass::Rigid,
             "point" => BodyClass::Point,
-            _ => return self.expected_word("`body` or `point` after `claim`", &["body", "point"]),
+            "der" => return self.balance(),
+            _ => {
+                let what = "`body`, `point` or `der(…)` after `claim`";
+                return self.expected_word(what, &["body", "point", "der"]);
+            }
         };
         self.advance();
         let name = self.name(&format!("a name after `claim {word}`"))?;

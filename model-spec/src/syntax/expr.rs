@@ -267,11 +267,20 @@ impl Parser<'_> {
         Ok(tree)
     }
 
+    /// Whether a name or an element of an array fills the parentheses.
+    fn is_only_a_name(&self) -> bool {
+        let behind = match self.raw_at(1) {
+            "[" => (2..).find(|at| matches!(self.raw_at(*at), "]" | ")" | "")),
+            _ => Some(0),
+        };
+        self.peek() == Token::Name && behind.is_some_and(|at| self.raw_at(at + 1) == ")")
+    }
+
     fn call(&mut self, start: Span) -> Read<Tree> {
         let name = self.name("a function")?;
         let open = self.here();
         self.advance();
-        if name.text == "der" {
+        if name.text == "der" && self.is_only_a_name() {
             let state = self.name("the name of a state")?;
             let subscripts = self.nested(Self::subscripts)?;
             let element = state.span.to(self.behind());

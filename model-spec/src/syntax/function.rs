@@ -96,7 +96,7 @@ impl Parser<'_> {
     }
 
     /// Parses the type after a name: `: UNIT`, `: vector UNIT in FRAME`, or nothing for a pure number.
-    fn type_behind_colon(&mut self) -> Read<Type> {
+    pub fn type_behind_colon(&mut self) -> Read<Type> {
         let mut of = Type {
             unit: None,
             frame: None,

@@ -14,6 +14,7 @@ mod print;
 mod print_file;
 mod quantity;
 pub(crate) mod reserved;
+mod solve;
 pub mod spelling;
 mod statement;
 pub(crate) mod token;

@@ -28,6 +28,7 @@ pub(super) const STATEMENTS: [&str; 32] = [
     "force",
     "moment",
     "der",
+    "solve",
     "marker",
     "observe",
     "clock",

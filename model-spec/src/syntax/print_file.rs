@@ -17,6 +17,7 @@ impl Display for File {
                 item.kind,
                 ItemKind::Body(_)
                     | ItemKind::Claim(_)
+                    | ItemKind::Solve(_)
                     | ItemKind::Check(_)
                     | ItemKind::Effect(_)
                     | ItemKind::Function(_)
@@ -130,6 +131,8 @@ fn write_kind(f: &mut Formatter<'_>, kind: &ItemKind, of: &Elements) -> Result {
             f.write_char('}')
         }
         ItemKind::Claim(claim) => write!(f, "{claim}"),
+        ItemKind::Solve(solve) => write!(f, "{solve}"),
+        ItemKind::Balance(own) => write!(f, "claim der({}) = {};", own.quantity, own.change),
         ItemKind::Table(table) => write!(f, "{table}"),
         ItemKind::Include(file) => write!(f, "include \"{}\";", file.text),
         ItemKind::Let(l) => {

@@ -35,6 +35,7 @@ impl Parser<'_> {
             "let" => self.binding()?,
             "force" | "moment" => self.load()?,
             "der" => self.equation()?,
+            "solve" => self.solve()?,
             "marker" => self.marker()?,
             "observe" => self.observe()?,
             "clock" => {
@@ -56,6 +57,7 @@ impl Parser<'_> {
             "set" | "expect" => Some("check \"…\""),
             "replace" | "site" | "source" | "variables" | "negligible" | "increases"
             | "decreases" => Some("effect NAME"),
+            "unknown" => Some("solve"),
             "mass" | "inertia" | "fixed" | "axis" | "position" | "velocity" | "angular" => {
                 Some("body NAME")
             }

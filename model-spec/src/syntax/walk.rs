@@ -50,6 +50,9 @@ impl File {
                 ItemKind::Marker(own) => {
                     names.insert(own.name.text.clone());
                 }
+                ItemKind::Solve(own) => {
+                    names.extend(own.unknowns.iter().map(|unknown| unknown.name.text.clone()));
+                }
                 ItemKind::Frame(frame) => match &frame.kind {
                     FrameKind::Inertial | FrameKind::Fixed { .. } => {}
                     FrameKind::Turned { angle, .. } => {
@@ -167,6 +170,11 @@ impl ItemKind {
         }
         match self {
             ItemKind::Limit(limit) => visit(&mut limit.value),
+            ItemKind::Solve(solve) => solve.sides_mut().for_each(visit),
+            ItemKind::Balance(own) => {
+                visit(&mut own.quantity);
+                visit(&mut own.change);
+            }
             ItemKind::Array(array) => array.statement.expressions_mut(visit),
             ItemKind::Function(function) => {
                 function

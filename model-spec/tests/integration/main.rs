@@ -10,5 +10,6 @@ mod meaning;
 mod models;
 mod robust;
 mod small_things;
+mod solve;
 mod summary;
 mod tables;

@@ -5,6 +5,7 @@ mod lanes;
 mod near_throws;
 mod release;
 mod singular_points;
+mod solved;
 mod table;
 mod throw;
 mod throw_signs;

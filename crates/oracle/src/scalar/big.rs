@@ -198,6 +198,8 @@ impl Field for Big {
 }
 
 impl Real for Big {
+    crate::jet!();
+
     fn lit(value: f64) -> Self {
         Self::new(BigFloat::from_f64(value, PRECISION))
     }

@@ -70,6 +70,8 @@ impl<T: Field> Field for Dual<T> {
 }
 
 impl<T: Real> Real for Dual<T> {
+    crate::jet!();
+
     fn lit(value: f64) -> Self {
         Self::constant(T::lit(value))
     }
@@ -149,6 +151,8 @@ impl Zero for NumDual {
 super::rounded_literals!(NumDual);
 
 impl Real for NumDual {
+    crate::jet!();
+
     fn lit(value: f64) -> Self {
         Self(Dual64::new(value, 0.0))
     }
@@ -212,6 +216,8 @@ impl Zero for ComplexStep {
 super::rounded_literals!(ComplexStep);
 
 impl Real for ComplexStep {
+    crate::jet!();
+
     fn lit(value: f64) -> Self {
         Self(Complex::new(value, 0.0))
     }

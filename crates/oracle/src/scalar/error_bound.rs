@@ -77,6 +77,8 @@ impl Zero for ErrorBound {
 super::rounded_literals!(ErrorBound);
 
 impl Real for ErrorBound {
+    crate::jet!();
+
     fn lit(value: f64) -> Self {
         Self {
             value,

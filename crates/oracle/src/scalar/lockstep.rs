@@ -81,6 +81,8 @@ impl<A: Field, B: Field> Field for Lockstep<A, B> {
 }
 
 impl<A: Real, B: Real> Real for Lockstep<A, B> {
+    crate::jet!();
+
     fn lit(value: f64) -> Self {
         Self {
             first: A::lit(value),

@@ -4,6 +4,7 @@ mod big;
 mod dual;
 mod error_bound;
 mod function;
+mod jet;
 mod lockstep;
 mod ops;
 mod prime;
@@ -16,6 +17,7 @@ pub use dual::{ComplexStep, Dual, NumDual, STEP};
 pub use error_bound::ErrorBound;
 pub use function::Elementary;
 pub(crate) use function::call;
+pub use jet::Jet;
 pub use lockstep::Lockstep;
 use ops::rounded_literals;
 pub use prime::{PRIME, Prime};
@@ -46,6 +48,12 @@ pub trait Field:
 /// A [`Field`] of scalars with the functions of the model language, such as sine, and their defined values at singular
 /// points.
 pub trait Real: Field {
+    /// This number with derivatives within one another; the same type if it has them.
+    type Jet: Infinitesimals;
+    /// The number without derivatives.
+    fn jet(self) -> Self::Jet;
+    /// The number without its derivatives, unless it is one with derivatives itself.
+    fn of_jet(jet: Self::Jet) -> Self;
     /// The constant `value`, with derivative 0.
     fn lit(value: f64) -> Self;
     /// The real value of the scalar, without derivatives or error bounds.
@@ -113,6 +121,30 @@ pub trait Real: Field {
     }
 }
 
+/// A [`Real`] with infinitesimals, numbered from 0, whose squares are 0.
+pub trait Infinitesimals: Real<Jet = Self> {
+    /// The infinitesimal with the number `level`, at most 2.
+    fn epsilon(level: usize) -> Self;
+    /// Factor of the infinitesimal with the number `level`.
+    fn coefficient(self, level: usize) -> Self;
+}
+
+/// Items of [`Real`] for a type without infinitesimals.
+#[macro_export]
+macro_rules! jet {
+    () => {
+        type Jet = $crate::scalar::Jet<Self>;
+
+        fn jet(self) -> Self::Jet {
+            $crate::scalar::Jet::constant(self)
+        }
+
+        fn of_jet(jet: Self::Jet) -> Self {
+            jet.value()
+        }
+    };
+}
+
 impl Field for f64 {
     fn integer(value: i64) -> Self {
         value as f64
@@ -120,6 +152,8 @@ impl Field for f64 {
 }
 
 impl Real for f64 {
+    crate::jet!();
+
     fn lit(value: f64) -> Self {
         value
     }

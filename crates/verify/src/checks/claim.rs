@@ -40,6 +40,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
     if model.claim.is_none() {
         return Some(match &subject.reference {
             Some(_) => Row::skipped(CLAIM, "its equations are held to a reference"),
+            None if !model.balances.is_empty() => Row::skipped(CLAIM, "the model claims balances"),
             None => subject.without_meaning(CLAIM).with_remark(ADVICE),
         });
     }

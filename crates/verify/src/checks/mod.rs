@@ -1,6 +1,7 @@
 //! The checks of a model, one module per check.
 
 pub mod backends;
+pub mod balances;
 pub mod cases;
 pub mod claim;
 pub mod derivatives;

@@ -99,7 +99,9 @@ pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
 /// Whether a point is within every limit that is written in the model file.
 fn is_within_stated(model: &Model, point: &Point<f64>) -> bool {
     let tree = Tree::new(model, point);
-    let mut limits = model.limits.iter().filter(|l| !model.is_automatic(l));
+    let mut limits = model
+        .limits_of_validity()
+        .filter(|l| !model.is_automatic(l));
     limits.all(|limit| tree.scalar(&limit.value) > limit.bound)
 }
 

@@ -3,7 +3,7 @@
 use super::statements::{Change, Key, Statement, keyed, value};
 use super::terms::words;
 use model_spec::model::Model;
-use model_spec::syntax::ast::{Expr, ExprKind};
+use model_spec::syntax::ast::{Expr, ExprKind, ItemKind};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Whether a row depends directly on a statement. The rates of the attitude count as depending on the moments.
@@ -17,6 +17,10 @@ fn is_root(model: &Model, row: usize, (class, name): &Key) -> bool {
     };
     if *class == "clock" {
         return true;
+    }
+    let mut unknowns = model.systems.iter().flat_map(|system| &system.unknowns);
+    if unknowns.any(|unknown| unknown.state == Some(row)) {
+        return *class == "solve";
     }
     if model.equations.iter().any(|e| e.state == row) {
         return *class == "der" && *name == state.name;
@@ -41,9 +45,11 @@ impl Reach {
         let items = keyed(&model.tree);
         let by_name = |name: &str| -> Vec<Key> {
             let classes = ["let", "table", "constant", "input", "frame", "state", "der"];
-            let is = |key: &Key| key.1 == name && classes.contains(&key.0);
-            let found = items.iter().map(|(key, _)| key).filter(|key| is(key));
-            found.cloned().collect()
+            let found = items.iter().filter(|(key, item)| match &item.kind {
+                ItemKind::Solve(own) => own.unknowns.iter().any(|own| own.name.text == name),
+                _ => key.1 == name && classes.contains(&key.0),
+            });
+            found.map(|(key, _)| key.clone()).collect()
         };
         let mut uses = BTreeMap::new();
         for (key, item) in &items {
@@ -59,6 +65,8 @@ impl Reach {
             let mut used = BTreeSet::new();
             if let Some(value) = value(item) {
                 derivatives(value, &mut used);
+            } else if let ItemKind::Solve(own) = &item.kind {
+                own.sides().for_each(|side| derivatives(side, &mut used));
             }
             found.retain(|k| k.0 != "der" || used.contains(&k.1));
             uses.insert(key.clone(), found);

@@ -144,7 +144,7 @@ pub fn title((class, name): &Key) -> String {
 
 /// Statements of a model file that influence the motion, by class and name.
 pub fn keyed(file: &File) -> Vec<(Key, &Item)> {
-    let mut limits = 0;
+    let (mut limits, mut blocks) = (0, 0);
     let mut key = |item: &Item| {
         let name = |class, name: &model_spec::syntax::ast::Name| Some((class, name.text.clone()));
         match &item.kind {
@@ -154,12 +154,25 @@ pub fn keyed(file: &File) -> Vec<(Key, &Item)> {
             ItemKind::Frame(f) => name("frame", &f.name),
             ItemKind::Body(_) => Some(("body", String::new())),
             ItemKind::Claim(_) => Some(("claim", String::new())),
+            ItemKind::Balance(own) => Some(("claim", format!("der({})", own.quantity))),
             ItemKind::Table(t) => name("table", &t.name),
             ItemKind::Function(own) => name("function", &own.name),
             ItemKind::Let(l) => name("let", &l.name),
             ItemKind::Load(l) if l.class == LoadClass::Force => name("force", &l.name),
             ItemKind::Load(l) => name("moment", &l.name),
             ItemKind::Equation(e) => name("der", &e.state),
+            ItemKind::Solve(own) => {
+                blocks += 1;
+                let number = || {
+                    if blocks == 1 {
+                        String::new()
+                    } else {
+                        blocks.to_string()
+                    }
+                };
+                let name = own.name.as_ref().map(|name| name.text.clone());
+                Some(("solve", name.unwrap_or_else(number)))
+            }
             ItemKind::Marker(_) => Some(("marker", String::new())),
             ItemKind::Observe(_) => Some(("observe", String::new())),
             ItemKind::Clock(_) => Some(("clock", String::from("clock"))),

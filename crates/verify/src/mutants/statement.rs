@@ -249,6 +249,7 @@ pub fn roots(item: &mut Item) -> Vec<&mut Expr> {
             });
             of_part.collect()
         }
+        ItemKind::Solve(solve) => solve.sides_mut().collect(),
         other => other.value_mut().into_iter().collect(),
     }
 }
@@ -264,6 +265,7 @@ pub fn name(item: &Item) -> String {
         ItemKind::Let(l) => format!("let {}", l.name.text),
         ItemKind::Load(l) => format!("{:?} {}", l.class, l.name.text).to_lowercase(),
         ItemKind::Equation(e) => format!("der({})", e.state.text),
+        ItemKind::Solve(solve) => solve.title().replace('`', ""),
         ItemKind::Marker(m) => format!("marker {}", m.name.text),
         ItemKind::Observe(o) => format!("observe {}", o.name.text),
         ItemKind::Clock(_) => String::from("clock"),

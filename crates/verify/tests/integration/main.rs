@@ -22,6 +22,7 @@ mod rounding;
 mod same_motion;
 mod seeds;
 mod support;
+mod systems;
 mod tables;
 mod ties;
 mod user_models;

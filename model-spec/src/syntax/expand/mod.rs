@@ -164,6 +164,10 @@ macro_rules! roots {
                         ClaimPartKind::Fixed(_) => Vec::new(),
                     })
                     .collect(),
+                ItemKind::Balance(own) => {
+                    vec![&$($mutable)? own.quantity, &$($mutable)? own.change]
+                }
+                ItemKind::Solve(own) => roots!(@sides own $(, $mutable)?),
                 ItemKind::Function(own) => { own.lets.$iter() }
                     .map(|own| &$($mutable)? own.value)
                     .chain([&$($mutable)? own.value])
@@ -172,6 +176,8 @@ macro_rules! roots {
             }
         }
     };
+    (@sides $own:ident) => { $own.sides().collect() };
+    (@sides $own:ident, mut) => { $own.sides_mut().collect() };
 }
 roots!(roots, entries, iter, value);
 roots!(roots_mut, entries_mut, iter_mut, value_mut, mut);

@@ -163,7 +163,10 @@ impl<'b> Unroller<'b> {
                     let state = self.element(array, subscripts);
                     state.map(|state| ExprKind::Derivative(Name::new(state, *span)))
                 }
-                _ => None,
+                _ => {
+                    e.children_mut(&mut |child| self.expression(child));
+                    None
+                }
             },
             _ => {
                 e.children_mut(&mut |child| self.expression(child));

@@ -1,0 +1,277 @@
+//! Symbolic elimination of linear systems.
+//!
+//! Pivots are chosen in this order: the only entry of a row or column; entries that parameters alone determine and that
+//! cannot vanish but by a parameter, such as masses, with the fewest new entries; of the rest, up to three unknowns by
+//! Cramer's rule, which divides by the determinant alone, and more by partial pivoting with selections.
+
+use super::solve::determinant;
+use crate::functions::{BinaryFunction, MathFunction};
+use crate::graph::{ExprGraph, Node, NodeId, Symbol};
+use crate::number::Number;
+
+/// Largest remainder that is solved by Cramer's rule.
+const CRAMER: usize = 3;
+
+/// Solution of a linear system.
+pub(crate) struct Solution {
+    /// Values of the unknowns; 0 where the system is singular.
+    pub unknowns: Vec<NodeId>,
+    /// Least, over the steps, of the size of a pivot or determinant over the sum of the sizes of its terms.
+    pub determinacy: NodeId,
+}
+
+/// Solves a square system.
+pub(crate) fn solve(
+    graph: &mut ExprGraph,
+    matrix: Vec<Vec<NodeId>>,
+    right: Vec<NodeId>,
+) -> Solution {
+    let sizes = { matrix.iter() }
+        .map(|row| row.iter().map(|&a| size(graph, a)).collect())
+        .collect();
+    let (one, count) = (graph.whole(1), right.len());
+    let mut elimination = Elimination {
+        graph,
+        matrix,
+        sizes,
+        right,
+        rows: (0..count).collect(),
+        columns: (0..count).collect(),
+        steps: Vec::new(),
+        determinacy: one,
+    };
+    while let Some((row, column)) = elimination.sure_pivot() {
+        elimination.eliminate(row, column);
+    }
+    let mut found = vec![None; count];
+    if elimination.columns.len() <= CRAMER {
+        elimination.cramer(&mut found);
+    } else {
+        elimination.pivoted();
+    }
+    elimination.substitute(found)
+}
+
+struct Elimination<'g> {
+    graph: &'g mut ExprGraph,
+    matrix: Vec<Vec<NodeId>>,
+    /// Sums of the sizes of the terms of each entry.
+    sizes: Vec<Vec<NodeId>>,
+    right: Vec<NodeId>,
+    /// Rows and columns that are not eliminated yet.
+    rows: Vec<usize>,
+    columns: Vec<usize>,
+    /// Row and column of each pivot, in order.
+    steps: Vec<(usize, usize)>,
+    determinacy: NodeId,
+}
+
+impl Elimination<'_> {
+    fn is_entry(&self, row: usize, column: usize) -> bool {
+        !self.graph.is_zero(self.matrix[row][column])
+    }
+
+    fn entries_of_row(&self, row: usize) -> usize {
+        let columns = self.columns.iter();
+        columns.filter(|&&c| self.is_entry(row, c)).count()
+    }
+
+    fn entries_of_column(&self, column: usize) -> usize {
+        let rows = self.rows.iter();
+        rows.filter(|&&r| self.is_entry(r, column)).count()
+    }
+
+    /// A pivot that needs no comparison at run time; `None` if there is none.
+    fn sure_pivot(&self) -> Option<(usize, usize)> {
+        let mut best: Option<(usize, (usize, usize))> = None;
+        for &row in &self.rows {
+            for &column in self.columns.iter().filter(|&&c| self.is_entry(row, c)) {
+                let others = (self.entries_of_row(row) - 1) * (self.entries_of_column(column) - 1);
+                let is_sure = others == 0 || is_constant(self.graph, self.matrix[row][column]);
+                if is_sure && best.is_none_or(|(fewest, _)| others < fewest) {
+                    best = Some((others, (row, column)));
+                }
+            }
+        }
+        best.map(|(_, place)| place)
+    }
+
+    /// Takes the entry as pivot, and subtracts its row from the others.
+    fn eliminate(&mut self, row: usize, column: usize) {
+        self.rows.retain(|&r| r != row);
+        self.columns.retain(|&c| c != column);
+        let pivot = self.matrix[row][column];
+        if is_constant(self.graph, pivot) {
+            self.graph.assume_nonzero(pivot);
+        } else {
+            self.judge(pivot, self.sizes[row][column]);
+        }
+        for other in self.rows.clone() {
+            if !self.is_entry(other, column) {
+                continue;
+            }
+            let factor = self.graph.div(self.matrix[other][column], pivot);
+            let factor_size = size(self.graph, factor);
+            for c in self.columns.clone() {
+                let less = self.graph.mul(factor, self.matrix[row][c]);
+                let entry = self.graph.sub(self.matrix[other][c], less);
+                let more = self.graph.mul(factor_size, self.sizes[row][c]);
+                self.matrix[other][c] = entry;
+                self.sizes[other][c] = match self.graph.is_zero(entry) {
+                    true => entry,
+                    false => self.graph.add(self.sizes[other][c], more),
+                };
+            }
+            let less = self.graph.mul(factor, self.right[row]);
+            self.right[other] = self.graph.sub(self.right[other], less);
+        }
+        self.steps.push((row, column));
+    }
+
+    /// Counts a pivot or determinant, with the sum of the sizes of its terms, towards the determinacy.
+    fn judge(&mut self, pivot: NodeId, terms: NodeId) {
+        let pivot = size(self.graph, pivot);
+        let share = self.graph.div(pivot, terms);
+        let least = BinaryFunction::Min;
+        self.determinacy = match self.graph.is_one(self.determinacy) {
+            true => share,
+            false => self.graph.call2(least, self.determinacy, share),
+        };
+    }
+
+    /// Solves the rest by Cramer's rule.
+    fn cramer(&mut self, found: &mut [Option<NodeId>]) {
+        if self.columns.is_empty() {
+            return;
+        }
+        let part = |of: &[Vec<NodeId>]| -> Vec<Vec<NodeId>> {
+            let row = |&r: &usize| self.columns.iter().map(|&c| of[r][c]).collect();
+            self.rows.iter().map(row).collect()
+        };
+        let (system, sizes) = (part(&self.matrix), part(&self.sizes));
+        let whole = determinant(self.graph, &system);
+        let terms = permanent(self.graph, &sizes);
+        self.judge(whole, terms);
+        for (k, &column) in self.columns.iter().enumerate() {
+            let mut replaced = system.clone();
+            for (row, &r) in replaced.iter_mut().zip(&self.rows) {
+                row[k] = self.right[r];
+            }
+            let above = determinant(self.graph, &replaced);
+            found[column] = Some(self.graph.div(above, whole));
+        }
+    }
+
+    /// Eliminates the rest with partial pivoting; rows are compared relative to the sizes of their entries.
+    fn pivoted(&mut self) {
+        let mut scales: Vec<NodeId> = { self.rows.iter() }
+            .map(|&r| {
+                let terms = self
+                    .columns
+                    .iter()
+                    .map(|&c| (Number::ONE, self.sizes[r][c]));
+                self.graph.sum(terms.collect(), Number::ZERO)
+            })
+            .collect();
+        while let (Some(&row), Some(&column)) = (self.rows.first(), self.columns.first()) {
+            let rows = self.rows.clone();
+            for (k, &other) in rows.iter().enumerate().skip(1) {
+                if self.is_entry(other, column) {
+                    let [own, next] =
+                        [row, other].map(|r| size(self.graph, self.matrix[r][column]));
+                    let own = self.graph.mul(own, scales[k]);
+                    let next = self.graph.mul(next, scales[0]);
+                    let difference = self.graph.sub(next, own);
+                    let is_greater = self.graph.call(MathFunction::Heaviside, difference);
+                    (scales[0], scales[k]) = self.exchanged(is_greater, scales[0], scales[k]);
+                    self.exchange(is_greater, row, other);
+                }
+            }
+            scales.remove(0);
+            self.eliminate(row, column);
+        }
+    }
+
+    /// The two values, exchanged where the condition is not 0.
+    fn exchanged(&mut self, condition: NodeId, a: NodeId, b: NodeId) -> (NodeId, NodeId) {
+        (
+            self.graph.if_zero(condition, a, b),
+            self.graph.if_zero(condition, b, a),
+        )
+    }
+
+    fn exchange(&mut self, condition: NodeId, row: usize, other: usize) {
+        for c in self.columns.clone() {
+            let (a, b) = (self.matrix[row][c], self.matrix[other][c]);
+            (self.matrix[row][c], self.matrix[other][c]) = self.exchanged(condition, a, b);
+            let (a, b) = (self.sizes[row][c], self.sizes[other][c]);
+            (self.sizes[row][c], self.sizes[other][c]) = self.exchanged(condition, a, b);
+        }
+        let (a, b) = (self.right[row], self.right[other]);
+        (self.right[row], self.right[other]) = self.exchanged(condition, a, b);
+    }
+
+    /// Values of all unknowns, the last pivot's first.
+    fn substitute(mut self, mut found: Vec<Option<NodeId>>) -> Solution {
+        let zero = self.graph.whole(0);
+        for (row, column) in std::mem::take(&mut self.steps).into_iter().rev() {
+            let mut rest = self.right[row];
+            for (c, value) in found.iter().enumerate() {
+                if let Some(value) = value {
+                    let less = self.graph.mul(self.matrix[row][c], *value);
+                    rest = self.graph.sub(rest, less);
+                }
+            }
+            found[column] = Some(self.graph.div(rest, self.matrix[row][column]));
+        }
+        Solution {
+            determinacy: match found.contains(&None) {
+                true => zero,
+                false => self.determinacy,
+            },
+            unknowns: found.into_iter().map(|own| own.unwrap_or(zero)).collect(),
+        }
+    }
+}
+
+fn size(graph: &mut ExprGraph, node: NodeId) -> NodeId {
+    graph.call(MathFunction::Abs, node)
+}
+
+/// Sum of the products of a square matrix of sizes over all permutations.
+fn permanent(graph: &mut ExprGraph, m: &[Vec<NodeId>]) -> NodeId {
+    if m.len() == 1 {
+        return m[0][0];
+    }
+    let terms = (0..m.len()).map(|k| {
+        let without = |row: &Vec<NodeId>| [&row[..k], &row[k + 1..]].concat();
+        let minor: Vec<Vec<NodeId>> = m[1..].iter().map(without).collect();
+        let inner = permanent(graph, &minor);
+        (Number::ONE, graph.mul(inner, m[0][k]))
+    });
+    let terms = terms.collect();
+    graph.sum(terms, Number::ZERO)
+}
+
+/// Whether a value is made of parameters that are constant during a flight, and vanishes only where one of them does.
+fn is_constant(graph: &ExprGraph, node: NodeId) -> bool {
+    let facts = graph.facts(node);
+    if !facts.fixed {
+        return false;
+    }
+    facts.nonzero
+        || match graph.node(node) {
+            Node::Symbol(symbol) => matches!(symbol, Symbol::Parameter(_)),
+            Node::Product(factors) => factors.iter().all(|&(own, _)| is_constant(graph, own)),
+            Node::Sum(terms, constant) => {
+                let signs = { terms.iter() }.map(|(factor, _)| factor.is_negative());
+                let all: Vec<bool> = match constant.is_zero() {
+                    true => signs.collect(),
+                    false => signs.chain([constant.is_negative()]).collect(),
+                };
+                all.windows(2).all(|pair| pair[0] == pair[1])
+                    && terms.iter().all(|&(_, own)| is_constant(graph, own))
+            }
+            _ => false,
+        }
+}

@@ -1,0 +1,53 @@
+//! Points at which the constraints of a model's blocks `solve { … }` hold.
+
+use model_spec::model::{Expr, Model};
+use nalgebra::{DMatrix, DVector};
+use oracle::scalar::Dual;
+use oracle::{Point, Tree};
+
+const MAX_STEPS: usize = 40;
+
+/// Size of a step, relative to the states, below which the constraints hold but for rounding.
+const SMALL: f64 = 1e-15;
+
+/// Moves the states to where the constraints and their derivatives hold, by the shortest steps of Newton's method.
+pub(crate) fn project(model: &Model, point: &mut Point<f64>) {
+    let constraints = model.systems.iter().flat_map(|own| &own.constraints);
+    let constraints: Vec<&Expr> = constraints.collect();
+    if constraints.is_empty() {
+        return;
+    }
+    for _ in 0..MAX_STEPS {
+        let (deviations, by_states) = linearized(model, &constraints, point);
+        let step = by_states.svd(true, true).solve(&deviations, 1e-12);
+        let Ok(step) = step else { return };
+        let size = DVector::from_column_slice(&point.states).norm();
+        for (state, change) in point.states.iter_mut().zip(&step) {
+            *state -= change;
+        }
+        if step.norm() <= SMALL * size {
+            return;
+        }
+    }
+}
+
+/// Values of the constraints, and their derivatives by the states, one row for each.
+fn linearized(
+    model: &Model,
+    constraints: &[&Expr],
+    point: &Point<f64>,
+) -> (DVector<f64>, DMatrix<f64>) {
+    let mut deviations = DVector::zeros(constraints.len());
+    let mut by_states = DMatrix::zeros(constraints.len(), point.states.len());
+    for state in 0..point.states.len() {
+        let mut moving = point.map(Dual::constant);
+        moving.states[state].derivative = 1.0;
+        let tree = Tree::new(model, &moving);
+        for (row, constraint) in constraints.iter().enumerate() {
+            let value = tree.scalar(constraint);
+            deviations[row] = value.value;
+            by_states[(row, state)] = value.derivative;
+        }
+    }
+    (deviations, by_states)
+}

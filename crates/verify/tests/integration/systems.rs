@@ -1,0 +1,148 @@
+//! Blocks `solve { … }`: random systems against nalgebra, derivatives against dual numbers.
+
+use codegen::tape_model::{At, Scratch};
+use codegen::{TapeModel, compile};
+use model_spec::load::from_text;
+use model_spec::model::Model;
+use nalgebra::{DMatrix, DVector};
+use oracle::scalar::{Dual, Real};
+use oracle::{Point, derivatives};
+use verify::random::Random;
+
+/// Random entries: linear in a state, a sine of one, a parameter, a number, or nothing.
+struct Entries<'r> {
+    random: &'r mut Random,
+    states: Vec<f64>,
+    a: f64,
+    density: f64,
+}
+
+impl Entries<'_> {
+    /// Text and value of an entry.
+    fn draw(&mut self) -> (String, f64) {
+        let (a, count) = (self.a, self.states.len());
+        let mut uniform = |low: f64, high: f64| self.random.between(low, high);
+        if uniform(0.0, 1.0) > self.density {
+            return ("0".to_owned(), 0.0);
+        }
+        let k = (uniform(0.0, count as f64) as usize).min(count - 1);
+        let (x, c) = (self.states[k], (uniform(-4.0, 4.0) * 16.0).round() / 16.0);
+        match uniform(0.0, 4.0) as usize {
+            0 => (format!("({c} + x{k})"), c + x),
+            1 => (format!("(sin(x{k})*a)"), x.sin() * a),
+            2 => (format!("({c}*a)"), c * a),
+            _ => (format!("({c})"), c),
+        }
+    }
+}
+
+/// A model whose derivatives are the solution of a random system, with the system at its default state.
+fn random_system(random: &mut Random, count: usize) -> (String, DMatrix<f64>, DVector<f64>) {
+    let states: Vec<f64> = (0..count).map(|_| random.between(-2.0, 2.0)).collect();
+    let density = random.between(0.4, 1.0);
+    let a = 1.25;
+    let mut text = "model probe; frame N; param a = 1.25; param s = 1 s;\n".to_owned();
+    for (k, x) in states.iter().enumerate() {
+        text += &format!("state x{k} = {x};\n");
+    }
+    let mut entries = Entries {
+        random,
+        states,
+        a,
+        density,
+    };
+    let (mut matrix, mut right) = (DMatrix::zeros(count, count), DVector::zeros(count));
+    let mut rows = Vec::new();
+    for row in 0..count {
+        let mut terms = Vec::new();
+        for column in 0..count {
+            let (mut entry, mut value) = entries.draw();
+            if row == column {
+                entry = format!("({entry} + 3)");
+                value += 3.0;
+            }
+            if entry != "0" {
+                terms.push(format!("{entry}*s*der(x{column})"));
+            }
+            matrix[(row, column)] = value;
+        }
+        let (entry, value) = entries.draw();
+        right[row] = value;
+        rows.push(format!("  {} = {entry};\n", terms.join(" + ")));
+    }
+    text += &format!("solve {{\n{}}}\n", rows.concat());
+    (text, matrix, right)
+}
+
+fn load(text: &str) -> Model {
+    from_text("probe.hyz", text, &[]).unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+#[test]
+fn random_systems_are_solved_as_by_nalgebra_with_exact_derivatives() {
+    let mut random = Random::new(46, "systems");
+    let mut solved = 0;
+    for round in 0..300 {
+        let count = 1 + round % 12;
+        let (text, matrix, right) = random_system(&mut random, count);
+        let values = matrix.singular_values();
+        let condition = values.max() / values.min();
+        if condition > 1e6 {
+            continue;
+        }
+        let expected = matrix.full_piv_lu().solve(&right).unwrap();
+        let model = load(&text);
+        let tape = TapeModel::new(&compile(&model));
+        let point = Point::defaults(&model);
+        let prepared = tape.prepare(&point.params);
+        let at = At {
+            t: 0.0,
+            x: &point.states,
+            p: &point.params,
+            prepared: &prepared,
+        };
+        let (mut dx, mut scratch) = (vec![0.0; count], Scratch::default());
+        let mut j = vec![0.0; tape.f_jac.pattern("j").len()];
+        tape.f_jac
+            .eval(at, &[], &mut scratch, &mut [&mut dx, &mut j]);
+        let error = (DVector::from_vec(dx.clone()) - &expected).norm();
+        let bound = 4.0 * count as f64 * f64::EPSILON * condition * expected.norm();
+        assert!(error <= bound, "{error:e} > {bound:e} for\n{text}");
+        for column in 0..count {
+            let mut moving = point.map(Dual::constant);
+            moving.states[column].derivative = 1.0;
+            let rates = derivatives(&model, &moving).unwrap();
+            let scale = { rates.iter() }.fold(1.0, |most: f64, own| most.max(own.derivative.abs()));
+            for (&(row, _), value) in { tape.f_jac.pattern("j").iter().zip(&j) }
+                .filter(|((_, of), _)| *of as usize == column)
+            {
+                let expected = rates[row as usize].derivative;
+                let difference = (value - expected).abs();
+                let allowed = 64.0 * f64::EPSILON * condition * condition * scale;
+                assert!(difference <= allowed, "{value} for {expected} in\n{text}");
+            }
+        }
+        solved += 1;
+    }
+    assert!(solved > 250, "{solved}");
+}
+
+/// Determinacy at the defaults.
+fn determinacy(text: &str) -> f64 {
+    let model = load(text);
+    let point = Point::defaults(&model).lift::<f64>();
+    let tree = oracle::Tree::new(&model, &point);
+    tree.scalar(&model.limits.last().unwrap().value).re()
+}
+
+#[test]
+fn a_state_that_determines_nothing_is_outside_the_limits() {
+    let at = |x: &str| {
+        format!(
+            "model probe; frame N; param L = 2 m; state x = {x} m; state v = 0 m/s; der(x) = v;
+             solve rod {{ x*der(v) = 1 [m^2/s^2]; }}"
+        )
+    };
+    assert_eq!(determinacy(&at("1e-9")), 1.0);
+    assert_eq!(determinacy(&at("0")), 0.0);
+}

@@ -1,0 +1,308 @@
+//! Derivatives of expressions: `der(EXPR)` along the motion, and `partial(EXPR, STATE)`.
+
+use std::collections::{BTreeSet, HashMap};
+
+use super::scope::Symbol;
+use super::term::Fraction;
+use super::{Checker, Typed, UnitOf};
+use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::model::{Expr, ExprKind, FrameKind, Shape};
+use crate::syntax::ast::{self, ItemKind};
+use crate::unit::Unit;
+
+/// Maximum number of derivatives within one another.
+const MAX_ORDER: u8 = 3;
+
+/// States on which quantities and derivatives depend, by their statements.
+#[derive(Clone, Debug, Default)]
+pub(super) struct StateSets {
+    lets: HashMap<String, BTreeSet<usize>>,
+    rates: HashMap<usize, BTreeSet<usize>>,
+}
+
+/// Whether an expression has `der(…)`.
+fn has_rates(e: &ast::Expr) -> bool {
+    let mut found = matches!(&e.kind, ast::ExprKind::Call(name, _) if name.text == "der");
+    found |= matches!(&e.kind, ast::ExprKind::Derivative(_));
+    e.children(&mut |child| found = found || has_rates(child));
+    found
+}
+
+impl Checker<'_> {
+    /// Finds on which states the quantities depend that `der(…)` needs.
+    pub fn find_state_sets(&mut self) {
+        let file = self.file;
+        let roots = |kind| crate::syntax::expand::roots(kind).into_iter();
+        let is_block = |item: &ast::Item| matches!(item.kind, ItemKind::Solve(_));
+        let mut items = file.items.iter();
+        if !items.any(|item| is_block(item) || roots(&item.kind).any(has_rates)) {
+            return;
+        }
+        let mut sets = StateSets::default();
+        loop {
+            let mut has_changed = false;
+            for item in &file.items {
+                match &item.kind {
+                    ItemKind::Let(own) => {
+                        let found = self.states_in(&own.value, &sets);
+                        let set = sets.lets.entry(own.name.text.clone()).or_default();
+                        has_changed |= found.len() > set.len();
+                        *set = found;
+                    }
+                    ItemKind::Equation(own) => {
+                        let found = self.states_in(&own.value, &sets);
+                        if let Some(Symbol::State(state)) = self.scope.find(&own.state.text) {
+                            let set = sets.rates.entry(state).or_default();
+                            has_changed |= found.len() > set.len();
+                            *set = found;
+                        }
+                    }
+                    _ => {}
+                }
+            }
+            if !has_changed {
+                break;
+            }
+        }
+        self.state_sets = sets;
+    }
+
+    /// States on which an expression depends; `sets` has those of the quantities.
+    fn states_in(&self, e: &ast::Expr, sets: &StateSets) -> BTreeSet<usize> {
+        let mut found = BTreeSet::new();
+        match &e.kind {
+            ast::ExprKind::Name(name) => self.states_of_name(name, sets, &mut found),
+            ast::ExprKind::Derivative(name) => match self.scope.find(&name.text) {
+                Some(Symbol::State(state)) => {
+                    found.extend(sets.rates.get(&state).into_iter().flatten());
+                }
+                _ => {
+                    self.states_of_name(&name.text, sets, &mut found);
+                    with_rates(&mut found, sets);
+                }
+            },
+            ast::ExprKind::Components(_, frame) => self.states_of_frame(&frame.text, &mut found),
+            ast::ExprKind::Call(name, _) => {
+                if let Some(frame) = name.text.strip_prefix("in_") {
+                    self.states_of_frame(frame, &mut found);
+                }
+            }
+            _ => {}
+        }
+        e.children(&mut |child| found.extend(self.states_in(child, sets)));
+        if matches!(&e.kind, ast::ExprKind::Call(name, _) if name.text == "der") {
+            with_rates(&mut found, sets);
+        }
+        found
+    }
+
+    fn states_of_name(&self, name: &str, sets: &StateSets, found: &mut BTreeSet<usize>) {
+        match self.scope.find(name) {
+            Some(Symbol::State(state)) => {
+                found.insert(state);
+            }
+            Some(_) => found.extend(sets.lets.get(name).into_iter().flatten()),
+            None => self.states_of_frame(name, found),
+        }
+    }
+
+    fn states_of_frame(&self, name: &str, found: &mut BTreeSet<usize>) {
+        if let Some(frame) = self.scope.frame(name) {
+            found.extend(self.states_of_attitude(frame));
+        }
+    }
+
+    /// States that orient a frame against the inertial one.
+    fn states_of_attitude(&self, frame: usize) -> Vec<usize> {
+        let chain = self.chain(frame).into_iter();
+        chain
+            .flat_map(|frame| match self.model.frames[frame].kind {
+                FrameKind::Inertial => Vec::new(),
+                FrameKind::Turned { angle, .. } => vec![angle],
+                FrameKind::Quaternion { states, .. } => states.to_vec(),
+            })
+            .collect()
+    }
+
+    /// Calls `visit` with each name in an expression, whether it is the state of a derivative, and its span; `der(…)` of
+    /// an expression uses the derivatives of all states on which it depends.
+    pub fn all_uses<'e>(&self, e: &'e ast::Expr, visit: &mut dyn FnMut(&str, bool, Span))
+    where
+        Self: 'e,
+    {
+        let states = match &e.kind {
+            ast::ExprKind::Name(name) => return visit(name, false, e.span),
+            ast::ExprKind::Derivative(name) => {
+                if let Some(Symbol::State(_)) | None = self.scope.find(&name.text) {
+                    return visit(&name.text, true, e.span);
+                }
+                visit(&name.text, false, e.span);
+                let mut found = BTreeSet::new();
+                self.states_of_name(&name.text, &self.state_sets, &mut found);
+                found
+            }
+            ast::ExprKind::Call(name, arguments) if name.text == "der" => {
+                let sets = { arguments.iter() }.map(|own| self.states_in(own, &self.state_sets));
+                sets.flatten().collect()
+            }
+            _ => BTreeSet::new(),
+        };
+        for state in states {
+            visit(&self.model.states[state].name, true, e.span);
+        }
+        e.children(&mut |child| self.all_uses(child, visit));
+    }
+
+    /// Names of the states whose derivatives a constraint of a block needs: those on which it depends, and those on
+    /// which their derivatives do.
+    pub fn states_of_constraint(&self, equation: &ast::ImplicitEquation) -> Vec<&str> {
+        let sides = [&equation.left, &equation.right].into_iter();
+        let mut found: BTreeSet<usize> = sides
+            .flat_map(|side| self.states_in(side, &self.state_sets))
+            .collect();
+        with_rates(&mut found, &self.state_sets);
+        let names = found.into_iter();
+        names.map(|state| &*self.model.states[state].name).collect()
+    }
+
+    /// Elaborates `der(EXPR)`: the derivative of a number or vector by the time of the flight, along the motion.
+    pub fn rate(&mut self, of: &ast::Expr, span: Span) -> Option<Typed> {
+        let typed = self.elaborate(of)?;
+        self.rate_of(typed, span)
+    }
+
+    pub fn rate_of(&mut self, of: Typed, span: Span) -> Option<Typed> {
+        let found = self.differentiable(&of.expr, span)?;
+        let mut rates = Vec::new();
+        let states: Vec<usize> = found.into_iter().collect();
+        for &state in &states {
+            if state < self.of_body {
+                let message = format!(
+                    "`{}` changes with `{}`, whose derivative follows from the forces",
+                    self.text(of.expr.span),
+                    self.model.states[state].name
+                );
+                let fault = Diagnostic::new(Kind::Cycle, span, message);
+                return self.refuse(fault.help("`der(…)` needs states whose equations are stated"));
+            }
+            rates.push(self.derivative_of(state, span)?.expr);
+        }
+        let second = UnitOf::of(Unit::SECOND);
+        let unit = self.multiplied(&of.unit, &second, Fraction::MINUS_ONE, span);
+        let shape = of.expr.shape;
+        let kind = ExprKind::Rate(Box::new(of.expr), states, rates.into());
+        Some(Typed::new(kind, shape, span, unit))
+    }
+
+    /// Elaborates `partial(EXPR, STATE)`: the derivative of a number by a state, all others held.
+    pub fn partial(&mut self, [of, by]: [&ast::Expr; 2], span: Span) -> Option<Typed> {
+        let typed = self.scalar(of, "what is differentiated")?;
+        let state = match &by.kind {
+            ast::ExprKind::Name(name) => self.scope.find(name),
+            _ => None,
+        };
+        let Some(Symbol::State(state)) = state else {
+            let message = format!("`{}` is not a state", self.text(by.span));
+            let fault = Diagnostic::new(Kind::Name, by.span, message);
+            return self.refuse(fault.note("`partial(EXPR, STATE)` differentiates by a state"));
+        };
+        self.differentiable(&typed.expr, span)?;
+        let by = UnitOf::Term(self.states[state].clone());
+        let unit = self.multiplied(&typed.unit, &by, Fraction::MINUS_ONE, span);
+        let kind = ExprKind::Partial(Box::new(typed.expr), state);
+        Some(Typed::scalar(kind, span, unit))
+    }
+
+    /// States on which an expression depends; `None`, with an error reported, if it cannot be differentiated.
+    fn differentiable(&mut self, e: &Expr, span: Span) -> Option<BTreeSet<usize>> {
+        for index in self.dependences.len()..self.model.aux_variables.len() {
+            let own = Dependence::of(self, &self.model.aux_variables[index].value);
+            self.dependences.push(own);
+        }
+        let found = Dependence::of(self, e);
+        if let Some(what) = found.obstacle {
+            let message = format!("`{}` depends on {what}", self.text(e.span));
+            let fault = Diagnostic::new(Kind::Value, span, message);
+            return self.refuse(fault.note(
+                "what is differentiated is made of states, parameters, coefficients and the time",
+            ));
+        }
+        if found.order >= MAX_ORDER {
+            let message = format!("at most {MAX_ORDER} derivatives may stand within one another");
+            return self.refuse(Diagnostic::new(Kind::Limit, span, message));
+        }
+        Some(found.states)
+    }
+
+    /// The derivative of a state whose equation is stated.
+    fn derivative_of(&mut self, state: usize, span: Span) -> Option<Typed> {
+        let name = ast::Name::new(self.model.states[state].name.clone(), span);
+        self.derivative(&name, span)
+    }
+}
+
+fn with_rates(found: &mut BTreeSet<usize>, sets: &StateSets) {
+    let rates: Vec<usize> = { found.iter() }
+        .filter_map(|state| sets.rates.get(state))
+        .flatten()
+        .copied()
+        .collect();
+    found.extend(rates);
+}
+
+/// What an expression depends on.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Dependence {
+    states: BTreeSet<usize>,
+    /// What has no derivative, as in messages.
+    obstacle: Option<String>,
+    /// Number of derivatives within one another.
+    order: u8,
+}
+
+impl Dependence {
+    fn of(checker: &Checker<'_>, e: &Expr) -> Dependence {
+        let mut found = Dependence::default();
+        found.order = found.visit(checker, e);
+        found
+    }
+
+    /// Visits an expression; returns the number of derivatives within one another.
+    fn visit(&mut self, checker: &Checker<'_>, e: &Expr) -> u8 {
+        let model = &checker.model;
+        if let Shape::Vector(frame) = e.shape {
+            self.states.extend(checker.states_of_attitude(frame));
+        }
+        match &e.kind {
+            ExprKind::State(state) => {
+                self.states.insert(*state);
+            }
+            ExprKind::Param(i) if model.params[*i].varies => {
+                self.obstacle = Some(format!("the input `{}`", model.params[*i].name));
+            }
+            ExprKind::Unknown(system, k) => {
+                let name = &model.systems[*system].unknowns[*k].name;
+                self.obstacle = Some(format!("the unknown `{name}`"));
+            }
+            ExprKind::Position
+            | ExprKind::Velocity
+            | ExprKind::AngularVelocity
+            | ExprKind::SpecificForce
+            | ExprKind::AngularAcceleration => {
+                self.obstacle = Some("the motion of the body".to_owned());
+            }
+            ExprKind::AuxVariable(i) => {
+                let Some(own) = checker.dependences.get(*i) else {
+                    return 0;
+                };
+                self.states.extend(&own.states);
+                self.obstacle = self.obstacle.take().or_else(|| own.obstacle.clone());
+                return own.order;
+            }
+            _ => {}
+        }
+        let mut order = 0;
+        e.children(&mut |child| order = order.max(self.visit(checker, child)));
+        order + u8::from(matches!(e.kind, ExprKind::Rate(..) | ExprKind::Partial(..)))
+    }
+}
