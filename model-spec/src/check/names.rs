@@ -142,7 +142,8 @@ impl Checker<'_> {
                 "its axes are `{name}.1`, `{name}.2` and `{name}.3`"
             ));
         } else if let Some(near) = suggest::nearest(name, self.declared_names()) {
-            fault = fault.help(format!("did you mean `{near}`?"));
+            let near = near.to_owned();
+            fault = fault.suggest(&near);
         } else if name == "t" {
             fault = fault.help("the time since release is `time`; `t` is a unit, the tonne");
         } else if symbol::find(name).is_some() {

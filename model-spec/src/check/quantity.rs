@@ -158,7 +158,7 @@ impl Checker<'_> {
                 .note(note)
                 .help(format!("to multiply, write `*` before `{symbol}`"));
         } else if let Some(near) = symbol::suggest(symbol) {
-            fault = fault.help(format!("did you mean `{near}`?"));
+            fault = fault.suggest(near);
         } else {
             fault = fault.note(format!("units are made of {}", symbol::listed()));
         }

@@ -46,7 +46,7 @@ const OTHER_FUNCTIONS: [&str; 11] = [
     "in_frame_of",
 ];
 
-pub(super) fn function_names() -> impl Iterator<Item = &'static str> {
+pub(crate) fn function_names() -> impl Iterator<Item = &'static str> {
     let names = Function::NAMES.into_iter().map(|(name, _)| name);
     names.chain(OTHER_FUNCTIONS)
 }

@@ -7,6 +7,7 @@ mod block;
 mod effect;
 pub(crate) mod expand;
 mod expr;
+pub mod format;
 mod function;
 mod lexer;
 mod parser;
@@ -16,6 +17,7 @@ mod quantity;
 pub(crate) mod reserved;
 pub mod spelling;
 mod statement;
+pub mod symbols;
 pub(crate) mod token;
 mod walk;
 

@@ -273,7 +273,13 @@ impl<'a> Parser<'a> {
             Token::Name => suggest::nearest(self.raw(), self.suggestions(words)),
             _ => None,
         };
-        self.expected_help(what, near.map(|n| format!("did you mean `{n}`?")))
+        let Some(near) = near else {
+            return self.expected(what);
+        };
+        let found = lexer::name_of(self.lexeme(), self.text);
+        let message = format!("expected {what}, found {found}");
+        let fault = Diagnostic::new(Kind::Grammar, self.here(), message);
+        self.refuse(fault.suggest(near))
     }
 
     pub fn need(&mut self, token: Token, what: &str) -> Read<()> {
@@ -317,7 +323,14 @@ impl<'a> Parser<'a> {
                     place,
                     format!("expected `;` at the end of {after}"),
                 )
-                .help("end the statement with `;`"),
+                .help("end the statement with `;`")
+                .fix(
+                    Span {
+                        start: end.end,
+                        ..end
+                    },
+                    ";",
+                ),
             );
         }
         let help = match self.peek() {
