@@ -33,7 +33,7 @@ pub enum Command {
     Check(Check),
     /// Format the files of models and effects: white space alone, with every token and comment as it is
     #[command(
-        after_help = "Examples:\n  hyzer format kite.hyz wing.hyz\n  hyzer format --check kite.hyz         # shows the difference, exit status 1\n  hyzer format - < kite.hyz\n\nA file with errors of grammar is refused, and then none of the files is written. Rules: docs/reference/commands.md."
+        after_help = "Examples:\n  hyzer format kite.hyz wing.hyz\n  hyzer format --check kite.hyz         # shows the difference, exit status 1\n  hyzer format - < kite.hyz\n\nA file with errors of grammar is refused, and then none of the files is written. Rules: docs/how-to/editor.md."
     )]
     Format(Format),
     /// Compile models to source code: into a folder of your own, or, inside the repository, into crates/generated

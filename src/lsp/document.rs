@@ -157,8 +157,7 @@ fn of_effect(path: &str, text: &str, faults: Vec<Diagnostic>) -> Checked {
     let Ok(tree) = beside.or_else(|_| ModelTree::load(&on.text)) else {
         return none(Vec::new());
     };
-    let extended = tree.with_instruments(&effect.instruments()).with(&effect);
-    match extended.and_then(|extended| extended.check()) {
+    match tree.with(&effect).and_then(|extended| extended.check()) {
         Ok(model) => (Vec::new(), Vec::new(), Some(model)),
         Err(error) => none(in_source(error, path)),
     }

@@ -24,8 +24,8 @@ pub struct Facts {
 /// What a model says about a parameter, coefficient, input, state, table, marker or named quantity.
 pub fn of_value(model: &Model, name: &str) -> Option<Facts> {
     let found = |own: &&Parameter| own.name == name;
-    let constants = model.params.iter().chain(&model.coefficients);
-    if let Some(own) = { constants }.find(found) {
+    let parameters = model.params.iter().chain(&model.coefficients);
+    if let Some(own) = { parameters }.find(found) {
         return Some(of_parameter(own));
     }
     if let Some(own) = model.states.iter().find(|own| own.name == name) {

@@ -129,6 +129,10 @@ impl Checker<'_> {
             fault.message = format!("there is no `{element}`");
             let elements = self.elements(&array);
             fault = match &elements[..] {
+                [] if self.scope.find(&array).is_some() => {
+                    let parts = format!("`{array}.1`, `{array}.2`, `{array}.3`");
+                    fault.help(format!("components are written {parts}"))
+                }
                 [] => fault.help(format!("declare it: `let {array}[i] for i in 1..3 = …;`")),
                 [only] => fault.note(format!("the only element is `{only}`")),
                 [first, .., last] => fault.note(format!("the elements are `{first}` to `{last}`")),

@@ -338,7 +338,17 @@ impl<'a> Parser<'a> {
                 Some("a product is written with `*` or `·`".to_owned())
             }
             Token::Sign("**") => Some("a power is written `^`".to_owned()),
+            Token::Sign(">" | "<") => {
+                Some("`step(a - b)` is 1 where a > b, else 0; or use `max`, `min`".to_owned())
+            }
             _ => None,
+        };
+        let condition = "there is no `if`: `step(x)` is 1 where x > 0, else 0; or use `max`, `min`";
+        let is_condition = self.slice(self.behind()) == "if";
+        let help = if is_condition {
+            Some(condition.to_owned())
+        } else {
+            help
         };
         self.expected_help(&format!("`;` at the end of {after}"), help)
     }
