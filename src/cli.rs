@@ -5,9 +5,11 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use report::{FigureKind, Units};
 
+mod editor;
 mod fits;
 mod throws;
 
+pub use editor::{Format, Lsp};
 pub use fits::{Bootstrap, Diagnose, Fit, FitInputs};
 pub use throws::{Design, Stability, Sweep, ThrowOptions};
 
@@ -29,6 +31,11 @@ pub enum Command {
         after_help = "Example:\n  hyzer check disc ball\n  hyzer check disc_appendix_printed     # refused, with the reasons"
     )]
     Check(Check),
+    /// Format the files of models and effects: white space alone, with every token and comment as it is
+    #[command(
+        after_help = "Examples:\n  hyzer format kite.hyz wing.hyz\n  hyzer format --check kite.hyz         # shows the difference, exit status 1\n  hyzer format - < kite.hyz\n\nA file with errors of grammar is refused, and then none of the files is written. Rules: docs/how-to/editor.md."
+    )]
+    Format(Format),
     /// Compile models to source code: into a folder of your own, or, inside the repository, into crates/generated
     #[command(
         after_help = "Examples:\n  hyzer generate models/kite.hyz disc --out src/models\n  hyzer generate disc --with wind_by_height --out src/models --check\n  hyzer generate --check                # crates/generated\n\nEach model becomes one Rust module over f64 that needs no other crate: `mod kite;`. With --lanes it is generic over\nlanes::Real, for SIMD. Build scripts can use hyzer_codegen::build instead."
@@ -109,6 +116,11 @@ pub enum Command {
         after_help = "Examples:\n  hyzer effects ball\n  hyzer effects ball --format text      # as on a terminal\n  hyzer effects --out docs/reference/effects.md     # all of them"
     )]
     Effects(Effects),
+    /// Serve an editor with errors, hover, completion and more, by the language server protocol
+    #[command(
+        after_help = "Example:\n  hyzer lsp                             # started by an editor: docs/how-to/editor.md\n\nMessages are read from standard input and answered on standard output. Exit status: 0 after `shutdown` and `exit`, 1 if\nthe client ended without."
+    )]
+    Lsp(Lsp),
     /// List the built-in models
     #[command(after_help = "Example:\n  hyzer models")]
     Models,

@@ -29,6 +29,8 @@ mod diagnosis;
 mod error;
 mod fit;
 mod flight;
+#[cfg(feature = "cli")]
+mod lsp;
 mod model;
 #[cfg(feature = "cli")]
 mod output;

@@ -53,6 +53,15 @@ pub struct Label {
     pub text: String,
 }
 
+/// Replacement of a part of the source text that follows a suggested remedy.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fix {
+    /// Source span that is replaced; an empty one where text is inserted.
+    pub span: Span,
+    /// New text of the span.
+    pub text: String,
+}
+
 /// Error message for a model file: what is wrong, where, and a suggested remedy.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
@@ -68,6 +77,8 @@ pub struct Diagnostic {
     pub notes: Vec<String>,
     /// Suggested remedy, such as "did you mean `C_La`?"; `None` if there is no suggestion.
     pub help: Option<String>,
+    /// Replacement that carries out the remedy; `None` if it is not certain where or what to write.
+    pub fix: Option<Fix>,
 }
 
 pub(crate) fn sort(diagnostics: &mut [Diagnostic]) {
@@ -84,6 +95,7 @@ impl Diagnostic {
             labels: Vec::new(),
             notes: Vec::new(),
             help: None,
+            fix: None,
         }
     }
 
@@ -118,6 +130,21 @@ impl Diagnostic {
         self
     }
 
+    /// Sets the text that replaces `span` to carry out the suggested remedy.
+    #[must_use]
+    pub fn fix(mut self, span: Span, text: impl Into<String>) -> Diagnostic {
+        let text = text.into();
+        self.fix = Some(Fix { span, text });
+        self
+    }
+
+    /// Suggests `name` in place of what stands at the source span of the error.
+    #[must_use]
+    pub(crate) fn suggest(self, name: &str) -> Diagnostic {
+        let span = self.span;
+        self.help(format!("did you mean `{name}`?")).fix(span, name)
+    }
+
     /// Suggests the name nearest in spelling to `wrong`, if one is near.
     pub(crate) fn did_you_mean<'n>(
         self,
@@ -125,6 +152,9 @@ impl Diagnostic {
         names: impl IntoIterator<Item = &'n str>,
     ) -> Diagnostic {
         let near = suggest::nearest(wrong, names.into_iter());
-        self.help_if(near.map(|near| format!("did you mean `{near}`?")))
+        match near {
+            Some(near) => self.suggest(near),
+            None => self,
+        }
     }
 }

@@ -57,3 +57,4 @@ pub use order::sort_by_number;
 pub use render::render;
 pub use suggest::nearest as nearest_name;
 pub use summary::{summary, with_unit};
+pub use syntax::format::format;

@@ -6,8 +6,8 @@ use crate::model::Model;
 use crate::syntax::ast::File;
 
 pub use crate::read::LoadError;
-pub use crate::read::decode;
 pub use crate::read::{BODIES, EFFECTS, MODELS, REFUTED, WINDS};
+pub use crate::read::{decode, read};
 
 /// Result of loading a model that may have errors.
 #[derive(Clone, Debug)]
@@ -104,6 +104,10 @@ fn after(tree: ModelTree, mut earlier: Vec<Diagnostic>, error: LoadError) -> Loa
     for fault in &mut diagnostics {
         fault.span.source += first;
         fault.labels.iter_mut().for_each(|l| l.span.source += first);
+        fault
+            .fix
+            .iter_mut()
+            .for_each(|fix| fix.span.source += first);
     }
     all.extend(sources);
     earlier.extend(diagnostics);

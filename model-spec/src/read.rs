@@ -10,7 +10,10 @@ use std::sync::Arc;
 use thiserror::Error;
 
 /// Reads the file of a model or of an effect as text.
-pub(crate) fn read(path: &str) -> Result<String, LoadError> {
+///
+/// # Errors
+/// [`LoadError`] if the file cannot be read, is too long or is not UTF-8.
+pub fn read(path: &str) -> Result<String, LoadError> {
     let unreadable = |error| LoadError::Unreadable {
         path: path.to_owned(),
         error: Arc::new(error),

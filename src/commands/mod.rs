@@ -10,8 +10,10 @@ mod effects;
 mod explain;
 mod export;
 pub mod fit;
+mod format;
 mod generate;
 pub mod import;
+mod lsp;
 mod man;
 mod models;
 pub mod simulate;
@@ -43,6 +45,7 @@ impl Answer {
 pub(super) fn run(command: Command) -> anyhow::Result<Answer> {
     match command {
         Command::Check(options) => check::run(&options),
+        Command::Format(options) => format::run(&options),
         Command::Generate(options) => generate::run(&options),
         Command::Export(options) => export::run(&options),
         Command::Verify(options) => verify::run(&options),
@@ -58,6 +61,7 @@ pub(super) fn run(command: Command) -> anyhow::Result<Answer> {
         Command::Bootstrap(options) => bootstrap::run(&options),
         Command::Diagnose(options) => diagnose::run(&options),
         Command::Effects(options) => effects::run(&options),
+        Command::Lsp(options) => lsp::run(&options),
         Command::Models => models::run(),
         Command::Completions(options) => completions::run(&options),
         Command::Man(options) => man::run(&options),

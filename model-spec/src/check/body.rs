@@ -37,7 +37,8 @@ impl<'a> Checker<'a> {
                     "the position must be given in the inertial frame {first}, not in {other}"
                 );
                 let fault = Diagnostic::new(Kind::Frame, frame.span, message);
-                self.report(fault.help(format!("write `in {first}`")));
+                let fault = fault.help(format!("write `in {first}`"));
+                self.report(fault.fix(frame.span, first));
             }
             triple(self, names, Unit::METRE)
         });

@@ -251,10 +251,11 @@ impl Checker<'_> {
             let message = format!("`{text}` is a quantity, not a function");
             fault = Diagnostic::new(Kind::Name, span, message);
             fault = fault.help(format!("a product is written `{text}*(…)`"));
-        } else if text == "sum" {
-            fault = fault.help("a sum has an index: `sum(i in 1..8, …)`");
         } else if let Some((_, known)) = ALIASES.iter().find(|(alias, _)| *alias == text) {
             fault = fault.help(format!("it is written `{known}` here"));
+            if *known != "^" {
+                fault = fault.fix(name.span, *known);
+            }
         } else {
             let frames = self.model.frames.iter();
             let frames: Vec<String> = frames.map(|f| format!("in_{}", f.name)).collect();

@@ -127,7 +127,10 @@ impl<'a> Checker<'a> {
                     constant.name.text
                 );
                 let fault = Diagnostic::new(Kind::Value, least.span.to(greatest.span), message);
-                return self.refuse(fault.help(format!("write `in {greatest} .. {least}`")));
+                let reversed = format!("{greatest} .. {least}");
+                let fault = fault.help(format!("write `in {reversed}`"));
+                let span = fault.span;
+                return self.refuse(fault.fix(span, reversed));
             }
             if value < least_value || value > greatest_value {
                 let message = format!(

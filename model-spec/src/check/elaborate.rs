@@ -247,7 +247,8 @@ impl Checker<'_> {
         let message = format!("in an expression `{text}` is read as a product");
         let fault = Diagnostic::new(Kind::Grammar, e.span, message)
             .note("a number takes one unit there; several stand in square brackets")
-            .help(format!("write `{digits} [{unit}]`"));
+            .help(format!("write `{digits} [{unit}]`"))
+            .fix(e.span, format!("{digits} [{unit}]"));
         self.report(fault);
         true
     }

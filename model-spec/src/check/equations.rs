@@ -317,8 +317,11 @@ impl<'a> Checker<'a> {
                 name(0),
                 name(frame)
             );
-            let help = format!("write `in_{}({})`", name(0), self.text(observe.value.span));
-            self.report(Diagnostic::new(Kind::Frame, observe.value.span, message).help(help));
+            let span = observe.value.span;
+            let help = format!("write `in_{}({})`", name(0), self.text(span));
+            let fault = Diagnostic::new(Kind::Frame, span, message).help(help);
+            let fault = self.called(fault, &format!("in_{}", name(0)), span);
+            self.report(fault);
             return;
         }
         let rule = "what is observed must be a length (m)";

@@ -233,7 +233,13 @@ impl<'a> Checker<'a> {
             fault = fault.label(declared, "declared here");
         }
         fault = match suggest::nearest(&name.text, states.iter().map(String::as_str)) {
-            Some(near) => fault.help(format!("did you mean `{near}`?")),
+            Some(near) => fault.suggest(near),
+            None if self.declared_body.is_none() && states.is_empty() => {
+                let state = format!("`state {} = 0 …;`, with its unit", name.text);
+                fault.help(format!(
+                    "declare a `body`, whose attitude it is; or {state}"
+                ))
+            }
             None if self.declared_body.is_none() || states.len() > self.of_body => fault.help(
                 format!("declare it: `state {} = 0 …;`, with its unit", name.text),
             ),

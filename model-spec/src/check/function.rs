@@ -220,7 +220,8 @@ impl<'a> Checker<'a> {
                     "{what} must be a vector in {expected}, but `{text}` has its components in {found}"
                 );
                 let fault = Diagnostic::new(Kind::Frame, span, message);
-                fault.help(format!("write `in_{expected}({text})`"))
+                let fault = fault.help(format!("write `in_{expected}({text})`"));
+                self.called(fault, &format!("in_{expected}"), span)
             }
             _ => return true,
         };

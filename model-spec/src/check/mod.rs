@@ -41,6 +41,7 @@ use body::Parts;
 use function::FunctionFaults;
 use rates::{Dependence, StateSets};
 use scope::Scope;
+pub(crate) use scope::function_names;
 use term::{Term, Units};
 use unitless::Unitless;
 
@@ -247,6 +248,15 @@ impl<'a> Checker<'a> {
         let of_functions = self.of_functions.found();
         let mut all = self.diagnostics.iter().chain(of_functions);
         all.all(|d| d.kind == Kind::Unit)
+    }
+
+    /// Adds the replacement of an expression by a call of `function` with it.
+    fn called(&self, fault: Diagnostic, function: &str, span: Span) -> Diagnostic {
+        let source = self.sources.get(usize::from(span.source));
+        match source.and_then(|source| source.text.get(span.range())) {
+            Some(text) => fault.fix(span, format!("{function}({})", unwrapped(text))),
+            None => fault,
+        }
     }
 
     fn text(&self, span: Span) -> String {

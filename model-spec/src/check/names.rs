@@ -141,6 +141,10 @@ impl Checker<'_> {
             fault.message = format!("there is no `{element}`");
             let elements = self.elements(&array);
             fault = match &elements[..] {
+                [] if self.scope.find(&array).is_some() => {
+                    let parts = format!("`{array}.1`, `{array}.2`, `{array}.3`");
+                    fault.help(format!("components are written {parts}"))
+                }
                 [] => fault.help(format!("declare it: `let {array}[i] for i in 1..3 = …;`")),
                 [only] => fault.note(format!("the only element is `{only}`")),
                 [first, .., last] => fault.note(format!("the elements are `{first}` to `{last}`")),
@@ -154,7 +158,8 @@ impl Checker<'_> {
                 "its axes are `{name}.1`, `{name}.2` and `{name}.3`"
             ));
         } else if let Some(near) = suggest::nearest(name, self.declared_names()) {
-            fault = fault.help(format!("did you mean `{near}`?"));
+            let near = near.to_owned();
+            fault = fault.suggest(&near);
         } else if name == "t" {
             fault = fault.help("the time since release is `time`; `t` is a unit, the tonne");
         } else if symbol::find(name).is_some() {

@@ -2,8 +2,9 @@
 
 use super::Checker;
 use super::unitless::Unitless;
-use crate::diagnostic::{Diagnostic, Kind};
+use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::syntax::ast::{File, Number, UnitExpr};
+use crate::syntax::reserved::FIXED;
 use crate::unit::{Unit, symbol};
 
 /// Evaluated unit expression: SI unit and conversion factor to it.
@@ -143,7 +144,7 @@ impl Checker<'_> {
         Some(out)
     }
 
-    fn unknown_unit(&mut self, symbol: &str, span: crate::diagnostic::Span) {
+    fn unknown_unit(&mut self, symbol: &str, span: Span) {
         if symbol == UnitExpr::INFERRED {
             let message = "a unit is inferred only where a number is declared";
             let fault = Diagnostic::new(Kind::Name, span, message);
@@ -152,16 +153,23 @@ impl Checker<'_> {
         }
         let mut fault = Diagnostic::new(Kind::Name, span, format!("there is no unit `{symbol}`"));
         let name = crate::syntax::spelling::plain(symbol);
-        if self.scope.find(&name).is_some() {
+        if self.scope.find(&name).is_some() || FIXED.contains(&name.as_str()) {
             let note = "a name right behind a number is read as its unit";
             fault = fault
                 .note(note)
-                .help(format!("to multiply, write `*` before `{symbol}`"));
+                .help(format!("to multiply, write `*` before `{symbol}`"))
+                .fix(
+                    Span {
+                        end: span.start,
+                        ..span
+                    },
+                    "*",
+                );
         } else {
-            let near = symbol::suggest(symbol);
-            fault = fault
-                .note(format!("units are made of {}", symbol::listed()))
-                .help_if(near.map(|near| format!("did you mean `{near}`?")));
+            fault = fault.note(format!("units are made of {}", symbol::listed()));
+            if let Some(near) = symbol::suggest(symbol) {
+                fault = fault.suggest(near);
+            }
         }
         self.report(fault);
     }
@@ -170,7 +178,6 @@ impl Checker<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::Span;
 
     #[test]
     fn decimals_are_exact() {

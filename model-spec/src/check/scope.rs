@@ -49,7 +49,7 @@ const OTHER_FUNCTIONS: [&str; 12] = [
     "in_frame_of",
 ];
 
-pub(super) fn function_names() -> impl Iterator<Item = &'static str> {
+pub(crate) fn function_names() -> impl Iterator<Item = &'static str> {
     let names = Function::NAMES.into_iter().map(|(name, _)| name);
     names.chain(OTHER_FUNCTIONS)
 }

@@ -84,12 +84,13 @@ impl Checker<'_> {
         let message = format!(
             "the vectors have their components in different frames: `{ta}` in {f}, `{tb}` in {g}"
         );
-        Diagnostic::new(Kind::Frame, span, message)
+        let fault = Diagnostic::new(Kind::Frame, span, message)
             .label(a.expr.span, format!("components in {f}"))
             .label(b.expr.span, format!("components in {g}"))
             .help(format!(
                 "bring one to the other's frame: `in_{f}({tb})`, or `in_{g}({ta})`"
-            ))
+            ));
+        self.called(fault, &format!("in_{f}"), b.expr.span)
     }
 
     /// Common unit of `terms`; reports one error, which begins with `rule`, if they differ.

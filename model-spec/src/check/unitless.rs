@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use super::term::Term;
 use super::{Checker, Typed};
-use crate::diagnostic::{Kind, Label, MAX_SHOWN, Span};
+use crate::diagnostic::{Fix, Kind, Label, MAX_SHOWN, Span};
 use crate::model::{Expr, ExprKind};
 use crate::syntax::ast::{Item, ItemKind, Name, UnitExpr, UnitFactor};
 use crate::unit::Unit;
@@ -150,6 +150,12 @@ impl<'a> Checker<'a> {
                         text,
                     });
                 }
+                if let [(declared, unit)] = &needed[..]
+                    && let Some(end) = declared.end_of_value()
+                {
+                    let text = format!(" {}", written(*unit));
+                    fault.fix = Some(Fix { span: end, text });
+                }
                 fault.help = Some(match fault.help.take() {
                     Some(other) => format!("{help}; or: {other}"),
                     None => help,
@@ -204,6 +210,17 @@ impl<'a> Declared<'a> {
             name,
             unit: unit.as_ref(),
         })
+    }
+
+    /// Empty span behind the default value, where its unit belongs; `None` for an input vector.
+    fn end_of_value(&self) -> Option<Span> {
+        let value = match self.item {
+            ItemKind::Parameter(p) => p.value.span,
+            ItemKind::State(s) => s.value.span,
+            _ => return None,
+        };
+        let start = value.end;
+        Some(Span { start, ..value })
     }
 
     /// Source text of the declaration with `unit` added.

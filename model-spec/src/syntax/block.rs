@@ -136,6 +136,10 @@ impl Parser<'_> {
             });
         }
         if !self.eat_word("expect") {
+            if (self.peek(), self.peek_at(1)) == (Token::Name, Token::Sign("=")) {
+                let help = format!("write `set {} = …;`", self.raw());
+                return self.expected_help("`set` or `expect`", Some(help));
+            }
             return self.expected_word("`set` or `expect`", &["set", "expect"]);
         }
         let mut name =

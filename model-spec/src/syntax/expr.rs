@@ -47,8 +47,10 @@ impl Parser<'_> {
                 continue;
             }
             if self.peek() == Token::Sign("**") {
-                let help = "a power is written `^`";
-                return self.expected_help("an operator", Some(help.to_owned()));
+                let span = self.here();
+                let message = "expected an operator, found `**`";
+                let fault = Diagnostic::new(Kind::Grammar, span, message);
+                return self.refuse(fault.help("a power is written `^`").fix(span, "^"));
             }
             let Some((op, from, to)) = binding(self.peek()) else {
                 break;
@@ -124,6 +126,10 @@ impl Parser<'_> {
             (Token::Name, "x" | "y" | "z") => {
                 let help = "components are numbered: `.1`, `.2`, `.3`";
                 self.expected_help(what, Some(help.to_owned()))
+            }
+            (Token::Name, function) if self.peek_at(1) == Token::Sign("(") => {
+                let help = format!("a function stands before its argument: `{function}(…)`");
+                self.expected_help(what, Some(help))
             }
             _ => self.expected(what),
         }
@@ -296,7 +302,12 @@ impl Parser<'_> {
             };
             return self.grown(ExprKind::Call(name, vec![element]), span, 0);
         }
-        if name.text == "sum" && self.peek() == Token::Name && self.raw_at(1) == "in" {
+        if name.text == "sum" {
+            if self.peek() != Token::Name || self.raw_at(1) != "in" {
+                let message = "this `sum` has no index";
+                let fault = Diagnostic::new(Kind::Grammar, name.span, message);
+                return self.refuse(fault.help("say over what: `sum(i in 1..8, …)`"));
+            }
             return self.sum_over(start, open);
         }
         let arguments = match self.peek() {

@@ -173,7 +173,14 @@ impl Lexer<'_> {
             let shown: String = found.chars().take(12).collect();
             let is_cut = found.chars().nth(12).is_some();
             let more = if is_cut { "…" } else { "" };
-            fault(format!("`{shown}{more}` means nothing in this language")).help_if(instead(first))
+            let message = format!("`{shown}{more}` means nothing in this language");
+            let fault = fault(message).help_if(instead(first));
+            match found {
+                "\u{2013}" | "\u{2014}" => fault.fix(self.span(&range), "-"),
+                "\u{00F7}" => fault.fix(self.span(&range), "/"),
+                "\u{2022}" | "\u{2217}" => fault.fix(self.span(&range), "*"),
+                _ => fault,
+            }
         };
         self.lexed.diagnostics.push(fault);
     }

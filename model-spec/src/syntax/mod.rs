@@ -7,6 +7,7 @@ mod block;
 mod effect;
 pub(crate) mod expand;
 mod expr;
+pub mod format;
 mod function;
 mod lexer;
 mod parser;
@@ -17,6 +18,7 @@ pub(crate) mod reserved;
 mod solve;
 pub mod spelling;
 mod statement;
+pub mod symbols;
 pub(crate) mod token;
 mod walk;
 

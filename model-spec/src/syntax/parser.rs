@@ -281,7 +281,13 @@ impl<'a> Parser<'a> {
             Token::Name => suggest::nearest(self.raw(), self.suggestions(words)),
             _ => None,
         };
-        self.expected_help(what, near.map(|n| format!("did you mean `{n}`?")))
+        let Some(near) = near else {
+            return self.expected(what);
+        };
+        let found = lexer::name_of(self.lexeme(), self.text);
+        let message = format!("expected {what}, found {found}");
+        let fault = Diagnostic::new(Kind::Grammar, self.here(), message);
+        self.refuse(fault.suggest(near))
     }
 
     pub fn need(&mut self, token: Token, what: &str) -> Read<()> {
@@ -325,7 +331,14 @@ impl<'a> Parser<'a> {
                     place,
                     format!("expected `;` at the end of {after}"),
                 )
-                .help("end the statement with `;`"),
+                .help("end the statement with `;`")
+                .fix(
+                    Span {
+                        start: end.end,
+                        ..end
+                    },
+                    ";",
+                ),
             );
         }
         let help = match self.peek() {
@@ -333,7 +346,17 @@ impl<'a> Parser<'a> {
                 Some("a product is written with `*` or `·`".to_owned())
             }
             Token::Sign("**") => Some("a power is written `^`".to_owned()),
+            Token::Sign(">" | "<") => {
+                Some("`step(a - b)` is 1 where a > b, else 0; or use `max`, `min`".to_owned())
+            }
             _ => None,
+        };
+        let condition = "there is no `if`: `step(x)` is 1 where x > 0, else 0; or use `max`, `min`";
+        let is_condition = self.slice(self.behind()) == "if";
+        let help = if is_condition {
+            Some(condition.to_owned())
+        } else {
+            help
         };
         self.expected_help(&format!("`;` at the end of {after}"), help)
     }

@@ -92,8 +92,17 @@ impl Parser<'_> {
         }
         let unit = self.unit()?;
         if self.at_unit() && self.peek() == Token::Name {
-            let help = "write `*` or `·` between units, as in `kg*m^2`";
-            return self.expected_help("the end of the unit", Some(help.to_owned()));
+            let found = self.raw();
+            let message = format!("expected the end of the unit, found `{found}`");
+            let between = Span {
+                start: self.behind().end,
+                end: self.here().start,
+                ..self.here()
+            };
+            let fault = Diagnostic::new(Kind::Grammar, self.here(), message)
+                .help("write `*` or `·` between units, as in `kg*m^2`")
+                .fix(between, "*");
+            return self.refuse(fault);
         }
         Ok(Some(unit))
     }

@@ -6,7 +6,7 @@ use super::ast::{
 };
 use super::parser::{Parser, Read, STATEMENTS};
 use super::token::Token;
-use crate::diagnostic::{Diagnostic, Kind};
+use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::unit::symbol;
 
 /// Tokens of a unit behind a number, beyond which no sum is searched.
@@ -70,9 +70,23 @@ impl Parser<'_> {
         let mut fault = Diagnostic::new(Kind::Grammar, span, message);
         if block.is_none() {
             let is_definition = self.peek_at(1) == Token::Sign("=");
-            let definition = format!("a quantity is named with `let {word} = …;`");
-            fault = fault.help_if(is_definition.then_some(definition));
+            if is_definition {
+                let start = Span {
+                    end: span.start,
+                    ..span
+                };
+                let definition = format!("a quantity is named with `let {word} = …;`");
+                fault = fault.help(definition).fix(start, "let ");
+            } else if word == "for" {
+                let help = "the index stands behind a name: `let r[i] for i in 1..8 = …;`";
+                fault = fault.help(help);
+            }
             fault = fault.did_you_mean(word, self.suggestions(&STATEMENTS));
+        } else if (self.peek_at(1), self.peek_at(2)) == (Token::Name, Token::Sign("=")) {
+            let name = self.raw_at(1);
+            fault = fault.help(format!(
+                "a known constant is declared with `param {name} = …;`"
+            ));
         }
         self.refuse(fault)
     }
@@ -122,6 +136,12 @@ impl Parser<'_> {
             let message = "the unit of a default stands behind its number";
             let fault = Diagnostic::new(Kind::Grammar, unit.span, message);
             return self.refuse(fault.help(format!("write `param {} = 1 {unit};`", name.text)));
+        }
+        if indices.is_empty() && self.at_list() {
+            let name = &name.text;
+            let help =
+                format!("a list is of an array: `{word} {name}[i] for i in 1..3 = (…, …, …);`");
+            return self.expected_help("a number", Some(help));
         }
         let (value, values) = self.defaults(&indices)?;
         let parameter = ItemKind::Parameter(self.parameter(class, name, value)?);
@@ -186,6 +206,16 @@ impl Parser<'_> {
             (Token::Sign("/"), Token::Number) => self.raw_at(at + 2) != "1",
             (Token::Sign("/"), Token::Name) => symbol::find(self.raw_at(at + 2)).is_none(),
             _ => self.adds_behind(at + 1),
+        }
+    }
+
+    /// Whether a list of numbers follows, in round or square brackets.
+    fn at_list(&self) -> bool {
+        let is_second = |at| self.peek_at(at) == Token::Sign(",");
+        match self.peek() {
+            Token::Sign("[") => true,
+            Token::Sign("(") => is_second(2) || is_second(3),
+            _ => false,
         }
     }
 

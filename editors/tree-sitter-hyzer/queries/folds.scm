@@ -1,0 +1,2 @@
+(block) @fold
+(table) @fold

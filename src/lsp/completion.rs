@@ -1,0 +1,169 @@
+//! Names, words and units that may stand at a place.
+
+use model_spec::syntax::symbols::{Declaration, SymbolKind};
+use model_spec::unit::symbol;
+use serde_json::{Value, json};
+
+use super::document::Document;
+use super::hover::facts_of;
+use super::words::{BUILT_IN, INNER, STATEMENTS};
+
+/// Units that are offered besides all symbols without a prefix.
+const COMPOUND: [&str; 18] = [
+    "kg", "mm", "cm", "km", "ms", "m/s", "m/s^2", "rad/s", "kg*m^2", "kg/m^3", "N*m", "N*m*s",
+    "m^2", "km/h", "/s", "/rad", "/rad^2", "mN",
+];
+
+/// What may stand at a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Place {
+    Nothing,
+    Statement,
+    Unit,
+    /// Behind a colon: a unit, or `vector`.
+    Type,
+    Frame,
+    Expression,
+}
+
+/// Result of `textDocument/completion`.
+pub fn complete(document: &Document, position: &Value) -> Value {
+    let offset = document.lines.offset(&document.text, position);
+    let before = &document.text[..offset];
+    let is_of_word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '\u{307}' | '\u{308}');
+    let before = before.trim_end_matches(is_of_word);
+    let words = |words: &[(&str, &str, &str)], kind: u8| -> Vec<Value> {
+        let items = words.iter();
+        let item = |(word, form, doc): &(&str, &str, &str)| json!({ "label": word, "kind": kind, "detail": form, "documentation": doc });
+        items.map(item).collect()
+    };
+    match place(before) {
+        Place::Nothing => json!([]),
+        Place::Statement => {
+            let all = STATEMENTS.iter().map(|own| (own.word, own.form, own.doc));
+            Value::Array(words(&all.collect::<Vec<_>>(), 14))
+        }
+        Place::Unit => Value::Array(units()),
+        Place::Type => {
+            let mut items = words(&[("vector", "vector UNIT in FRAME", "a vector")], 14);
+            items.extend(units());
+            Value::Array(items)
+        }
+        Place::Frame => {
+            let frames = names(document, offset, |kind| kind == SymbolKind::Frame);
+            Value::Array(frames)
+        }
+        Place::Expression => {
+            let mut items = names(document, offset, |kind| {
+                let others = [
+                    SymbolKind::Model,
+                    SymbolKind::Body,
+                    SymbolKind::Effect,
+                    SymbolKind::Observation,
+                ];
+                !others.contains(&kind)
+            });
+            let all = BUILT_IN.iter().map(|own| (own.word, own.form, own.doc));
+            items.extend(words(&all.collect::<Vec<_>>(), 3));
+            items.extend(words(&INNER.map(|word| (word, "", "")), 14));
+            Value::Array(items)
+        }
+    }
+}
+
+/// What may stand behind a text that ends before a word.
+fn place(before: &str) -> Place {
+    let line = before.rsplit('\n').next().unwrap_or_default();
+    if line.contains("//") || line.matches('"').count() % 2 == 1 {
+        return Place::Nothing;
+    }
+    let is_spaced = before.ends_with(char::is_whitespace);
+    let code = last_code(before);
+    let Some(last) = code.chars().next_back() else {
+        return Place::Statement;
+    };
+    let statement = code.rsplit([';', '{', '}']).next().unwrap_or_default();
+    let word = |text: &str| -> String {
+        let word = text
+            .rsplit(|c: char| !c.is_alphanumeric() && c != '_')
+            .next();
+        word.unwrap_or_default().to_owned()
+    };
+    let last_word = word(code);
+    let is_number = last_word.starts_with(|c: char| c.is_ascii_digit());
+    let open = statement
+        .rfind('[')
+        .filter(|at| !statement[*at..].contains(']'));
+    if let Some(open) = open {
+        let before = word(statement[..open].trim_end());
+        let of_number = before.starts_with(|c: char| c.is_ascii_digit()) || before.is_empty();
+        return if of_number {
+            Place::Unit
+        } else {
+            Place::Expression
+        };
+    }
+    match last {
+        ';' | '}' => Place::Statement,
+        '{' if !code.trim_end_matches('{').trim_end().ends_with('=') => Place::Statement,
+        ':' => Place::Type,
+        _ if last_word == "in" && !is_number => {
+            let is_bound = word(code.trim_end_matches("in").trim_end());
+            let is_bound = is_bound.starts_with(|c: char| c.is_ascii_digit());
+            if is_bound {
+                Place::Nothing
+            } else {
+                Place::Frame
+            }
+        }
+        '=' if statement.trim_start().starts_with("frame") => Place::Frame,
+        _ if is_number && is_spaced => Place::Unit,
+        _ => Place::Expression,
+    }
+}
+
+/// The text without white space and comments at its end.
+fn last_code(before: &str) -> &str {
+    let mut code = before.trim_end();
+    loop {
+        let start = code.rfind('\n').map_or(0, |end| end + 1);
+        match code[start..].find("//") {
+            Some(comment) => code = code[..start + comment].trim_end(),
+            None => return code,
+        }
+        if code.is_empty() {
+            return code;
+        }
+    }
+}
+
+fn units() -> Vec<Value> {
+    let listed = symbol::listed();
+    let symbols = listed
+        .split([',', ' '])
+        .filter(|word| symbol::find(word).is_some());
+    let all = COMPOUND.into_iter().chain(symbols);
+    all.map(|unit| json!({ "label": unit, "kind": 11 }))
+        .collect()
+}
+
+fn names(document: &Document, offset: usize, is_wanted: impl Fn(SymbolKind) -> bool) -> Vec<Value> {
+    let known = document.known().symbols.known_at(offset);
+    let known = known.filter(|own| is_wanted(own.kind));
+    known.map(|own| item(document, own)).collect()
+}
+
+fn item(document: &Document, own: &Declaration) -> Value {
+    let facts = document.model().and_then(|model| facts_of(model, own));
+    let facts = facts.unwrap_or_default();
+    let parts = [own.kind.noun(), &facts.of, &facts.value];
+    let parts: Vec<&str> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+    let kind = match own.kind {
+        SymbolKind::Table | SymbolKind::Function => 3,
+        SymbolKind::Parameter | SymbolKind::Coefficient => 21,
+        SymbolKind::Frame => 22,
+        _ => 6,
+    };
+    let label = document.text.get(own.range.clone());
+    json!({ "label": label, "kind": kind, "detail": parts.join(", "), "documentation": own.doc })
+}

@@ -1,0 +1,189 @@
+//! An open text, and what is known about it.
+
+use std::path::Path;
+use std::sync::LazyLock;
+
+use model_spec::LoadError;
+use model_spec::compose::{EffectTree, ModelTree};
+use model_spec::diagnostic::{Diagnostic, Source};
+use model_spec::load::inspect_text;
+use model_spec::model::Model;
+use model_spec::syntax::ast::{self, ItemKind};
+use model_spec::syntax::symbols::Symbols;
+use model_spec::syntax::{MAX_SOURCE_BYTES, parse};
+use serde_json::Value;
+
+use super::positions::Lines;
+use super::uri;
+
+/// Greatest length of an open text, bytes; a longer one is cut, which is longer than a model may be.
+const MAX_TEXT_BYTES: usize = 4 * MAX_SOURCE_BYTES;
+
+/// An open text.
+pub struct Document {
+    /// Name by which the client knows it.
+    pub uri: String,
+    /// Path of the file, or the name where it is none.
+    pub path: String,
+    /// Version that the client states with each change.
+    pub version: Value,
+    /// The text.
+    pub text: String,
+    /// Its lines.
+    pub lines: Lines,
+    analysis: Option<Analysis>,
+    /// The model of the last text that had one.
+    model: Option<Model>,
+}
+
+/// What is known about a text.
+#[derive(Default)]
+pub struct Analysis {
+    /// Names.
+    pub symbols: Symbols,
+    /// Errors.
+    pub faults: Vec<Diagnostic>,
+    /// Texts to which the spans of the errors refer: this one, then files that it includes.
+    pub sources: Vec<Source>,
+}
+
+impl Document {
+    /// Opens a text.
+    pub fn new(uri: &str, version: Value, text: &str) -> Document {
+        let mut document = Document {
+            uri: uri.to_owned(),
+            path: uri::path(uri),
+            version,
+            text: String::new(),
+            lines: Lines::default(),
+            analysis: None,
+            model: None,
+        };
+        document.set(text.to_owned());
+        document
+    }
+
+    fn set(&mut self, mut text: String) {
+        text.truncate(text.floor_char_boundary(MAX_TEXT_BYTES));
+        if text.starts_with('\u{FEFF}') {
+            text.remove(0);
+        }
+        self.lines = Lines::of(&text);
+        self.text = text;
+        self.analysis = None;
+    }
+
+    /// Applies a change: the whole text, or the text of a range.
+    pub fn change(&mut self, change: &Value) {
+        let text = change["text"].as_str().unwrap_or_default();
+        if change["range"].is_null() {
+            return self.set(text.to_owned());
+        }
+        let range = self.lines.offsets(&self.text, &change["range"]);
+        let mut changed = std::mem::take(&mut self.text);
+        changed.replace_range(range, text);
+        self.set(changed);
+    }
+
+    /// Forgets what is known, where a file on which it depends may have changed.
+    pub fn forget(&mut self) {
+        self.analysis = None;
+    }
+
+    /// What [`Document::analyse`] found.
+    pub fn known(&self) -> &Analysis {
+        static NOTHING: LazyLock<Analysis> = LazyLock::new(Analysis::default);
+        self.analysis.as_ref().unwrap_or(&NOTHING)
+    }
+
+    /// The model of the last text that had one.
+    pub fn model(&self) -> Option<&Model> {
+        self.model.as_ref()
+    }
+
+    /// Finds out what is not known yet about the text.
+    pub fn analyse(&mut self) {
+        if self.analysis.is_none() {
+            let (faults, sources, model) = checked(&self.path, &self.text);
+            self.model = model.or_else(|| self.model.take());
+            let symbols = match self.text.len() {
+                0..=MAX_SOURCE_BYTES => Symbols::of(&self.text),
+                _ => Symbols::default(),
+            };
+            self.analysis = Some(Analysis {
+                symbols,
+                faults,
+                sources,
+            });
+        }
+    }
+}
+
+type Checked = (Vec<Diagnostic>, Vec<Source>, Option<Model>);
+
+fn checked(path: &str, text: &str) -> Checked {
+    let parsed = parse(path, text);
+    let items = &parsed.file.items;
+    let is_effect = |item: &ast::Item| matches!(item.kind, ItemKind::Effect(_));
+    if !items.is_empty() && items.iter().all(is_effect) {
+        return of_effect(path, text, parsed.diagnostics);
+    }
+    match inspect_text(path, text, &[]) {
+        Ok(loaded) => (loaded.diagnostics, loaded.sources, loaded.model),
+        Err(LoadError::Faults {
+            diagnostics,
+            sources,
+        }) => (diagnostics, sources, None),
+        Err(_) => (Vec::new(), Vec::new(), None),
+    }
+}
+
+/// Checks an effect by the first model that it names, a file beside it or a built-in one.
+fn of_effect(path: &str, text: &str, faults: Vec<Diagnostic>) -> Checked {
+    let none = |faults| (faults, Vec::new(), None);
+    if !faults.is_empty() {
+        return none(faults);
+    }
+    let effect = match EffectTree::parse(path, text) {
+        Ok(effect) => effect,
+        // Several effects, none with the name of the file.
+        Err(_) => return none(Vec::new()),
+    };
+    let Some(on) = effect.tree().on.first() else {
+        return none(Vec::new());
+    };
+    let beside = Path::new(path).with_file_name(format!("{}.hyz", on.text));
+    let beside = ModelTree::load(&beside.to_string_lossy());
+    let Ok(tree) = beside.or_else(|_| ModelTree::load(&on.text)) else {
+        return none(Vec::new());
+    };
+    match tree.with(&effect).and_then(|extended| extended.check()) {
+        Ok(model) => (Vec::new(), Vec::new(), Some(model)),
+        Err(error) => none(in_source(error, path)),
+    }
+}
+
+/// Errors in the text of this name, as if it were alone.
+fn in_source(error: LoadError, path: &str) -> Vec<Diagnostic> {
+    let LoadError::Faults {
+        mut diagnostics,
+        sources,
+    } = error
+    else {
+        return Vec::new();
+    };
+    let own = sources.iter().rposition(|source| source.name == path);
+    let own = own.and_then(|own| u16::try_from(own).ok()).unwrap_or(0);
+    diagnostics.retain(|fault| fault.span.source == own);
+    for fault in &mut diagnostics {
+        fault.labels.retain(|label| label.span.source == own);
+        fault.fix.take_if(|fix| fix.span.source != own);
+        fault.span.source = 0;
+        fault
+            .labels
+            .iter_mut()
+            .for_each(|label| label.span.source = 0);
+        fault.fix.iter_mut().for_each(|fix| fix.span.source = 0);
+    }
+    diagnostics
+}

@@ -1,0 +1,124 @@
+//! What is shown about the word under the pointer.
+
+use model_spec::model::Model;
+use model_spec::syntax::symbols::{Declaration, SymbolKind, WordKind};
+use model_spec::unit::symbol;
+use serde_json::{Value, json};
+
+use super::document::Document;
+use super::facts::{self, Facts};
+use super::words;
+
+/// Longest statement that is shown, lines.
+const MAX_LINES: usize = 6;
+
+/// Result of `textDocument/hover`.
+pub fn hover(document: &Document, position: &Value) -> Value {
+    let offset = document.lines.offset(&document.text, position);
+    let symbols = &document.known().symbols;
+    let Some(word) = symbols.word_at(offset) else {
+        return Value::Null;
+    };
+    let text = document.text.get(word.range.clone()).unwrap_or_default();
+    let shown = match word.kind {
+        WordKind::Declaration(own) | WordKind::Reference(own) => {
+            let declaration = &symbols.declarations[own];
+            Some(of_declaration(document, declaration))
+        }
+        WordKind::Keyword => of_word(text, true),
+        WordKind::BuiltIn => of_word(text, false),
+        WordKind::Unit => of_unit(text),
+        WordKind::Unknown => document.model().and_then(|model| of_other(model, text)),
+    };
+    match shown {
+        Some(text) => json!({
+            "contents": { "kind": "markdown", "value": text },
+            "range": document.lines.range(&document.text, word.range.clone()),
+        }),
+        None => Value::Null,
+    }
+}
+
+/// What the model of a document says about a name that it declares.
+pub fn facts_of(model: &Model, declaration: &Declaration) -> Option<Facts> {
+    let name = declaration.name.as_str();
+    if declaration.scope.start > 0 {
+        return None;
+    }
+    match declaration.kind {
+        SymbolKind::Frame => facts::of_frame(model, name),
+        SymbolKind::Table => facts::of_table(model, name),
+        SymbolKind::Force => facts::of_load(model, name, false),
+        SymbolKind::Moment => facts::of_load(model, name, true),
+        SymbolKind::Index | SymbolKind::Argument | SymbolKind::Function => None,
+        // An array has its first element's.
+        _ => facts::of_value(model, name).or_else(|| {
+            let is_first = |own: &&str| {
+                let index = own
+                    .strip_prefix(name)
+                    .and_then(|rest| rest.strip_prefix('_'));
+                index.is_some_and(|index| index.chars().all(|c| c == '_' || c.is_ascii_digit()))
+            };
+            let variables = model.aux_variables.iter().map(|own| own.name.as_str());
+            let parameters = model.params.iter().chain(&model.coefficients);
+            let mut all = parameters.map(|own| own.name.as_str()).chain(variables);
+            let first = all.find(is_first)?;
+            facts::of_value(model, first)
+        }),
+    }
+}
+
+fn of_declaration(document: &Document, declaration: &Declaration) -> String {
+    let statement = document
+        .text
+        .get(declaration.statement.clone())
+        .unwrap_or_default();
+    let mut lines: Vec<&str> = statement.lines().take(MAX_LINES).collect();
+    if statement.lines().count() > MAX_LINES {
+        lines.push("…");
+    }
+    let mut shown = format!("```hyz\n{}\n```\n", lines.join("\n"));
+    let mut line = declaration.kind.noun().to_owned();
+    let facts = document
+        .model()
+        .and_then(|model| facts_of(model, declaration));
+    let facts = facts.unwrap_or_default();
+    match facts.of.as_str() {
+        "" => {}
+        "1" => line += ", a pure number",
+        of => line += &format!(", {of}"),
+    }
+    if !facts.value.is_empty() {
+        line += &format!(": {}", facts.value);
+    }
+    shown += &line;
+    for part in [&declaration.doc, &facts.formula] {
+        if !part.is_empty() {
+            shown += &format!("\n\n{part}");
+        }
+    }
+    shown
+}
+
+fn of_word(word: &str, is_keyword: bool) -> Option<String> {
+    let found = words::find(word, is_keyword)?;
+    Some(format!("```hyz\n{}\n```\n{}", found.form, found.doc))
+}
+
+fn of_unit(text: &str) -> Option<String> {
+    let found = symbol::find(text)?;
+    let unit = found.unit.tidy();
+    Some(format!("unit: 1 {text} = {} {unit}", found.factor))
+}
+
+/// A name that the text does not declare, of the model that an effect is for.
+fn of_other(model: &Model, name: &str) -> Option<String> {
+    let facts = facts::of_value(model, name).or_else(|| facts::of_frame(model, name))?;
+    let parts = [facts.of, facts.value, facts.formula];
+    let parts: Vec<String> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+    Some(format!(
+        "of the model `{}`\n\n{}",
+        model.name,
+        parts.join("\n\n")
+    ))
+}

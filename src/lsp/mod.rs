@@ -1,0 +1,258 @@
+//! Server of the language server protocol, which tells an editor what it needs to know of models and effects.
+//!
+//! It answers one message after another. Errors of a text are published when no further message waits, so that typing is
+//! never behind.
+
+mod completion;
+mod document;
+mod facts;
+mod faults;
+mod hover;
+mod layout;
+mod names;
+mod positions;
+#[cfg(test)]
+mod tests;
+mod transport;
+mod uri;
+mod words;
+
+use std::collections::BTreeMap;
+use std::io::{self, BufReader, Read, Write};
+
+use document::Document;
+use serde_json::{Value, json};
+use transport::Incoming;
+
+/// Greatest number of open texts.
+const MAX_DOCUMENTS: usize = 1000;
+
+const PARSE_ERROR: i32 = -32700;
+const INVALID_REQUEST: i32 = -32600;
+const METHOD_NOT_FOUND: i32 = -32601;
+const NOT_INITIALIZED: i32 = -32002;
+const REQUEST_FAILED: i32 = -32803;
+
+/// Serves one client until it says `exit` or its messages end; returns whether it said `shutdown` before.
+///
+/// # Errors
+/// If a message cannot be read or written.
+pub fn serve(input: impl Read, output: &mut impl Write) -> io::Result<bool> {
+    let mut input = BufReader::new(input);
+    let mut server = Server::default();
+    while let Some(incoming) = transport::read(&mut input)? {
+        let answers = match incoming {
+            Incoming::Message(message) => server.receive(&message),
+            Incoming::Faulty(reason) => vec![failure(&Value::Null, PARSE_ERROR, &reason)],
+        };
+        for answer in answers {
+            transport::write(output, &answer)?;
+        }
+        if server.state == State::Ended {
+            return Ok(server.said_shutdown);
+        }
+        if input.buffer().is_empty() {
+            for notice in server.notices() {
+                transport::write(output, &notice)?;
+            }
+        }
+    }
+    Ok(server.said_shutdown)
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum State {
+    #[default]
+    New,
+    Running,
+    ShutDown,
+    Ended,
+}
+
+#[derive(Default)]
+struct Server {
+    state: State,
+    said_shutdown: bool,
+    documents: BTreeMap<String, Document>,
+    /// URIs of the texts whose errors are to be published.
+    changed: Vec<String>,
+}
+
+impl Server {
+    /// Handles a message; returns what is answered.
+    fn receive(&mut self, message: &Value) -> Vec<Value> {
+        let Some(method) = message["method"].as_str() else {
+            // An answer to a request of the server, of which there are none.
+            let is_request = !message["id"].is_null()
+                && message["result"].is_null()
+                && message["error"].is_null();
+            return match is_request {
+                true => vec![failure(
+                    &message["id"],
+                    INVALID_REQUEST,
+                    "the message has no method",
+                )],
+                false => Vec::new(),
+            };
+        };
+        let (id, parameters) = (&message["id"], &message["params"]);
+        if id.is_null() {
+            return self.notified(method, parameters);
+        }
+        let result = match (method, self.state) {
+            ("initialize", State::New) => {
+                self.state = State::Running;
+                Ok(capabilities())
+            }
+            (_, State::New) => Err((NOT_INITIALIZED, "`initialize` comes first".to_owned())),
+            ("shutdown", State::Running) => {
+                (self.state, self.said_shutdown) = (State::ShutDown, true);
+                Ok(Value::Null)
+            }
+            (_, State::Running) if method != "initialize" => self.asked(method, parameters),
+            _ => Err((INVALID_REQUEST, format!("`{method}` cannot be asked now"))),
+        };
+        vec![match result {
+            Ok(result) => json!({ "jsonrpc": "2.0", "id": id, "result": result }),
+            Err((code, reason)) => failure(id, code, &reason),
+        }]
+    }
+
+    fn notified(&mut self, method: &str, parameters: &Value) -> Vec<Value> {
+        if method == "exit" {
+            self.state = State::Ended;
+            return Vec::new();
+        }
+        if self.state != State::Running {
+            return Vec::new();
+        }
+        let own = &parameters["textDocument"];
+        let Some(uri) = own["uri"].as_str() else {
+            return Vec::new();
+        };
+        match method {
+            "textDocument/didOpen" if self.documents.len() < MAX_DOCUMENTS => {
+                let text = own["text"].as_str().unwrap_or_default();
+                let document = Document::new(uri, own["version"].clone(), text);
+                self.documents.insert(uri.to_owned(), document);
+                self.publish_later(uri);
+            }
+            "textDocument/didChange" => {
+                let Some(document) = self.documents.get_mut(uri) else {
+                    return Vec::new();
+                };
+                document.version = own["version"].clone();
+                let changes = parameters["contentChanges"].as_array();
+                for change in changes.into_iter().flatten() {
+                    document.change(change);
+                }
+                self.publish_later(uri);
+            }
+            // A file that others include may have changed.
+            "textDocument/didSave" => {
+                let others: Vec<String> = self.documents.keys().cloned().collect();
+                for uri in others {
+                    if let Some(document) = self.documents.get_mut(&uri) {
+                        document.forget();
+                    }
+                    self.publish_later(&uri);
+                }
+            }
+            "textDocument/didClose" => {
+                self.documents.remove(uri);
+                self.changed.retain(|changed| changed != uri);
+                return vec![published(json!({ "uri": uri, "diagnostics": [] }))];
+            }
+            _ => {}
+        }
+        Vec::new()
+    }
+
+    fn publish_later(&mut self, uri: &str) {
+        if !self.changed.iter().any(|changed| changed == uri) {
+            self.changed.push(uri.to_owned());
+        }
+    }
+
+    /// Errors of the texts that have changed.
+    fn notices(&mut self) -> Vec<Value> {
+        let changed = std::mem::take(&mut self.changed);
+        let mut notices = Vec::new();
+        for uri in changed {
+            if let Some(document) = self.documents.get_mut(&uri) {
+                document.analyse();
+                notices.push(published(faults::published(document)));
+            }
+        }
+        notices
+    }
+
+    fn asked(&mut self, method: &str, parameters: &Value) -> Result<Value, (i32, String)> {
+        let uri = parameters["textDocument"]["uri"]
+            .as_str()
+            .unwrap_or_default();
+        let is_of_text = method.starts_with("textDocument/");
+        let Some(document) = self.documents.get_mut(uri).filter(|_| is_of_text) else {
+            return match is_of_text {
+                true => Err((REQUEST_FAILED, format!("`{uri}` is not open"))),
+                false => Err((METHOD_NOT_FOUND, format!("there is no method `{method}`"))),
+            };
+        };
+        document.analyse();
+        let (document, position) = (&*document, &parameters["position"]);
+        Ok(match method {
+            "textDocument/hover" => hover::hover(document, position),
+            "textDocument/definition" => names::definition(document, position),
+            "textDocument/references" => {
+                let declaration = &parameters["context"]["includeDeclaration"];
+                names::references(document, position, declaration.as_bool().unwrap_or(true))
+            }
+            "textDocument/documentHighlight" => names::highlights(document, position),
+            "textDocument/prepareRename" => names::renamed_range(document, position),
+            "textDocument/rename" => {
+                let name = parameters["newName"].as_str().unwrap_or_default();
+                return names::rename(document, position, name)
+                    .map_err(|reason| (REQUEST_FAILED, reason));
+            }
+            "textDocument/documentSymbol" => names::outline(document),
+            "textDocument/completion" => completion::complete(document, position),
+            "textDocument/codeAction" => faults::actions(document, &parameters["range"]),
+            "textDocument/formatting" => layout::formatting(document),
+            "textDocument/inlayHint" => layout::hints(document, &parameters["range"]),
+            "textDocument/semanticTokens/full" => layout::colours(document),
+            _ => return Err((METHOD_NOT_FOUND, format!("there is no method `{method}`"))),
+        })
+    }
+}
+
+fn published(parameters: Value) -> Value {
+    json!({ "jsonrpc": "2.0", "method": "textDocument/publishDiagnostics", "params": parameters })
+}
+
+fn failure(id: &Value, code: i32, reason: &str) -> Value {
+    json!({ "jsonrpc": "2.0", "id": id, "error": { "code": code, "message": reason } })
+}
+
+fn capabilities() -> Value {
+    json!({
+        "capabilities": {
+            "positionEncoding": "utf-16",
+            "textDocumentSync": { "openClose": true, "change": 2, "save": true },
+            "hoverProvider": true,
+            "definitionProvider": true,
+            "referencesProvider": true,
+            "documentHighlightProvider": true,
+            "renameProvider": { "prepareProvider": true },
+            "documentSymbolProvider": true,
+            "completionProvider": { "triggerCharacters": [" ", ":", "["] },
+            "codeActionProvider": { "codeActionKinds": ["quickfix"] },
+            "documentFormattingProvider": true,
+            "inlayHintProvider": true,
+            "semanticTokensProvider": {
+                "legend": { "tokenTypes": layout::TOKEN_TYPES, "tokenModifiers": [] },
+                "full": true,
+            },
+        },
+        "serverInfo": { "name": "hyzer", "version": env!("CARGO_PKG_VERSION") },
+    })
+}
