@@ -56,5 +56,5 @@ pub use order::sort_by_number;
 // Text output.
 pub use render::render;
 pub use suggest::nearest as nearest_name;
-pub use summary::{summary, with_unit};
+pub use summary::{knots, summary, with_unit};
 pub use syntax::format::format;

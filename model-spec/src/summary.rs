@@ -196,13 +196,18 @@ fn unknown(out: &mut String, what: &str, unknown: &EffectUnknown, unit: &str) ->
     writeln!(out)
 }
 
-fn table(table: &Table) -> String {
+/// Number and range of the knots of each argument of a table.
+pub fn knots(table: &Table) -> String {
     let knots = table.arguments.iter().map(|own| {
         let at = |knot: Option<&f64>| with_unit(knot.copied().unwrap_or_default(), &own.unit_text);
         let (from, to) = (at(own.knots.first()), at(own.knots.last()));
         format!("{} knots from {from} to {to}", own.knots.len())
     });
-    let knots = knots.collect::<Vec<_>>().join(" by ");
+    knots.collect::<Vec<_>>().join(" by ")
+}
+
+fn table(table: &Table) -> String {
+    let knots = knots(table);
     let way = match table.interpolation {
         Interpolation::Spline => "spline",
         Interpolation::Monotone => "monotone",

@@ -2,7 +2,7 @@
 
 use codegen::latex;
 use model_spec::model::{
-    Expr, ExprKind, FrameKind, Function, Load, Model, Parameter, Shape, Table,
+    ConstantAngle, Expr, ExprKind, FrameKind, Function, Load, Model, Parameter, Shape, Table,
 };
 use model_spec::unit::Unit;
 use model_spec::with_unit;
@@ -95,6 +95,18 @@ pub fn of_frame(model: &Model, name: &str) -> Option<Facts> {
                 state(angle)
             )
         }
+        FrameKind::Fixed {
+            parent,
+            angle,
+            axis,
+        } => {
+            let angle = match angle {
+                ConstantAngle::Number(angle) => with_unit(angle, "rad"),
+                ConstantAngle::Param(k) => model.params[k].name.clone(),
+                ConstantAngle::Coefficient(k) => model.coefficients[k].name.clone(),
+            };
+            format!("{} turned {angle} about {axis}", frame(model, parent))
+        }
         FrameKind::Quaternion { parent, states } => {
             format!(
                 "{} by quaternion ({})",
@@ -112,13 +124,9 @@ pub fn of_frame(model: &Model, name: &str) -> Option<Facts> {
 /// What a model says about a table.
 pub fn of_table(model: &Model, name: &str) -> Option<Facts> {
     let own: &Table = model.tables.iter().find(|own| own.name == name)?;
-    let [argument, unit] = &own.unit_texts;
-    let end =
-        |knot: Option<&(f64, f64)>| knot.map_or_else(String::new, |k| with_unit(k.0, argument));
-    let (from, to) = (end(own.knots.first()), end(own.knots.last()));
     Some(Facts {
-        of: unit.clone(),
-        value: format!("{} knots from {from} to {to}", own.knots.len()),
+        of: own.unit_text.clone(),
+        value: model_spec::knots(own),
         formula: String::new(),
     })
 }

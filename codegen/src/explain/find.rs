@@ -139,7 +139,10 @@ fn meaning<'a>(model: &'a Model, wanted: &str) -> Result<Meaning<'a>, ExplainErr
         }
     }
     // Variables of a call, `q__1_V`, are written in no text.
-    let written = model.aux_variables.iter().filter(|own| !own.name.contains("__"));
+    let written = model
+        .aux_variables
+        .iter()
+        .filter(|own| !own.name.contains("__"));
     let mut known: Vec<String> = written.map(|own| own.name.clone()).collect();
     known.extend(model.forces.iter().map(|l| format!("force {}", l.name)));
     known.extend(model.moments.iter().map(|l| format!("moment {}", l.name)));

@@ -117,7 +117,7 @@ impl Checker<'_> {
         let chain = self.chain(frame).into_iter();
         chain
             .flat_map(|frame| match self.model.frames[frame].kind {
-                FrameKind::Inertial => Vec::new(),
+                FrameKind::Inertial | FrameKind::Fixed { .. } => Vec::new(),
                 FrameKind::Turned { angle, .. } => vec![angle],
                 FrameKind::Quaternion { states, .. } => states.to_vec(),
             })

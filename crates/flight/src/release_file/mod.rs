@@ -130,8 +130,7 @@ impl<'t> Reader<'t> {
         }
         if let (Some(field), Some(table)) = (&wind_field, document.get("wind")) {
             if !in_wind {
-                let message =
-                    "found a wind by height or gusts; expected only a constant wind here";
+                let message = "found a wind by height or gusts; expected only a constant wind here";
                 self.fault(table.span(), message);
                 return None;
             }
