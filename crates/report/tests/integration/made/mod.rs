@@ -58,7 +58,6 @@ pub fn flight(number: usize, samples: usize) -> FlightEvidence {
         outlier: Vec::new(),
         predicted: Vec::new(),
         sensors: Vec::new(),
-        notes: Vec::new(),
         state_names: names.split(' ').map(str::to_owned).collect(),
         states: Vec::new(),
         quantity_names: ["V", "alpha", "d1_x"].map(str::to_owned).to_vec(),
@@ -259,6 +258,7 @@ pub fn report(flights: usize) -> FitReport {
         cautions: Vec::new(),
         residual_rms: marker_rms(0.001523),
         sensors: Vec::new(),
+        notes: Vec::new(),
         noise: marker_noise(NoiseReport {
             sigma: 0.001517,
             unit: "m".into(),
