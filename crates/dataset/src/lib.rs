@@ -158,6 +158,14 @@ pub struct Flight {
     pub readings: Vec<Vec<Option<Reading>>>,
 }
 
+impl Dataset {
+    /// Whether a flight of the dataset is told by a row of a table of summaries, and is no track.
+    #[doc(hidden)]
+    pub fn is_summary(&self, flight: &Flight) -> bool {
+        summary::is_of(flight, &self.sensors)
+    }
+}
+
 /// Number of measured positions of markers and readings of sensors in a flight.
 pub fn measurements(flight: &Flight) -> usize {
     let positions = flight.positions.iter().flatten().flatten().count();

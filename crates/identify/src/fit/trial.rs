@@ -32,6 +32,7 @@ pub fn remove_refuted(
         own.clone().next().is_some() && own.all(|fault| rests_on_loads(fault.fault))
     };
     let to_fit = dataset.flights.iter().filter(|f| f.role == Role::Fit);
+    let to_fit = to_fit.filter(|flight| !dataset.is_summary(flight));
     if options.trust_data || !to_fit.clone().all(is_common) {
         return Ok(());
     }

@@ -238,7 +238,15 @@ fn summaries_and_tracks_are_fitted_together() {
     let alone = fit(&model, &tracks, &options()).expect("a fit of the tracks");
     let found = fit(&model, &both, &options()).expect("a fit of both");
     let report = &found.report;
-    assert!(report.iterations.converged && report.excluded().count() == 0);
+    let status = report.iterations.status;
+    let excluded: Vec<_> = report
+        .excluded()
+        .map(|own| (&own.file, &own.notes))
+        .collect();
+    assert!(
+        status.converged() && excluded.is_empty(),
+        "{status:?} {excluded:?}"
+    );
     assert_eq!(report.used(Role::HeldOut).count(), 2);
     let kinds = ["marker", "carry", "hang_time"];
     assert!(
