@@ -296,6 +296,7 @@ mod tests {
                 file: String::new(),
                 before: before * before,
                 after: after * after,
+                is_summary: false,
                 is_applied: true,
             };
             let predictions = Predictions {
@@ -323,6 +324,7 @@ mod tests {
                 file: String::new(),
                 before: 0.1_f64.powi(2),
                 after: (0.1_f64 - d).powi(2),
+                is_summary: false,
                 is_applied: true,
             })
             .collect();
@@ -340,6 +342,7 @@ mod tests {
             file: format!("f{k}.csv"),
             before: before * before,
             after: after * after,
+            is_summary: false,
             is_applied: true,
         };
         let mut flights: Vec<FlightErrors> = (0..19)
