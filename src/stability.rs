@@ -36,7 +36,7 @@ impl Stability {
     /// ```
     pub fn of(model: &Model, release: &Release) -> Result<Stability, Error> {
         let body = Body::new(model.checked().clone())?;
-        let bound = body.with_parameters(body.compiled.release_parameters(release).constants);
+        let bound = body.with_parameters(body.compiled.release_parameters(release));
         Ok(Stability(at(&bound, 0.0, &release.state())?))
     }
 

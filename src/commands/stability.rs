@@ -69,8 +69,13 @@ pub(super) fn run(options: &Options) -> anyhow::Result<Answer> {
         stability::text(&body.model.name, &found)
     })?;
     if let Some(out) = &out {
-        let what = "stability.json, report.html, modes.csv and map.csv";
-        out.write(files(&body.model, &found), what)?;
+        let files = files(&body.model, &found);
+        let has_controls = files.iter().any(|file| file.name == "controls.csv");
+        let what = match has_controls {
+            true => "stability.json, report.html, modes.csv, map.csv and controls.csv",
+            false => "stability.json, report.html, modes.csv and map.csv",
+        };
+        out.write(files, what)?;
     }
     Ok(Answer::Yes)
 }
@@ -84,7 +89,7 @@ pub fn found(
     release: &Release,
     times: usize,
 ) -> Result<(Found, Option<IntegrationError>), StabilityError> {
-    let bound = body.with_parameters(body.compiled.release_parameters(release).constants);
+    let bound = body.with_parameters(body.compiled.release_parameters(release));
     let first = at(&bound, 0.0, &release.state())?;
     let settings = IntegrationOptions::with_tolerance(1e-9);
     let (flight, missing) = match simulate(&body.compiled, release, &settings) {
@@ -118,6 +123,8 @@ pub fn files(model: &Model, found: &Found) -> Vec<ResultFile> {
         ResultFile::new("modes.csv", stability::csv(&found.flight)),
         ResultFile::new("map.csv", stability::csv(&found.map)),
     ];
+    let controls = stability::controls(found);
+    files.extend(controls.map(|table| ResultFile::new("controls.csv", table)));
     files.extend(stability::page(&model.name, found).files());
     files
 }

@@ -26,6 +26,15 @@ fn commands(number: f64, t: f64) -> (f64, f64) {
     (throttle, tilt)
 }
 
+/// What acts of the throttle where it follows the commands with a lag of first order, `tau`: each sine of the commands is weaker and later.
+fn lagging(number: f64, t: f64, tau: f64) -> f64 {
+    let sine = |rate: f64, phase: f64| {
+        (phase - (rate * tau).atan()).sin() / (1.0 + (rate * tau).powi(2)).sqrt()
+    };
+    let slow = sine(5.0, 5.0 * t + number);
+    0.75 + 0.1 * slow + 0.05 * sine(13.0, 13.0 * t - number + std::f64::consts::FRAC_PI_2)
+}
+
 /// Number between -1 and 1 that depends on its arguments alone.
 fn scatter(a: usize, b: usize) -> f64 {
     let mut hash = (a as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ (b as u64 + 7);
@@ -109,9 +118,12 @@ fn errors_of_inputs_are_named() {
     let (names, _) = found(commands);
     assert!(names.is_empty(), "{names:?}");
     type Acting = fn(f64, f64) -> (f64, f64);
-    let cases: [(&str, f64, Acting); 3] = [
+    let cases: [(&str, f64, Acting); 4] = [
         ("delay-of-throttle", 0.03, |number, t| {
             (commands(number, t - 0.03).0, commands(number, t).1)
+        }),
+        ("lag-of-throttle", 0.03, |number, t| {
+            (lagging(number, t, 0.03), commands(number, t).1)
         }),
         ("bias-of-tilt", 0.02, |number, t| {
             let (throttle, tilt) = commands(number, t);

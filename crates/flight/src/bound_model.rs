@@ -28,8 +28,8 @@ impl CompiledModel {
         BoundModel {
             model: self,
             time_breaks,
+            inputs: inputs.with_parameters(&constants),
             parameters: constants,
-            inputs,
             prepared,
         }
     }

@@ -13,6 +13,7 @@ use codegen::tape::Inputs;
 use codegen::tape_model::{TapeFunction, TapeModel};
 use generated::{Equations, Visitor};
 use lanes::{Isa, LaneKernel, Lanes};
+use model_spec::layout::ParamId;
 use model_spec::model::Model;
 use ode::{
     FlightQueue, FlightSpan, IntegrationOptions, LanePoint, LaneRhs, LaneSizes, fly_on,
@@ -273,10 +274,12 @@ impl TapeRhs<'_> {
         }
         varied.copy_from_slice(at.p);
         for own in self.model.inputs.iter() {
-            let read = |lane: usize| own.at(at.t.lane(lane), |id| at.p[id.index()].lane(lane));
-            varied[own.value.index()] = T::from_fn(|lane| read(lane).0);
-            if let Some((id, _)) = &own.rate {
-                varied[id.index()] = T::from_fn(|lane| read(lane).1);
+            let value_of = |id: ParamId, lane: usize| at.p[id.index()].lane(lane);
+            let read = |lane: usize| own.at(at.t.lane(lane), &[], |id| value_of(id, lane));
+            for (place, id) in own.parameters().into_iter().enumerate() {
+                if let Some(id) = id {
+                    varied[id.index()] = T::from_fn(|lane| read(lane)[place]);
+                }
             }
         }
         with(LanePoint { p: varied, ..at }, scratch);

@@ -8,30 +8,28 @@ use crate::syntax::of_kind;
 /// Maximum number of inputs per model for which effects are created.
 const MAX_INPUTS: usize = 24;
 
-/// Creates three effects for each scalar input: it acts with an offset, as a multiple, or later than recorded.
+/// Creates four effects for each scalar input: it acts with an offset, as a multiple, later than recorded, or through a
+/// lag of first order.
 pub(super) fn input_effects(file: &File) -> Vec<EffectTree> {
     // Inputs that effects added, such as the rate of an input, are no recordings.
     let own = file.items.iter().filter(|item| item.effect.is_none());
     let inputs =
         of_kind!(own, ItemKind::Parameter).filter(|own| own.class == ParameterClass::Input);
     let inputs: Vec<&Parameter> = inputs.take(MAX_INPUTS).collect();
-    let is_rate = |input: &Parameter| {
-        let of = input.name.text.strip_suffix("_rate");
-        of.is_some_and(|of| inputs.iter().any(|own| own.name.text == of))
+    let has = |name: &str| inputs.iter().any(|own| own.name.text == name);
+    let goes_with_another = |input: &Parameter| {
+        let of = ["_rate", "_lagging"].map(|end| input.name.text.strip_suffix(end));
+        of.into_iter().flatten().any(has)
     };
-    let recorded = inputs.iter().filter(|input| !is_rate(input));
+    let recorded = inputs.iter().filter(|input| !goes_with_another(input));
     recorded
-        .flat_map(|input| {
-            let rate = format!("{}_rate", input.name.text);
-            let has_rate = inputs.iter().any(|own| own.name.text == rate);
-            errors_of(input, has_rate)
-        })
+        .flat_map(|input| errors_of(input, has(&format!("{}_rate", input.name.text))))
         .filter_map(|text| EffectTree::parse("inputs of the model", &text).ok())
         .collect()
 }
 
 /// Texts of the effects of one input; `has_rate` tells whether the model itself has its rate as an input.
-fn errors_of(input: &Parameter, has_rate: bool) -> [String; 3] {
+fn errors_of(input: &Parameter, has_rate: bool) -> [String; 4] {
     let name = &input.name.text;
     let unit = |seconds: i32| match per_second(input.value.unit.as_ref(), seconds) {
         unit if unit.is_empty() => "[1]".to_owned(),
@@ -80,13 +78,27 @@ fn errors_of(input: &Parameter, has_rate: bool) -> [String; 3] {
         ),
         effect(
             "delay",
-            "acts later than it was recorded, by a delay or through an actuator's lag",
+            "acts later than it was recorded",
             "clock",
             format!(
-                "{rate}/// time by which it acts later; a lag of first order has this time constant while the input changes slowly\n\
+                "{rate}/// time by which it acts later\n\
                  coefficient k_delay_of_{name} = 0 s in -1 .. 1;\n\
                  negligible k_delay_of_{name} 1e-4 s;\n\
-                 replace {name} = previous - k_delay_of_{name}*{name}_rate;"
+                 replace {name}_in_time = previous - k_delay_of_{name}*{name}_rate;"
+            ),
+        ),
+        effect(
+            "lag",
+            "acts through a lag of first order, as of an actuator",
+            "clock",
+            format!(
+                "/// decrease of what acts with the time constant of the lag\n\
+                 input {name}_lagging: {} = 0;\n\
+                 /// time constant of the lag\n\
+                 coefficient k_lag_of_{name} = 0 s in 0 .. 5;\n\
+                 negligible k_lag_of_{name} 1e-4 s;\n\
+                 replace {name}_in_time = previous - k_lag_of_{name}*{name}_lagging;",
+                unit(1)
             ),
         ),
     ]

@@ -10,7 +10,7 @@ use std::collections::HashMap;
 
 use super::standard::replace_names;
 use crate::syntax::ast::{
-    Body, BodyPart, BodyPartKind, Expr, ExprKind, Inertia, Item, ItemKind, Let, Name,
+    Body, BodyPart, BodyPartKind, Expr, ExprKind, File, Inertia, Item, ItemKind, Let, Name,
     ParameterClass,
 };
 
@@ -105,54 +105,66 @@ impl Change<'_> {
     }
 
     /// The replacement of a scalar input, as that of a quantity `NAME_acting`, which takes its place in the model: the
-    /// input itself is what was recorded. `None` if `item` replaces something else.
+    /// input itself is what was recorded. What replaces `NAME_in_time` takes the place of the input in `NAME_acting`
+    /// too, so that delays and lags come before all else. `None` if `item` replaces something else.
     fn acting(&mut self, item: &Item) -> Option<Item> {
         let ItemKind::Let(wanted) = &item.kind else {
             return None;
         };
-        let name = &wanted.name.text;
         let inputs = of_kind!(self.file.items.iter(), ItemKind::Parameter);
         let mut inputs = inputs.filter(|own| own.class == ParameterClass::Input);
-        let declared = inputs.find(|own| own.name.text == *name)?.name.clone();
-        let acting = Name {
-            text: format!("{name}_acting"),
-            span: wanted.name.span,
+        let in_time = wanted.name.text.strip_suffix("_in_time");
+        let declared = inputs.find(|own| {
+            own.name.text == wanted.name.text || in_time == Some(own.name.text.as_str())
+        })?;
+        let (input, span) = (declared.name.text.clone(), declared.name.span);
+        let is_acting = input == wanted.name.text;
+        let has = |file: &File, name: &str| {
+            let mut lets = of_kind!(file.items.iter(), ItemKind::Let);
+            lets.any(|own| own.name.text == name)
         };
-        let mut lets = of_kind!(self.file.items.iter(), ItemKind::Let);
-        if !lets.any(|own| own.name.text == acting.text) {
-            let span = declared.span;
-            let by = |text: &str| Expr {
-                kind: ExprKind::Name(text.to_owned()),
-                span,
-            };
-            let uses = HashMap::from([(name.clone(), by(&acting.text))]);
-            // A parameter of a function hides an input of its name.
-            let hides = |item: &Item| match &item.kind {
-                ItemKind::Function(function) => {
-                    function.parameters.iter().any(|own| own.name.text == *name)
-                }
-                _ => false,
-            };
-            for item in self.file.items.iter_mut().filter(|item| !hides(item)) {
-                item.kind.expressions_mut(&mut |e| replace_names(e, &uses));
-            }
+        let (timed, acting) = (format!("{input}_in_time"), format!("{input}_acting"));
+        let (new, old) = match is_acting {
+            true if has(&self.file, &timed) => (acting, timed),
+            true => (acting, input.clone()),
+            false => (timed, input.clone()),
+        };
+        if !has(&self.file, &new) {
+            self.stand_in(&new, &old, span);
+            let doc = if is_acting { "as it acts" } else { "when it acts" };
             let kind = ItemKind::Let(Let {
                 is_constant: false,
                 name: Name {
+                    text: new.clone(),
                     span,
-                    ..acting.clone()
                 },
                 unit: None,
-                value: by(name),
+                value: named(&old, span),
             });
-            let doc = format!("{name} as it acts");
-            self.file.items.push(Item::new(kind, &doc, span));
+            let of_input = Item::new(kind, &format!("{input} {doc}"), span);
+            self.file.items.push(of_input);
         }
         let mut item = item.clone();
         if let ItemKind::Let(own) = &mut item.kind {
-            own.name = acting;
+            own.name.text = new;
         }
         Some(item)
+    }
+
+    /// Puts the quantity `new` in the place of `old` wherever the model uses it.
+    fn stand_in(&mut self, new: &str, old: &str, span: Span) {
+        let uses = HashMap::from([(old.to_owned(), named(new, span))]);
+        // A parameter of a function hides a quantity of its name.
+        let hides = |item: &Item| match &item.kind {
+            ItemKind::Function(function) => {
+                let mut parameters = function.parameters.iter();
+                parameters.any(|own| own.name.text == old)
+            }
+            _ => false,
+        };
+        for item in self.file.items.iter_mut().filter(|item| !hides(item)) {
+            item.kind.expressions_mut(&mut |e| replace_names(e, &uses));
+        }
     }
 
     /// Adds the statement `clock 1;` to a model without a clock rate, so that an effect can replace it.
@@ -206,6 +218,13 @@ impl Change<'_> {
             kind: BodyPartKind::Inertia(inertia),
             span,
         };
+    }
+}
+
+fn named(name: &str, span: Span) -> Expr {
+    Expr {
+        kind: ExprKind::Name(name.to_owned()),
+        span,
     }
 }
 

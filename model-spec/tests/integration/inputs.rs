@@ -79,6 +79,7 @@ fn effects_replace_an_input_where_it_is_used_and_add_up() {
         "bias_of_thrust",
         "scale_of_thrust",
         "delay_of_thrust",
+        "lag_of_thrust",
         "bias_of_angle",
     ];
     let model = base
@@ -92,9 +93,19 @@ fn effects_replace_an_input_where_it_is_used_and_add_up() {
         text.contains("thrust_acting*sin(angle_acting)*N.1"),
         "{text}"
     );
-    let acting = "let thrust_acting = (thrust + k_bias_of_thrust)*(1 + k_scale_of_thrust) - k_delay_of_thrust*thrust_rate;";
-    assert!(text.contains(acting), "{text}");
-    from_text("extended.hyz", &text, &[]).expect("what is written is a model");
+    // Delay and lag are of what was recorded, in whichever order the effects are switched on.
+    let lines = [
+        "let thrust_acting = (thrust_in_time + k_bias_of_thrust)*(1 + k_scale_of_thrust);",
+        "let thrust_in_time = thrust - k_delay_of_thrust*thrust_rate - k_lag_of_thrust*thrust_lagging;",
+    ];
+    let late_first = base.with_named(["delay_of_thrust", "lag_of_thrust", "bias_of_thrust"]);
+    let late_first = late_first.and_then(|tree| tree.with_named(["scale_of_thrust"]));
+    let late_first = late_first.expect("they go together").to_text("");
+    for line in lines {
+        assert!(text.contains(line), "{text}");
+        assert!(late_first.contains(line), "{late_first}");
+    }
+    let again = from_text("extended.hyz", &text, &[]).expect("what is written is a model");
     // A model with the rate as an input of its own is not given another.
     let own =
         sled("input thrust_rate: N/s = 0;\nforce more = thrust_rate*0 [s]*N.1;").expect("a model");
@@ -102,9 +113,7 @@ fn effects_replace_an_input_where_it_is_used_and_add_up() {
         .with_named(["delay_of_thrust"])
         .expect("it fits");
     assert_eq!(own.to_text("").matches("input thrust_rate").count(), 1);
-    assert!(
-        ModelTree::of(&model)
-            .find_effect("bias_of_thrust_rate")
-            .is_err()
-    );
+    for of_an_effect in ["bias_of_thrust_rate", "bias_of_thrust_lagging"] {
+        assert!(ModelTree::of(&again).find_effect(of_an_effect).is_err());
+    }
 }

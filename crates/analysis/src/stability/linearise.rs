@@ -6,10 +6,12 @@
 //! explicitly: δṗ = δv and φ̇ = ω × φ + δω. The same body has the same matrix, whatever chart its model uses.
 
 use flight::throw::{Motion, ThrowError, ThrownModel};
-use flight::{BoundModel, CompiledModel};
+use flight::{BoundModel, CompiledModel, FlightParameters};
 use model_spec::model::Model;
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use ode::{DifferentiableRhs, OdeRhs};
+
+use super::state_space::StateSpace;
 
 /// Time step of the sixth-order central differences along a flight, s.
 const STEP: f64 = 1e-4;
@@ -77,12 +79,13 @@ impl Body {
         })
     }
 
-    /// Binds the body to parameter values, in the order of the compiled model.
-    pub fn with_parameters(&self, parameters: Vec<f64>) -> BoundBody<'_> {
+    /// Binds the body to parameter values, in the order of the compiled model, and to inputs over time.
+    pub fn with_parameters(&self, parameters: impl Into<FlightParameters>) -> BoundBody<'_> {
+        let parameters = parameters.into();
         BoundBody {
             body: self,
-            bound: self.compiled.bind(parameters.clone()),
-            parameters,
+            parameters: parameters.constants.clone(),
+            bound: self.compiled.bind(parameters),
         }
     }
 }
@@ -114,6 +117,8 @@ pub struct Linearised {
     /// 12 × 12 matrix A of ẋ = A x with x = (displacement, change of velocity, small rotation, change of angular
     /// velocity), SI.
     pub matrix: DMatrix<f64>,
+    /// Linearised equations of the model, in its own states.
+    pub state_space: StateSpace,
 }
 
 impl BoundBody<'_> {
@@ -135,6 +140,12 @@ impl BoundBody<'_> {
         for ((row, column), value) in rhs.jacobian_pattern().iter().zip(&entries) {
             jacobian[(*row, *column)] += value;
         }
+        let places = rhs.parameter_jacobian_pattern().iter();
+        let by_parameter = places.zip(by_parameter).map(|(at, value)| (at.0, at.1, value));
+        let Body {
+            model, compiled, ..
+        } = self.body;
+        let state_space = StateSpace::new(model, compiled.layout(), jacobian.clone(), by_parameter);
         let by_state = thrown.bind(&self.parameters).jacobian(state);
         // Y″ f: change of Y′ along the flight.
         let along = |h: f64| {
@@ -208,6 +219,7 @@ impl BoundBody<'_> {
             inertia: (about, 0.5 * (inertia.trace() - about)),
             matrix,
             motion,
+            state_space,
         })
     }
 

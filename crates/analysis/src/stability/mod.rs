@@ -27,11 +27,13 @@
 mod criteria;
 mod linearise;
 mod modes;
+mod state_space;
 mod survey;
 mod trim;
 
 pub use criteria::{AxisDerivatives, Criteria, FlightDirection};
 pub use linearise::{Body, BoundBody, Linearised, StabilityError};
 pub use modes::{Mode, ModeKind, Modes, modes};
+pub use state_space::{ControlDerivative, StateSpace};
 pub use survey::{Instant, along, at, map};
 pub use trim::{Trim, trim};

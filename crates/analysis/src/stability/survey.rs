@@ -7,6 +7,7 @@ use ode::Trajectory;
 use crate::stability::criteria::{AxisDerivatives, Criteria};
 use crate::stability::linearise::{BoundBody, StabilityError};
 use crate::stability::modes::{Modes, modes};
+use crate::stability::state_space::StateSpace;
 
 /// Modes and stability criteria at one instant of a flight.
 #[derive(Clone, Debug)]
@@ -21,6 +22,8 @@ pub struct Instant {
     pub derivatives: AxisDerivatives,
     /// Stability criteria of the axis.
     pub criteria: Criteria,
+    /// Linearised equations of the model, in its own states.
+    pub state_space: StateSpace,
 }
 
 /// Modes and stability criteria at a state; `time` is that since release, s.
@@ -36,6 +39,7 @@ pub fn at(body: &BoundBody<'_>, time: f64, state: &[f64]) -> Result<Instant, Sta
         modes: modes(&linearised, 0.0),
         criteria: derivatives.criteria(),
         derivatives,
+        state_space: linearised.state_space,
     })
 }
 

@@ -1,5 +1,6 @@
 //! Inputs over time: scalar inputs of a model that vary during a flight.
 
+mod lag;
 mod table;
 
 use std::sync::Arc;
@@ -7,6 +8,7 @@ use std::sync::Arc;
 use codegen::table::PiecewiseCubic;
 use model_spec::layout::{Layout, ParamId};
 
+use lag::Lagged;
 pub use table::{TableFault, read_inputs};
 
 /// Time by which a flight may outlast its inputs, s: rounding of the times of samples.
@@ -140,19 +142,48 @@ pub(crate) struct RecordedInput {
     pub rate: Option<(ParamId, InputSeries)>,
     /// Time by which the input acts later than recorded, which the effect `delay_of_NAME` estimates.
     pub delay: Option<ParamId>,
+    pub lag: Option<InputLag>,
+}
+
+/// First-order lag through which an input acts, which the effect `lag_of_NAME` estimates.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct InputLag {
+    /// The time constant.
+    tau: ParamId,
+    /// The input `NAME_lagging`: the decrease of what acts with the time constant.
+    lagging: ParamId,
+    /// Derivative of the input by the time.
+    rate: InputSeries,
 }
 
 impl RecordedInput {
-    /// Values of the input and of its rate at time `t`, s, where `value_of` gives the value of a parameter. With a
-    /// delay the model subtracts delay × rate; together that is exactly the value at the earlier time.
+    /// Parameters of the model that vary with the input, in the order of [`RecordedInput::at`].
+    pub fn parameters(&self) -> [Option<ParamId>; 3] {
+        let rate = self.rate.as_ref().map(|(id, _)| *id);
+        let lagging = self.lag.as_ref().map(|lag| lag.lagging);
+        [Some(self.value), rate, lagging]
+    }
+
+    /// Values of the input, of its rate and of `NAME_lagging` at time `t`, s, where `value_of` gives the value of a
+    /// parameter and `known` the responses of the lag at the samples, or nothing. The model subtracts delay × rate and
+    /// time constant × lagging; with them the input is exactly what acts at that time.
     #[inline(always)]
-    pub fn at(&self, t: f64, value_of: impl Fn(ParamId) -> f64) -> (f64, f64) {
-        let delay = self.delay.map_or(0.0, value_of);
-        let rate = self
-            .rate
-            .as_ref()
-            .map_or(0.0, |(_, rate)| rate.at(t - delay));
-        (self.series.at(t - delay) + delay * rate, rate)
+    pub fn at(&self, t: f64, known: &[Lagged], value_of: impl Fn(ParamId) -> f64) -> [f64; 3] {
+        let delay = self.delay.map_or(0.0, &value_of);
+        let t = t - delay;
+        let value = self.series.at(t);
+        let rate = self.rate.as_ref().map_or(0.0, |(_, rate)| rate.at(t));
+        let Some(lag) = &self.lag else {
+            return [value + delay * rate, rate, 0.0];
+        };
+        let tau = value_of(lag.tau);
+        if lag::is_none(tau) {
+            return [value + delay * rate, rate, lag.rate.at(t)];
+        }
+        let lagged = lag::at(&self.series.function, t, tau, known);
+        let rate = (value - lagged.value) / tau;
+        let (acting, lagging) = (lagged.value, -lagged.by_tau);
+        [acting + delay * rate + tau * lagging, rate, lagging]
     }
 
     /// Times at which the input as it acts is not one polynomial, s.
@@ -160,11 +191,22 @@ impl RecordedInput {
         let delay = self.delay.map_or(0.0, |id| parameters[id.index()]);
         self.series.breaks().map(move |time| time + delay)
     }
+
+    /// Responses of a lag at the samples.
+    fn responses(&self, parameters: &[f64]) -> Vec<Lagged> {
+        let tau = self.lag.as_ref().map(|lag| parameters[lag.tau.index()]);
+        let tau = tau.filter(|tau| !lag::is_none(*tau));
+        tau.map_or_else(Vec::new, |tau| lag::at_knots(&self.series.function, tau))
+    }
 }
 
 /// Inputs over time of one flight.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct InputsOverTime(Arc<Vec<RecordedInput>>);
+pub struct InputsOverTime {
+    recorded: Arc<Vec<RecordedInput>>,
+    /// Responses of the lag of each input at its samples; empty until the values of the parameters are known.
+    responses: Vec<Vec<Lagged>>,
+}
 
 impl InputsOverTime {
     /// The inputs of a model with this layout by their names; those that the model lacks are left out. Where the model
@@ -182,23 +224,40 @@ impl InputsOverTime {
         let known = inputs.into_iter().filter_map(|(name, series)| {
             let rate = format!("{name}_rate");
             let rate = id_of(&rate).filter(|_| !names.contains(&&*rate));
+            let lagging = id_of(&format!("{name}_lagging"));
+            let tau = layout.parameter(&format!("k_lag_of_{name}"));
             Some(RecordedInput {
                 value: id_of(name)?,
                 delay: rate.and_then(|_| layout.parameter(&format!("k_delay_of_{name}"))),
+                lag: lagging.zip(tau).map(|(lagging, tau)| InputLag {
+                    tau,
+                    lagging,
+                    rate: series.rate(),
+                }),
                 rate: rate.map(|id| (id, series.rate())),
                 series,
             })
         });
-        InputsOverTime(Arc::new(known.collect()))
+        InputsOverTime {
+            recorded: Arc::new(known.collect()),
+            responses: Vec::new(),
+        }
     }
 
     pub(crate) fn iter(&self) -> impl Iterator<Item = &RecordedInput> {
-        self.0.iter()
+        self.recorded.iter()
+    }
+
+    /// The inputs in a model with these values of its parameters.
+    pub(crate) fn with_parameters(mut self, parameters: &[f64]) -> InputsOverTime {
+        let responses = self.iter().map(|own| own.responses(parameters));
+        self.responses = responses.collect();
+        self
     }
 
     /// Whether all inputs are constant.
     pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.recorded.is_empty()
     }
 
     /// Times at which an input is not one polynomial, s.
@@ -219,11 +278,13 @@ impl InputsOverTime {
         }
         buffer.clear();
         buffer.extend_from_slice(parameters);
-        for own in self.iter() {
-            let (value, rate) = own.at(t, |id| parameters[id.index()]);
-            buffer[own.value.index()] = value;
-            if let Some((id, _)) = &own.rate {
-                buffer[id.index()] = rate;
+        for (index, own) in self.iter().enumerate() {
+            let known = self.responses.get(index).map_or(&[][..], Vec::as_slice);
+            let values = own.at(t, known, |id| parameters[id.index()]);
+            for (id, value) in own.parameters().into_iter().zip(values) {
+                if let Some(id) = id {
+                    buffer[id.index()] = value;
+                }
             }
         }
         buffer

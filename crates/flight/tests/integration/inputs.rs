@@ -3,7 +3,7 @@
 use flight::release::{Release, Vocabulary, read, read_file};
 use flight::{CompiledModel, InputInterpolation, read_inputs, simulate};
 use model_spec::model::Model;
-use ode::IntegrationOptions;
+use ode::{DifferentiableRhs, IntegrationOptions};
 
 const SLED: &str = "
 model sled;
@@ -198,4 +198,94 @@ fn tables_of_inputs_are_checked() {
         (name.as_str(), series.at(0.9), series.at(1.0)),
         ("a", 1.0, 3.0)
     );
+}
+
+const ACTUATOR: &str = "
+model actuator;
+param m = 2 kg;
+coefficient tau = 0.04 s in 0.001 .. 1;
+input thrust: N = 1;
+frame N;
+point sled { mass m; position (x, y, z) in N; velocity (vx, vy, vz) in N; }
+state lagged = 1 N;
+der(lagged) = (thrust - lagged)/tau;
+force push = lagged*N.1;
+";
+
+/// Commands from 1 N, in steps, lines and curves, with intervals shorter and longer than the lag.
+const COMMANDS: &str = "t = [0.0, 0.5, 0.52, 0.9, 2.0, 3.0], value = [1.0, 6.0, -2.0, 3.0, 0.0, 1.0]";
+
+#[test]
+fn a_lag_acts_as_the_state_that_follows_the_input() {
+    let late = ["lag_of_thrust", "delay_of_thrust"];
+    let with_lag = model_spec::load::from_text("sled.hyz", SLED, &late).expect("it fits");
+    let actuator = model_spec::load::from_text("actuator.hyz", ACTUATOR, &[]).expect("a model");
+    let options = IntegrationOptions::with_tolerance(1e-11);
+    let end = |model: &Model, more: &str, inputs: &str| {
+        let text = format!("{START}{more}[inputs]\nthrust = {{ {inputs} }}");
+        let release = read("r.toml", &text, |_| Ok(Vocabulary::of(model))).expect("a release");
+        let flight = simulate(&CompiledModel::new(model), &release, &options);
+        let state = flight.expect(inputs).end_state;
+        [state[0], state[3]]
+    };
+    for interpolation in ["linear", "hold", "cubic"] {
+        let inputs = format!("{COMMANDS}, interpolation = \"{interpolation}\"");
+        for tau in [0.003, 0.04, 0.7] {
+            let by_effect = format!("[coefficients]\nk_lag_of_thrust = {tau}\n");
+            let by_state = format!("lagged = 1.0\n[coefficients]\ntau = {tau}\n");
+            let [a, b] = [
+                end(&with_lag, &by_effect, &inputs),
+                end(&actuator, &by_state, &inputs),
+            ];
+            for (a, b) in a.iter().zip(&b) {
+                assert!((a - b).abs() < 1e-7, "{interpolation} {tau}: {a} {b}");
+            }
+        }
+    }
+}
+
+#[test]
+fn derivatives_by_delay_and_lag_are_those_of_what_acts() {
+    let late = ["lag_of_thrust", "scale_of_thrust", "delay_of_thrust"];
+    let model = model_spec::load::from_text("sled.hyz", SLED, &late).expect("they fit");
+    let compiled = CompiledModel::new(&model);
+    let text = format!("{START}[inputs]\nthrust = {{ {COMMANDS}, interpolation = \"cubic\" }}");
+    let release = read("r.toml", &text, |_| Ok(Vocabulary::of(&model))).expect("a release");
+    let state = release.state();
+    let place = |name: &str| compiled.layout().parameter(name).expect(name).index();
+    let columns = ["k_delay_of_thrust", "k_lag_of_thrust"].map(place);
+    let at = |t: f64, values: [f64; 2]| {
+        let mut parameters = compiled.release_parameters(&release);
+        parameters.constants[place("k_scale_of_thrust")] = 0.2;
+        for (column, value) in columns.into_iter().zip(values) {
+            parameters.constants[column] = value;
+        }
+        let bound = compiled.bind(parameters);
+        let mut rhs = bound.rhs();
+        let pattern = rhs.parameter_jacobian_pattern().to_vec();
+        let (mut f, mut by_state) = (vec![0.0; 6], vec![0.0; rhs.jacobian_pattern().len()]);
+        let mut by = vec![0.0; pattern.len()];
+        rhs.derivative_with_jacobians(t, &state, &mut f, &mut by_state, &mut by);
+        let entry = |column: usize| pattern.iter().position(|own| *own == (3, column));
+        (f[3], columns.map(|column| entry(column).map_or(0.0, |k| by[k])))
+    };
+    for (delay, lag) in [(0.0, 0.0), (0.03, 0.0), (0.0, 0.05), (0.03, 0.05), (-0.02, 0.4)] {
+        for t in [0.3, 0.515, 0.8, 1.4, 2.9] {
+            let step = 1e-6;
+            let exact = at(t, [delay, lag]).1;
+            let by_delay = at(t, [delay + step, lag]).0 - at(t, [delay - step, lag]).0;
+            // A lag is not negative.
+            let by_lag = match lag > 0.0 {
+                true => at(t, [delay, lag + step]).0 - at(t, [delay, lag - step]).0,
+                false => 4.0 * at(t, [delay, step]).0 - at(t, [delay, 2.0 * step]).0 - 3.0 * at(t, [delay, 0.0]).0,
+            };
+            for (exact, difference) in exact.into_iter().zip([by_delay, by_lag]) {
+                let found = difference / (2.0 * step);
+                assert!(
+                    (exact - found).abs() < 1e-5 * found.abs().max(1.0),
+                    "{delay} {lag} {t}: {exact} {found}"
+                );
+            }
+        }
+    }
 }

@@ -6,7 +6,7 @@ mod words;
 use analysis::stability::{Instant, Modes, Trim};
 
 pub use page::{page, text};
-pub use words::{csv, json};
+pub use words::{controls, csv, json};
 
 /// Modes and stability criteria of a body.
 pub struct Found {

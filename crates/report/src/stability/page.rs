@@ -30,6 +30,12 @@ pub fn page(model: &str, found: &Found) -> Page {
     let mut section = Html::new();
     section.table(&table(&found.release.modes));
     body.section("release", "Modes at release", section);
+    if let Some(table) = controls(&found.release) {
+        let mut section = Html::new();
+        section.paragraph(sentence(CONTROLS));
+        section.table(&table);
+        body.section("controls", "Control derivatives at release", section);
+    }
     if let Some((trim, modes)) = &found.trim {
         let mut section = Html::new();
         section.paragraph(steady(trim));
@@ -79,6 +85,22 @@ fn table(modes: &Modes) -> Table {
         });
     }
     rows.table()
+}
+
+/// Meaning of the control derivatives.
+const CONTROLS: &str = r"By how much the rate of a state grows with an input: the entries of $B$ in $\dot x = A x + B u$ that are not 0. stability.json has both matrices.";
+
+/// Control derivatives; `None` where no input acts.
+fn controls(instant: &Instant) -> Option<Table> {
+    let entries: Vec<_> = instant.state_space.control_derivatives().collect();
+    (!entries.is_empty()).then(|| {
+        Table::of(entries)
+            .name("rate of", |entry| entry.state)
+            .name("input", |entry| entry.input)
+            .number("derivative", |entry| format!("{:.5}", entry.value))
+            .name("unit", |entry| entry.unit)
+            .table()
+    })
 }
 
 fn along(flight: &[Instant]) -> Figure {
@@ -167,6 +189,10 @@ pub fn text(model: &str, found: &Found) -> String {
     }
     let criteria = of_criteria(&found.release).into_iter();
     text.extend(criteria.map(|line| fitted(&plain_sentence(&line))));
+    if let Some(table) = controls(&found.release) {
+        text += &fitted(&plain_sentence(CONTROLS));
+        text += &table.text(usize::MAX);
+    }
     text.push('\n');
     text += &match &found.trim {
         Some((trim, modes)) => fitted(&steady(trim)) + &table(modes).text(usize::MAX),

@@ -1,6 +1,9 @@
 //! Sentences of a stability analysis, and its JSON and CSV.
 
-use analysis::stability::{Criteria, FlightDirection, Instant, Mode, ModeKind, Modes, Trim};
+use analysis::stability::{
+    Criteria, FlightDirection, Instant, Mode, ModeKind, Modes, StateSpace, Trim,
+};
+use nalgebra::DMatrix;
 use serde_json::{Value, json};
 
 use super::Found;
@@ -191,6 +194,7 @@ pub fn json(model: &str, found: &Found) -> Value {
     json!({
         "schema": "hyzer.stability/1",
         "model": model,
+        "linearised": of_equations(&found.release.state_space),
         "release": of_instant(&found.release),
         "trim": found.trim.as_ref().map(|(trim, modes)| {
             let mut value = of_modes(modes);
@@ -202,6 +206,38 @@ pub fn json(model: &str, found: &Found) -> Value {
             value
         }),
         "flight": found.flight.iter().map(of_instant).collect::<Vec<_>>(),
+    })
+}
+
+fn of_equations(equations: &StateSpace) -> Value {
+    let rows = |matrix: &DMatrix<f64>| -> Vec<Vec<f64>> {
+        let rows = matrix.row_iter();
+        rows.map(|row| row.iter().copied().collect()).collect()
+    };
+    json!({
+        "states": equations.states, "inputs": equations.inputs, "a": rows(&equations.a), "b": rows(&equations.b),
+    })
+}
+
+/// CSV table of the control derivatives at release and along the flight; `None` for a model without scalar inputs.
+pub fn controls(found: &Found) -> Option<String> {
+    let instants = match found.flight.is_empty() {
+        true => std::slice::from_ref(&found.release),
+        false => &found.flight,
+    };
+    let entries = instants.iter().flat_map(|instant| {
+        let entries = instant.state_space.control_derivatives();
+        entries.map(move |entry| (instant.time, entry))
+    });
+    let has_inputs = !found.release.state_space.inputs.is_empty();
+    has_inputs.then(|| {
+        CsvTable::of(entries)
+            .column("t_s", |(time, _)| *time)
+            .column("state", |(_, entry)| entry.state)
+            .column("input", |(_, entry)| entry.input)
+            .column("derivative", |(_, entry)| entry.value)
+            .column("unit", |(_, entry)| entry.unit)
+            .text()
     })
 }
 
