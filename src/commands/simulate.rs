@@ -329,9 +329,18 @@ pub fn files(simulated: &Simulated<'_>, flown: Option<&FlownThrow>, rate: f64) -
         unit: &state.unit_text,
     });
     let labels: Vec<StateLabel<'_>> = labels.collect();
+    let inputs = release.inputs.iter().filter_map(|(name, series)| {
+        let input = model.params.iter().find(|own| own.name == *name)?;
+        let label = StateLabel {
+            name,
+            unit: &input.unit_text,
+        };
+        Some((label, series.clone()))
+    });
+    let inputs: Vec<_> = inputs.collect();
     let mut files = vec![
         ResultFile::new("trajectory.csv", trajectory_csv(flight, &names, rate)),
-        ResultFile::new("flight.svg", picture(title, flight, &labels)),
+        ResultFile::new("flight.svg", picture(title, flight, &labels, &inputs)),
     ];
     let view = View::of_trajectory(title, model, body, release, flight).html(title);
     files.extend(view.map(|html| ResultFile::new("flight.html", html)));

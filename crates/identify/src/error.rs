@@ -70,6 +70,21 @@ pub enum FlightError {
         /// Times of the first and last sample of the flight, s.
         needed: (f64, f64),
     },
+    /// An input over time with a value outside the bounds that the model states.
+    #[error(
+        "the input {name} is {value} at {time} s; expected {} to {}, its bounds in the model, in SI units",
+        bounds.0, bounds.1
+    )]
+    InputBounds {
+        /// Name of the input.
+        name: String,
+        /// The first such value, SI.
+        value: f64,
+        /// Its time, s.
+        time: f64,
+        /// Least and greatest value of the input, SI.
+        bounds: (f64, f64),
+    },
     /// A parameter is both known for one flight and estimated for all flights.
     #[error("{name} is given as known, and it is to be estimated for all flights")]
     KnownAndEstimated {

@@ -2,7 +2,7 @@
 
 use dataset::Flight;
 use dataset::statistics::median_of;
-use flight::InputsOverTime;
+use flight::{InputSeries, InputsOverTime};
 
 use crate::error::FlightError;
 use crate::problem::FitProblem;
@@ -14,12 +14,19 @@ const OUTLASTING: f64 = 0.5;
 /// Gap between two samples of an input, in median intervals, from which the report notes that it is bridged.
 const NOTED_GAP: f64 = 3.5;
 
+/// Share of the bounds of an input by which a value may exceed them.
+const BOUND_ROUNDING: f64 = 1e-9;
+
+/// Number of samples from which a table is a recording, with gaps where samples are missing; fewer are the corners of a
+/// curve.
+const RECORDED: usize = 20;
+
 /// Inputs over time of a flight whose measured samples are from `span.0` to `span.1`, s, with the time counted from
 /// the first of them; and notes for the report.
 ///
 /// # Errors
-/// [`FlightError::UnknownInput`] for an input that the model lacks; [`FlightError::InputSpan`] for one that does not
-/// cover the flight.
+/// [`FlightError::UnknownInput`] for an input that the model lacks; [`FlightError::InputBounds`] for a value outside
+/// its bounds; [`FlightError::InputSpan`] for one that does not cover the flight.
 pub fn of_flight(
     problem: &FitProblem,
     flight: &Flight,
@@ -39,6 +46,17 @@ pub fn of_flight(
                     .collect(),
             });
         }
+        let declared = problem.model.params.iter().find(|own| own.name == *name);
+        if let Some(bounds) = declared.and_then(|own| own.bounds)
+            && let Some((time, value)) = outside(series, bounds)
+        {
+            return Err(FlightError::InputBounds {
+                name: name.clone(),
+                value,
+                time,
+                bounds,
+            });
+        }
         let given = series.span();
         let times: Vec<f64> = series.samples().map(|(t, _)| t).collect();
         let intervals = times.windows(2).map(|pair| pair[1] - pair[0]);
@@ -52,7 +70,7 @@ pub fn of_flight(
             });
         }
         let gap = widest_gap(&times, span);
-        if gap > NOTED_GAP * interval {
+        if gap > NOTED_GAP * interval && times.len() >= RECORDED {
             notes.push(format!(
                 "the input {name} is bridged over {gap:.3} s without a sample"
             ));
@@ -61,6 +79,13 @@ pub fn of_flight(
     let inputs = flight.inputs.iter();
     let inputs = inputs.map(|(name, series)| (name.as_str(), series.since(span.0)));
     Ok((InputsOverTime::of(layout, inputs), notes))
+}
+
+/// First sample (time in s, value) of an input that is not within `bounds`, but for the rounding of units.
+fn outside(series: &InputSeries, (least, greatest): (f64, f64)) -> Option<(f64, f64)> {
+    let slack = BOUND_ROUNDING * (least.abs().max(greatest.abs()));
+    let within = least - slack..=greatest + slack;
+    series.samples().find(|(_, value)| !within.contains(value))
 }
 
 /// Longest time between two samples at `times` within `span`, s.

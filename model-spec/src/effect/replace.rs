@@ -131,7 +131,11 @@ impl Change<'_> {
         };
         if !has(&self.file, &new) {
             self.stand_in(&new, &old, span);
-            let doc = if is_acting { "as it acts" } else { "when it acts" };
+            let doc = if is_acting {
+                "as it acts"
+            } else {
+                "when it acts"
+            };
             let kind = ItemKind::Let(Let {
                 is_constant: false,
                 name: Name {
@@ -141,7 +145,7 @@ impl Change<'_> {
                 unit: None,
                 value: named(&old, span),
             });
-            let of_input = Item::new(kind, &format!("{input} {doc}"), span);
+            let of_input = Item::new(kind, format!("{input} {doc}"), span);
             self.file.items.push(of_input);
         }
         let mut item = item.clone();

@@ -141,7 +141,9 @@ impl BoundBody<'_> {
             jacobian[(*row, *column)] += value;
         }
         let places = rhs.parameter_jacobian_pattern().iter();
-        let by_parameter = places.zip(by_parameter).map(|(at, value)| (at.0, at.1, value));
+        let by_parameter = places
+            .zip(by_parameter)
+            .map(|(at, value)| (at.0, at.1, value));
         let Body {
             model, compiled, ..
         } = self.body;

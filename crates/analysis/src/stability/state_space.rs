@@ -1,6 +1,7 @@
 //! Equations of a model linearised by its states and scalar inputs.
 
 use codegen::Layout;
+use codegen::layout::ParamId;
 use model_spec::model::Model;
 use model_spec::unit::Unit;
 use nalgebra::DMatrix;
@@ -44,7 +45,7 @@ impl StateSpace {
     ) -> StateSpace {
         let inputs: Vec<_> = model.params.iter().filter(|own| own.varies).collect();
         let columns = inputs.iter().map(|own| layout.parameter(&own.name));
-        let columns: Vec<_> = columns.map(|id| id.map(|id| id.index())).collect();
+        let columns: Vec<_> = columns.map(|id| id.map(ParamId::index)).collect();
         let mut b = DMatrix::zeros(a.nrows(), inputs.len());
         for (row, parameter, value) in by_parameter {
             if let Some(column) = columns.iter().position(|own| *own == Some(parameter)) {
@@ -69,15 +70,19 @@ impl StateSpace {
 
     /// Entries of B that are not 0, state by state.
     pub fn control_derivatives(&self) -> impl Iterator<Item = ControlDerivative<'_>> {
-        let entries = self.states.iter().enumerate().flat_map(move |(row, state)| {
-            let inputs = self.inputs.iter().enumerate();
-            inputs.map(move |(column, input)| ControlDerivative {
-                state,
-                input,
-                value: self.b[(row, column)],
-                unit: &self.units[row * self.inputs.len() + column],
-            })
-        });
+        let entries = self
+            .states
+            .iter()
+            .enumerate()
+            .flat_map(move |(row, state)| {
+                let inputs = self.inputs.iter().enumerate();
+                inputs.map(move |(column, input)| ControlDerivative {
+                    state,
+                    input,
+                    value: self.b[(row, column)],
+                    unit: &self.units[row * self.inputs.len() + column],
+                })
+            });
         entries.filter(|entry| entry.value != 0.0)
     }
 }

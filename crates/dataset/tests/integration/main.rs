@@ -3,6 +3,7 @@
 mod broken;
 mod c3d;
 mod datasets;
+mod inputs;
 mod made_noise;
 mod recording;
 mod sensors;

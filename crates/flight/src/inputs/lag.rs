@@ -36,7 +36,10 @@ impl Lagged {
 
 /// Response that a cubic has if it lasts forever: u - τ u' + τ² u'' - τ³ u'''.
 fn steady(&[a, b, c, d]: &[f64; 4], s: f64, tau: f64) -> Lagged {
-    let (u, first) = (a + s * (b + s * (c + s * d)), b + s * (2.0 * c + s * 3.0 * d));
+    let (u, first) = (
+        a + s * (b + s * (c + s * d)),
+        b + s * (2.0 * c + s * 3.0 * d),
+    );
     let (second, third) = (2.0 * c + 6.0 * d * s, 6.0 * d);
     Lagged {
         value: u - tau * (first - tau * (second - tau * third)),

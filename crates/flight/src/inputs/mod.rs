@@ -255,6 +255,11 @@ impl InputsOverTime {
         self
     }
 
+    /// The inputs over time, each with its parameter; as recorded, without delay and lag.
+    pub fn series(&self) -> impl Iterator<Item = (ParamId, &InputSeries)> {
+        self.iter().map(|own| (own.value, &own.series))
+    }
+
     /// Whether all inputs are constant.
     pub fn is_empty(&self) -> bool {
         self.recorded.is_empty()

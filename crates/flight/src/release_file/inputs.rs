@@ -32,6 +32,14 @@ impl<'t> Reader<'t> {
             };
             if let Some(table) = value.get_ref().as_table() {
                 let series = self.series(name, value, table);
+                let samples = series.iter().flat_map(InputSeries::samples);
+                let outside = samples.filter_map(|(t, own)| {
+                    let expected = known.expected_instead_of(own)?;
+                    Some(format!("{name} is {own} at {t} s; expected {expected}"))
+                });
+                if let Some(message) = outside.take(1).next() {
+                    self.fault(value.span(), message);
+                }
                 over_time.extend(series.map(|series| (name.to_owned(), series)));
             } else if let Some(number) = self.number(value, name) {
                 if let Some(expected) = known.expected_instead_of(number) {

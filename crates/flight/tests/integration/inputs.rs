@@ -94,6 +94,10 @@ fn wrong_inputs_are_told() {
         ),
         ("brake = 1.5", "brake is 1.5; expected a number from 0 to 1"),
         (
+            "brake = { t = [0.0, 3.0], value = [0.5, 1.5] }",
+            "brake is 1.5 at 3 s; expected a number from 0 to 1",
+        ),
+        (
             "thrust = { t = [0.0], value = [] }",
             "thrust has 1 times and 0 values",
         ),
@@ -213,7 +217,8 @@ force push = lagged*N.1;
 ";
 
 /// Commands from 1 N, in steps, lines and curves, with intervals shorter and longer than the lag.
-const COMMANDS: &str = "t = [0.0, 0.5, 0.52, 0.9, 2.0, 3.0], value = [1.0, 6.0, -2.0, 3.0, 0.0, 1.0]";
+const COMMANDS: &str =
+    "t = [0.0, 0.5, 0.52, 0.9, 2.0, 3.0], value = [1.0, 6.0, -2.0, 3.0, 0.0, 1.0]";
 
 #[test]
 fn a_lag_acts_as_the_state_that_follows_the_input() {
@@ -267,9 +272,18 @@ fn derivatives_by_delay_and_lag_are_those_of_what_acts() {
         let mut by = vec![0.0; pattern.len()];
         rhs.derivative_with_jacobians(t, &state, &mut f, &mut by_state, &mut by);
         let entry = |column: usize| pattern.iter().position(|own| *own == (3, column));
-        (f[3], columns.map(|column| entry(column).map_or(0.0, |k| by[k])))
+        (
+            f[3],
+            columns.map(|column| entry(column).map_or(0.0, |k| by[k])),
+        )
     };
-    for (delay, lag) in [(0.0, 0.0), (0.03, 0.0), (0.0, 0.05), (0.03, 0.05), (-0.02, 0.4)] {
+    for (delay, lag) in [
+        (0.0, 0.0),
+        (0.03, 0.0),
+        (0.0, 0.05),
+        (0.03, 0.05),
+        (-0.02, 0.4),
+    ] {
         for t in [0.3, 0.515, 0.8, 1.4, 2.9] {
             let step = 1e-6;
             let exact = at(t, [delay, lag]).1;
@@ -277,7 +291,11 @@ fn derivatives_by_delay_and_lag_are_those_of_what_acts() {
             // A lag is not negative.
             let by_lag = match lag > 0.0 {
                 true => at(t, [delay, lag + step]).0 - at(t, [delay, lag - step]).0,
-                false => 4.0 * at(t, [delay, step]).0 - at(t, [delay, 2.0 * step]).0 - 3.0 * at(t, [delay, 0.0]).0,
+                false => {
+                    4.0 * at(t, [delay, step]).0
+                        - at(t, [delay, 2.0 * step]).0
+                        - 3.0 * at(t, [delay, 0.0]).0
+                }
             };
             for (exact, difference) in exact.into_iter().zip([by_delay, by_lag]) {
                 let found = difference / (2.0 * step);

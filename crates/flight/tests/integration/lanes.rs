@@ -425,7 +425,8 @@ fn inputs_over_time_are_those_of_the_scalar_flight() {
         "der(vx) = dot(drag, N.1);",
         "der(vx) = dot(drag, N.1) + thrust;",
     );
-    let model = model_spec::load::from_text("dart.hyz", &text, &["lag_of_thrust"]).expect("a model");
+    let model =
+        model_spec::load::from_text("dart.hyz", &text, &["lag_of_thrust"]).expect("a model");
     let compiled = CompiledModel::new(&model);
     let samples: Vec<(f64, f64)> = (0..=40)
         .map(|k| f64::from(k) * 0.03)
@@ -440,7 +441,10 @@ fn inputs_over_time_are_those_of_the_scalar_flight() {
         let inputs = InputsOverTime::of(compiled.layout(), [("thrust", series)]);
         let lanes = LaneModel::new(&model).with_inputs(inputs.clone());
         let mut p = compiled.layout().default_parameters();
-        let lag = compiled.layout().parameter("k_lag_of_thrust").expect("a lag");
+        let lag = compiled
+            .layout()
+            .parameter("k_lag_of_thrust")
+            .expect("a lag");
         p[lag.index()] = 0.02;
         let flights = scattered(&compiled.layout().default_states(), &p, height(&model), 24);
         for t_end in [1.0, 1.5] {

@@ -149,6 +149,7 @@ pub fn evidence(
     });
     let markers = positions.iter().map(|(_, own)| own.name.clone());
     let positions: Vec<usize> = positions.iter().map(|(index, _)| *index).collect();
+    let inputs: Vec<_> = observations.inputs.series().collect();
     let mut evidence = FlightEvidence {
         file: observations.file.clone(),
         role: observations.role,
@@ -162,6 +163,15 @@ pub fn evidence(
         states: Vec::new(),
         quantity_names: layout.quantities.clone(),
         quantities: Vec::new(),
+        input_names: inputs
+            .iter()
+            .map(|own| layout.parameters[own.0.index()].clone())
+            .collect(),
+        inputs: observations
+            .times
+            .iter()
+            .map(|time| inputs.iter().map(|own| own.1.at(*time)).collect())
+            .collect(),
     };
     let states = trajectory.chunks(observations.manifold.states());
     for (sample, (&time, state)) in observations.times.iter().zip(states).enumerate() {

@@ -31,6 +31,10 @@ pub struct FlightEvidence {
     pub quantity_names: Vec<String>,
     /// Values of the model's auxiliary variables as `quantities[sample][quantity]`, SI.
     pub quantities: Vec<Vec<f64>>,
+    /// Names of the inputs that vary during the flight.
+    pub input_names: Vec<String>,
+    /// Their recorded values as `inputs[sample][input]`, SI.
+    pub inputs: Vec<Vec<f64>>,
 }
 
 /// Measured values and residuals of one sensor channel, which does not measure a position, in the unit of the channel.

@@ -15,7 +15,7 @@ param m = 0.5 kg;
 param g = 9.81 m/s^2;
 coefficient k = 8 N in 0 .. 20;
 coefficient c = 0.1 N*s/m in 0 .. 5;
-input throttle = 0.7;
+input throttle = 0.7 in 0 .. 2;
 frame N;
 point drone { mass m; position (x, y, z) in N; velocity (vx, vy, vz) in N; }
 force weight = -m*g*N.3;
@@ -109,6 +109,9 @@ fn an_input_that_is_unknown_or_too_short_excludes_the_flight() {
         .filter(|(t, _)| !(0.5..0.9).contains(t))
         .collect();
     dataset.flights[2].inputs[0].1 = InputSeries::new(&samples, InputInterpolation::Linear);
+    let pulses = series.samples().map(|(t, value)| (t, 65_535.0 * value));
+    let pulses: Vec<(f64, f64)> = pulses.collect();
+    dataset.flights[3].inputs[0].1 = InputSeries::new(&pulses, InputInterpolation::Linear);
     let found = fit(&model, &dataset, &FitOptions::default()).expect("a fit of the others");
     let told: Vec<String> = found
         .report
@@ -122,6 +125,10 @@ fn an_input_that_is_unknown_or_too_short_excludes_the_flight() {
     );
     assert!(
         told[1].contains("given from 0 to 1.48 s, and the flight lasts from 0 to 2 s"),
+        "{told:?}"
+    );
+    assert!(
+        told[3].contains("at 0 s; expected 0 to 2, its bounds in the model"),
         "{told:?}"
     );
     assert!(

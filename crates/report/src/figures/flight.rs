@@ -2,18 +2,25 @@
 
 use super::figure::figure;
 use super::panel::{Mark, Panel};
-use super::states::{StateLabel, panels_of_states};
+use super::states::{StateLabel, panels_of_inputs, panels_of_states};
+use flight::InputSeries;
 use ode::Trajectory;
 
 const SAMPLES: usize = 400;
 /// Maximum ratio of the peak magnitudes of two states in one panel.
 const APART: f64 = 8.0;
 
-/// Draws a simulated flight as SVG: side and top view if the states include `x`, `y` and `z`, and all states over time.
+/// Draws a simulated flight as SVG: side and top view if the states include `x`, `y` and `z`, and the inputs that vary
+/// and all states over time.
 ///
 /// # Panics
 /// If the number of labels differs from the number of states.
-pub fn flight(title: &str, flight: &Trajectory, states: &[StateLabel<'_>]) -> String {
+pub fn flight(
+    title: &str,
+    flight: &Trajectory,
+    states: &[StateLabel<'_>],
+    inputs: &[(StateLabel<'_>, InputSeries)],
+) -> String {
     assert_eq!(states.len(), flight.states(), "a label for each state");
     let (rows, times) = sampled(flight);
     let place = |name: &str| states.iter().position(|s| s.name == name);
@@ -42,8 +49,16 @@ pub fn flight(title: &str, flight: &Trajectory, states: &[StateLabel<'_>]) -> St
         let samples = times.iter().zip(&rows);
         samples.map(|(t, row)| (*t, row[i])).collect()
     };
-    let of_states = panels_of_states(states, &rows, APART, &points).into_iter();
-    panels.extend(of_states.map(|panel| Panel {
+    let labels: Vec<StateLabel<'_>> = inputs.iter().map(|(label, _)| *label).collect();
+    let given = |t: &f64| inputs.iter().map(|(_, series)| series.at(*t)).collect();
+    let given: Vec<Vec<f64>> = times.iter().map(given).collect();
+    let of_input = |i: usize| {
+        let samples = times.iter().zip(&given);
+        samples.map(|(t, row)| (*t, row[i])).collect()
+    };
+    let over_time = panels_of_inputs(&labels, &given, f64::INFINITY, &of_input).into_iter();
+    let over_time = over_time.chain(panels_of_states(states, &rows, APART, &points));
+    panels.extend(over_time.map(|panel| Panel {
         marks: marks.clone(),
         ..panel
     }));
@@ -59,6 +74,7 @@ fn sampled(flight: &Trajectory) -> (Vec<Vec<f64>>, Vec<f64>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use flight::InputInterpolation;
     use ode::{Event, IntegrationOptions, integrate_to_event, rhs_from_fn};
 
     fn stone(names: &[StateLabel<'_>]) -> String {
@@ -73,7 +89,12 @@ mod tests {
             &IntegrationOptions::default(),
             &mut [ground],
         );
-        flight("A stone & more", &flown.unwrap(), names)
+        let push = InputSeries::new(&[(0.0, 0.0), (9.0, 1.0)], InputInterpolation::Linear);
+        let label = StateLabel {
+            name: "push",
+            unit: "N",
+        };
+        flight("A stone & more", &flown.unwrap(), names, &[(label, push)])
     }
 
     #[test]
@@ -94,13 +115,14 @@ mod tests {
             "from the side: z, m",
             "Top view",
             "Position x, y, z, m",
+            "Input push, N",
             "θ\u{307}, rad/s",
             "time, s",
         ] {
             assert!(svg.contains(text), "{text}");
         }
         assert!(!svg.contains("NaN") && !svg.contains("inf"));
-        assert_eq!(svg.matches("<path").count(), 2 + 4);
+        assert_eq!(svg.matches("<path").count(), 2 + 1 + 4);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::panel::{Line, Panel};
 
-/// Name and unit of a state.
+/// Name and unit of a state or an input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StateLabel<'a> {
     /// Name in the model.
@@ -44,11 +44,31 @@ fn groups(states: &[StateLabel<'_>], rows: &[Vec<f64>], apart: f64) -> Vec<Vec<u
     groups
 }
 
+/// Panels of inputs over time, as those of the states.
+pub(crate) fn panels_of_inputs(
+    inputs: &[StateLabel<'_>],
+    rows: &[Vec<f64>],
+    apart: f64,
+    points: &dyn Fn(usize) -> Vec<(f64, f64)>,
+) -> Vec<Panel> {
+    panels(inputs, rows, apart, &|_| "Input", points)
+}
+
 /// Panels of the states over time, one for each of their [`groups`], from points (time, value) by state.
 pub(crate) fn panels_of_states(
     states: &[StateLabel<'_>],
     rows: &[Vec<f64>],
     apart: f64,
+    points: &dyn Fn(usize) -> Vec<(f64, f64)>,
+) -> Vec<Panel> {
+    panels(states, rows, apart, &what, points)
+}
+
+fn panels(
+    states: &[StateLabel<'_>],
+    rows: &[Vec<f64>],
+    apart: f64,
+    what: &dyn Fn(&str) -> &'static str,
     points: &dyn Fn(usize) -> Vec<(f64, f64)>,
 ) -> Vec<Panel> {
     let panel = |group: Vec<usize>| {

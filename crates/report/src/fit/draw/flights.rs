@@ -6,7 +6,7 @@ use model_spec::model::Model;
 use super::{MeasuredPoint, not_drawn, points, predicted, samples};
 use crate::figure::Figure;
 use crate::figures::axis::range;
-use crate::figures::{Layout, Look, Panel, StateLabel, panels_of_states, symbol};
+use crate::figures::{Layout, Look, Panel, StateLabel, panels_of_inputs, panels_of_states, symbol};
 use crate::thin::{MAX_CURVE_POINTS, MAX_FIGURES, MAX_FLIGHTS, curve, stride};
 
 /// Maximum ratio of the peak magnitudes of two states in one panel: the nutation must remain visible next to the spin.
@@ -25,7 +25,8 @@ pub(in super::super) fn states(evidence: &[FlightEvidence], model: &Model) -> Ve
 }
 
 fn state_figure(index: usize, flight: &FlightEvidence, model: &Model) -> Option<Figure> {
-    let mut panels = state_panels(flight, model);
+    let mut panels = input_panels(flight, model);
+    panels.extend(state_panels(flight, model));
     for (name, title, unit) in QUANTITIES {
         let at = flight.quantity_names.iter().position(|n| n == name);
         let Some(at) = at else { continue };
@@ -36,7 +37,10 @@ fn state_figure(index: usize, flight: &FlightEvidence, model: &Model) -> Option<
         }
     }
     let name = format!("states-{:02}", index + 1);
-    let caption = "States of the fitted flight over time.";
+    let caption = match flight.input_names.is_empty() {
+        true => "States of the fitted flight over time.",
+        false => "Inputs as recorded, and states of the fitted flight over time.",
+    };
     let draw = || Figure::of_panels(name, &flight.file, caption, Layout::SMALL, &panels);
     (!panels.is_empty()).then(draw)
 }
@@ -60,6 +64,21 @@ fn state_panels(flight: &FlightEvidence, model: &Model) -> Vec<Panel> {
     }
     let points = |i| column(flight, &flight.states, i);
     panels_of_states(&labels, &rows, APART, &points)
+}
+
+fn input_panels(flight: &FlightEvidence, model: &Model) -> Vec<Panel> {
+    let unit = |name: &str| {
+        let input = model.params.iter().find(|own| own.name == name);
+        input.map_or("", |own| own.unit_text.as_str())
+    };
+    let labels = flight.input_names.iter().take(MAX_FIGURES);
+    let labels = labels.map(|name| StateLabel {
+        name,
+        unit: unit(name),
+    });
+    let labels: Vec<StateLabel<'_>> = labels.collect();
+    let points = |i| column(flight, &flight.inputs, i);
+    panels_of_inputs(&labels, &flight.inputs, f64::INFINITY, &points)
 }
 
 /// Points (time, value) of a column of a table with a row for each sample.

@@ -62,6 +62,8 @@ pub fn flight(number: usize, samples: usize) -> FlightEvidence {
         states: Vec::new(),
         quantity_names: ["V", "alpha", "d1_x"].map(str::to_owned).to_vec(),
         quantities: Vec::new(),
+        input_names: Vec::new(),
+        inputs: Vec::new(),
     };
     let mut drift = [0.0; 3];
     for sample in 0..samples {
