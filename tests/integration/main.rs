@@ -1,5 +1,6 @@
 //! The program as its users run it: every command, its faults, its results, and how it ends when it is told to.
 
+mod aeroplane;
 mod bodies;
 mod bootstrap;
 mod cli;
