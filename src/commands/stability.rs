@@ -69,13 +69,11 @@ pub(super) fn run(options: &Options) -> anyhow::Result<Answer> {
         stability::text(&body.model.name, &found)
     })?;
     if let Some(out) = &out {
-        let files = files(&body.model, &found);
-        let has_controls = files.iter().any(|file| file.name == "controls.csv");
-        let what = match has_controls {
-            true => "stability.json, report.html, modes.csv, map.csv and controls.csv",
-            false => "stability.json, report.html, modes.csv and map.csv",
+        let what = match found.release.state_space.inputs.is_empty() {
+            true => "stability.json, report.html, modes.csv and map.csv",
+            false => "stability.json, report.html, modes.csv, map.csv and controls.csv",
         };
-        out.write(files, what)?;
+        out.write(files(&body.model, &found), what)?;
     }
     Ok(Answer::Yes)
 }
