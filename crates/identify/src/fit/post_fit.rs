@@ -150,6 +150,14 @@ pub fn evidence(
     let markers = positions.iter().map(|(_, own)| own.name.clone());
     let positions: Vec<usize> = positions.iter().map(|(index, _)| *index).collect();
     let inputs: Vec<_> = observations.inputs.series().collect();
+    let names = inputs.iter().map(|(id, _)| &layout.parameters[id.index()]);
+    let names: Vec<&String> = names.collect();
+    let unit = |name: &str| {
+        let mut declared = problem.model.params.iter();
+        let declared = declared.find(|own| own.name == name);
+        declared.map_or_else(String::new, |own| own.unit_text.clone())
+    };
+    let values = |time: &f64| inputs.iter().map(|(_, series)| series.at(*time)).collect();
     let mut evidence = FlightEvidence {
         file: observations.file.clone(),
         role: observations.role,
@@ -163,15 +171,9 @@ pub fn evidence(
         states: Vec::new(),
         quantity_names: layout.quantities.clone(),
         quantities: Vec::new(),
-        input_names: inputs
-            .iter()
-            .map(|own| layout.parameters[own.0.index()].clone())
-            .collect(),
-        inputs: observations
-            .times
-            .iter()
-            .map(|time| inputs.iter().map(|own| own.1.at(*time)).collect())
-            .collect(),
+        input_names: names.iter().map(|name| (*name).clone()).collect(),
+        input_units: names.iter().map(|name| unit(name)).collect(),
+        inputs: observations.times.iter().map(values).collect(),
     };
     let states = trajectory.chunks(observations.manifold.states());
     for (sample, (&time, state)) in observations.times.iter().zip(states).enumerate() {

@@ -33,6 +33,8 @@ pub struct FlightEvidence {
     pub quantities: Vec<Vec<f64>>,
     /// Names of the inputs that vary during the flight.
     pub input_names: Vec<String>,
+    /// Their units.
+    pub input_units: Vec<String>,
     /// Their recorded values as `inputs[sample][input]`, SI.
     pub inputs: Vec<Vec<f64>>,
 }

@@ -10,7 +10,7 @@ use identify::wording::{count, names, short};
 
 use super::{DiagnosisPage, OPEN, draw, words};
 use crate::figure::Figure;
-use crate::fit::draw::residuals;
+use crate::fit::draw::{inputs, residuals};
 use crate::fit::words::{PREDICTIONS, RESIDUALS};
 use crate::html::Html;
 use crate::page::flight_link;
@@ -33,6 +33,12 @@ pub(super) fn section(page: &DiagnosisPage<'_>) -> Html {
     if !residuals.is_empty() {
         content.heading(RESIDUALS);
         content.figures(residuals, true);
+    }
+    let inputs = inputs(page.before);
+    if let Some(first) = inputs.first() {
+        content.heading("Inputs over time");
+        content.note(&first.caption);
+        content.grid(inputs, OPEN, false);
     }
     let curves = draw::curves(report);
     if content.is_empty() && curves.is_empty() && report.flights.is_empty() {

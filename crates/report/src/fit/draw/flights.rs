@@ -25,7 +25,7 @@ pub(in super::super) fn states(evidence: &[FlightEvidence], model: &Model) -> Ve
 }
 
 fn state_figure(index: usize, flight: &FlightEvidence, model: &Model) -> Option<Figure> {
-    let mut panels = input_panels(flight, model);
+    let mut panels = input_panels(flight);
     panels.extend(state_panels(flight, model));
     for (name, title, unit) in QUANTITIES {
         let at = flight.quantity_names.iter().position(|n| n == name);
@@ -66,16 +66,23 @@ fn state_panels(flight: &FlightEvidence, model: &Model) -> Vec<Panel> {
     panels_of_states(&labels, &rows, APART, &points)
 }
 
-fn input_panels(flight: &FlightEvidence, model: &Model) -> Vec<Panel> {
-    let unit = |name: &str| {
-        let input = model.params.iter().find(|own| own.name == name);
-        input.map_or("", |own| own.unit_text.as_str())
-    };
-    let labels = flight.input_names.iter().take(MAX_FIGURES);
-    let labels = labels.map(|name| StateLabel {
-        name,
-        unit: unit(name),
+/// Figures of the inputs that vary, a figure for each flight.
+pub(crate) fn inputs(evidence: &[FlightEvidence]) -> Vec<Figure> {
+    let flights = evidence.iter().take(MAX_FLIGHTS).enumerate();
+    let figures = flights.filter_map(|(i, flight)| {
+        let panels = input_panels(flight);
+        let name = format!("inputs-{:02}", i + 1);
+        let caption = "Inputs as recorded.";
+        let draw = || Figure::of_panels(name, &flight.file, caption, Layout::SMALL, &panels);
+        (!panels.is_empty()).then(draw)
     });
+    figures.collect()
+}
+
+fn input_panels(flight: &FlightEvidence) -> Vec<Panel> {
+    let names = flight.input_names.iter().take(MAX_FIGURES);
+    let labels = names.zip(&flight.input_units);
+    let labels = labels.map(|(name, unit)| StateLabel { name, unit });
     let labels: Vec<StateLabel<'_>> = labels.collect();
     let points = |i| column(flight, &flight.inputs, i);
     panels_of_inputs(&labels, &flight.inputs, f64::INFINITY, &points)

@@ -6,6 +6,7 @@ mod predictions;
 mod residuals;
 
 pub(super) use estimates::{correlations, histogram, precision, profiles, whiteness};
+pub(crate) use flights::inputs;
 pub(super) use flights::{states, tracks};
 pub(crate) use predictions::predictions;
 pub(crate) use residuals::residuals;

@@ -63,6 +63,7 @@ pub fn flight(number: usize, samples: usize) -> FlightEvidence {
         quantity_names: ["V", "alpha", "d1_x"].map(str::to_owned).to_vec(),
         quantities: Vec::new(),
         input_names: Vec::new(),
+        input_units: Vec::new(),
         inputs: Vec::new(),
     };
     let mut drift = [0.0; 3];
