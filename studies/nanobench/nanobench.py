@@ -261,6 +261,7 @@ def page(arcs, flights, reports, rows, turned):
         lines.append(f"| `{name}` | {own['value']:.5g} | {error:.2g} | {own['unit']} |".replace("-", "−").replace("e−0", "e-0"))
     cautions = " ".join(reports["lag"]["cautions"])
     turned = ", ".join(number(own) for own in turned)
+    lines += ["", "All four motors are commanded nearly alike, so that their lags are hardly told apart."]
     lines += ["", f"What the fit says of itself: {cautions}.", TAIL.format(turned=turned)]
     return "\n".join(lines)
 
