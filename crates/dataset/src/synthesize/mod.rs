@@ -145,8 +145,13 @@ pub fn flights(
         .clone()
         .map(|constant| (constant.name.as_str(), constant.value));
     let values = releases[0].constants(defaults);
-    let mut named = constants.map(|constant| constant.name.clone()).zip(values);
-    let parameters = named.by_ref().take(model.params.len()).collect();
+    let mut named = constants.zip(values);
+    // An input at its default may be that of an effect, which the model that is fitted need not have.
+    let parameters = named.by_ref().take(model.params.len());
+    let stated = parameters.filter(|(own, value)| !own.varies || *value != own.value);
+    let parameters = stated.map(|(own, value)| (own.name.clone(), value));
+    let parameters = parameters.collect();
+    let coefficients = named.map(|(own, value)| (own.name.clone(), value));
     Ok(SyntheticDataset {
         dataset: Dataset {
             model: model.name.clone(),
@@ -158,7 +163,7 @@ pub fn flights(
         truth: Truth {
             model: model.name.clone(),
             effects: model.effects.iter().map(|on| on.name.clone()).collect(),
-            coefficients: named.collect(),
+            coefficients: coefficients.collect(),
             noise: plan.noise,
             spread: plan.spread,
             seed: plan.seed,
