@@ -25,7 +25,7 @@ fn it_is_verified_flown_and_found_from_its_flights() {
     let [flown, made, found] = [&flown, &made, &found].map(|path| path.to_str().expect("text"));
     hyzer(&["simulate", "--release", "doublets.toml", "--out", flown]);
     let drawn = std::fs::read_to_string(format!("{flown}/flight.svg")).expect("a figure");
-    assert!(drawn.contains("Input elevator, aileron, rudder, rad"));
+    assert!(drawn.contains("Input aileron, elevator, rudder, rad"));
     let marker = |place: &'static str| ["--marker", place];
     let markers = ["nose=1,0,0", "left=0,1.4,0", "tail=-0.8,0,0.2"].map(marker);
     let plan = "synthesize --release doublets.toml --flights 2 --rate 20 --spread 0.02 --duration 7.5 --out";

@@ -96,9 +96,9 @@ fn controls(instant: &Instant) -> Option<Table> {
     (!entries.is_empty()).then(|| {
         Table::of(entries)
             .name("rate of", |entry| entry.state)
-            .name("input", |entry| entry.input)
+            .plain("input", |entry| entry.input)
             .number("derivative", |entry| format!("{:.5}", entry.value))
-            .name("unit", |entry| entry.unit)
+            .plain("unit", |entry| entry.unit)
             .table()
     })
 }
