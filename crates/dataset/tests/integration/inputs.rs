@@ -26,7 +26,7 @@ fn inputs_that_cannot_be_read_are_refused_with_their_place() {
     let cases = [
         ("", "u.csv:1:1", "no header"),
         ("# only a comment\n", "u.csv:1:1", "no header"),
-        ("t,throttle\n", "u.csv:1:2", "no value in the column"),
+        ("t,throttle\n", "u.csv:2:2", "no value in the column"),
         ("throttle\n1\n", "u.csv:1:1", "no column t"),
         ("0,1\n1,2\n", "u.csv:1:1", "no column t"),
         ("t\n0\n1\n", "u.csv:1:1", "the column t alone"),
@@ -56,7 +56,7 @@ fn inputs_that_cannot_be_read_are_refused_with_their_place() {
         ("t,throttle\n0,1,2\n", "u.csv:2:3", "3 cells"),
         (
             "t,throttle\n0,NaN\n0.1,\n",
-            "u.csv:3:2",
+            "u.csv:",
             "no value in the column",
         ),
         ("t,throttle\n0,1\n100000,1\n", "u.csv:3:1", "milliseconds?"),
@@ -90,12 +90,12 @@ fn columns_of_a_flight_that_are_no_inputs_are_refused_with_their_place() {
         read(folder(&files).path())
     };
     for (name, cells, place, told) in [
-        ("throttle", ["1", "full"], "a.csv:3:5", "full"),
-        ("throttle", ["inf", "1"], "a.csv:2:5", "inf"),
+        ("throttle", ["1", "full"], "a.csv:3:13", "full"),
+        ("throttle", ["inf", "1"], "a.csv:2:11", "inf"),
         ("throttle", ["", "NaN"], "a.csv", "no value in the column"),
-        ("center_x", ["1", "2"], "a.csv:1:5", "center_x"),
-        ("full throttle", ["1", "2"], "a.csv:1:5", "full throttle"),
-        ("centre_y", ["1", "2"], "a.csv:1:5", "centre_y"),
+        ("center_x", ["1", "2"], "a.csv:1:30", "center_x"),
+        ("full throttle", ["1", "2"], "a.csv:1:30", "full throttle"),
+        ("centre_y", ["1", "2"], "a.csv:1:30", "centre_y"),
     ] {
         let error = read(&with_column(name, cells)).expect_err(name);
         assert!(
