@@ -26,7 +26,7 @@ fn commands(number: f64, t: f64) -> (f64, f64) {
     (throttle, tilt)
 }
 
-/// What acts of the throttle where it follows the commands with a lag of first order, `tau`: each sine of the commands is weaker and later.
+/// Throttle that follows the commands with a lag of first order, `tau`: each sine of the commands is weaker and later.
 fn lagging(number: f64, t: f64, tau: f64) -> f64 {
     let sine = |rate: f64, phase: f64| {
         (phase - (rate * tau).atan()).sin() / (1.0 + (rate * tau).powi(2)).sqrt()

@@ -56,7 +56,7 @@ fn inputs_that_cannot_be_read_are_refused_with_their_place() {
         ("t,throttle\n0,1,2\n", "u.csv:2:3", "3 cells"),
         (
             "t,throttle\n0,NaN\n0.1,\n",
-            "u.csv:",
+            "u.csv:4:2",
             "no value in the column",
         ),
         ("t,throttle\n0,1\n100000,1\n", "u.csv:3:1", "milliseconds?"),

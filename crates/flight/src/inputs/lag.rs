@@ -1,5 +1,5 @@
-//! First-order lag of an input over time, τ dL/dt + L = u: as u does not depend on the state of the model, L is a function of the time and of
-//! τ, exact on each piece of u, for any τ down to 0.
+//! First-order lag of an input over time, τ dL/dt + L = u: as u does not depend on the state of the model, L is a
+//! function of the time and of τ, exact on each piece of u, for any τ down to 0.
 
 use codegen::table::PiecewiseCubic;
 
