@@ -89,33 +89,19 @@ impl PiecewiseBicubic {
 
     /// The partial derivative of the given orders as a piecewise bicubic of its own.
     pub fn derivative(&self, orders: [u8; 2]) -> PiecewiseBicubic {
-        let [p, q] = orders.map(usize::from);
-        let falling =
-            |n: usize, order: usize| (n + 1..=n + order).map(|n| n as f64).product::<f64>();
-        let of = |cell: &[f64; 16]| {
-            let mut derivative = [0.0; 16];
-            for a in 0..4 - p {
-                for b in 0..4 - q {
-                    let factor = falling(a, p) * falling(b, q);
-                    derivative[4 * a + b] = factor * cell[4 * (a + p) + b + q];
-                }
-            }
-            derivative
-        };
+        let cells = self.cells.iter().map(|cell| derivative(cell, orders));
         PiecewiseBicubic {
             knots: self.knots.clone(),
-            cells: self.cells.iter().map(of).collect(),
+            cells: cells.collect(),
         }
     }
 
-    /// Origin and coefficients of the cell that applies at (x, y).
-    pub fn piece(&self, arguments: [f64; 2]) -> ([f64; 2], &[f64; 16]) {
+    /// Origin and coefficients of the cell of the partial derivative of the given orders that applies at (x, y).
+    pub fn piece(&self, arguments: [f64; 2], orders: [u8; 2]) -> ([f64; 2], [f64; 16]) {
         let below = [0, 1].map(|k| self.knots[k].partition_point(|&knot| knot <= arguments[k]));
         let origin = [0, 1].map(|k| self.knots[k][below[k].saturating_sub(1)]);
-        (
-            origin,
-            &self.cells[below[0] * (self.knots[1].len() + 1) + below[1]],
-        )
+        let cell = &self.cells[below[0] * (self.knots[1].len() + 1) + below[1]];
+        (origin, derivative(cell, orders))
     }
 
     /// Evaluates the function, or its derivative of the given orders, at (x, y).
@@ -123,4 +109,18 @@ impl PiecewiseBicubic {
     pub fn eval<T: Real>(&self, x: T, y: T, orders: [u8; 2]) -> T {
         x.piecewise_bicubic(y, orders.map(usize::from), self.knots(), &self.cells)
     }
+}
+
+/// Coefficients of a partial derivative of a bicubic.
+fn derivative(cell: &[f64; 16], orders: [u8; 2]) -> [f64; 16] {
+    let [p, q] = orders.map(usize::from);
+    let falling = |n: usize, order: usize| (n + 1..=n + order).map(|n| n as f64).product::<f64>();
+    let mut derivative = [0.0; 16];
+    for a in 0..4 - p {
+        for b in 0..4 - q {
+            let factor = falling(a, p) * falling(b, q);
+            derivative[4 * a + b] = factor * cell[4 * (a + p) + b + q];
+        }
+    }
+    derivative
 }

@@ -76,8 +76,7 @@ pub trait Arithmetic: Real {
     /// Value of a table of two arguments at (`self`, `other`), or of its derivative.
     fn looked_up(self, other: Self, function: SurfaceFunction, tables: &Tables) -> Self {
         let bicubic = tables.table(function.table()).bicubic();
-        let bicubic = bicubic.derivative(function.orders());
-        let ([x, y], cell) = bicubic.piece([self.re(), other.re()]);
+        let ([x, y], cell) = bicubic.piece([self.re(), other.re()], function.orders());
         let (h, k) = (self - Self::lit(x), other - Self::lit(y));
         cell.rchunks(4).fold(Self::zero(), |value, row| {
             let powers = row.iter().rev();
