@@ -49,18 +49,23 @@ pub fn of_value(model: &Model, name: &str) -> Option<Facts> {
             ..Facts::default()
         });
     }
-    let own = model
-        .aux_variables
-        .iter()
-        .rposition(|own| own.name == name)?;
-    let variable = &model.aux_variables[own];
-    let value = constants(model)[own];
-    let unit = variable.value.unit.tidy();
+    let own = model.aux_variables.iter().rfind(|own| own.name == name)?;
     Some(Facts {
-        of: shape(model, &variable.value),
-        value: value.map_or_else(String::new, |value| with_unit(value, &unit.to_string())),
-        formula: formula(model, name),
+        of: shape(model, &own.value),
+        ..Facts::default()
     })
+}
+
+/// Adds value and formula of a named quantity to its unit and frame.
+pub fn complete(model: &Model, name: &str, facts: &mut Facts) {
+    let own = model.aux_variables.iter().rposition(|own| own.name == name);
+    if let Some(own) = own {
+        let unit = model.aux_variables[own].value.unit.tidy().to_string();
+        if let Some(value) = constants(model)[own] {
+            facts.value = with_unit(value, &unit);
+        }
+        facts.formula = formula(model, name);
+    }
 }
 
 /// What a model says about a force or moment.
