@@ -4,7 +4,6 @@ use codegen::latex;
 use model_spec::model::{
     Expr, ExprKind, FrameKind, Function, Load, Model, Parameter, Shape, Table,
 };
-use model_spec::unit::Unit;
 use model_spec::with_unit;
 
 /// Longest formula that is shown, characters.
@@ -149,10 +148,13 @@ fn frame(model: &Model, index: usize) -> &str {
 }
 
 fn shape(model: &Model, e: &Expr) -> String {
-    let unit = e.unit.tidy();
+    let unit = match e.unit.named() {
+        Some(symbol) if symbol.chars().all(char::is_alphabetic) => symbol.to_owned(),
+        _ => e.unit.tidy().to_string(),
+    };
     match e.shape {
-        Shape::Scalar => unit.to_string(),
-        Shape::Vector(of) if unit == Unit::ONE => format!("vector in {}", frame(model, of)),
+        Shape::Scalar => unit,
+        Shape::Vector(of) if unit == "1" => format!("vector in {}", frame(model, of)),
         Shape::Vector(of) => format!("vector {unit} in {}", frame(model, of)),
     }
 }

@@ -83,9 +83,8 @@ impl Server {
     fn receive(&mut self, message: &Value) -> Vec<Value> {
         let Some(method) = message["method"].as_str() else {
             // An answer to a request of the server, of which there are none.
-            let is_request = !message["id"].is_null()
-                && message["result"].is_null()
-                && message["error"].is_null();
+            let is_answer = message.get("result").or(message.get("error")).is_some();
+            let is_request = !message["id"].is_null() && !is_answer;
             return match is_request {
                 true => vec![failure(
                     &message["id"],

@@ -44,6 +44,7 @@ fn messages_are_answered_as_in_the_transcripts() {
         }
         if std::env::var_os("UPDATE_TRANSCRIPTS").is_some() {
             fs::write(&path, &written).unwrap();
+            continue;
         }
         let changed = written.lines().zip(text.lines()).find(|(a, b)| a != b);
         assert!(written == text, "{}: {changed:#?}", path.display());
