@@ -69,9 +69,10 @@ pub fn complete(model: &Model, name: &str, facts: &mut Facts) {
 
 /// What a model says about a force or moment.
 pub fn of_load(model: &Model, name: &str, is_moment: bool) -> Option<Facts> {
-    let (loads, prefix): (&[Load], _) = match is_moment {
-        false => (&model.forces, "force"),
-        true => (&model.moments, "moment"),
+    let (loads, prefix): (&[Load], _) = if is_moment {
+        (&model.moments, "moment")
+    } else {
+        (&model.forces, "force")
     };
     let own = loads.iter().find(|own| own.name == name)?;
     Some(Facts {

@@ -81,10 +81,12 @@ impl Builder<'_> {
     fn append(&mut self, at: usize) {
         let piece = &self.pieces[at];
         let kept = self.in_spanning[at] && piece.gap > 1;
-        let spaces = match kept {
-            true => piece.gap,
-            false if piece.is_comment() => piece.gap.max(1),
-            false => space_before(self.pieces, self.structure, at),
+        let spaces = if kept {
+            piece.gap
+        } else if piece.is_comment() {
+            piece.gap.max(1)
+        } else {
+            space_before(self.pieces, self.structure, at)
         };
         let Some(line) = self.lines.last_mut() else {
             return;

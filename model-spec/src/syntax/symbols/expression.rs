@@ -82,7 +82,9 @@ impl Scanner<'_> {
             let stop = (at..near).find(|&next| self.text(next) == ")");
             let stop = stop.unwrap_or(at + 1);
             let is_unit = |next: usize| symbol::find(self.text(next)).is_some();
-            if stop > at + 1 && { at + 2..stop }.all(|next| self.token(next) != Token::Name || is_unit(next)) {
+            if stop > at + 1 && { at + 2..stop }
+                .all(|next| self.token(next) != Token::Name || is_unit(next))
+            {
                 self.of_type(at + 2..stop);
                 return stop;
             }
