@@ -6,7 +6,7 @@ const NAME = /[A-Za-z_µżġ\u0370-\u03FF\u1E00-\u1EFF°][A-Za-z0-9_µżġ\u0370
 
 const DECLARING = [
   "model", "param", "coefficient", "input", "state", "frame", "let", "force", "moment", "marker", "observe", "body",
-  "point", "effect", "function", "table",
+  "point", "effect",
 ];
 
 const OTHERS = [
@@ -21,24 +21,28 @@ module.exports = grammar({
   name: "hyzer",
   word: ($) => $.name,
   extras: ($) => [/[\s\uFEFF\u00A0]/, $.comment],
-  conflicts: ($) => [
-    [$.declaration, $._expression],
-    [$.declaration, $.call],
-    [$.declaration, $.element],
-    [$._expression, $.quantity],
-    [$.vector, $._part],
-    [$.quantity],
-  ],
+  conflicts: ($) => [[$.declaration, $._expression], [$._arguments, $.brackets]],
   rules: {
     file: ($) => repeat($._item),
-    _item: ($) => choice($.declaration, $.equation, $.statement),
+    _item: ($) => choice($.declaration, $.callable, $.equation, $.statement),
     declaration: ($) =>
       seq(
         field("keyword", alias(choice(...DECLARING), $.keyword)),
         field("name", $.name),
+        optional($.subscripts),
         repeat($._part),
         $._end,
       ),
+    subscripts: ($) => seq("[", commaSeparated($._expression), "]"),
+    callable: ($) =>
+      seq(
+        field("keyword", alias(choice("function", "table"), $.keyword)),
+        field("name", $.name),
+        field("parameters", $.parameters),
+        repeat($._part),
+        $._end,
+      ),
+    parameters: ($) => seq("(", optional(commaSeparated(seq($.name, optional($.type)))), ")"),
     equation: ($) => seq(alias("der", $.keyword), "(", $._expression, ")", repeat($._part), $._end),
     statement: ($) =>
       seq(
@@ -56,14 +60,22 @@ module.exports = grammar({
           alias(
             choice(
               "in", "turned", "about", "by", "quaternion", "within", "for", "or", "on", "vector", "monotone",
-              "constant", "linear", "body", "point", "force", "moment", "inertia", "clock", "observe", "velocity",
+              "constant", "linear",
             ),
             $.keyword,
           ),
         ),
       ),
-    type: ($) => prec.right(seq(":", optional(alias("vector", $.keyword)), optional(alias($._expression, $.unit)))),
-    table: ($) => seq("=", "{", repeat(choice($._expression, ":", ",", ";", $.row)), "}"),
+    type: ($) =>
+      prec.right(
+        seq(
+          ":",
+          optional(alias("vector", $.keyword)),
+          optional(alias($._expression, $.unit)),
+          optional(seq(alias("in", $.keyword), alias($.name, $.frame))),
+        ),
+      ),
+    table: ($) => prec(1, seq("=", "{", repeat(choice($._expression, ":", ",", ";", $.row)), "}")),
     row: ($) => seq("{", repeat(choice($._expression, ":", ",", ";")), "}"),
 
     _expression: ($) =>
@@ -80,7 +92,7 @@ module.exports = grammar({
       ),
     call: ($) =>
       prec(10, seq(field("function", choice($.name, alias("der", $.name))), "(", optional($._arguments), ")")),
-    _arguments: ($) => commaSeparated(choice(seq($._expression, optional($.type)), $.range)),
+    _arguments: ($) => commaSeparated(choice($._expression, $.range)),
     range: ($) => seq($.name, alias("in", $.keyword), $.number, "..", $.number),
     element: ($) => prec(10, seq($.name, "[", commaSeparated($._expression), "]")),
     part: ($) => prec(8, seq($._expression, ".", $.number)),

@@ -116,7 +116,7 @@ fn place(before: &str) -> Place {
                 Place::Frame
             }
         }
-        '=' if statement.trim_start().starts_with("frame") => Place::Frame,
+        '=' if line.trim_start().starts_with("frame ") => Place::Frame,
         _ if is_number && is_spaced => Place::Unit,
         _ => Place::Expression,
     }

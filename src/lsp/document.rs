@@ -159,7 +159,7 @@ fn of_effect(path: &str, text: &str, faults: Vec<Diagnostic>) -> Checked {
     };
     match tree.with(&effect).and_then(|extended| extended.check()) {
         Ok(model) => (Vec::new(), Vec::new(), Some(model)),
-        Err(error) => none(in_source(error, path)),
+        Err(error) => (in_source(error, path), Vec::new(), tree.check().ok()),
     }
 }
 

@@ -4,7 +4,6 @@ use codegen::latex;
 use model_spec::model::{
     ConstantAngle, Expr, ExprKind, FrameKind, Function, Load, Model, Parameter, Shape, Table,
 };
-use model_spec::unit::Unit;
 use model_spec::with_unit;
 
 /// Longest formula that is shown, characters.
@@ -49,25 +48,31 @@ pub fn of_value(model: &Model, name: &str) -> Option<Facts> {
             ..Facts::default()
         });
     }
-    let own = model
-        .aux_variables
-        .iter()
-        .rposition(|own| own.name == name)?;
-    let variable = &model.aux_variables[own];
-    let value = constants(model)[own];
-    let unit = variable.value.unit.tidy();
+    let own = model.aux_variables.iter().rfind(|own| own.name == name)?;
     Some(Facts {
-        of: shape(model, &variable.value),
-        value: value.map_or_else(String::new, |value| with_unit(value, &unit.to_string())),
-        formula: formula(model, name),
+        of: shape(model, &own.value),
+        ..Facts::default()
     })
+}
+
+/// Adds value and formula of a named quantity to its unit and frame.
+pub fn complete(model: &Model, name: &str, facts: &mut Facts) {
+    let own = model.aux_variables.iter().rposition(|own| own.name == name);
+    if let Some(own) = own {
+        let unit = model.aux_variables[own].value.unit.tidy().to_string();
+        if let Some(value) = constants(model)[own] {
+            facts.value = with_unit(value, &unit);
+        }
+        facts.formula = formula(model, name);
+    }
 }
 
 /// What a model says about a force or moment.
 pub fn of_load(model: &Model, name: &str, is_moment: bool) -> Option<Facts> {
-    let (loads, prefix): (&[Load], _) = match is_moment {
-        false => (&model.forces, "force"),
-        true => (&model.moments, "moment"),
+    let (loads, prefix): (&[Load], _) = if is_moment {
+        (&model.moments, "moment")
+    } else {
+        (&model.forces, "force")
     };
     let own = loads.iter().find(|own| own.name == name)?;
     Some(Facts {
@@ -152,10 +157,13 @@ fn frame(model: &Model, index: usize) -> &str {
 }
 
 fn shape(model: &Model, e: &Expr) -> String {
-    let unit = e.unit.tidy();
+    let unit = match e.unit.named() {
+        Some(symbol) if symbol.chars().all(char::is_alphabetic) => symbol.to_owned(),
+        _ => e.unit.tidy().to_string(),
+    };
     match e.shape {
-        Shape::Scalar => unit.to_string(),
-        Shape::Vector(of) if unit == Unit::ONE => format!("vector in {}", frame(model, of)),
+        Shape::Scalar => unit,
+        Shape::Vector(of) if unit == "1" => format!("vector in {}", frame(model, of)),
         Shape::Vector(of) => format!("vector {unit} in {}", frame(model, of)),
     }
 }

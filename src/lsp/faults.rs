@@ -72,7 +72,7 @@ impl<'a> Shown<'a> {
         if let Some(help) = &fault.help {
             message += &format!("\nhelp: {help}");
         }
-        let labels = fault.labels.iter();
+        let labels = fault.labels.iter().filter(|label| label.span != fault.span);
         let mut related: Vec<Value> = labels
             .filter_map(|label| self.related(label.span, &label.text))
             .collect();

@@ -68,6 +68,18 @@ pub fn facts_of(model: &Model, declaration: &Declaration) -> Option<Facts> {
     }
 }
 
+fn complete_facts(model: &Model, declaration: &Declaration) -> Option<Facts> {
+    let mut facts = facts_of(model, declaration)?;
+    let is_value = matches!(
+        declaration.kind,
+        SymbolKind::Quantity | SymbolKind::Parameter | SymbolKind::Observation
+    );
+    if is_value {
+        facts::complete(model, &declaration.name, &mut facts);
+    }
+    Some(facts)
+}
+
 fn of_declaration(document: &Document, declaration: &Declaration) -> String {
     let statement = document
         .text
@@ -81,7 +93,7 @@ fn of_declaration(document: &Document, declaration: &Declaration) -> String {
     let mut line = declaration.kind.noun().to_owned();
     let facts = document
         .model()
-        .and_then(|model| facts_of(model, declaration));
+        .and_then(|model| complete_facts(model, declaration));
     let facts = facts.unwrap_or_default();
     match facts.of.as_str() {
         "" => {}
@@ -113,7 +125,8 @@ fn of_unit(text: &str) -> Option<String> {
 
 /// A name that the text does not declare, of the model that an effect is for.
 fn of_other(model: &Model, name: &str) -> Option<String> {
-    let facts = facts::of_value(model, name).or_else(|| facts::of_frame(model, name))?;
+    let mut facts = facts::of_value(model, name).or_else(|| facts::of_frame(model, name))?;
+    facts::complete(model, name, &mut facts);
     let parts = [facts.of, facts.value, facts.formula];
     let parts: Vec<String> = parts.into_iter().filter(|part| !part.is_empty()).collect();
     Some(format!(

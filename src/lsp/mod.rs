@@ -83,17 +83,11 @@ impl Server {
     fn receive(&mut self, message: &Value) -> Vec<Value> {
         let Some(method) = message["method"].as_str() else {
             // An answer to a request of the server, of which there are none.
-            let is_request = !message["id"].is_null()
-                && message["result"].is_null()
-                && message["error"].is_null();
-            return match is_request {
-                true => vec![failure(
-                    &message["id"],
-                    INVALID_REQUEST,
-                    "the message has no method",
-                )],
-                false => Vec::new(),
-            };
+            let is_answer = message.get("result").or(message.get("error")).is_some();
+            let is_request = !message["id"].is_null() && !is_answer;
+            let reason = "the message has no method";
+            let fault = || failure(&message["id"], INVALID_REQUEST, reason);
+            return is_request.then(fault).into_iter().collect();
         };
         let (id, parameters) = (&message["id"], &message["params"]);
         if id.is_null() {
@@ -193,10 +187,11 @@ impl Server {
             .unwrap_or_default();
         let is_of_text = method.starts_with("textDocument/");
         let Some(document) = self.documents.get_mut(uri).filter(|_| is_of_text) else {
-            return match is_of_text {
-                true => Err((REQUEST_FAILED, format!("`{uri}` is not open"))),
-                false => Err((METHOD_NOT_FOUND, format!("there is no method `{method}`"))),
-            };
+            return Err(if is_of_text {
+                (REQUEST_FAILED, format!("`{uri}` is not open"))
+            } else {
+                (METHOD_NOT_FOUND, format!("there is no method `{method}`"))
+            });
         };
         document.analyse();
         let (document, position) = (&*document, &parameters["position"]);

@@ -3,9 +3,10 @@ use std::io::Cursor;
 use std::path::Path;
 
 use model_spec::load::{EFFECTS, MODELS};
+use model_spec::model::Function;
 use serde_json::{Value, json};
 
-use super::{Server, State, serve};
+use super::{Server, State, serve, words};
 
 /// Server with open texts, after `initialize`.
 fn running(texts: &[(&str, &str)]) -> Server {
@@ -44,6 +45,7 @@ fn messages_are_answered_as_in_the_transcripts() {
         }
         if std::env::var_os("UPDATE_TRANSCRIPTS").is_some() {
             fs::write(&path, &written).unwrap();
+            continue;
         }
         let changed = written.lines().zip(text.lines()).find(|(a, b)| a != b);
         assert!(written == text, "{}: {changed:#?}", path.display());
@@ -85,6 +87,13 @@ fn what_is_no_message_is_answered_and_passed_over() {
     }
     let unended = serve(Cursor::new("Content-Length: 99\r\n\r\n{"), &mut Vec::new());
     assert!(!unended.unwrap());
+}
+
+#[test]
+fn every_function_is_described() {
+    for (name, _) in Function::NAMES {
+        assert!(words::find(name, false).is_some(), "{name}");
+    }
 }
 
 /// The edit that carries out a hint mends the error.

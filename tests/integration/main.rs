@@ -7,6 +7,7 @@ mod cli;
 mod dask;
 mod design;
 mod diagnose;
+mod editor;
 mod export;
 mod fit;
 mod gallery;

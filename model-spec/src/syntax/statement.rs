@@ -82,7 +82,9 @@ impl Parser<'_> {
                 fault = fault.help(help);
             }
             fault = fault.did_you_mean(word, self.suggestions(&STATEMENTS));
-        } else if (self.peek_at(1), self.peek_at(2)) == (Token::Name, Token::Sign("=")) {
+        } else if block == Some("body NAME")
+            && (self.peek_at(1), self.peek_at(2)) == (Token::Name, Token::Sign("="))
+        {
             let name = self.raw_at(1);
             fault = fault.help(format!(
                 "a known constant is declared with `param {name} = …;`"

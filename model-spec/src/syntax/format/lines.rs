@@ -64,9 +64,7 @@ impl Builder<'_> {
         if is_block && piece.is("}") {
             self.blocks -= 1;
         }
-        if !self.breaks_before(at) {
-            self.append(at);
-        } else {
+        if self.breaks_before(at) {
             let line = Line {
                 indent: self.indent(at),
                 follows_blank: self.keeps_blank(at),
@@ -74,6 +72,8 @@ impl Builder<'_> {
                 comment: None,
             };
             self.lines.push(line);
+        } else {
+            self.append(at);
         }
         self.track(at);
     }
@@ -81,10 +81,12 @@ impl Builder<'_> {
     fn append(&mut self, at: usize) {
         let piece = &self.pieces[at];
         let kept = self.in_spanning[at] && piece.gap > 1;
-        let spaces = match kept {
-            true => piece.gap,
-            false if piece.is_comment() => piece.gap.max(1),
-            false => space_before(self.pieces, self.structure, at),
+        let spaces = if kept {
+            piece.gap
+        } else if piece.is_comment() {
+            piece.gap.max(1)
+        } else {
+            space_before(self.pieces, self.structure, at)
         };
         let Some(line) = self.lines.last_mut() else {
             return;

@@ -51,9 +51,10 @@ fn settled(text: &str) -> Option<String> {
         let next = laid_out(&current)?;
         if next == current {
             let is_windows = text.contains("\r\n");
-            let formatted = match is_windows {
-                true => current.replace('\n', "\r\n"),
-                false => current,
+            let formatted = if is_windows {
+                current.replace('\n', "\r\n")
+            } else {
+                current
             };
             return is_same(text, &formatted).then_some(formatted);
         }

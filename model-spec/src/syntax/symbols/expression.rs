@@ -9,6 +9,9 @@ use crate::syntax::spelling::plain;
 use crate::syntax::token::Token;
 use crate::unit::symbol;
 
+/// Tokens of a unit or type, beyond which its end is not searched.
+const MAX_UNIT_TOKENS: usize = 40;
+
 /// Words inside statements.
 pub(super) const INNER: [&str; 16] = [
     "in",
@@ -75,11 +78,13 @@ impl Scanner<'_> {
         };
         if quantity && self.text(at) == "/" && self.text(at + 1) == "(" {
             // `1 /(kg*m^2)`, unless a quantity is meant.
-            let stop = (at..end)
-                .find(|&next| self.text(next) == ")")
-                .unwrap_or(end);
+            let near = end.min(at + MAX_UNIT_TOKENS);
+            let stop = (at..near).find(|&next| self.text(next) == ")");
+            let stop = stop.unwrap_or(at + 1);
             let is_unit = |next: usize| symbol::find(self.text(next)).is_some();
-            if { at + 2..stop }.all(|next| self.token(next) != Token::Name || is_unit(next)) {
+            if stop > at + 1 && { at + 2..stop }
+                .all(|next| self.token(next) != Token::Name || is_unit(next))
+            {
                 self.of_type(at + 2..stop);
                 return stop;
             }
@@ -113,6 +118,7 @@ impl Scanner<'_> {
     pub fn end_of_type(&self, at: usize, end: usize) -> usize {
         let is_end =
             |&next: &usize| matches!(self.text(next), "=" | "," | ")" | "{" | "}" | ";" | "or");
+        let end = end.min(at + MAX_UNIT_TOKENS);
         (at..end).find(is_end).unwrap_or(end)
     }
 
@@ -157,12 +163,7 @@ impl Scanner<'_> {
             return at + 1;
         }
         let is_part = next == "." && self.token(at + 2) == Token::Number;
-        let is_known = || {
-            self.scanned
-                .declarations
-                .iter()
-                .any(|own| own.name == plain(text))
-        };
+        let is_known = || self.scanned.names.contains(&plain(text));
         let found = match next {
             "(" => Found::Name(Namespace::Callable),
             _ if is_part => Found::Name(Namespace::FrameOrValue),

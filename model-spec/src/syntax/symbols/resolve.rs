@@ -15,6 +15,7 @@ pub(super) fn resolve(scanned: Scanned<'_>) -> Symbols {
         words,
         mut declarations,
         weak,
+        ..
     } = scanned;
     for own in &mut declarations {
         own.scope.end = own.scope.end.min(text.len());

@@ -1,5 +1,6 @@
 //! Declarations and uses of names, statement by statement.
 
+use std::collections::HashSet;
 use std::ops::Range;
 
 use super::{Declaration, Namespace, SymbolKind};
@@ -23,6 +24,8 @@ pub(super) struct Scanned<'a> {
     pub declarations: Vec<Declaration>,
     /// Whether each declaration gives way to another of the same name: the angle of a frame may be a parameter.
     pub weak: Vec<bool>,
+    /// Names of the declarations.
+    pub names: HashSet<String>,
 }
 
 /// A block around statements.
@@ -53,6 +56,7 @@ pub(super) fn scan(text: &str) -> Scanned<'_> {
             words: Vec::new(),
             declarations: Vec::new(),
             weak: Vec::new(),
+            names: HashSet::new(),
         },
         tokens: lexed.tokens,
         docs: lexed.docs,
@@ -122,6 +126,7 @@ impl<'a> Scanner<'a> {
         let Some(block) = self.blocks.pop() else {
             return;
         };
+        let first = block.declarations.start;
         for own in &mut self.scanned.declarations[block.declarations] {
             own.statement.end = end;
             if own.kind == SymbolKind::Argument {
@@ -130,7 +135,7 @@ impl<'a> Scanner<'a> {
         }
         if self.scope != block.scope {
             // The names of the block end with it.
-            for own in &mut self.scanned.declarations {
+            for own in &mut self.scanned.declarations[first..] {
                 if own.scope.start >= self.scope && own.scope.end == usize::MAX {
                     own.scope.end = end;
                 }
@@ -221,6 +226,7 @@ impl<'a> Scanner<'a> {
             namespace,
         });
         self.scanned.weak.push(weak);
+        self.scanned.names.insert(plain(self.text(at)));
         let index = self.scanned.declarations.len() - 1;
         self.word(at, Found::Declares(index));
     }
