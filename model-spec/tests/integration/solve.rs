@@ -59,7 +59,7 @@ fn faults_are_named() {
     let rest = |block: &str| format!("der(w) = 0; solve {{ {block} }}");
     let cases = [
         (
-            "m*der(v)*der(v) = 1 [J];",
+            "m*der(v)*der(v) = 1 [N^2/kg];",
             "`m*der(v)*der(v)` is not linear in the unknowns of `solve`",
         ),
         (
