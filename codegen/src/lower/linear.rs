@@ -2,15 +2,20 @@
 //!
 //! Pivots are chosen in this order: the only entry of a row or column; entries that parameters alone determine and that
 //! cannot vanish but by a parameter, such as masses, with the fewest new entries; of the rest, up to three unknowns by
-//! Cramer's rule, which divides by the determinant alone, and more by partial pivoting with selections.
+//! Cramer's rule, which divides by the determinant alone. Of more, the pivots are those that are large, for their row, at
+//! [typical points](super::typical); what they lose to cancellation elsewhere is the determinacy.
 
 use super::solve::determinant;
+use super::typical::Typical;
 use crate::functions::{BinaryFunction, MathFunction};
 use crate::graph::{ExprGraph, Node, NodeId, Symbol};
 use crate::number::Number;
 
 /// Largest remainder that is solved by Cramer's rule.
 const CRAMER: usize = 3;
+
+/// Least size of a pivot relative to the best one at typical points, where it makes fewer new entries.
+const THRESHOLD: f64 = 0.1;
 
 /// Solution of a linear system.
 pub(crate) struct Solution {
@@ -25,15 +30,22 @@ pub(crate) fn solve(
     graph: &mut ExprGraph,
     matrix: Vec<Vec<NodeId>>,
     right: Vec<NodeId>,
+    points: &[Typical],
 ) -> Solution {
     let sizes = { matrix.iter() }
         .map(|row| row.iter().map(|&a| size(graph, a)).collect())
         .collect();
+    let entries: Vec<NodeId> = matrix.concat();
     let (one, count) = (graph.whole(1), right.len());
+    let numbers = { points.iter() }
+        .map(|point| point.values(graph, &entries))
+        .map(|values| values.chunks(count.max(1)).map(<[f64]>::to_vec).collect())
+        .collect();
     let mut elimination = Elimination {
         graph,
         matrix,
         sizes,
+        numbers,
         right,
         rows: (0..count).collect(),
         columns: (0..count).collect(),
@@ -47,7 +59,9 @@ pub(crate) fn solve(
     if elimination.columns.len() <= CRAMER {
         elimination.cramer(&mut found);
     } else {
-        elimination.pivoted();
+        while let Some((row, column)) = elimination.large_pivot() {
+            elimination.eliminate(row, column);
+        }
     }
     elimination.substitute(found)
 }
@@ -57,6 +71,8 @@ struct Elimination<'g> {
     matrix: Vec<Vec<NodeId>>,
     /// Sums of the sizes of the terms of each entry.
     sizes: Vec<Vec<NodeId>>,
+    /// Values of the entries at each typical point.
+    numbers: Vec<Vec<Vec<f64>>>,
     right: Vec<NodeId>,
     /// Rows and columns that are not eliminated yet.
     rows: Vec<usize>,
@@ -96,15 +112,38 @@ impl Elimination<'_> {
         best.map(|(_, place)| place)
     }
 
+    /// A pivot that is large at typical points, with few new entries.
+    fn large_pivot(&self) -> Option<(usize, usize)> {
+        let mut found: Vec<(f64, usize, (usize, usize))> = Vec::new();
+        for &row in &self.rows {
+            for &column in self.columns.iter().filter(|&&c| self.is_entry(row, c)) {
+                let mut shares: Vec<f64> = { self.numbers.iter() }
+                    .map(|numbers| {
+                        let entries = self.columns.iter().map(|&c| numbers[row][c].abs());
+                        numbers[row][column].abs() / entries.fold(0.0, f64::max)
+                    })
+                    .collect();
+                shares.sort_by(f64::total_cmp);
+                // One point may be a singular one.
+                let share = shares.get(1).copied().filter(|share| !share.is_nan());
+                let others = (self.entries_of_row(row) - 1) * (self.entries_of_column(column) - 1);
+                found.push((share.unwrap_or(0.0), others, (row, column)));
+            }
+        }
+        let best = found.iter().map(|own| own.0).fold(0.0, f64::max);
+        let large = found.iter().filter(|own| own.0 >= THRESHOLD * best);
+        large.min_by_key(|own| own.1).map(|own| own.2)
+    }
+
     /// Takes the entry as pivot, and subtracts its row from the others.
     fn eliminate(&mut self, row: usize, column: usize) {
         self.rows.retain(|&r| r != row);
         self.columns.retain(|&c| c != column);
-        let pivot = self.matrix[row][column];
+        let (pivot, terms) = (self.matrix[row][column], self.sizes[row][column]);
         if is_constant(self.graph, pivot) {
             self.graph.assume_nonzero(pivot);
         } else {
-            self.judge(pivot, self.sizes[row][column]);
+            self.judge(pivot, terms);
         }
         for other in self.rows.clone() {
             if !self.is_entry(other, column) {
@@ -124,6 +163,12 @@ impl Elimination<'_> {
             }
             let less = self.graph.mul(factor, self.right[row]);
             self.right[other] = self.graph.sub(self.right[other], less);
+            for numbers in &mut self.numbers {
+                let factor = numbers[other][column] / numbers[row][column];
+                for &c in &self.columns {
+                    numbers[other][c] -= factor * numbers[row][c];
+                }
+            }
         }
         self.steps.push((row, column));
     }
@@ -160,55 +205,6 @@ impl Elimination<'_> {
             let above = determinant(self.graph, &replaced);
             found[column] = Some(self.graph.div(above, whole));
         }
-    }
-
-    /// Eliminates the rest with partial pivoting; rows are compared relative to the sizes of their entries.
-    fn pivoted(&mut self) {
-        let mut scales: Vec<NodeId> = { self.rows.iter() }
-            .map(|&r| {
-                let terms = self
-                    .columns
-                    .iter()
-                    .map(|&c| (Number::ONE, self.sizes[r][c]));
-                self.graph.sum(terms.collect(), Number::ZERO)
-            })
-            .collect();
-        while let (Some(&row), Some(&column)) = (self.rows.first(), self.columns.first()) {
-            let rows = self.rows.clone();
-            for (k, &other) in rows.iter().enumerate().skip(1) {
-                if self.is_entry(other, column) {
-                    let [own, next] =
-                        [row, other].map(|r| size(self.graph, self.matrix[r][column]));
-                    let own = self.graph.mul(own, scales[k]);
-                    let next = self.graph.mul(next, scales[0]);
-                    let difference = self.graph.sub(next, own);
-                    let is_greater = self.graph.call(MathFunction::Heaviside, difference);
-                    (scales[0], scales[k]) = self.exchanged(is_greater, scales[0], scales[k]);
-                    self.exchange(is_greater, row, other);
-                }
-            }
-            scales.remove(0);
-            self.eliminate(row, column);
-        }
-    }
-
-    /// The two values, exchanged where the condition is not 0.
-    fn exchanged(&mut self, condition: NodeId, a: NodeId, b: NodeId) -> (NodeId, NodeId) {
-        (
-            self.graph.if_zero(condition, a, b),
-            self.graph.if_zero(condition, b, a),
-        )
-    }
-
-    fn exchange(&mut self, condition: NodeId, row: usize, other: usize) {
-        for c in self.columns.clone() {
-            let (a, b) = (self.matrix[row][c], self.matrix[other][c]);
-            (self.matrix[row][c], self.matrix[other][c]) = self.exchanged(condition, a, b);
-            let (a, b) = (self.sizes[row][c], self.sizes[other][c]);
-            (self.sizes[row][c], self.sizes[other][c]) = self.exchanged(condition, a, b);
-        }
-        let (a, b) = (self.right[row], self.right[other]);
-        (self.right[row], self.right[other]) = self.exchanged(condition, a, b);
     }
 
     /// Values of all unknowns, the last pivot's first.

@@ -7,6 +7,7 @@ mod linear;
 mod motion;
 mod solve;
 mod systems;
+mod typical;
 
 use crate::graph::{ExprGraph, NodeId, Symbol};
 use crate::layout::Layout;

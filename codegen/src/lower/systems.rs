@@ -1,6 +1,6 @@
 //! Lowering of blocks `solve { … }`: coefficients of the unknowns, and the unknowns as nodes.
 
-use super::{Lowering, Value, linear};
+use super::{Lowering, Value, linear, typical};
 use crate::differentiate::partials;
 use crate::graph::{Node, NodeId, Symbol, ValueFacts};
 
@@ -16,6 +16,7 @@ impl Lowering<'_> {
             self.unknowns.push(placeholders);
             self.determinacies.push(zero);
         }
+        let points = typical::Typical::points(&self.layout);
         self.is_provisional = true;
         for (index, system) in model.systems.iter().enumerate() {
             let symbols = self.unknowns[index].clone();
@@ -33,7 +34,7 @@ impl Lowering<'_> {
             });
             let matrix = rows.collect();
             let right = without.iter().map(|&node| self.graph.neg(node)).collect();
-            let solution = linear::solve(&mut self.graph, matrix, right);
+            let solution = linear::solve(&mut self.graph, matrix, right, &points);
             debug_assert_eq!(solution.unknowns.len(), system.unknowns.len());
             self.unknowns[index] = solution.unknowns;
             self.determinacies[index] = solution.determinacy;

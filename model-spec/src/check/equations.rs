@@ -53,6 +53,9 @@ impl<'a> Checker<'a> {
             });
         }
         for item in &file.items {
+            used.extend(self.implied_rates(&item.kind).iter());
+        }
+        for item in &file.items {
             if let ItemKind::Equation(equation) = &item.kind
                 && let Some(Symbol::State(state)) = self.scope.find(&equation.state.text)
                 && state >= self.of_body

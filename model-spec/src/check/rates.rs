@@ -1,6 +1,6 @@
 //! Derivatives of expressions: `der(EXPR)` along the motion, and `partial(EXPR, STATE)`.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::HashMap;
 
 use super::scope::Symbol;
 use super::term::Fraction;
@@ -13,11 +13,40 @@ use crate::unit::Unit;
 /// Maximum number of derivatives within one another.
 const MAX_ORDER: u8 = 3;
 
+/// Maximum number of states of a model with derivatives of expressions, which bounds the sets of states.
+const MAX_STATES: usize = 512;
+
+/// Maximum number of passes over the statements, from the first to the last and back.
+const MAX_PASSES: usize = 64;
+
+/// A set of indices of states.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct States([u64; MAX_STATES / 64]);
+
+impl States {
+    fn insert(&mut self, state: usize) {
+        if let Some(word) = self.0.get_mut(state / 64) {
+            *word |= 1 << (state % 64);
+        }
+    }
+
+    fn merge(&mut self, other: &States) {
+        for (own, more) in self.0.iter_mut().zip(other.0) {
+            *own |= more;
+        }
+    }
+
+    /// The states, in order.
+    pub fn iter(self) -> impl Iterator<Item = usize> {
+        (0..MAX_STATES).filter(move |state| self.0[state / 64] >> (state % 64) & 1 == 1)
+    }
+}
+
 /// States on which quantities and derivatives depend, by their statements.
 #[derive(Clone, Debug, Default)]
 pub(super) struct StateSets {
-    lets: HashMap<String, BTreeSet<usize>>,
-    rates: HashMap<usize, BTreeSet<usize>>,
+    lets: HashMap<String, States>,
+    rates: HashMap<usize, States>,
 }
 
 /// Whether an expression has `der(…)`.
@@ -33,27 +62,39 @@ impl Checker<'_> {
     pub fn find_state_sets(&mut self) {
         let file = self.file;
         let roots = |kind| crate::syntax::expand::roots(kind).into_iter();
-        let is_block = |item: &ast::Item| matches!(item.kind, ItemKind::Solve(_));
+        let is_block =
+            |item: &ast::Item| matches!(item.kind, ItemKind::Solve(_) | ItemKind::Balance(_));
         let mut items = file.items.iter();
         if !items.any(|item| is_block(item) || roots(&item.kind).any(has_rates)) {
             return;
         }
+        if self.model.states.len() > MAX_STATES {
+            let message = format!(
+                "a model with blocks `solve` or derivatives of expressions has at most {MAX_STATES} states"
+            );
+            self.report(Diagnostic::new(Kind::Limit, self.heading(), message));
+            return;
+        }
         let mut sets = StateSets::default();
-        loop {
+        let (forwards, backwards): (Vec<_>, Vec<_>) = (
+            file.items.iter().collect(),
+            file.items.iter().rev().collect(),
+        );
+        for pass in 0..MAX_PASSES {
             let mut has_changed = false;
-            for item in &file.items {
+            for item in if pass % 2 == 0 { &forwards } else { &backwards } {
                 match &item.kind {
                     ItemKind::Let(own) => {
                         let found = self.states_in(&own.value, &sets);
                         let set = sets.lets.entry(own.name.text.clone()).or_default();
-                        has_changed |= found.len() > set.len();
+                        has_changed |= found != *set;
                         *set = found;
                     }
                     ItemKind::Equation(own) => {
                         let found = self.states_in(&own.value, &sets);
                         if let Some(Symbol::State(state)) = self.scope.find(&own.state.text) {
                             let set = sets.rates.entry(state).or_default();
-                            has_changed |= found.len() > set.len();
+                            has_changed |= found != *set;
                             *set = found;
                         }
                     }
@@ -61,20 +102,23 @@ impl Checker<'_> {
                 }
             }
             if !has_changed {
-                break;
+                self.state_sets = sets;
+                return;
             }
         }
-        self.state_sets = sets;
+        let message = "the quantities that are differentiated use one another in too long chains";
+        let fault = Diagnostic::new(Kind::Limit, self.heading(), message);
+        self.report(fault.help("define quantities before they are used"));
     }
 
     /// States on which an expression depends; `sets` has those of the quantities.
-    fn states_in(&self, e: &ast::Expr, sets: &StateSets) -> BTreeSet<usize> {
-        let mut found = BTreeSet::new();
+    fn states_in(&self, e: &ast::Expr, sets: &StateSets) -> States {
+        let mut found = States::default();
         match &e.kind {
             ast::ExprKind::Name(name) => self.states_of_name(name, sets, &mut found),
             ast::ExprKind::Derivative(name) => match self.scope.find(&name.text) {
                 Some(Symbol::State(state)) => {
-                    found.extend(sets.rates.get(&state).into_iter().flatten());
+                    found.merge(&sets.rates.get(&state).copied().unwrap_or_default());
                 }
                 _ => {
                     self.states_of_name(&name.text, sets, &mut found);
@@ -89,26 +133,28 @@ impl Checker<'_> {
             }
             _ => {}
         }
-        e.children(&mut |child| found.extend(self.states_in(child, sets)));
+        e.children(&mut |child| found.merge(&self.states_in(child, sets)));
         if matches!(&e.kind, ast::ExprKind::Call(name, _) if name.text == "der") {
             with_rates(&mut found, sets);
         }
         found
     }
 
-    fn states_of_name(&self, name: &str, sets: &StateSets, found: &mut BTreeSet<usize>) {
+    fn states_of_name(&self, name: &str, sets: &StateSets, found: &mut States) {
         match self.scope.find(name) {
             Some(Symbol::State(state)) => {
                 found.insert(state);
             }
-            Some(_) => found.extend(sets.lets.get(name).into_iter().flatten()),
+            Some(_) => found.merge(&sets.lets.get(name).copied().unwrap_or_default()),
             None => self.states_of_frame(name, found),
         }
     }
 
-    fn states_of_frame(&self, name: &str, found: &mut BTreeSet<usize>) {
+    fn states_of_frame(&self, name: &str, found: &mut States) {
         if let Some(frame) = self.scope.frame(name) {
-            found.extend(self.states_of_attitude(frame));
+            for state in self.states_of_attitude(frame) {
+                found.insert(state);
+            }
         }
     }
 
@@ -137,32 +183,42 @@ impl Checker<'_> {
                     return visit(&name.text, true, e.span);
                 }
                 visit(&name.text, false, e.span);
-                let mut found = BTreeSet::new();
+                let mut found = States::default();
                 self.states_of_name(&name.text, &self.state_sets, &mut found);
                 found
             }
             ast::ExprKind::Call(name, arguments) if name.text == "der" => {
-                let sets = { arguments.iter() }.map(|own| self.states_in(own, &self.state_sets));
-                sets.flatten().collect()
+                let mut found = States::default();
+                for own in arguments {
+                    found.merge(&self.states_in(own, &self.state_sets));
+                }
+                found
             }
-            _ => BTreeSet::new(),
+            _ => States::default(),
         };
-        for state in states {
+        for state in states.iter() {
             visit(&self.model.states[state].name, true, e.span);
         }
         e.children(&mut |child| self.all_uses(child, visit));
     }
 
-    /// Names of the states whose derivatives a constraint of a block needs: those on which it depends, and those on
-    /// which their derivatives do.
-    pub fn states_of_constraint(&self, equation: &ast::ImplicitEquation) -> Vec<&str> {
-        let sides = [&equation.left, &equation.right].into_iter();
-        let mut found: BTreeSet<usize> = sides
-            .flat_map(|side| self.states_in(side, &self.state_sets))
-            .collect();
-        with_rates(&mut found, &self.state_sets);
-        let names = found.into_iter();
-        names.map(|state| &*self.model.states[state].name).collect()
+    /// States whose derivatives a statement needs without naming them: of a constraint those on which it depends, and
+    /// those on which their derivatives do.
+    pub fn implied_rates(&self, kind: &ItemKind) -> States {
+        let sets = &self.state_sets;
+        match kind {
+            ItemKind::Balance(own) => self.states_in(&own.quantity, sets),
+            ItemKind::Solve(block) => {
+                let constraints = { block.equations.iter() }.filter(|own| own.within.is_some());
+                let mut found = States::default();
+                for side in constraints.flat_map(|own| [&own.left, &own.right]) {
+                    found.merge(&self.states_in(side, sets));
+                }
+                with_rates(&mut found, sets);
+                found
+            }
+            _ => States::default(),
+        }
     }
 
     /// Elaborates `der(EXPR)`: the derivative of a number or vector by the time of the flight, along the motion.
@@ -174,7 +230,7 @@ impl Checker<'_> {
     pub fn rate_of(&mut self, of: Typed, span: Span) -> Option<Typed> {
         let found = self.differentiable(&of.expr, span)?;
         let mut rates = Vec::new();
-        let states: Vec<usize> = found.into_iter().collect();
+        let states: Vec<usize> = found.iter().collect();
         for &state in &states {
             if state < self.of_body {
                 let message = format!(
@@ -214,7 +270,7 @@ impl Checker<'_> {
     }
 
     /// States on which an expression depends; `None`, with an error reported, if it cannot be differentiated.
-    fn differentiable(&mut self, e: &Expr, span: Span) -> Option<BTreeSet<usize>> {
+    fn differentiable(&mut self, e: &Expr, span: Span) -> Option<States> {
         for index in self.dependences.len()..self.model.aux_variables.len() {
             let own = Dependence::of(self, &self.model.aux_variables[index].value);
             self.dependences.push(own);
@@ -241,19 +297,16 @@ impl Checker<'_> {
     }
 }
 
-fn with_rates(found: &mut BTreeSet<usize>, sets: &StateSets) {
-    let rates: Vec<usize> = { found.iter() }
-        .filter_map(|state| sets.rates.get(state))
-        .flatten()
-        .copied()
-        .collect();
-    found.extend(rates);
+fn with_rates(found: &mut States, sets: &StateSets) {
+    for state in found.iter() {
+        found.merge(&sets.rates.get(&state).copied().unwrap_or_default());
+    }
 }
 
 /// What an expression depends on.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Dependence {
-    states: BTreeSet<usize>,
+    states: States,
     /// What has no derivative, as in messages.
     obstacle: Option<String>,
     /// Number of derivatives within one another.
@@ -271,7 +324,9 @@ impl Dependence {
     fn visit(&mut self, checker: &Checker<'_>, e: &Expr) -> u8 {
         let model = &checker.model;
         if let Shape::Vector(frame) = e.shape {
-            self.states.extend(checker.states_of_attitude(frame));
+            for state in checker.states_of_attitude(frame) {
+                self.states.insert(state);
+            }
         }
         match &e.kind {
             ExprKind::State(state) => {
@@ -295,7 +350,7 @@ impl Dependence {
                 let Some(own) = checker.dependences.get(*i) else {
                     return 0;
                 };
-                self.states.extend(&own.states);
+                self.states.merge(&own.states);
                 self.obstacle = self.obstacle.take().or_else(|| own.obstacle.clone());
                 return own.order;
             }

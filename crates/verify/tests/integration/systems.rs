@@ -1,5 +1,6 @@
 //! Blocks `solve { … }`: random systems against nalgebra, derivatives against dual numbers.
 
+use crate::support::QUICK;
 use codegen::tape_model::{At, Scratch};
 use codegen::{TapeModel, compile};
 use model_spec::load::from_text;
@@ -7,7 +8,11 @@ use model_spec::model::Model;
 use nalgebra::{DMatrix, DVector};
 use oracle::scalar::{Dual, Real};
 use oracle::{Point, derivatives};
+use verify::checks::{balances, derivatives as by_derivatives, reference};
+use verify::engine::Engine;
 use verify::random::Random;
+use verify::report::Verdict;
+use verify::subject::Subject;
 
 /// Random entries: linear in a state, a sine of one, a parameter, a number, or nothing.
 struct Entries<'r> {
@@ -83,7 +88,11 @@ fn random_systems_are_solved_as_by_nalgebra_with_exact_derivatives() {
     let mut random = Random::new(46, "systems");
     let mut solved = 0;
     for round in 0..300 {
-        let count = 1 + round % 12;
+        let count = if round % 25 == 0 {
+            5 + round / 25 % 8
+        } else {
+            1 + round % 4
+        };
         let (text, matrix, right) = random_system(&mut random, count);
         let values = matrix.singular_values();
         let condition = values.max() / values.min();
@@ -145,4 +154,54 @@ fn a_state_that_determines_nothing_is_outside_the_limits() {
     };
     assert_eq!(determinacy(&at("1e-9")), 1.0);
     assert_eq!(determinacy(&at("0")), 0.0);
+}
+
+fn gallery(name: &str) -> String {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/gallery/");
+    std::fs::read_to_string(format!("{folder}{name}.hyz")).unwrap()
+}
+
+/// Verdicts of the claimed balances, the vector tree and the derivatives.
+fn verdicts(text: &str) -> Vec<Verdict> {
+    let model = load(text);
+    let compiled = compile(&model);
+    let engine = Engine::new(&compiled);
+    let subject = Subject::new(&model, &engine);
+    let mut rows: Vec<_> = balances::check(&subject, &QUICK).into_iter().collect();
+    rows.push(reference::tree(&subject, &QUICK));
+    rows.extend(by_derivatives::check(&subject, &compiled, &QUICK));
+    rows.iter().map(|row| row.verdict).collect()
+}
+
+#[test]
+fn right_models_of_the_gallery_hold_and_wrong_ones_are_refuted_by_their_balances() {
+    let wrong = [
+        (
+            "double_pendulum",
+            "= partial(L, theta_1)",
+            "= 1.1*partial(L, theta_1)",
+        ),
+        (
+            "spinning_top",
+            "der(partial(L, psidot)) = 0",
+            "der(partial(L, psidot)) = psidot*1e-6 [N*m*s]",
+        ),
+        ("tethered_kite", "- T*r/L", "- T*in_N(v)*(1 s)/L"),
+        ("parachute", "+ T/L*line;", "+ 1.1*T/L*line;"),
+        ("euler_disc", "contact × in_B(R)", "-contact × in_B(R)"),
+    ];
+    for (name, from, to) in wrong {
+        let text = gallery(name);
+        let found = verdicts(&text);
+        assert!(
+            found.iter().all(|own| *own == Verdict::Holds),
+            "{name}: {found:?}"
+        );
+        assert!(text.contains(from), "{name}");
+        assert_eq!(
+            verdicts(&text.replace(from, to))[0],
+            Verdict::Refuted,
+            "{name}"
+        );
+    }
 }
