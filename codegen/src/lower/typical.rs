@@ -65,6 +65,10 @@ impl Typical {
             Node::Call2(BinaryFunction::Atan2, y, x) => of(y).atan2(of(x)),
             Node::Call2(BinaryFunction::Min, a, b) => of(a).min(of(b)),
             Node::Call2(BinaryFunction::Max, a, b) => of(a).max(of(b)),
+            Node::Call2(BinaryFunction::Table(function), a, b) => {
+                let table = graph.tables().table(function.table());
+                table.bicubic().eval(of(a), of(b), function.orders())
+            }
             Node::IfZero(condition, a, _) if of(condition) == 0.0 => of(a),
             Node::IfZero(_, _, b) => of(b),
         }
