@@ -80,6 +80,7 @@ pub struct Dataset {
     /// Interpolation of the inputs over time.
     pub input_interpolation: InputInterpolation,
     /// What the reports say of the recordings, such as that a device did not measure what it tells.
+    #[doc(hidden)]
     pub notes: Vec<String>,
     /// The measured flights, in the order of their entries in `dataset.toml`.
     pub flights: Vec<Flight>,
@@ -163,6 +164,17 @@ impl Dataset {
     #[doc(hidden)]
     pub fn is_summary(&self, flight: &Flight) -> bool {
         summary::is_of(flight, &self.sensors)
+    }
+
+    /// Values that the summaries tell in a column, in its unit.
+    #[doc(hidden)]
+    pub fn told(&self, column: &Sensor) -> impl Iterator<Item = f64> {
+        let place = sensor::channels(&self.sensors).position(|(own, _)| own == column);
+        let rows = self
+            .flights
+            .iter()
+            .filter_map(|flight| flight.readings.first());
+        rows.filter_map(move |row| row.get(place?).copied().flatten().map(|own| own[0]))
     }
 }
 

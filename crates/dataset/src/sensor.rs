@@ -17,6 +17,7 @@ pub enum SensorKind {
     /// A quantity that the model predicts, other than the pose, such as an angular velocity.
     Instrument(Instrument),
     /// A column of a table of summaries, with one value for each flight.
+    #[doc(hidden)]
     Summary(SummaryColumn),
 }
 

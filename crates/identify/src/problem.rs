@@ -15,7 +15,7 @@ use crate::error::{FitError, FlightError, NameSource};
 use crate::levels::{FAR_ABOVE, ROUGHLY_NOISE};
 use crate::noise::{Moments, NoiseModel, group_count};
 use crate::options::FitOptions;
-use crate::summary::{self, SummaryModel, SummaryValue};
+use crate::summary::{self, SummaryModel};
 use dataset::pose;
 use dataset::{AXES, Dataset, Flight, KnownValue, SensorKind, points_on_body};
 pub use global_parameters::GlobalParameter;
@@ -152,7 +152,7 @@ impl FitProblem {
         let is_summary = channels
             .iter()
             .all(|own| summary::event(own.kind).is_some());
-        let summary = summary_model(model, &mut channels)?;
+        let summary = summary::of_channels(model, dataset, &mut channels)?;
         if has_attitude && !pose::fix_attitude(&markers) {
             let poses = dataset.sensors.iter();
             let poses = poses.filter(|sensor| sensor.kind == SensorKind::Pose);
@@ -389,29 +389,6 @@ impl FitProblem {
                 .collect(),
         }
     }
-}
-
-/// The functions of the model for the channels of summaries, if there are any, and adds those for what releases have by
-/// assumption.
-fn summary_model(
-    model: &Model,
-    channels: &mut Vec<Channel>,
-) -> Result<Option<Arc<SummaryModel>>, FitError> {
-    let told = channels.iter().filter_map(|own| match own.kind {
-        ChannelKind::Summary(SummaryValue::Told(quantity)) => Some(quantity),
-        _ => None,
-    });
-    let told: Vec<_> = told.collect();
-    if told.is_empty() {
-        return Ok(None);
-    }
-    let summary = SummaryModel::new(model, &told).map_err(|reason| FitError::Sensor {
-        model: model.name.clone(),
-        reason,
-    })?;
-    let groups: Vec<usize> = channels.iter().map(|own| own.group).collect();
-    channels.extend(summary.assumed(group_count(&groups)));
-    Ok(Some(Arc::new(summary)))
 }
 
 /// The model with the quantity that each kind of instrument measures, by default definition if it lacks it.

@@ -20,6 +20,7 @@ pub struct PredictiveGain {
     /// Standard deviation of the noise of one coordinate, m: the smallest possible prediction error.
     pub noise_m: f64,
     /// Whether errors of summaries are among them: those are in units of the noise of their columns, times `noise_m`.
+    #[doc(hidden)]
     #[serde(default)]
     pub has_summaries: bool,
     /// Number of flights predicted both without and with the added effects; flights in `set_apart` are not counted.

@@ -55,6 +55,7 @@ pub struct FitReport {
     /// Residuals and noise of sensor channels other than markers.
     pub sensors: Vec<SensorReport>,
     /// What the dataset says of its recordings, and what is taken as exact, one sentence each.
+    #[doc(hidden)]
     #[serde(default)]
     pub notes: Vec<String>,
     /// Lack-of-fit test of the residuals; `None` if it was not made, or the residuals are too few for it.
@@ -201,6 +202,7 @@ pub struct FlightReport {
     /// Remarks on the flight, such as the reason for its exclusion or a repeated fit.
     pub notes: Vec<String>,
     /// For a summary, what was seen of the flight beside what the model predicts; of a held-out one, after the release.
+    #[doc(hidden)]
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub seen: Vec<SeenValue>,
 }

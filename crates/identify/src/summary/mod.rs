@@ -5,6 +5,8 @@ mod dual;
 mod pass;
 mod quantity;
 
+use std::sync::Arc;
+
 use flight::throw::{MotionVector, Throw, ThrownModel};
 use flight::{BoundModel, CompiledModel, FlightParameters, ModelObserver};
 use model_spec::model::{ExprKind, Model};
@@ -13,11 +15,14 @@ pub(crate) use self::assumed::exact_deviation;
 pub(crate) use self::pass::{each_point, residuals};
 pub use self::quantity::SummaryValue;
 use self::quantity::Vectors;
-use crate::channel::ChannelKind;
-use crate::error::FlightError;
+
+use crate::channel::{Channel, ChannelKind};
+use crate::error::{FitError, FlightError};
+use crate::noise::group_count;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
-use dataset::{SummaryEvent, SummaryQuantity};
+use dataset::statistics::median_of;
+use dataset::{Dataset, SummaryEvent, SummaryQuantity};
 
 /// The vectors of a motion, in the order of [`Vectors`].
 const VECTORS: [MotionVector; 6] = [
@@ -42,6 +47,41 @@ pub struct SummaryModel {
     pub(crate) constant: Vec<usize>,
     /// States that are the spin of a point mass, if it is estimated.
     spin: Option<[usize; 3]>,
+}
+
+/// The functions of the model for the channels of summaries, if there are any, and adds those for what releases have by
+/// assumption.
+pub(crate) fn of_channels(
+    model: &Model,
+    dataset: &Dataset,
+    channels: &mut Vec<Channel>,
+) -> Result<Option<Arc<SummaryModel>>, FitError> {
+    let told = channels.iter().filter_map(|own| match own.kind {
+        ChannelKind::Summary(SummaryValue::Told(quantity)) => Some(quantity),
+        _ => None,
+    });
+    let told: Vec<_> = told.collect();
+    if told.is_empty() {
+        return Ok(None);
+    }
+    let summary = SummaryModel::new(model, &told).map_err(|reason| FitError::Sensor {
+        model: model.name.clone(),
+        reason,
+    })?;
+    let groups: Vec<usize> = channels.iter().map(|own| own.group).collect();
+    let usual = |quantity: SummaryQuantity| {
+        let is_own =
+            |own: &&Channel| own.kind == ChannelKind::Summary(SummaryValue::Told(quantity));
+        let own = channels.iter().find(is_own)?;
+        let sensor = dataset
+            .sensors
+            .iter()
+            .find(|sensor| sensor.name == own.name)?;
+        median_of(dataset.told(sensor)).map(|value| value * own.to_si)
+    };
+    let assumed = summary.assumed(group_count(&groups), usual);
+    channels.extend(assumed);
+    Ok(Some(Arc::new(summary)))
 }
 
 impl SummaryModel {
