@@ -64,9 +64,7 @@ impl Builder<'_> {
         if is_block && piece.is("}") {
             self.blocks -= 1;
         }
-        if !self.breaks_before(at) {
-            self.append(at);
-        } else {
+        if self.breaks_before(at) {
             let line = Line {
                 indent: self.indent(at),
                 follows_blank: self.keeps_blank(at),
@@ -74,6 +72,8 @@ impl Builder<'_> {
                 comment: None,
             };
             self.lines.push(line);
+        } else {
+            self.append(at);
         }
         self.track(at);
     }
