@@ -104,7 +104,10 @@ fn check(case: Case) {
 
     let model = Model::load(path).unwrap_or_else(|error| panic!("{error}"));
     let release = release(loaded.model.as_ref().expect("a model"), case);
-    let observation = loaded.model.as_ref().and_then(|own| own.observation.as_ref());
+    let observation = loaded
+        .model
+        .as_ref()
+        .and_then(|own| own.observation.as_ref());
     if observation.is_none() {
         let flown = model.fly(&release);
         flown.unwrap_or_else(|e| panic!("{name}: {e}"));
