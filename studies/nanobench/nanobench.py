@@ -273,6 +273,10 @@ motors and the voltage of the battery, at 100 Hz. [The model](../../studies/nano
 input over time, and thrust along the measured axis by commands, voltage and time since the start. It was fitted to the positions of {arcs} arcs of 0.6 s from
 {flights} flights; four other flights are held out. `studies/nanobench/nanobench.py` writes this page.
 
+The form of the model (the exponents, the lean of the thrust, the fade while the motors warm up) was chosen by regressions that were scored on these four flights too, and one
+of them, with a gap in its samples, was replaced by another. The figures below are therefore not those of flights that nobody had looked at; the coefficients come from
+the other flights alone.
+
 ## Held-out flights
 
 R² of the acceleration, over the four flights together, with attitude as measured: the tracks are differentiated by parabolas through 0.2 s, and predictions
