@@ -8,6 +8,22 @@ use serde_json::{Value, json};
 #[derive(Default)]
 pub struct Lines {
     starts: Vec<usize>,
+    /// UTF-16 units before the last character that begins at or before each multiple of [`STEP`], and its offset.
+    marks: Vec<(usize, usize)>,
+}
+
+/// Distance of the marks, bytes: a line may be as long as a text.
+const STEP: usize = 256;
+
+fn marks(text: &str) -> Vec<(usize, usize)> {
+    let (mut marks, mut at, mut units) = (vec![(0, 0)], 0, 0);
+    while marks.len() * STEP <= text.len() {
+        let next = text.floor_char_boundary(marks.len() * STEP);
+        units += text[at..next].encode_utf16().count();
+        at = next;
+        marks.push((units, at));
+    }
+    marks
 }
 
 impl Lines {
@@ -19,6 +35,7 @@ impl Lines {
         let ends = (0..bytes.len()).filter(|&i| is_end(i));
         Lines {
             starts: std::iter::once(0).chain(ends.map(|end| end + 1)).collect(),
+            marks: marks(text),
         }
     }
 
@@ -52,8 +69,14 @@ impl Lines {
     pub fn place(&self, text: &str, offset: usize) -> (usize, usize) {
         let offset = text.floor_char_boundary(offset);
         let line = self.starts.partition_point(|&start| start <= offset) - 1;
-        let before = &text[self.starts[line]..offset];
-        (line, before.encode_utf16().count())
+        let start = self.starts[line];
+        (line, self.units(text, offset) - self.units(text, start))
+    }
+
+    /// UTF-16 units before an offset, which is at a character boundary.
+    fn units(&self, text: &str, offset: usize) -> usize {
+        let (units, at) = self.marks[offset / STEP];
+        units + text[at..offset].encode_utf16().count()
     }
 
     /// A range of the protocol.
