@@ -15,8 +15,13 @@ const fn word(word: &'static str, form: &'static str, doc: &'static str) -> Lang
 }
 
 /// Words that begin a statement.
-pub const STATEMENTS: [LanguageWord; 40] = [
+pub const STATEMENTS: [LanguageWord; 44] = [
     word("model", "model NAME;", "name of the model"),
+    word(
+        "include",
+        "include \"FILE.hyz\";",
+        "statements of another file, beside this one or below",
+    ),
     word(
         "reference",
         "reference NAME;",
@@ -70,7 +75,7 @@ pub const STATEMENTS: [LanguageWord; 40] = [
     word(
         "table",
         "table NAME(ARGUMENT: UNIT): UNIT = { argument: value, … };",
-        "function of one number by its values at knots",
+        "function of one number, or of two, by its values at knots",
     ),
     word(
         "let",
@@ -87,6 +92,21 @@ pub const STATEMENTS: [LanguageWord; 40] = [
         "der",
         "der(STATE) = EXPRESSION;",
         "derivative of a state by the time",
+    ),
+    word(
+        "solve",
+        "solve NAME { unknown …; LEFT = RIGHT; }",
+        "equations that determine derivatives and unknowns together",
+    ),
+    word(
+        "unknown",
+        "unknown NAME: UNIT;",
+        "what the equations of a block `solve` determine",
+    ),
+    word(
+        "constraint",
+        "constraint LEFT = RIGHT within DIFFERENCE;",
+        "equation of the states, which a block `solve` keeps",
     ),
     word(
         "marker",
@@ -191,7 +211,7 @@ pub const STATEMENTS: [LanguageWord; 40] = [
 ];
 
 /// Functions and quantities of the language.
-pub const BUILT_IN: [LanguageWord; 34] = [
+pub const BUILT_IN: [LanguageWord; 35] = [
     word("sin", "sin(angle)", "sine"),
     word("cos", "cos(angle)", "cosine"),
     word("tan", "tan(angle)", "tangent"),
@@ -230,7 +250,12 @@ pub const BUILT_IN: [LanguageWord; 34] = [
         "a/b, or `otherwise` where b is 0",
     ),
     word("sum", "sum(i in 1..8, f[i])", "sum over an index"),
-    word("der", "der(STATE)", "derivative of a state by the time"),
+    word("der", "der(EXPRESSION)", "derivative by the time"),
+    word(
+        "partial",
+        "partial(EXPRESSION, STATE)",
+        "derivative by a state, all others held",
+    ),
     word("diag", "diag(a, b, c)", "diagonal inertia tensor"),
     word(
         "in_frame_of",
