@@ -78,7 +78,7 @@ pub struct Diagnostic {
     /// Suggested remedy, such as "did you mean `C_La`?"; `None` if there is no suggestion.
     pub help: Option<String>,
     /// Replacement that carries out the remedy; `None` if it is not certain where or what to write.
-    pub fix: Option<Fix>,
+    pub fix: Option<Box<Fix>>,
 }
 
 pub(crate) fn sort(diagnostics: &mut [Diagnostic]) {
@@ -134,7 +134,7 @@ impl Diagnostic {
     #[must_use]
     pub fn fix(mut self, span: Span, text: impl Into<String>) -> Diagnostic {
         let text = text.into();
-        self.fix = Some(Fix { span, text });
+        self.fix = Some(Box::new(Fix { span, text }));
         self
     }
 

@@ -144,10 +144,9 @@ fn of_effect(path: &str, text: &str, faults: Vec<Diagnostic>) -> Checked {
     if !faults.is_empty() {
         return none(faults);
     }
-    let effect = match EffectTree::parse(path, text) {
-        Ok(effect) => effect,
-        // Several effects, none with the name of the file.
-        Err(_) => return none(Vec::new()),
+    // Several effects, none with the name of the file, are no error.
+    let Ok(effect) = EffectTree::parse(path, text) else {
+        return none(Vec::new());
     };
     let Some(on) = effect.tree().on.first() else {
         return none(Vec::new());

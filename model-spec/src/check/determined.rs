@@ -170,7 +170,7 @@ impl Degrees {
             // What is differentiated depends on no unknown.
             K::Rate(_, _, rates) => {
                 let mut degree = 0;
-                for rate in rates.iter() {
+                for rate in rates {
                     degree = degree.max(self.of(rate)?);
                 }
                 Ok(degree)

@@ -154,7 +154,7 @@ impl<'a> Checker<'a> {
                     && let Some(end) = declared.end_of_value()
                 {
                     let text = format!(" {}", written(*unit));
-                    fault.fix = Some(Fix { span: end, text });
+                    fault.fix = Some(Box::new(Fix { span: end, text }));
                 }
                 fault.help = Some(match fault.help.take() {
                     Some(other) => format!("{help}; or: {other}"),

@@ -1,5 +1,7 @@
 //! What a column of summaries may measure.
 
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI, TAU};
+
 use super::unit::Dimension;
 
 /// Quantity of the release or of the rest of a flight that a launch monitor tells.
@@ -57,17 +59,20 @@ use Dimension::{Angle, Length, Rate, Speed, Time};
 use SummaryEvent::{Apex, Landing, Release};
 use SummaryQuantity as Q;
 
+/// A quantity with its name, event, dimension, and range.
+type Row = (Q, &'static str, SummaryEvent, Dimension, (f64, f64));
+
 /// Each quantity with its name, event, dimension, and range of plausible values in the units that are named.
-const ALL: [(Q, &str, SummaryEvent, Dimension, (f64, f64)); 17] = [
+const ALL: [Row; 17] = [
     (Q::Speed, "speed", Release, Speed, (1e-3, 150.0)),
-    (Q::Launch, "launch", Release, Angle, (-1.5708, 1.5708)),
-    (Q::Heading, "heading", Release, Angle, (-6.2832, 6.2832)),
-    (Q::Nose, "nose", Release, Angle, (-1.5708, 1.5708)),
-    (Q::Hyzer, "hyzer", Release, Angle, (-3.1416, 3.1416)),
+    (Q::Launch, "launch", Release, Angle, (-FRAC_PI_2, FRAC_PI_2)),
+    (Q::Heading, "heading", Release, Angle, (-TAU, TAU)),
+    (Q::Nose, "nose", Release, Angle, (-FRAC_PI_2, FRAC_PI_2)),
+    (Q::Hyzer, "hyzer", Release, Angle, (-PI, PI)),
     (Q::Spin, "spin", Release, Rate, (-2100.0, 2100.0)),
-    (Q::SpinAxis, "spin_axis", Release, Angle, (-3.1416, 3.1416)),
+    (Q::SpinAxis, "spin_axis", Release, Angle, (-PI, PI)),
     (Q::Height, "height", Release, Length, (-1e3, 1e4)),
-    (Q::Wobble, "wobble", Release, Angle, (0.0, 1.0472)),
+    (Q::Wobble, "wobble", Release, Angle, (0.0, FRAC_PI_3)),
     (Q::Carry, "carry", Landing, Length, (0.0, 1e4)),
     (Q::Side, "side", Landing, Length, (-1e4, 1e4)),
     (Q::ApexHeight, "apex_height", Apex, Length, (-1e3, 1e4)),
@@ -85,7 +90,7 @@ const ALL: [(Q, &str, SummaryEvent, Dimension, (f64, f64)); 17] = [
         "landing_angle",
         Landing,
         Angle,
-        (-1.5708, 1.5708),
+        (-FRAC_PI_2, FRAC_PI_2),
     ),
     (Q::FinalSpin, "final_spin", Landing, Rate, (-2100.0, 2100.0)),
 ];

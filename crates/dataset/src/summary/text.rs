@@ -142,10 +142,10 @@ pub(super) fn column(sensor: &Sensor) -> String {
         let _ = write!(text, ", sigma = {sigma:?}");
     }
     if let Some(right) = own.quantity.is_positive_right() {
-        let side = if right != own.is_mirrored {
-            "right"
-        } else {
+        let side = if right == own.is_mirrored {
             "left"
+        } else {
+            "right"
         };
         let _ = write!(text, ", positive = \"{side}\"");
     }

@@ -167,6 +167,9 @@ impl Report {
             ),
         ];
         self.cautions = cautions.into_iter().flatten().collect();
+        if self.verdict == Verdict::Adequate {
+            self.cautions.extend(fit.report.doubt_of_summaries.clone());
+        }
         self.reliable = self.cautions.is_empty();
         self.verified = verified;
     }

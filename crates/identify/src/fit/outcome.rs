@@ -9,7 +9,7 @@ use super::output_error::OutputError;
 use super::post_fit::{ChannelSum, EMPTY_RANGE, PostFit, joined, post_fit, square_sums};
 use super::reweighting::Reweighted;
 use super::state::State;
-use super::{FitError, flight_error, marker_distances, solve_error};
+use super::{FitError, flight_error, marker_distances, solve_error, summary_noise};
 use crate::channel::ChannelKind;
 use crate::error::FlightError;
 use crate::ids::GlobalId;
@@ -78,6 +78,8 @@ pub fn reports(
     );
     let mut doubts = state.doubts.clone();
     doubts.extend(nonlinear(state, fitted, &covariance, &not_identifiable)?);
+    let doubt_of_summaries = summary_noise::doubt(state, &fitted.noise)
+        .map_err(|reason| flight_error(&state.flights[0], reason))?;
     let report = FitReport {
         schema: "hyzer.fit/2".into(),
         model: problem.model.name.clone(),
@@ -96,6 +98,7 @@ pub fn reports(
         notes: Vec::new(),
         lack_of_fit: None,
         doubts,
+        doubt_of_summaries,
         excess: marker_distances::excess(state, &fitted.noise),
         contradicted: marker_distances::filtered(state).into_iter().collect(),
         not_identifiable,

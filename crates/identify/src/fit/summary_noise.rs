@@ -2,13 +2,16 @@
 //! leverages of the unknowns on them (Förstner 1979, estimation of variance components).
 
 use nalgebra::{DMatrix, DVector};
+use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::state::State;
 use crate::error::FlightError;
 use crate::least_squares::{NormalBlock, ScaledCholesky, pseudo_inverse};
 use crate::noise::NoiseModel;
+use crate::numbers::{probability, significant};
 use crate::observations::Observations;
 use crate::predict::{add_state_priors, each_residual};
+use crate::problem::FitProblem;
 
 /// Maximum number of iterations, and relative change of the standard deviations at their end.
 const ITERATIONS: (usize, f64) = (50, 1e-4);
@@ -18,6 +21,9 @@ const LEAST_REDUNDANCY: f64 = 0.5;
 
 /// Least noise relative to the one that was assumed at first.
 const LEAST_NOISE: f64 = 1e-9;
+
+/// p-value below which rows do not agree with their stated standard deviations.
+const LEVEL: f64 = 0.01;
 
 /// A value of a summary with the derivatives of its residual by the local and the global parameters, m.
 struct Row {
@@ -33,13 +39,7 @@ struct Row {
 /// [`FlightError`] if a flight cannot be integrated.
 pub fn estimate(state: &State<'_>, noise: &mut NoiseModel) -> Result<(), FlightError> {
     let problem = state.problem;
-    let of_summary = |channel: usize| {
-        let own = &problem.channels[channel];
-        crate::summary::event(own.kind).is_some() && own.sigma.is_none()
-    };
-    let estimated: Vec<usize> = (0..problem.channels.len())
-        .filter(|k| of_summary(*k))
-        .collect();
+    let estimated = estimated(problem);
     if estimated.is_empty() {
         return Ok(());
     }
@@ -95,6 +95,56 @@ pub fn estimate(state: &State<'_>, noise: &mut NoiseModel) -> Result<(), FlightE
         }
     }
     Ok(())
+}
+
+/// Channels of outcomes whose noise is not stated.
+fn estimated(problem: &FitProblem) -> Vec<usize> {
+    let channels = problem.channels.iter().enumerate();
+    let unstated = channels
+        .filter(|(_, own)| crate::summary::event(own.kind).is_some() && own.sigma.is_none());
+    unstated.map(|(channel, _)| channel).collect()
+}
+
+/// Why rows of summaries leave a doubt whether the model fits them: no test is possible, or they fail it; `None` if
+/// there are no rows, or they pass.
+///
+/// # Errors
+/// [`FlightError`] if a flight cannot be integrated.
+pub fn doubt(state: &State<'_>, noise: &NoiseModel) -> Result<Option<String>, FlightError> {
+    let problem = state.problem;
+    let flights = state.flights.iter().zip(&state.local);
+    let mut summaries = flights.filter(|(flight, _)| flight.is_summary).peekable();
+    if summaries.peek().is_none() {
+        return Ok(None);
+    }
+    let estimated = estimated(problem);
+    if !estimated.is_empty() {
+        let names = estimated.iter().map(|k| problem.channels[*k].name.clone());
+        let names = names.collect::<Vec<_>>().join(", ");
+        return Ok(Some(format!(
+            "the noise of {names} is estimated from the rows themselves, so that nothing tests whether the model fits \
+             them: state each `sigma`, and compare held-out rows"
+        )));
+    }
+    let (mut squares, mut freedom) = (0.0, -(problem.globals.len() as f64));
+    for (flight, local) in summaries {
+        let rows = rows(state, flight, local)?;
+        let weighted = { rows.iter() }.map(|row| row.residual / noise.of(row.channel).sigma[0]);
+        squares += weighted.map(|residual| residual * residual).sum::<f64>();
+        freedom += rows.len() as f64 - flight.manifold.dimension() as f64;
+    }
+    let Ok(distribution) = ChiSquared::new(freedom.max(1.0)) else {
+        return Ok(None);
+    };
+    let p_value = distribution.sf(squares);
+    Ok((p_value < LEVEL).then(|| {
+        format!(
+            "the residuals of the rows are {} times their stated standard deviations (chi-squared test, p = {}): \
+             `hyzer diagnose` searches for the cause",
+            significant((squares / freedom.max(1.0)).sqrt(), 2),
+            probability(p_value)
+        )
+    }))
 }
 
 fn rows(

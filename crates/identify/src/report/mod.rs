@@ -74,6 +74,10 @@ pub struct FitReport {
     #[serde(skip)]
     #[doc(hidden)]
     pub doubts: Vec<String>,
+    /// Why the rows of summaries leave a doubt whether the model fits them.
+    #[serde(skip)]
+    #[doc(hidden)]
+    pub doubt_of_summaries: Option<String>,
     /// Profile likelihoods that the options request.
     pub profiles: Vec<Profile>,
     /// Residual diagnostics along each axis of the inertial frame, keyed by the names `x`, `y` and `z`.

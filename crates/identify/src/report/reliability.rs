@@ -44,7 +44,8 @@ fn cautions(report: &FitReport) -> Vec<String> {
         marker_distances(report),
     ];
     let mut cautions: Vec<String> = cautions.into_iter().flatten().collect();
-    cautions.extend(report.excess.iter().chain(&report.doubts).cloned());
+    let doubts = report.doubts.iter().chain(&report.doubt_of_summaries);
+    cautions.extend(report.excess.iter().chain(doubts).cloned());
     let coefficients = report.coefficients.iter();
     cautions.extend(coefficients.filter_map(|(name, own)| at_bound(name, own)));
     cautions.extend(report.conflicts());

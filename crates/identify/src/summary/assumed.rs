@@ -161,7 +161,7 @@ impl FitProblem {
             let (Some(value), ChannelKind::Summary(of)) = (own.assumed, own.kind) else {
                 continue;
             };
-            if !told(own.kind, measured) && !(spin_is_known && summary.is_spin_of_point(of)) {
+            if !(told(own.kind, measured) || spin_is_known && summary.is_spin_of_point(of)) {
                 measured[place] = Some([value; 3]);
             }
         }

@@ -13,6 +13,11 @@ pub struct Dual {
 }
 
 impl Dual {
+    pub const ZERO: Self = Self {
+        value: 0.0,
+        by: [0.0; COMPONENTS],
+    };
+
     /// The component `place` of the motion.
     pub fn variable(value: f64, place: usize) -> Self {
         let mut by = [0.0; COMPONENTS];

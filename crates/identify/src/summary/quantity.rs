@@ -61,7 +61,7 @@ pub fn value(of: SummaryValue, vectors: &Vectors) -> Dual {
         SummaryQuantity::Height | SummaryQuantity::ApexHeight => z,
         SummaryQuantity::Carry | SummaryQuantity::ApexDistance => (x * x + y * y).sqrt(),
         SummaryQuantity::Side => -y,
-        SummaryQuantity::HangTime => x - x,
+        SummaryQuantity::HangTime => Dual::ZERO,
     }
 }
 
@@ -95,7 +95,7 @@ impl Motion {
     fn course(&self) -> [DualVector; 3] {
         let along = self.velocity.unit();
         let [u, v, _] = self.velocity.0;
-        let left = DualVector([-v, u, u - u]).unit();
+        let left = DualVector([-v, u, Dual::ZERO]).unit();
         [along, left, along.cross(left)]
     }
 

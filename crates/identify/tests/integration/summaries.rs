@@ -300,7 +300,7 @@ fn worst_derivative(model: &str, dataset: &Dataset) -> f64 {
                     1e-3 * local[observations
                         .manifold
                         .direct_state(LocalId::new(column))
-                        .map_or(0, |s| s.index())]
+                        .map_or(0, model_spec::layout::StateId::index)]
                     .abs()
                     .max(1.0)
                 }

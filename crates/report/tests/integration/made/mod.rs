@@ -290,6 +290,7 @@ pub fn report(flights: usize) -> FitReport {
         marker_distances: Vec::new(),
         lack_of_fit: None,
         doubts: Vec::new(),
+        doubt_of_summaries: None,
         contradicted: Vec::new(),
         excess: None,
         not_identifiable: vec![NonIdentifiable {
