@@ -1,6 +1,6 @@
 //! Names, words and units that may stand at a place.
 
-use model_spec::syntax::symbols::{Declaration, SymbolKind};
+use model_spec::symbols::{Declaration, SymbolKind};
 use model_spec::unit::symbol;
 use serde_json::{Value, json};
 

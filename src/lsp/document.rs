@@ -8,8 +8,8 @@ use model_spec::compose::{EffectTree, ModelTree};
 use model_spec::diagnostic::{Diagnostic, Source};
 use model_spec::load::inspect_text;
 use model_spec::model::Model;
+use model_spec::symbols::Symbols;
 use model_spec::syntax::ast::{self, ItemKind};
-use model_spec::syntax::symbols::Symbols;
 use model_spec::syntax::{MAX_SOURCE_BYTES, parse};
 use serde_json::Value;
 

@@ -1,7 +1,7 @@
 //! What is shown about the word under the pointer.
 
 use model_spec::model::Model;
-use model_spec::syntax::symbols::{Declaration, SymbolKind, WordKind};
+use model_spec::symbols::{Declaration, SymbolKind, WordKind};
 use model_spec::unit::symbol;
 use serde_json::{Value, json};
 

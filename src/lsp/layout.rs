@@ -1,6 +1,6 @@
 //! What is drawn into a text: its format, units behind names, and colours by meaning.
 
-use model_spec::syntax::symbols::{SymbolKind, WordKind};
+use model_spec::symbols::{SymbolKind, WordKind};
 use serde_json::{Value, json};
 
 use super::document::Document;

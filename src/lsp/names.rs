@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use model_spec::syntax::symbols::{SymbolKind, Symbols, WordKind};
+use model_spec::symbols::{SymbolKind, Symbols, WordKind};
 use serde_json::{Value, json};
 
 use super::document::Document;

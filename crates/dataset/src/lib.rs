@@ -12,6 +12,7 @@ mod header;
 mod in_memory;
 mod input_error;
 mod inputs;
+mod launch_monitor;
 mod lines;
 mod manifest;
 mod manifest_sensors;
@@ -23,9 +24,13 @@ mod samples;
 mod sensor;
 pub mod statistics;
 mod summary;
+mod summary_columns;
+mod summary_table;
+mod summary_text;
 pub mod synthesize;
 mod table;
 pub mod takes;
+mod toml_text;
 mod unplaced;
 mod upright;
 mod words;
@@ -39,13 +44,11 @@ pub use body_template::BodyTemplate;
 use flight::{InputInterpolation, InputSeries, parallel};
 pub use in_memory::from_texts;
 pub use input_error::InputError;
+pub use launch_monitor::{ImportedShots, ShotOptions, import_shots};
 pub use recording::ANGULAR_RATES;
 pub use sensor::{Reading, Sensor, SensorKind, attitude, points_on_body, points_seen, spin_axis};
-pub use summary::{
-    ImportedShots, ShotOptions, SummaryColumn, SummaryEvent, SummaryQuantity, SummaryUnit,
-    import_shots,
-};
-use write::quoted;
+pub use summary::{SummaryColumn, SummaryEvent, SummaryQuantity, SummaryUnit};
+use toml_text::quoted;
 pub use write::{manifest_text, table_text, write, write_commented, write_with};
 
 /// Names of the inertial axes, as in the columns `NAME_x`, `NAME_y` and `NAME_z` of a marker.
@@ -163,7 +166,7 @@ impl Dataset {
     /// Whether a flight of the dataset is told by a row of a table of summaries, and is no track.
     #[doc(hidden)]
     pub fn is_summary(&self, flight: &Flight) -> bool {
-        summary::is_of(flight, &self.sensors)
+        summary_text::is_of(flight, &self.sensors)
     }
 
     /// Values that the summaries tell in a column, in its unit.
@@ -314,7 +317,7 @@ fn assemble<'t>(
 /// Flights that are rows of the tables of summaries, each with the path of its table. Adds their columns to `sensors`;
 /// tables with the same column share it.
 fn summary_flights<'t>(
-    entries: &[summary::SummariesEntry],
+    entries: &[summary_columns::SummariesEntry],
     markers: usize,
     sensors: &mut Vec<Sensor>,
     read: impl Fn(&str) -> Result<(PathBuf, Cow<'t, [u8]>, bool), InputError>,
@@ -324,7 +327,7 @@ fn summary_flights<'t>(
     let mut flights = Vec::new();
     for entry in entries {
         let (path, bytes, _) = read(&entry.file)?;
-        let table = summary::parse(&path, &file::table_text(&path, &bytes)?, entry)?;
+        let table = summary_table::parse(&path, &file::table_text(&path, &bytes)?, entry)?;
         let places = entry.columns.iter().map(|column| {
             let known = sensors[first..].iter().position(|own| own == column);
             known.unwrap_or_else(|| {

@@ -11,7 +11,7 @@ use toml::de::DeTable;
 
 use super::fields::{Entry, Fields, Value};
 use super::recording::{Recording, choice};
-use super::summary::SummariesEntry;
+use super::summary_columns::SummariesEntry;
 use super::unplaced::Unplaced;
 use super::words::{meant, shown};
 use super::{KnownValue, Marker, Role, Sensor, file, names};

@@ -8,10 +8,10 @@ use std::path::{Path, PathBuf};
 
 use super::sensor::channels;
 use super::{
-    Dataset, Flight, KnownValue, Marker, Sensor, SensorKind, assemble, inputs, manifest, names,
-    summary,
+    Dataset, Flight, Marker, Sensor, SensorKind, assemble, inputs, manifest, names, summary_text,
 };
 use crate::input_error::InputError;
+use crate::toml_text::{key, known_text, list, quoted};
 use flight::InputInterpolation;
 use flight::files::{ResultFile, write_new_folder};
 
@@ -118,7 +118,7 @@ fn files_below(folder: &Path, most: usize) -> io::Result<usize> {
 /// Names and texts of the tables of all flights, and of those of their inputs over time.
 pub(super) fn tables(dataset: &Dataset) -> Vec<(String, String)> {
     let flights = dataset.flights.iter();
-    let flights = flights.filter(|flight| !summary::is_of(flight, &dataset.sensors));
+    let flights = flights.filter(|flight| !summary_text::is_of(flight, &dataset.sensors));
     let with_inputs = flights.clone().filter(|flight| !flight.inputs.is_empty());
     let of_inputs = with_inputs.map(|flight| (inputs_file(flight), inputs::text(&flight.inputs)));
     // Columns of summaries come last.
@@ -129,7 +129,7 @@ pub(super) fn tables(dataset: &Dataset) -> Vec<(String, String)> {
         let text = table_text(flight, &dataset.markers, on_body);
         (flight.file.clone(), text)
     });
-    let summaries = summary::tables(dataset);
+    let summaries = summary_text::tables(dataset);
     of_flights.chain(of_inputs).chain(summaries).collect()
 }
 
@@ -209,7 +209,7 @@ pub fn manifest_text(dataset: &Dataset) -> String {
         let _ = writeln!(text, "\n[inputs]\ninterpolation = \"{word}\"");
     }
     let tracks = dataset.flights.iter();
-    for flight in tracks.filter(|flight| !summary::is_of(flight, &dataset.sensors)) {
+    for flight in tracks.filter(|flight| !summary_text::is_of(flight, &dataset.sensors)) {
         let role = flight.role.name();
         let file = quoted(&flight.file);
         let _ = writeln!(text, "\n[[flights]]\nfile = {file}\nrole = \"{role}\"");
@@ -221,26 +221,7 @@ pub fn manifest_text(dataset: &Dataset) -> String {
             let _ = writeln!(text, "inputs = {}", quoted(&inputs_file(flight)));
         }
     }
-    text + &summary::manifest_text(dataset)
-}
-
-/// The line with the known values of a flight in `dataset.toml`; empty without any.
-pub(super) fn known_text(flight: &Flight) -> String {
-    let each = flight.known.iter().map(|(name, value)| match value {
-        KnownValue::Scalar(value) => format!("{} = {value:?}", key(name)),
-        KnownValue::Vector(value) => format!("{} = {value:?}", key(name)),
-    });
-    let all: Vec<String> = each.collect();
-    match all.is_empty() {
-        true => String::new(),
-        false => format!("known = {{ {} }}\n", all.join(", ")),
-    }
-}
-
-/// TOML list of names; `None` without names.
-pub(super) fn list(names: &[String]) -> Option<String> {
-    let names: Vec<String> = names.iter().map(|name| quoted(name)).collect();
-    (!names.is_empty()).then(|| format!("[{}]", names.join(", ")))
+    text + &summary_text::manifest_text(dataset)
 }
 
 /// Name of the file with the inputs over time of a flight.
@@ -303,19 +284,6 @@ fn commented(text: &str, comments: &[String]) -> String {
         made.push('\n');
     }
     made
-}
-
-pub(crate) fn quoted(text: &str) -> String {
-    toml::Value::from(text).to_string()
-}
-
-fn key(name: &str) -> String {
-    let bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
-    if !name.is_empty() && name.chars().all(bare) {
-        name.to_owned()
-    } else {
-        quoted(name)
-    }
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use model_spec::compose::Instrument;
 
-use crate::summary::{SummaryValue, exact_deviation};
+use crate::summary_value::{SummaryValue, exact_deviation};
 use dataset::{Dataset, SensorKind};
 
 /// Quantity that a channel measures.

@@ -3,6 +3,7 @@
 //! [`fit`] determines its own initial guesses and minimises the residuals, weighted by a noise model that it estimates,
 //! with the exact sensitivities of the compiled model. Its [`Fit`] holds a [`FitReport`].
 
+mod assumptions;
 mod channel;
 mod contact_time;
 mod error;
@@ -27,6 +28,7 @@ mod report;
 mod screening;
 mod state_manifold;
 mod summary;
+mod summary_value;
 mod uncertainty;
 mod unknowns;
 mod vertical;
@@ -58,7 +60,8 @@ pub use observations::{Observations, Truncation};
 pub use predict::{Loss, PointResidual, Residuals, each_residual, linearise, linearise_with};
 pub use problem::{FitProblem, GlobalParameter};
 pub use state_manifold::StateManifold;
-pub use summary::{SummaryModel, SummaryValue};
+pub use summary::SummaryModel;
+pub use summary_value::SummaryValue;
 
 // Mistakes in the data.
 pub use error::{DataFault, FaultKind};

@@ -1,11 +1,6 @@
-//! Unknowns of the blocks `solve { … }`: each system is evaluated with dual numbers for its coefficients, and solved by
-//! elimination with scaled partial pivoting.
+//! Linear systems, solved by elimination with scaled partial pivoting.
 
-use crate::point::Point;
-use crate::scalar::{Dual, Real};
-use crate::tree::{Tree, Value};
-use model_spec::model::Model;
-use nalgebra::Vector3;
+use crate::scalar::Real;
 
 /// Solution of a linear system.
 pub(crate) struct Solved<T> {
@@ -14,49 +9,8 @@ pub(crate) struct Solved<T> {
     pub determinacy: f64,
 }
 
-/// Solves a system of a model at a point; `known` has the unknowns of the systems before it.
-pub(crate) fn solved<T: Real>(
-    model: &Model,
-    point: &Point<T>,
-    given: &[(usize, Value<T>)],
-    known: &[Vec<T>],
-) -> Solved<T> {
-    let count = model.systems[known.len()].unknowns.len();
-    let point = point.map(Dual::constant);
-    let given: Vec<(usize, Value<Dual<T>>)> = { given.iter() }
-        .map(|(index, value)| (*index, value.map(Dual::constant)))
-        .collect();
-    let equations = |unknowns: Vec<Dual<T>>| -> Vec<Dual<T>> {
-        let mut all: Vec<Vec<Dual<T>>> = { known.iter() }
-            .map(|own| own.iter().map(|value| Dual::constant(*value)).collect())
-            .collect();
-        all.push(unknowns);
-        let later = model.systems.iter().skip(all.len());
-        all.extend(later.map(|own| vec![Dual::constant(T::zero()); own.unknowns.len()]));
-        let tree = Tree::evaluated(model, &point, &given, all);
-        let system = &model.systems[known.len()];
-        let values = system.equations.iter().map(|e| tree.value(e));
-        values.flat_map(Value::components).collect()
-    };
-    let zeros = vec![Dual::constant(T::zero()); count];
-    let columns: Vec<Vec<T>> = (0..count)
-        .map(|k| {
-            let mut unknowns = zeros.clone();
-            unknowns[k].derivative = T::one();
-            { equations(unknowns).into_iter() }
-                .map(|row| row.derivative)
-                .collect()
-        })
-        .collect();
-    let rows = equations(zeros).into_iter().enumerate().map(|(row, rest)| {
-        let coefficients = columns.iter().map(|column| column[row]);
-        coefficients.chain([-rest.value]).collect()
-    });
-    eliminate(rows.collect())
-}
-
 /// Solves the system whose rows are coefficients and right-hand side.
-fn eliminate<T: Real>(mut rows: Vec<Vec<T>>) -> Solved<T> {
+pub(crate) fn eliminate<T: Real>(mut rows: Vec<Vec<T>>) -> Solved<T> {
     let count = rows.len();
     let mut sizes: Vec<Vec<f64>> = { rows.iter() }
         .map(|row| row.iter().map(|entry| size(*entry)).collect())
@@ -106,21 +60,5 @@ fn size<T: Real>(value: T) -> f64 {
         0.0
     } else {
         value.re().abs()
-    }
-}
-
-impl<T: Real> Value<T> {
-    pub(crate) fn map<U: Real>(self, change: impl Fn(T) -> U) -> Value<U> {
-        match self {
-            Value::Scalar(value) => Value::Scalar(change(value)),
-            Value::Vector(value) => Value::Vector(Vector3::from_fn(|k, _| change(value[k]))),
-        }
-    }
-
-    fn components(self) -> Vec<T> {
-        match self {
-            Value::Scalar(value) => vec![value],
-            Value::Vector(value) => value.iter().copied().collect(),
-        }
     }
 }

@@ -6,8 +6,8 @@
 use crate::frames::{PlacedFrame, place_frames};
 use crate::physical::{angular_acceleration, inertia_in_n};
 use crate::point::Point;
-use crate::scalar::{Field, Infinitesimals, Interpolant, Real, Surface, call};
-use crate::system;
+use crate::scalar::{Dual, Field, Infinitesimals, Interpolant, Real, Surface, call};
+use crate::system::{Solved, eliminate};
 use model_spec::layout::depends_on_accelerations;
 use model_spec::model::{Body, Expr, ExprKind, Function, Load, Model, Rotation, Shape, Table};
 use nalgebra::{Matrix3, Vector3};
@@ -66,7 +66,7 @@ impl<'a, T: Real> Tree<'a, T> {
     pub fn overriding(model: &'a Model, point: &'a Point<T>, given: &[(usize, Value<T>)]) -> Self {
         let (mut unknowns, mut determinacies) = (Vec::new(), Vec::new());
         for _ in &model.systems {
-            let solved = system::solved(model, point, given, &unknowns);
+            let solved = solved(model, point, given, &unknowns);
             unknowns.push(solved.unknowns);
             determinacies.push(solved.determinacy);
         }
@@ -401,4 +401,61 @@ fn needed(model: &Model, of: &Expr) -> Vec<bool> {
         });
     }
     needed
+}
+
+/// Solves a system of a model at a point: its equations are evaluated with dual numbers for their coefficients; `known` has the unknowns of the systems before it.
+fn solved<T: Real>(
+    model: &Model,
+    point: &Point<T>,
+    given: &[(usize, Value<T>)],
+    known: &[Vec<T>],
+) -> Solved<T> {
+    let count = model.systems[known.len()].unknowns.len();
+    let point = point.map(Dual::constant);
+    let given: Vec<(usize, Value<Dual<T>>)> = { given.iter() }
+        .map(|(index, value)| (*index, value.map(Dual::constant)))
+        .collect();
+    let equations = |unknowns: Vec<Dual<T>>| -> Vec<Dual<T>> {
+        let mut all: Vec<Vec<Dual<T>>> = { known.iter() }
+            .map(|own| own.iter().map(|value| Dual::constant(*value)).collect())
+            .collect();
+        all.push(unknowns);
+        let later = model.systems.iter().skip(all.len());
+        all.extend(later.map(|own| vec![Dual::constant(T::zero()); own.unknowns.len()]));
+        let tree = Tree::evaluated(model, &point, &given, all);
+        let system = &model.systems[known.len()];
+        let values = system.equations.iter().map(|e| tree.value(e));
+        values.flat_map(Value::components).collect()
+    };
+    let zeros = vec![Dual::constant(T::zero()); count];
+    let columns: Vec<Vec<T>> = (0..count)
+        .map(|k| {
+            let mut unknowns = zeros.clone();
+            unknowns[k].derivative = T::one();
+            { equations(unknowns).into_iter() }
+                .map(|row| row.derivative)
+                .collect()
+        })
+        .collect();
+    let rows = equations(zeros).into_iter().enumerate().map(|(row, rest)| {
+        let coefficients = columns.iter().map(|column| column[row]);
+        coefficients.chain([-rest.value]).collect()
+    });
+    eliminate(rows.collect())
+}
+
+impl<T: Real> Value<T> {
+    fn map<U: Real>(self, change: impl Fn(T) -> U) -> Value<U> {
+        match self {
+            Value::Scalar(value) => Value::Scalar(change(value)),
+            Value::Vector(value) => Value::Vector(Vector3::from_fn(|k, _| change(value[k]))),
+        }
+    }
+
+    fn components(self) -> Vec<T> {
+        match self {
+            Value::Scalar(value) => vec![value],
+            Value::Vector(value) => value.iter().copied().collect(),
+        }
+    }
 }

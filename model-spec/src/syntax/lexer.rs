@@ -6,14 +6,14 @@ use super::token::{Token, clip, first_token, leading_space};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Lexeme {
+pub(crate) struct Lexeme {
     pub token: Token,
     pub start: u32,
     pub end: u32,
     pub first: bool,
 }
 
-pub(super) struct Lexed {
+pub(crate) struct Lexed {
     /// Tokens without comments; the last is [`Token::End`].
     pub tokens: Vec<Lexeme>,
     /// `///` lines, each with the index of the token that follows.
@@ -25,7 +25,7 @@ pub(super) struct Lexed {
 
 /// Splits a text into tokens, documentation and errors, with spans in `source`. A run of invalid characters is one
 /// [`Token::Bad`], and a line has at most one such error.
-pub(super) fn lex(text: &str, source: u16) -> Lexed {
+pub(crate) fn lex(text: &str, source: u16) -> Lexed {
     let mut lexer = Lexer {
         text,
         source,

@@ -10,7 +10,7 @@ use crate::suggest;
 /// Maximum nesting depth of an expression, which bounds the recursion of the parser.
 const MAX_DEPTH: u32 = 64;
 
-pub(super) const STATEMENTS: [&str; 33] = [
+pub(crate) const STATEMENTS: [&str; 33] = [
     "model",
     "include",
     "reference",

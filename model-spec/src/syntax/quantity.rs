@@ -6,10 +6,10 @@ use super::token::Token;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 
 /// Keywords that may follow a literal and must not be parsed as units.
-pub(super) const FOLLOWING: [&str; 6] = ["in", "within", "about", "on", "for", "relative"];
+pub(crate) const FOLLOWING: [&str; 6] = ["in", "within", "about", "on", "for", "relative"];
 
 /// Symbol of the inch, which is also a keyword.
-pub(super) const INCH: &str = "in";
+pub(crate) const INCH: &str = "in";
 
 const MAX_DOUBLED_EXPONENT: i32 = 126;
 

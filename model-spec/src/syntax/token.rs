@@ -1,7 +1,7 @@
 //! Tokens: their kinds, their spelling, and the longest one that a text begins with.
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Token {
+pub(crate) enum Token {
     Comment,
     Name,
     Number,
@@ -37,7 +37,7 @@ fn continues_name(c: char) -> bool {
     c != '°' && begins_name(c) || c.is_ascii_digit() || matches!(c, '\u{0307}' | '\u{0308}')
 }
 
-pub(super) fn leading_space(text: &str) -> usize {
+pub(crate) fn leading_space(text: &str) -> usize {
     prefix_length(text, is_space)
 }
 
@@ -50,7 +50,7 @@ fn prefix_length(text: &str, condition: impl Fn(char) -> bool) -> usize {
     text.find(|c| !condition(c)).unwrap_or(text.len())
 }
 
-pub(super) fn first_token(text: &str) -> Option<(Token, usize)> {
+pub(crate) fn first_token(text: &str) -> Option<(Token, usize)> {
     let first = text.chars().next()?;
     if text.starts_with("//") {
         return Some((Token::Comment, prefix_length(text, |c| c != '\n')));

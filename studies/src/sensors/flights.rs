@@ -169,5 +169,7 @@ pub(crate) fn read(
             let speed = body.velocity.norm() + normal(noise.speed);
             readings.push(Some([speed, 0.0, 0.0, 0.0]));
         }
+        // Tracks have no columns of a launch monitor.
+        SensorKind::Summary(_) => {}
     }
 }

@@ -137,7 +137,7 @@ impl View<'_> {
         for sensor in self.setting.measured.sensors() {
             let body = match sensor.kind {
                 SensorKind::Pose => body,
-                SensorKind::Instrument(_) => late,
+                SensorKind::Instrument(_) | SensorKind::Summary(_) => late,
             };
             let motion = self.world.motion(body, time);
             read(

@@ -1,7 +1,6 @@
 //! Equations of a model linearised by its states and scalar inputs.
 
-use codegen::Layout;
-use codegen::layout::ParamId;
+use model_spec::layout::{Layout, ParamId};
 use model_spec::model::Model;
 use model_spec::unit::Unit;
 use nalgebra::DMatrix;

@@ -1,17 +1,9 @@
 //! Flights of which a launch monitor tells one row: the release, and what was seen of the rest.
 
-mod columns;
-mod launch_monitor;
 mod quantity;
-mod table;
-mod text;
 mod unit;
 
-pub(super) use columns::SummariesEntry;
-pub use launch_monitor::{ImportedShots, ShotOptions, import_shots};
 pub use quantity::{SummaryEvent, SummaryQuantity};
-pub(super) use table::parse;
-pub(super) use text::{is_of, manifest_text, tables};
 pub use unit::SummaryUnit;
 
 /// Column of a table of summaries: what it measures, and how it is written.

@@ -3,11 +3,15 @@
 use super::FitError;
 use super::residual_cache::{ResidualCache, exclude_failed};
 use super::state::State;
+use crate::channel::ChannelKind;
 use crate::error::{ExcludedFlight, FlightError};
 use crate::ids::FlightId;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
-use dataset::Dataset;
+use crate::summary::SummaryModel;
+use crate::summary_value::SummaryValue;
+use dataset::{Dataset, SummaryQuantity};
+use flight::throw::Throw;
 use nalgebra::DVector;
 
 /// Flights of summaries with their initial states, and those that cannot be used.
@@ -86,4 +90,56 @@ pub fn notes(problem: &FitProblem, dataset: &Dataset) -> Vec<String> {
     );
     let notes = dataset.notes.iter().cloned();
     notes.chain((!names.is_empty()).then_some(note)).collect()
+}
+
+impl SummaryModel {
+    /// Initial state by the release that the flight tells, with assumptions where it does not.
+    ///
+    /// # Errors
+    /// [`FlightError::NoRelease`] if the model has no such release.
+    fn initial_state(
+        &self,
+        problem: &FitProblem,
+        observations: &Observations,
+    ) -> Result<Vec<f64>, FlightError> {
+        let told = |quantity: SummaryQuantity| {
+            let mut channels = problem.channels.iter().enumerate();
+            channels.find_map(|(index, own)| {
+                let is_own = own.kind == ChannelKind::Summary(SummaryValue::Told(quantity));
+                let value = observations.value(0, index).filter(|_| is_own)?;
+                Some(value[0] * own.to_si)
+            })
+        };
+        let angle = |quantity| told(quantity).map(f64::to_degrees);
+        let mut throw = Throw {
+            heading: angle(SummaryQuantity::Heading).unwrap_or(0.0),
+            launch: angle(SummaryQuantity::Launch).unwrap_or(0.0),
+            height: told(SummaryQuantity::Height).unwrap_or(0.0),
+            ..Throw::at_speed(told(SummaryQuantity::Speed).unwrap_or(0.0))
+        };
+        if self.thrown.has_attitude() {
+            throw.nose = angle(SummaryQuantity::Nose);
+            throw.hyzer = angle(SummaryQuantity::Hyzer);
+            throw.spin = told(SummaryQuantity::Spin).map(|spin| spin / flight::throw::RPM);
+            throw.wobble = angle(SummaryQuantity::Wobble).filter(|_| throw.spin != Some(0.0));
+        }
+        let found = self
+            .thrown
+            .state(&throw, [0.0; 2], &observations.parameters);
+        let mut state = found.map_err(|error| FlightError::NoRelease(error.to_string()))?;
+        if let Some(places) = self.spin_states() {
+            let (size, tilt) = (
+                told(SummaryQuantity::Spin).unwrap_or(0.0),
+                told(SummaryQuantity::SpinAxis).unwrap_or(0.0),
+            );
+            let motion = self.thrown.motion(&state, &observations.parameters);
+            let along = motion.velocity.normalize();
+            let left = nalgebra::Vector3::z().cross(&along).normalize();
+            let spin = -size * (left * tilt.cos() + along.cross(&left) * tilt.sin());
+            for (place, value) in places.into_iter().zip(spin.iter()) {
+                state[place] = *value;
+            }
+        }
+        Ok(state)
+    }
 }

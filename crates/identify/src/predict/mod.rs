@@ -2,6 +2,8 @@
 //! Jp] is integrated together with the state. Every residual is predicted − measured, m; reports use the opposite sign.
 
 mod jacobian_columns;
+mod observed_point;
+mod summary_pass;
 mod trajectory_pass;
 mod weighted_rows;
 
@@ -10,8 +12,9 @@ use nalgebra::DVector;
 use ode::DifferentiableRhs;
 
 pub(crate) use self::jacobian_columns::JacobianColumns;
-pub(crate) use self::trajectory_pass::{ObservedPoint, TrajectoryPass, integration_options};
-pub use self::trajectory_pass::{Residuals, residuals, residuals_of, robust_scale, states};
+pub use self::observed_point::Residuals;
+pub(crate) use self::trajectory_pass::TrajectoryPass;
+pub use self::trajectory_pass::{residuals, residuals_of, robust_scale, states};
 use self::weighted_rows::WeightedRows;
 pub(crate) use self::weighted_rows::add_state_priors;
 use crate::error::FlightError;

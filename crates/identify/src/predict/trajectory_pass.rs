@@ -5,30 +5,16 @@ use std::ops::Range;
 use flight::{ModelState, ObservationJacobians};
 use model_spec::layout::ParamId;
 use nalgebra::DVector;
-use ode::{DifferentiableRhs, IntegrationOptions, Method, Sensitivities};
+use ode::{DifferentiableRhs, Sensitivities};
 
 use super::jacobian_columns::JacobianColumns;
+use super::observed_point::{ObservedPoint, Residuals, integration_options};
+use super::summary_pass;
 use crate::error::FlightError;
 use crate::observations::Observations;
 use crate::observers::ChannelConditions;
 use crate::problem::{FitProblem, RESIDUAL_TOLERANCE};
-use crate::summary;
 use dataset::statistics::robust_sigma;
-
-/// Range of integration tolerances, m: rounding errors limit the accuracy.
-const TOLERANCES: (f64, f64) = (1e-10, 1e-3);
-
-/// Maximum number of integration steps, and of further steps per sample; a trajectory that needs more has diverged.
-const STEPS: (usize, usize) = (1_000, 20);
-
-/// Options for a flight of `samples` samples; `tolerance`, m, is clamped.
-pub(crate) fn integration_options(tolerance: f64, samples: usize) -> IntegrationOptions {
-    IntegrationOptions {
-        method: Method::Tsit5,
-        max_steps: STEPS.0 + STEPS.1 * samples,
-        ..IntegrationOptions::with_tolerance(tolerance.clamp(TOLERANCES.0, TOLERANCES.1))
-    }
-}
 
 /// One integration of a flight with sensitivities, which evaluates every residual.
 pub(crate) struct TrajectoryPass<'a> {
@@ -41,17 +27,6 @@ pub(crate) struct TrajectoryPass<'a> {
     pub tolerance: f64,
     /// Whether measured values that are marked as outliers are processed too; if `false`, they are skipped.
     pub with_outliers: bool,
-}
-
-/// Residual of one measured value, and derivatives of this residual, evaluated on the integrated trajectory.
-pub(crate) struct ObservedPoint<'r> {
-    pub channel: usize,
-    pub sample: usize,
-    pub time: f64,
-    /// Predicted − measured, times the scale of the channel, m.
-    pub residual: [f64; 3],
-    /// Derivatives of the residual, one row per axis, in the columns of [`JacobianColumns`].
-    pub rows: &'r mut [Vec<f64>; 3],
 }
 
 impl TrajectoryPass<'_> {
@@ -78,7 +53,8 @@ impl TrajectoryPass<'_> {
         let start =
             variations.initial_state_with(self.local.as_slice(), &columns.tangent(&tangent));
         if observations.is_summary {
-            return summary::each_point(self, &mut variations, &start, columns, each);
+            let of = ((problem, observations), self.global, self.tolerance);
+            return summary_pass::each_point(of, &mut variations, &start, columns, each);
         }
         let values = observations.parameters(problem, self.global);
         let conditions = ChannelConditions::new(problem, &values);
@@ -163,9 +139,6 @@ fn joined(ranges: impl Iterator<Item = Range<usize>>) -> Vec<Range<usize>> {
 
 // Trajectories and residuals without derivatives.
 
-/// Residuals `[channel][sample]`, (predicted − measured) × scale of the channel, m, outliers included.
-pub type Residuals = Vec<Vec<Option<[f64; 3]>>>;
-
 /// Integrates a flight and returns the model states at its first `samples` samples, concatenated sample by sample.
 pub fn states(
     problem: &FitProblem,
@@ -207,7 +180,7 @@ pub fn residuals_of(
     trajectory: &[f64],
 ) -> Result<Residuals, FlightError> {
     if observations.is_summary {
-        return summary::residuals(problem, observations, global, trajectory);
+        return summary_pass::residuals(problem, observations, global, trajectory);
     }
     let parameters = observations.parameters(problem, global);
     let conditions = ChannelConditions::new(problem, &parameters);

@@ -1,26 +1,17 @@
 //! Summaries of flights: the release, and what was seen of the apex and the landing, as functions of the initial state.
 
 mod assumed;
-mod dual;
-mod pass;
-mod quantity;
 
 use std::sync::Arc;
 
-use flight::throw::{MotionVector, Throw, ThrownModel};
+use flight::throw::{MotionVector, ThrownModel};
 use flight::{BoundModel, CompiledModel, FlightParameters, ModelObserver};
 use model_spec::model::{ExprKind, Model};
 
-pub(crate) use self::assumed::exact_deviation;
-pub(crate) use self::pass::{each_point, residuals};
-pub use self::quantity::SummaryValue;
-use self::quantity::Vectors;
-
 use crate::channel::{Channel, ChannelKind};
-use crate::error::{FitError, FlightError};
+use crate::error::FitError;
 use crate::noise::group_count;
-use crate::observations::Observations;
-use crate::problem::FitProblem;
+use crate::summary_value::{SummaryValue, Vectors};
 use dataset::statistics::median_of;
 use dataset::{Dataset, SummaryEvent, SummaryQuantity};
 
@@ -38,7 +29,7 @@ const VECTORS: [MotionVector; 6] = [
 pub struct SummaryModel {
     /// The vectors of the motion that the model has, each with its index in [`Vectors`].
     vectors: Vec<(usize, CompiledModel)>,
-    thrown: ThrownModel,
+    pub(crate) thrown: ThrownModel,
     /// States that are the position of the mass centre.
     pub(crate) position: [usize; 3],
     /// States that are not of the motion and begin at their own values.
@@ -129,7 +120,7 @@ impl SummaryModel {
         })
     }
 
-    fn bind(&self, parameters: &FlightParameters) -> Vec<(usize, BoundModel<'_>)> {
+    pub(crate) fn bind(&self, parameters: &FlightParameters) -> Vec<(usize, BoundModel<'_>)> {
         let each = self.vectors.iter();
         each.map(|(k, own)| (*k, own.bind(parameters.clone())))
             .collect()
@@ -182,7 +173,11 @@ fn coordinates(observed: &CompiledModel) -> Option<[usize; 3]> {
 }
 
 /// Vectors of the motion at a state; those that the model lacks are zero.
-fn vectors(observers: &mut [(usize, ModelObserver<'_>)], time: f64, state: &[f64]) -> Vectors {
+pub(crate) fn vectors(
+    observers: &mut [(usize, ModelObserver<'_>)],
+    time: f64,
+    state: &[f64],
+) -> Vectors {
     let mut vectors = Vectors::default();
     for (k, observer) in observers {
         vectors[*k] = observer.position(time, state, &[0.0; 3]);
@@ -196,57 +191,5 @@ pub(crate) fn event(kind: ChannelKind) -> Option<SummaryEvent> {
         ChannelKind::Summary(SummaryValue::Told(quantity)) => Some(quantity.event()),
         ChannelKind::Summary(_) => Some(SummaryEvent::Release),
         _ => None,
-    }
-}
-
-impl SummaryModel {
-    /// Initial state by the release that the flight tells, with assumptions where it does not.
-    ///
-    /// # Errors
-    /// [`FlightError::NoRelease`] if the model has no such release.
-    pub fn initial_state(
-        &self,
-        problem: &FitProblem,
-        observations: &Observations,
-    ) -> Result<Vec<f64>, FlightError> {
-        let told = |quantity: SummaryQuantity| {
-            let mut channels = problem.channels.iter().enumerate();
-            channels.find_map(|(index, own)| {
-                let is_own = own.kind == ChannelKind::Summary(SummaryValue::Told(quantity));
-                let value = observations.value(0, index).filter(|_| is_own)?;
-                Some(value[0] * own.to_si)
-            })
-        };
-        let angle = |quantity| told(quantity).map(f64::to_degrees);
-        let mut throw = Throw {
-            heading: angle(SummaryQuantity::Heading).unwrap_or(0.0),
-            launch: angle(SummaryQuantity::Launch).unwrap_or(0.0),
-            height: told(SummaryQuantity::Height).unwrap_or(0.0),
-            ..Throw::at_speed(told(SummaryQuantity::Speed).unwrap_or(0.0))
-        };
-        if self.thrown.has_attitude() {
-            throw.nose = angle(SummaryQuantity::Nose);
-            throw.hyzer = angle(SummaryQuantity::Hyzer);
-            throw.spin = told(SummaryQuantity::Spin).map(|spin| spin / flight::throw::RPM);
-            throw.wobble = angle(SummaryQuantity::Wobble).filter(|_| throw.spin != Some(0.0));
-        }
-        let found = self
-            .thrown
-            .state(&throw, [0.0; 2], &observations.parameters);
-        let mut state = found.map_err(|error| FlightError::NoRelease(error.to_string()))?;
-        if let Some(places) = self.spin {
-            let (size, tilt) = (
-                told(SummaryQuantity::Spin).unwrap_or(0.0),
-                told(SummaryQuantity::SpinAxis).unwrap_or(0.0),
-            );
-            let motion = self.thrown.motion(&state, &observations.parameters);
-            let along = motion.velocity.normalize();
-            let left = nalgebra::Vector3::z().cross(&along).normalize();
-            let spin = -size * (left * tilt.cos() + along.cross(&left) * tilt.sin());
-            for (place, value) in places.into_iter().zip(spin.iter()) {
-                state[place] = *value;
-            }
-        }
-        Ok(state)
     }
 }

@@ -1,6 +1,6 @@
-//! Syntax trees of the statements with a block: bodies, claims, effects and tables.
+//! Syntax trees of the statements with a block: bodies, claims, cases, effects and tables.
 
-use super::{Expr, Item, Name, Quantity, UnitExpr};
+use super::{Expr, Item, Name, Number, Quantity, UnitExpr};
 use crate::location::Span;
 
 /// Whether a body is rigid or a point mass.
@@ -245,4 +245,44 @@ pub struct Table {
     pub interpolation: Interpolation,
     /// Method of extrapolation below the first and above the last knot.
     pub continuation: Continuation,
+}
+
+/// A test case, `check "title" { … }`: values to set, and results expected for these values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Check {
+    /// Title of the check case; no other check case of the file has the same title.
+    pub title: String,
+    /// Statements between the braces of the check case, in order.
+    pub parts: Vec<CheckPart>,
+}
+
+/// A statement of a check case: sets a value or states an expected result.
+#[derive(Clone, Debug, PartialEq)]
+pub enum CheckPart {
+    /// Sets a value: `set NAME = value;`
+    Set {
+        /// Name of a parameter, coefficient, state, input or marker, or of a component of an input.
+        name: Name,
+        /// One literal, or three literals for the components of an input or of the marker.
+        value: Vec<Number>,
+        /// Unit of the literals; zeros need none.
+        unit: Option<UnitExpr>,
+        /// Source span of the statement.
+        span: Span,
+    },
+    /// Compares a result with its expected value: `expect NAME = value within tolerance;`
+    Expect {
+        /// Name of an auxiliary variable, or of a state if `derivative`.
+        name: Name,
+        /// Whether the compared result is the derivative `der(NAME)`.
+        derivative: bool,
+        /// Expected value of the result; without a unit it is dimensionless, but 0 is valid for every unit.
+        value: Quantity,
+        /// Tolerance of the comparison; without a unit it has the unit of the expected value.
+        within: Quantity,
+        /// Whether the tolerance is relative to the expected value: `within 1e-9 relative`.
+        is_relative: bool,
+        /// Source span of the statement.
+        span: Span,
+    },
 }

@@ -4,14 +4,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::path::Path;
 
-use super::quantity::SummaryQuantity as Q;
-use super::unit::SummaryUnit;
-use super::{SummaryColumn, SummaryEvent};
 use crate::input_error::InputError;
 use crate::lines::Lines;
+use crate::summary::SummaryQuantity as Q;
+use crate::summary::SummaryUnit;
+use crate::summary::{SummaryColumn, SummaryEvent};
 use crate::takes::number::number;
+use crate::toml_text::quoted;
 use crate::words::{listed, shown};
-use crate::write::quoted;
 use crate::{Dataset, Sensor, SensorKind, from_texts};
 
 /// Options of [`import_shots`].
@@ -372,7 +372,7 @@ fn manifest(used: &[Used], notes: &[String], options: &ShotOptions) -> String {
             text,
             "{} = {}",
             quoted(&own.header),
-            super::text::column(&sensor)
+            crate::summary_text::column(&sensor)
         );
     }
     text

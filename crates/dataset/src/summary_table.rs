@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use super::columns::SummariesEntry;
-use super::unit::SummaryUnit;
 use crate::input_error::InputError;
 use crate::lines::Lines;
+use crate::summary::SummaryUnit;
+use crate::summary_columns::SummariesEntry;
 use crate::words::{meant, shown};
 use crate::{Sensor, SensorKind};
 

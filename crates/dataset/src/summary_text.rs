@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
-use super::SummaryEvent;
 use crate::sensor::channels;
-use crate::write::{known_text, list, quoted};
+use crate::summary::SummaryEvent;
+use crate::toml_text::{known_text, list, quoted};
 use crate::{Dataset, Flight, Role, Sensor, SensorKind};
 
 /// Table and line of a flight that is a row of a table of summaries; `None` for another flight.

@@ -6,15 +6,14 @@ use flight::{ModelObserver, ModelState};
 use nalgebra::DVector;
 use ode::{AlignedVec, Event, Occurrence, OdeRhs, Sensitivities};
 
-use super::quantity::{Vectors, value};
-use super::{SummaryModel, SummaryValue, event, vectors};
+use super::jacobian_columns::JacobianColumns;
+use super::observed_point::{ObservedPoint, Residuals, integration_options};
 use crate::channel::{Channel, ChannelKind};
 use crate::error::FlightError;
 use crate::observations::Observations;
-use crate::predict::{
-    JacobianColumns, ObservedPoint, Residuals, TrajectoryPass, integration_options,
-};
 use crate::problem::{FitProblem, RESIDUAL_TOLERANCE};
+use crate::summary::{SummaryModel, event, vectors};
+use crate::summary_value::{SummaryValue, Vectors, value};
 use dataset::SummaryQuantity;
 
 /// Motion at an event.
@@ -130,21 +129,24 @@ pub(crate) fn residuals(
 
 /// Integrates a flight to its landing and calls `each` with every value and its derivatives.
 pub(crate) fn each_point(
-    pass: &TrajectoryPass<'_>,
+    ((problem, observations), global, tolerance): (
+        (&FitProblem, &Observations),
+        &DVector<f64>,
+        f64,
+    ),
     variations: &mut Sensitivities<'_>,
     start: &AlignedVec,
     columns: &JacobianColumns<'_>,
     mut each: impl FnMut(ObservedPoint<'_>),
 ) -> Result<(), FlightError> {
-    let (problem, observations) = (pass.problem, pass.observations);
     let summary = summary_of(problem)?;
-    let bound = summary.bind(&observations.parameters(problem, pass.global));
+    let bound = summary.bind(&observations.parameters(problem, global));
     let mut observers: Vec<(usize, ModelObserver<'_>)> =
         bound.iter().map(|(k, own)| (*k, own.observer())).collect();
     let wanted = seen(problem, observations);
     let mut found = Vec::new();
     if wanted.iter().any(|event| *event != SummaryEvent::Release) {
-        let options = integration_options(pass.tolerance, 1);
+        let options = integration_options(tolerance, 1);
         let (from, end) = ((0.0, start), Release::MAX_DURATION);
         let mut events = events(summary);
         let path = variations.integrate_to_event(from, end, &options, &mut events)?;

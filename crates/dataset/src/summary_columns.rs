@@ -4,11 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use toml::de::DeTable;
 
-use super::quantity::SummaryQuantity;
-use super::unit::SummaryUnit;
-use super::{SummaryColumn, SummaryEvent};
 use crate::fields::{Fields, Value};
 use crate::input_error::InputError;
+use crate::summary::SummaryQuantity;
+use crate::summary::SummaryUnit;
+use crate::summary::{SummaryColumn, SummaryEvent};
 use crate::words::{listed, meant, shown};
 use crate::{KnownValue, Sensor, SensorKind};
 
