@@ -156,7 +156,7 @@ fn item_lines(items: &[Item], name: &str, shown: &str) -> Vec<String> {
             }
             Item::Enum(item) if item.ident == name => {
                 lines.push(format!("enum {shown}"));
-                let variants = item.variants.iter();
+                let variants = item.variants.iter().filter(|own| !is_hidden(&own.attrs));
                 lines.extend(variants.map(|variant| format!("{shown}::{}", variant.ident)));
             }
             Item::Fn(item) if item.sig.ident == name => {
