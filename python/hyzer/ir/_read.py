@@ -161,7 +161,11 @@ def entry(value: object, place: str, shape: tuple[int, ...]) -> tuple[int, int]:
 
 
 def function(
-    value: object, place: str, lengths: Lengths, shapes: Mapping[str, tuple[int, ...]], tables: Tables
+    value: object,
+    place: str,
+    lengths: Lengths,
+    shapes: Mapping[str, tuple[int, ...]],
+    tables: Tables,
 ) -> Function:
     """Read a function whose outputs have the given names and shapes."""
     fields = Fields(value, place)

@@ -109,7 +109,13 @@ def model_of(statement: list[Any]) -> dict[str, Any]:
         "limits": function([], l=zero(0)),
     }
     head = dict(zip(names, ("hyzer.ir/1", "0", "operation"), strict=True))
-    return {**head, **empty, "states": STATES, "tables": [TABLE, TABLE_OF_TWO], "functions": functions}
+    return {
+        **head,
+        **empty,
+        "states": STATES,
+        "tables": [TABLE, TABLE_OF_TWO],
+        "functions": functions,
+    }
 
 
 def test_every_operation_is_among_the_points() -> None:
