@@ -84,7 +84,7 @@ class Table:
 
 @dataclass(frozen=True)
 class TableOfTwo:
-    """A piecewise bicubic: increasing knots of both arguments, and the coefficients of each cell."""
+    """A piecewise bicubic: increasing knots of both arguments, and coefficients of each cell."""
 
     name: str
     knots: tuple[float, ...]
