@@ -399,7 +399,7 @@ fn notes(headers: &[String], rows: &[(usize, Vec<String>)]) -> Vec<String> {
         ));
     }
     if let Some(kind) = place("Spin Rate Type") {
-        let all = values(kind).count();
+        let all = values(kind).filter(|cell| !cell.trim().is_empty()).count();
         let estimated = values(kind).filter(|cell| cell.eq_ignore_ascii_case("estimated"));
         let count = estimated.count();
         if count > 0 {
