@@ -11,8 +11,6 @@ mod hover;
 mod layout;
 mod names;
 mod positions;
-#[cfg(test)]
-mod tests;
 mod transport;
 mod uri;
 mod words;

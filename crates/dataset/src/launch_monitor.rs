@@ -6,18 +6,18 @@ use std::path::Path;
 
 use crate::input_error::InputError;
 use crate::lines::Lines;
-use crate::summary::SummaryQuantity as Q;
-use crate::summary::SummaryUnit;
-use crate::summary::{SummaryColumn, SummaryEvent};
+use crate::summary::{SummaryColumn, SummaryEvent, SummaryQuantity as Q, SummaryUnit};
+use crate::summary_table::in_brackets;
+use crate::summary_text::{cell, columns};
 use crate::takes::number::number;
-use crate::toml_text::quoted;
+use crate::toml_text::{list, quoted};
 use crate::words::{listed, shown};
 use crate::{Dataset, Sensor, SensorKind, from_texts};
 
 /// Options of [`import_shots`].
 #[derive(Clone, Debug, Default)]
 pub struct ShotOptions {
-    /// Model; by default `golf_ball`, or `disc` where nose, hyzer or wobble are told.
+    /// Model; by default `golf_ball`, or `disc` where nose, hyzer or wobble are columns.
     pub model: Option<String>,
     /// Columns by their headers, each with what it is and its unit; they win over what is recognised.
     pub columns: Vec<(String, String, Option<String>)>,
@@ -162,6 +162,18 @@ struct Used {
     column: SummaryColumn,
 }
 
+/// Maximum length of an export, bytes.
+const MAX_BYTES: u64 = 256 << 20;
+
+/// Reads the file of a launch monitor's export, as [`import_shots`].
+///
+/// # Errors
+/// As [`import_shots`]; or if the file cannot be read, is no ordinary file or too long.
+pub fn read_shots(file: &Path, options: &ShotOptions) -> Result<ImportedShots, InputError> {
+    let bytes = crate::file::bytes(file, MAX_BYTES, "a table of shots")?;
+    import_shots(file, &bytes, options)
+}
+
 /// Reads a launch monitor's export: a header, where there is one a row of units in brackets, and a row per shot.
 ///
 /// # Errors
@@ -186,8 +198,7 @@ pub fn import_shots(
     let mut units: Vec<String> = Vec::new();
     while lines.next()? {
         let cells = lines.sheet.cells();
-        let is_unit = |cell: &String| cell.starts_with('[') && cell.ends_with(']');
-        if rows.is_empty() && cells.iter().any(is_unit) {
+        if rows.is_empty() && cells.iter().any(|cell| in_brackets(cell).is_some()) {
             units = cells;
             continue;
         }
@@ -245,13 +256,6 @@ pub fn import_shots(
         dataset: from_texts(&manifest, &tables)?,
         decisions,
     })
-}
-
-fn cell(header: &str) -> String {
-    match header.contains([',', '"', ';', '\t']) {
-        true => format!("\"{}\"", header.replace('"', "\"\"")),
-        false => header.to_owned(),
-    }
 }
 
 /// Columns of the options and those that are recognised; of several of one quantity the first.
@@ -361,21 +365,13 @@ fn manifest(used: &[Used], notes: &[String], options: &ShotOptions) -> String {
         "model = {}\n[[summaries]]\nfile = \"shots.csv\"\n",
         quoted(model)
     );
-    if !notes.is_empty() {
-        let notes: Vec<String> = notes.iter().map(|note| quoted(note)).collect();
-        let _ = writeln!(text, "notes = [{}]", notes.join(", "));
+    if let Some(notes) = list(notes) {
+        let _ = writeln!(text, "notes = {notes}");
     }
-    text += "[summaries.columns]\n";
-    for own in used {
-        let sensor = Sensor::new(&own.header, SensorKind::Summary(own.column), [0.0; 3]);
-        let _ = writeln!(
-            text,
-            "{} = {}",
-            quoted(&own.header),
-            crate::summary_text::column(&sensor)
-        );
-    }
-    text
+    let sensors = used.iter();
+    let sensors =
+        sensors.map(|own| Sensor::new(&own.header, SensorKind::Summary(own.column), [0.0; 3]));
+    text + &columns(&sensors.collect::<Vec<_>>())
 }
 
 /// What the device did not measure, by the other columns of its export.

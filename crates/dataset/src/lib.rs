@@ -44,7 +44,7 @@ pub use body_template::BodyTemplate;
 use flight::{InputInterpolation, InputSeries, parallel};
 pub use in_memory::from_texts;
 pub use input_error::InputError;
-pub use launch_monitor::{ImportedShots, ShotOptions, import_shots};
+pub use launch_monitor::{ImportedShots, ShotOptions, import_shots, read_shots};
 pub use recording::ANGULAR_RATES;
 pub use sensor::{Reading, Sensor, SensorKind, attitude, points_on_body, points_seen, spin_axis};
 pub use summary::{SummaryColumn, SummaryEvent, SummaryQuantity, SummaryUnit};
@@ -163,15 +163,15 @@ pub struct Flight {
 }
 
 impl Dataset {
-    /// Whether a flight of the dataset is told by a row of a table of summaries, and is no track.
+    /// Whether a flight of the dataset is a row of a table of summaries, and no track.
     #[doc(hidden)]
     pub fn is_summary(&self, flight: &Flight) -> bool {
         summary_text::is_of(flight, &self.sensors)
     }
 
-    /// Values that the summaries tell in a column, in its unit.
+    /// Values of a column of summaries, in its unit.
     #[doc(hidden)]
-    pub fn told(&self, column: &Sensor) -> impl Iterator<Item = f64> {
+    pub fn values_of(&self, column: &Sensor) -> impl Iterator<Item = f64> {
         let place = sensor::channels(&self.sensors).position(|(own, _)| own == column);
         let rows = self
             .flights

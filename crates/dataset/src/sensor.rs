@@ -3,7 +3,7 @@
 use model_spec::compose::Instrument;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-use super::summary::SummaryColumn;
+use super::summary::{SummaryColumn, SummaryEvent};
 
 /// Distance, m, of the virtual marker points of a pose sensor from the sensor along its axes; the points represent the
 /// pose in computations that use marker positions.
@@ -55,11 +55,17 @@ impl Sensor {
             sigma_angle: None,
         }
     }
+
+    /// Whether the sensor is a column of a table of summaries that tells what was seen after the release.
+    #[doc(hidden)]
+    pub fn is_outcome(&self) -> bool {
+        matches!(self.kind, SensorKind::Summary(own) if own.quantity.event() != SummaryEvent::Release)
+    }
 }
 
 impl SensorKind {
-    /// All kinds of sensors under `[[sensors]]`, each with its name in `dataset.toml`. `marker` is not included: an entry of that kind is
-    /// read as a tracked point on the body, not as a sensor.
+    /// All kinds of sensors under `[[sensors]]`, each with its name in `dataset.toml`. `marker` is not included: an
+    /// entry of that kind is read as a tracked point on the body, not as a sensor.
     pub const ALL: [(Self, &'static str); 4] = [
         (Self::Pose, "pose"),
         (Self::Instrument(Instrument::Gyroscope), "gyroscope"),

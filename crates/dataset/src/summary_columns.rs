@@ -6,9 +6,7 @@ use toml::de::DeTable;
 
 use crate::fields::{Fields, Value};
 use crate::input_error::InputError;
-use crate::summary::SummaryQuantity;
-use crate::summary::SummaryUnit;
-use crate::summary::{SummaryColumn, SummaryEvent};
+use crate::summary::{SummaryColumn, SummaryQuantity, SummaryUnit};
 use crate::words::{listed, meant, shown};
 use crate::{KnownValue, Sensor, SensorKind};
 
@@ -42,8 +40,8 @@ impl Fields<'_> {
             let value = self.needed(entry, "file", "the table of the flights")?;
             let file = self.file_name(value, "file", "the table of the flights in quotes")?;
             if found.iter().any(|other| other.file == file) {
-                let told = format!("a second table {}", shown(&file));
-                return Err(self.fault(value.span(), told, "each file once"));
+                let found = format!("a second table {}", shown(&file));
+                return Err(self.fault(value.span(), found, "each file once"));
             }
             let expected = "the columns, as in { \"Carry\" = { is = \"carry\", unit = \"yd\" } }";
             let value = self.needed(entry, "columns", expected)?;
@@ -81,27 +79,17 @@ impl Fields<'_> {
         for (header, value) in table {
             let header = header.get_ref().trim().to_owned();
             let column = self.column(&header, value)?;
-            let (SensorKind::Summary(own), kinds) =
-                (column.kind, columns.iter().map(|other| other.kind))
-            else {
-                continue;
-            };
-            let mut same = columns.iter().zip(kinds).filter(
-                |(_, kind)| matches!(kind, SensorKind::Summary(o) if o.quantity == own.quantity),
-            );
-            if let Some((other, _)) = same.next() {
-                let found = format!(
-                    "{} and {}, both {}",
-                    shown(&other.name),
-                    shown(&header),
-                    own.quantity.name()
-                );
+            // The name of the kind of a column is that of its quantity.
+            let quantity = column.kind.name();
+            let same = columns.iter().find(|other| other.kind.name() == quantity);
+            if let Some(other) = same {
+                let names = [&other.name, &header].map(|name| shown(name));
+                let found = format!("{}, both {quantity}", names.join(" and "));
                 return Err(self.fault(value.span(), found, "each quantity once"));
             }
             columns.push(column);
         }
-        let is_outcome = |kind: &SensorKind| matches!(kind, SensorKind::Summary(own) if own.quantity.event() != SummaryEvent::Release);
-        match columns.iter().any(|column| is_outcome(&column.kind)) {
+        match columns.iter().any(Sensor::is_outcome) {
             true => Ok(columns),
             false => wrong(
                 "columns of the release alone",

@@ -102,8 +102,13 @@ fn places(lines: &Lines<'_>, columns: &[Sensor]) -> Result<Vec<usize>, InputErro
 /// Whether the current row has units in brackets, and nothing else.
 fn is_units(lines: &Lines<'_>) -> bool {
     let cells = lines.sheet.cells();
-    let is_unit = |cell: &String| cell.starts_with('[') && cell.ends_with(']');
+    let is_unit = |cell: &String| in_brackets(cell).is_some();
     cells.iter().any(is_unit) && cells.iter().all(|cell| cell.is_empty() || is_unit(cell))
+}
+
+/// Text of a cell that is in brackets, as those of a row of units.
+pub(crate) fn in_brackets(cell: &str) -> Option<&str> {
+    cell.strip_prefix('[')?.strip_suffix(']')
 }
 
 /// Compares the units in the file with those that dataset.toml states.
@@ -113,8 +118,8 @@ fn check_units(lines: &Lines<'_>, columns: &[Sensor], places: &[usize]) -> Resul
             continue;
         };
         let cell = lines.sheet.cell(place);
-        let told = cell.trim_matches(['[', ']']);
-        if !told.is_empty() && SummaryUnit::parse(told) != Some(own.unit) {
+        let unit = cell.trim_matches(['[', ']']);
+        if !unit.is_empty() && SummaryUnit::parse(unit) != Some(own.unit) {
             let expected = format!("[{}] as dataset.toml states", own.unit.name());
             return Err(lines.fault(place, shown(cell), expected));
         }

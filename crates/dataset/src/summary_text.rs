@@ -3,7 +3,6 @@
 use std::fmt::Write as _;
 
 use crate::sensor::channels;
-use crate::summary::SummaryEvent;
 use crate::toml_text::{known_text, list, quoted};
 use crate::{Dataset, Flight, Role, Sensor, SensorKind};
 
@@ -14,7 +13,7 @@ fn table_of<'f>(flight: &'f Flight, sensors: &[Sensor]) -> Option<(&'f str, usiz
     is_of(flight, sensors).then_some((file, line))
 }
 
-/// Whether a flight is told by a row of a table of summaries.
+/// Whether a flight is a row of a table of summaries.
 pub(crate) fn is_of(flight: &Flight, sensors: &[Sensor]) -> bool {
     let [row] = flight.readings.as_slice() else {
         return false;
@@ -92,8 +91,9 @@ pub(crate) fn tables(dataset: &Dataset) -> Vec<(String, String)> {
     each.collect()
 }
 
-fn cell(header: &str) -> String {
-    match header.contains([',', '"']) {
+/// A header as a field of a line of a table.
+pub(crate) fn cell(header: &str) -> String {
+    match header.contains([',', '"', ';', '\t']) {
         true => format!("\"{}\"", header.replace('"', "\"\"")),
         false => header.to_owned(),
     }
@@ -121,15 +121,21 @@ pub(crate) fn manifest_text(dataset: &Dataset) -> String {
                 let _ = writeln!(text, "unknown = {names}");
             }
         }
-        text += "[summaries.columns]\n";
-        for (_, sensor) in &table.columns {
-            let _ = writeln!(text, "{} = {}", quoted(&sensor.name), column(sensor));
-        }
+        text += &columns(table.columns.iter().map(|(_, sensor)| *sensor));
     }
     text
 }
 
-pub(super) fn column(sensor: &Sensor) -> String {
+/// The table `[summaries.columns]` of an entry.
+pub(crate) fn columns<'s>(sensors: impl IntoIterator<Item = &'s Sensor>) -> String {
+    let mut text = String::from("[summaries.columns]\n");
+    for sensor in sensors {
+        let _ = writeln!(text, "{} = {}", quoted(&sensor.name), column(sensor));
+    }
+    text
+}
+
+fn column(sensor: &Sensor) -> String {
     let SensorKind::Summary(own) = sensor.kind else {
         return String::new();
     };
@@ -150,12 +156,4 @@ pub(super) fn column(sensor: &Sensor) -> String {
         let _ = write!(text, ", positive = \"{side}\"");
     }
     text + " }"
-}
-
-impl Sensor {
-    /// Whether the sensor is a column of a table of summaries that tells what was seen after the release.
-    #[doc(hidden)]
-    pub fn is_outcome(&self) -> bool {
-        matches!(self.kind, SensorKind::Summary(own) if own.quantity.event() != SummaryEvent::Release)
-    }
 }

@@ -20,14 +20,14 @@ impl FitProblem {
         let Some(summary) = &self.summary else {
             return false;
         };
-        let told = |kind: ChannelKind, measured: &[Option<[f64; 3]>]| {
+        let is_measured = |kind: ChannelKind, measured: &[Option<[f64; 3]>]| {
             let channels = self.channels.iter().zip(measured);
             channels
                 .into_iter()
                 .any(|(own, seen)| own.kind == kind && seen.is_some())
         };
         let all = self.channels.iter().filter(|own| event(own.kind).is_some());
-        if !all.into_iter().any(|own| told(own.kind, measured)) {
+        if !all.into_iter().any(|own| is_measured(own.kind, measured)) {
             return false;
         }
         let hold = |state: usize, value: f64, known: &mut KnownValues| {
@@ -37,11 +37,11 @@ impl FitProblem {
             }
         };
         let [x, y, z] = summary.position;
-        let height = ChannelKind::Summary(SummaryValue::Told(Q::Height));
+        let height = ChannelKind::Summary(SummaryValue::Column(Q::Height));
         for state in [x, y] {
             hold(state, 0.0, known);
         }
-        if !told(height, measured) {
+        if !is_measured(height, measured) {
             hold(z, 0.0, known);
         }
         for &state in &summary.held {
@@ -67,7 +67,7 @@ impl FitProblem {
             let (Some(value), ChannelKind::Summary(of)) = (own.assumed, own.kind) else {
                 continue;
             };
-            if !(told(own.kind, measured) || spin_is_known && summary.is_spin_of_point(of)) {
+            if !(is_measured(own.kind, measured) || spin_is_known && summary.is_spin_of_point(of)) {
                 measured[place] = Some([value; 3]);
             }
         }

@@ -55,7 +55,7 @@ impl Channel {
     /// Name of the quantity of a column of summaries that is compared with its prediction.
     pub fn summary(&self) -> Option<&'static str> {
         match self.kind {
-            ChannelKind::Summary(SummaryValue::Told(quantity)) => {
+            ChannelKind::Summary(SummaryValue::Column(quantity)) => {
                 (self.assumed.is_none() && !self.is_exact).then(|| quantity.name())
             }
             _ => None,
@@ -117,7 +117,7 @@ pub(crate) fn of_dataset(dataset: &Dataset) -> (Vec<Channel>, Vec<Instrument>) {
             SensorKind::Summary(column) => {
                 let exact = exact_deviation(column.quantity.si_unit()) / to_si.abs();
                 let sigma = sensor.sigma.or((!sensor.is_outcome()).then_some(exact));
-                let kind = ChannelKind::Summary(SummaryValue::Told(column.quantity));
+                let kind = ChannelKind::Summary(SummaryValue::Column(column.quantity));
                 add(kind, 1, sigma, column.unit.name());
                 if let Some(own) = channels.last_mut() {
                     own.is_exact = sensor.sigma.is_none() && !sensor.is_outcome();

@@ -43,7 +43,7 @@ pub struct Observations {
     pub measured: Vec<Option<[f64; 3]>>,
     /// Whether a measured value is excluded as an outlier, as `outlier[sample * channels + channel]`.
     pub outlier: Vec<bool>,
-    /// Whether the flight is told by a row of a table of summaries, and has a single sample at its release.
+    /// Whether the flight is a row of a table of summaries, with a single sample at its release.
     pub is_summary: bool,
     /// Number of channels; marker channels come first.
     pub channels: usize,
@@ -96,7 +96,7 @@ impl Observations {
         let mut measured = Vec::with_capacity((last + 1 - first) * channels);
         for sample in first..=last {
             measured.extend(row(problem, flight, sample));
-            // What releases have by assumption is told by no table.
+            // What releases have by assumption stands in no table.
             measured.resize((sample + 1 - first) * channels, None);
         }
         let is_summary = problem.assume(flight, &mut measured, &mut known);

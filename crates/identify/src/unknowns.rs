@@ -154,8 +154,13 @@ fn quantities(model: &Model, dataset: &Dataset) -> BTreeSet<String> {
         });
         flight.unknown.iter().cloned().chain(measured)
     });
-    // A ball's spin is told by each flight of a summary.
-    let is_spin = |sensor: &Sensor| matches!(sensor.kind, SensorKind::Summary(own) if matches!(own.quantity, SummaryQuantity::Spin | SummaryQuantity::SpinAxis));
+    // Each row of a summary states the spin of its ball.
+    let is_spin = |sensor: &Sensor| match sensor.kind {
+        SensorKind::Summary(own) => {
+            [SummaryQuantity::Spin, SummaryQuantity::SpinAxis].contains(&own.quantity)
+        }
+        _ => false,
+    };
     let has_spin = model.inputs.iter().any(|input| input.name == SPIN);
     let spin = dataset.sensors.iter().any(is_spin) && has_spin;
     let spin = spin.then(|| SPIN.to_owned());

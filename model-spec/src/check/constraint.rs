@@ -51,20 +51,12 @@ impl<'a> Checker<'a> {
             let next = self.rate_of(orders.last()?.clone(), span)?;
             orders.push(next);
         }
-        let rate = |power: i32| {
-            let mut rate = node(
-                ExprKind::Number {
-                    value: DECAY.powi(power),
-                    exact: Some(((DECAY as i64).pow(power as u32), 1)),
-                },
-                Shape::Scalar,
-                span,
-            );
-            rate.unit = Unit::SECOND
-                .checked_pow_half(-2 * power)
-                .unwrap_or_default();
-            rate
+        let number = |value: f64, exact, unit: Option<Unit>| {
+            let mut number = node(ExprKind::Number { value, exact }, Shape::Scalar, span);
+            number.unit = unit.unwrap_or_default();
+            number
         };
+        let per_time = |power: i32| Unit::SECOND.checked_pow_half(-2 * power);
         let reason = format!(
             "the constraint \"{}\" is violated",
             text.trim_end_matches(';')
@@ -73,11 +65,9 @@ impl<'a> Checker<'a> {
         for (order, own) in orders.iter().take(orders.len() - 1).enumerate() {
             let size = ExprKind::Call(Function::Abs, Box::new(own.expr.clone()));
             let size = node(size, Shape::Scalar, span);
-            let mut allowed = rate(order as i32);
-            if let ExprKind::Number { value, exact } = &mut allowed.kind {
-                (*value, *exact) = (*value * tolerance, None);
-            }
-            allowed.unit = allowed.unit.checked_mul(measure.unit).unwrap_or_default();
+            let power = order as i32;
+            let unit = per_time(power).and_then(|unit| unit.checked_mul(measure.unit));
+            let allowed = number(DECAY.powi(power) * tolerance, None, unit);
             let kind = ExprKind::Sub(Box::new(allowed), Box::new(size));
             self.model.limits.push(ValidityLimit {
                 value: node(kind, Shape::Scalar, span),
@@ -92,10 +82,10 @@ impl<'a> Checker<'a> {
         let mut sum = orders.pop()?.expr;
         for (order, own) in orders.into_iter().enumerate() {
             let power = reduced - order as i32;
-            let mut factor = rate(power);
-            if let (2, 1, ExprKind::Number { value, exact }) = (reduced, power, &mut factor.kind) {
-                (*value, *exact) = (2.0 * DECAY, Some((2 * DECAY as i64, 1)));
-            }
+            // The factor of the n-th derivative in (d/dt + DECAY)^reduced.
+            let ways = if order > 0 { f64::from(reduced) } else { 1.0 };
+            let value = ways * DECAY.powi(power);
+            let factor = number(value, Some((value as i64, 1)), per_time(power));
             let term = ExprKind::Mul(Box::new(factor), Box::new(own.expr));
             let term = node(term, Shape::Scalar, span);
             sum = node(

@@ -151,6 +151,11 @@ struct Degrees {
 }
 
 impl Degrees {
+    fn greatest<'e>(&self, parts: &'e [Expr]) -> Result<u8, &'e Expr> {
+        let mut degrees = parts.iter().map(|part| self.of(part));
+        degrees.try_fold(0, |greatest, degree| Ok(degree?.max(greatest)))
+    }
+
     /// Degree of an expression, or the part of it that is not linear.
     fn of<'e>(&self, e: &'e Expr) -> Result<u8, &'e Expr> {
         use ExprKind as K;
@@ -168,20 +173,8 @@ impl Degrees {
             },
             K::Neg(a) | K::Component(a, _) | K::Reexpress(a) => self.of(a),
             // What is differentiated depends on no unknown.
-            K::Rate(_, _, rates) => {
-                let mut degree = 0;
-                for rate in rates {
-                    degree = degree.max(self.of(rate)?);
-                }
-                Ok(degree)
-            }
-            K::Components(parts) => {
-                let mut degree = 0;
-                for part in parts.iter() {
-                    degree = degree.max(self.of(part)?);
-                }
-                Ok(degree)
-            }
+            K::Rate(_, _, rates) => self.greatest(rates),
+            K::Components(parts) => self.greatest(&parts[..]),
             _ => {
                 let mut found = Ok(0);
                 e.children(&mut |child| match (&found, self.of(child)) {

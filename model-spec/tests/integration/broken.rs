@@ -55,6 +55,34 @@ fn every_broken_file_is_explained() {
     });
 }
 
+/// The edit that carries out a hint mends the error.
+#[test]
+fn edits_of_hints_mend_their_errors() {
+    let faults = |text: &str| match load::inspect_text("broken.hyz", text, &[]) {
+        Ok(loaded) => loaded.diagnostics,
+        Err(error) => error.diagnostics().to_vec(),
+    };
+    let mut mended = 0;
+    for entry in std::fs::read_dir("tests/integration/broken").unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_none_or(|kind| kind != "hyz") {
+            continue;
+        }
+        let text = std::fs::read_to_string(&path).unwrap_or_default();
+        for fault in faults(&text) {
+            let Some(fix) = &fault.fix else { continue };
+            let mut changed = text.clone();
+            changed.replace_range(fix.span.range(), &fix.text);
+            let is_left = faults(&changed)
+                .iter()
+                .any(|other| other.message == fault.message && other.span == fault.span);
+            assert!(!is_left, "{}: {fault:#?}", path.display());
+            mended += 1;
+        }
+    }
+    assert!(mended > 15, "{mended}");
+}
+
 #[test]
 fn a_file_of_ten_megabytes_gets_one_clear_message() {
     let path = std::env::temp_dir().join(format!("hyzer-long-{}.hyz", std::process::id()));

@@ -2,14 +2,11 @@
 
 use std::fmt::Write;
 
-use anyhow::{Context, bail, ensure};
-use dataset::{ShotOptions, import_shots};
+use anyhow::bail;
+use dataset::{ShotOptions, read_shots};
 
 use super::{DECISIONS, Imported};
 use crate::cli::Import;
-
-/// Largest export that is read, bytes.
-const MAX_BYTES: u64 = 256 << 20;
 
 /// Reads a launch monitor's table.
 ///
@@ -24,16 +21,8 @@ pub(super) fn imported(options: &Import) -> anyhow::Result<Imported> {
     };
     let columns = options.column.iter().map(|text| column(text));
     let columns = columns.collect::<anyhow::Result<_>>()?;
-    let size = std::fs::metadata(file).with_context(|| file.display().to_string())?;
-    ensure!(
-        size.is_file() && size.len() <= MAX_BYTES,
-        "{}: found no file of at most {} MB, expected a table of shots",
-        file.display(),
-        MAX_BYTES >> 20
-    );
-    let bytes = std::fs::read(file).with_context(|| file.display().to_string())?;
     let model = options.model.clone();
-    let made = import_shots(file, &bytes, &ShotOptions { model, columns })?;
+    let made = read_shots(file, &ShotOptions { model, columns })?;
     let mut decisions = format!("{}\n", file.display());
     for line in &made.decisions {
         let _ = writeln!(decisions, "  {line}");

@@ -159,18 +159,14 @@ pub(crate) fn gain_of_fits(
 /// Mean squared prediction error of a flight, m². That of a summary is in units of the noise of its values in `before`,
 /// times that of a coordinate.
 fn error(flight: &FlightReport, before: &FlightReport, noise_m: f64) -> f64 {
-    let pairs = flight.seen.iter().filter_map(|own| {
-        let same = before.seen.iter().find(|other| other.name == own.name)?;
-        Some(((own.predicted - own.measured) / same.sigma).powi(2))
-    });
-    let squares: Vec<f64> = pairs.collect();
-    match squares.is_empty() {
-        true => flight.rms().powi(2),
-        false => noise_m * noise_m * squares.iter().sum::<f64>() / squares.len() as f64,
+    match flight.mean_square_by_noise_of(before) {
+        None => flight.rms().powi(2),
+        Some(mean_square) => noise_m * noise_m * mean_square,
     }
 }
 
-/// Predictions of the held-out flights; `noise_m` is that of a coordinate, m; in `not_applied`, that of `before` counts for both.
+/// Predictions of the held-out flights; `noise_m` is that of a coordinate, m; in `not_applied`, that of `before` counts
+/// for both.
 pub(super) fn predictions(
     before: &FitReport,
     after: &FitReport,

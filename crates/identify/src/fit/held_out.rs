@@ -154,7 +154,7 @@ fn predict(
     Ok((report, Some(fitted)))
 }
 
-/// Predicts what was seen of a flight from the release that its summary tells.
+/// Predicts what was seen of a flight from the release in its summary.
 fn predict_summary(
     at: FixedGlobal<'_>,
     mut observations: Observations,
@@ -176,8 +176,8 @@ fn predict_summary(
     let system = system.map_err(|_| FlightError::SingularInitialState)?;
     let covariance = system.local_covariance(0, &DMatrix::zeros(0, 0));
     let mut residuals = residuals(problem, &observations, (global, &local), 1)?;
-    for (series, told) in residuals.iter_mut().zip(&release.measured) {
-        if told.is_some() {
+    for (series, at_release) in residuals.iter_mut().zip(&release.measured) {
+        if at_release.is_some() {
             series[0] = None;
         }
     }

@@ -1,4 +1,4 @@
-//! Flights that are told by summaries in a fit: their initial states by their releases, before noise is estimated.
+//! Flights that are summaries in a fit: their initial states by their releases, before noise is estimated.
 
 use super::FitError;
 use super::residual_cache::{ResidualCache, exclude_failed};
@@ -30,21 +30,22 @@ impl Summaries {
         }
         flights.retain(|&flight| {
             let data = &dataset.flights[flight.index()];
-            let Ok(observations) = Observations::new(problem, data) else {
+            if !dataset.is_summary(data) {
                 return true;
-            };
-            if observations.is_summary {
-                match initial_state(problem, &observations) {
-                    Ok(state) => own.found.push((flight, observations, state)),
-                    Err(reason) => own.excluded.push(ExcludedFlight {
-                        flight,
-                        file: data.file.clone(),
-                        reason,
-                    }),
-                }
-                return false;
             }
-            true
+            let found = Observations::new(problem, data).and_then(|observations| {
+                let state = initial_state(problem, &observations)?;
+                Ok((flight, observations, state))
+            });
+            match found {
+                Ok(found) => own.found.push(found),
+                Err(reason) => own.excluded.push(ExcludedFlight {
+                    flight,
+                    file: data.file.clone(),
+                    reason,
+                }),
+            }
+            false
         });
         own
     }
@@ -93,7 +94,7 @@ pub fn notes(problem: &FitProblem, dataset: &Dataset) -> Vec<String> {
 }
 
 impl SummaryModel {
-    /// Initial state by the release that the flight tells, with assumptions where it does not.
+    /// Initial state by the measured release, with assumptions where no column measures it.
     ///
     /// # Errors
     /// [`FlightError::NoRelease`] if the model has no such release.
@@ -102,25 +103,25 @@ impl SummaryModel {
         problem: &FitProblem,
         observations: &Observations,
     ) -> Result<Vec<f64>, FlightError> {
-        let told = |quantity: SummaryQuantity| {
+        let measured = |quantity: SummaryQuantity| {
             let mut channels = problem.channels.iter().enumerate();
             channels.find_map(|(index, own)| {
-                let is_own = own.kind == ChannelKind::Summary(SummaryValue::Told(quantity));
+                let is_own = own.kind == ChannelKind::Summary(SummaryValue::Column(quantity));
                 let value = observations.value(0, index).filter(|_| is_own)?;
                 Some(value[0] * own.to_si)
             })
         };
-        let angle = |quantity| told(quantity).map(f64::to_degrees);
+        let angle = |quantity| measured(quantity).map(f64::to_degrees);
         let mut throw = Throw {
             heading: angle(SummaryQuantity::Heading).unwrap_or(0.0),
             launch: angle(SummaryQuantity::Launch).unwrap_or(0.0),
-            height: told(SummaryQuantity::Height).unwrap_or(0.0),
-            ..Throw::at_speed(told(SummaryQuantity::Speed).unwrap_or(0.0))
+            height: measured(SummaryQuantity::Height).unwrap_or(0.0),
+            ..Throw::at_speed(measured(SummaryQuantity::Speed).unwrap_or(0.0))
         };
         if self.thrown.has_attitude() {
             throw.nose = angle(SummaryQuantity::Nose);
             throw.hyzer = angle(SummaryQuantity::Hyzer);
-            throw.spin = told(SummaryQuantity::Spin).map(|spin| spin / flight::throw::RPM);
+            throw.spin = measured(SummaryQuantity::Spin).map(|spin| spin / flight::throw::RPM);
             throw.wobble = angle(SummaryQuantity::Wobble).filter(|_| throw.spin != Some(0.0));
         }
         let found = self
@@ -129,8 +130,8 @@ impl SummaryModel {
         let mut state = found.map_err(|error| FlightError::NoRelease(error.to_string()))?;
         if let Some(places) = self.spin_states() {
             let (size, tilt) = (
-                told(SummaryQuantity::Spin).unwrap_or(0.0),
-                told(SummaryQuantity::SpinAxis).unwrap_or(0.0),
+                measured(SummaryQuantity::Spin).unwrap_or(0.0),
+                measured(SummaryQuantity::SpinAxis).unwrap_or(0.0),
             );
             let motion = self.thrown.motion(&state, &observations.parameters);
             let along = motion.velocity.normalize();

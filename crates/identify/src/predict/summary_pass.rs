@@ -70,7 +70,7 @@ fn summary_of(problem: &FitProblem) -> Result<&SummaryModel, FlightError> {
 
 fn residual(own: &Channel, of: SummaryValue, at: &AtEvent, measured: f64) -> f64 {
     let predicted = match of {
-        SummaryValue::Told(SummaryQuantity::HangTime) => at.time,
+        SummaryValue::Column(SummaryQuantity::HangTime) => at.time,
         of => value(of, &at.vectors).value,
     };
     (predicted / own.to_si - measured) * own.scale
@@ -243,7 +243,7 @@ fn at_event(
 fn derive(of: SummaryValue, at: &AtEvent, scale: f64, rows: &mut [Vec<f64>; 3]) {
     let [first, second, third] = rows;
     first.fill(0.0);
-    if of == SummaryValue::Told(SummaryQuantity::HangTime) {
+    if of == SummaryValue::Column(SummaryQuantity::HangTime) {
         for (to, by) in first.iter_mut().zip(&at.time_row) {
             *to = scale * by;
         }

@@ -308,12 +308,20 @@ impl FlightReport {
 
     /// [`rms`](Self::rms), or of a summary the root mean square residual in units of the noise.
     pub(crate) fn misfit(&self) -> f64 {
-        let squares = self.seen.iter();
-        let squares = squares.map(|own| ((own.predicted - own.measured) / own.sigma).powi(2));
-        match self.seen.is_empty() {
-            true => self.rms(),
-            false => (squares.sum::<f64>() / self.seen.len() as f64).sqrt(),
-        }
+        self.mean_square_by_noise_of(self)
+            .map_or_else(|| self.rms(), f64::sqrt)
+    }
+
+    /// Mean squared residual of a summary, each value in units of the noise that it has in `other`, a report of the same
+    /// flight; `None` for a track.
+    #[doc(hidden)]
+    pub fn mean_square_by_noise_of(&self, other: &FlightReport) -> Option<f64> {
+        let pairs = self.seen.iter().filter_map(|own| {
+            let same = other.seen.iter().find(|same| same.name == own.name)?;
+            Some(((own.predicted - own.measured) / same.sigma).powi(2))
+        });
+        let squares: Vec<f64> = pairs.collect();
+        (!squares.is_empty()).then(|| squares.iter().sum::<f64>() / squares.len() as f64)
     }
 
     /// [`rms`](Self::rms) with its unit, in words; `–` if there is none.

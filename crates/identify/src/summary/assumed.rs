@@ -16,15 +16,15 @@ const BODY_SPIN: (f64, f64) = (0.0, 200.0);
 
 impl SummaryModel {
     /// Channels for what releases of the model's body have by assumption; their noise groups begin at `group`. `usual` is
-    /// what the flights that tell a quantity have, SI.
+    /// the median of a quantity over the flights that measure it, SI.
     pub(crate) fn assumed(&self, group: usize, usual: impl Fn(Q) -> Option<f64>) -> Vec<Channel> {
         let exact =
             |value: SummaryValue, unit: &'static str| (value, unit, 0.0, of_unit(&ASSUMED, unit));
-        let told = |quantity: Q| exact(SummaryValue::Told(quantity), quantity.si_unit());
+        let taken = |quantity: Q| exact(SummaryValue::Column(quantity), quantity.si_unit());
         let unknown = |quantity: Q, (value, sigma): (f64, f64)| {
             let value = usual(quantity).unwrap_or(value);
             (
-                SummaryValue::Told(quantity),
+                SummaryValue::Column(quantity),
                 quantity.si_unit(),
                 value,
                 sigma,
@@ -33,14 +33,14 @@ impl SummaryModel {
         let mut all = vec![
             unknown(Q::Speed, SPEED),
             unknown(Q::Launch, LAUNCH),
-            told(Q::Heading),
+            taken(Q::Heading),
         ];
         if self.thrown.has_attitude() {
             all.extend([
                 unknown(Q::Nose, NOSE),
                 unknown(Q::Hyzer, HYZER),
                 unknown(Q::Spin, BODY_SPIN),
-                told(Q::Wobble),
+                taken(Q::Wobble),
                 exact(SummaryValue::SideWobble, "rad"),
             ]);
             if self.vectors.iter().any(|(k, _)| *k == 4) {
@@ -50,7 +50,7 @@ impl SummaryModel {
         if self.spin.is_some() {
             all.extend([
                 unknown(Q::Spin, BALL_SPIN),
-                told(Q::SpinAxis),
+                taken(Q::SpinAxis),
                 exact(SummaryValue::Rifle, "rad/s"),
             ]);
         }
@@ -74,7 +74,7 @@ impl SummaryModel {
 
     /// Whether the quantity of an assumption is the spin of a point mass.
     pub(crate) fn is_spin_of_point(&self, value: SummaryValue) -> bool {
-        let of_spin = [Q::Spin, Q::SpinAxis].map(SummaryValue::Told);
+        let of_spin = [Q::Spin, Q::SpinAxis].map(SummaryValue::Column);
         self.spin.is_some() && (of_spin.contains(&value) || value == SummaryValue::Rifle)
     }
 

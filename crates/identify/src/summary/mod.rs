@@ -47,28 +47,28 @@ pub(crate) fn of_channels(
     dataset: &Dataset,
     channels: &mut Vec<Channel>,
 ) -> Result<Option<Arc<SummaryModel>>, FitError> {
-    let told = channels.iter().filter_map(|own| match own.kind {
-        ChannelKind::Summary(SummaryValue::Told(quantity)) => Some(quantity),
+    let columns = channels.iter().filter_map(|own| match own.kind {
+        ChannelKind::Summary(SummaryValue::Column(quantity)) => Some(quantity),
         _ => None,
     });
-    let told: Vec<_> = told.collect();
-    if told.is_empty() {
+    let columns: Vec<_> = columns.collect();
+    if columns.is_empty() {
         return Ok(None);
     }
-    let summary = SummaryModel::new(model, &told).map_err(|reason| FitError::Sensor {
+    let summary = SummaryModel::new(model, &columns).map_err(|reason| FitError::Sensor {
         model: model.name.clone(),
         reason,
     })?;
     let groups: Vec<usize> = channels.iter().map(|own| own.group).collect();
     let usual = |quantity: SummaryQuantity| {
         let is_own =
-            |own: &&Channel| own.kind == ChannelKind::Summary(SummaryValue::Told(quantity));
+            |own: &&Channel| own.kind == ChannelKind::Summary(SummaryValue::Column(quantity));
         let own = channels.iter().find(is_own)?;
         let sensor = dataset
             .sensors
             .iter()
             .find(|sensor| sensor.name == own.name)?;
-        median_of(dataset.told(sensor)).map(|value| value * own.to_si)
+        median_of(dataset.values_of(sensor)).map(|value| value * own.to_si)
     };
     let assumed = summary.assumed(group_count(&groups), usual);
     channels.extend(assumed);
@@ -76,14 +76,14 @@ pub(crate) fn of_channels(
 }
 
 impl SummaryModel {
-    /// Compiles the functions; an error, as text for the message, if the model has no quantity of `told`.
-    pub fn new(model: &Model, told: &[SummaryQuantity]) -> Result<Self, String> {
+    /// Compiles the functions; an error, as text for the message, if the model has no quantity of `columns`.
+    pub fn new(model: &Model, columns: &[SummaryQuantity]) -> Result<Self, String> {
         let thrown = ThrownModel::new(model).map_err(|error| error.to_string())?;
         let compiled = VECTORS.iter().enumerate();
         let compiled = compiled.filter_map(|(k, vector)| Some((k, vector.compile(model)?)));
         let vectors: Vec<(usize, CompiledModel)> = compiled.collect();
         let has = |k: usize| vectors.iter().any(|(own, _)| *own == k);
-        for &quantity in told {
+        for &quantity in columns {
             check(quantity, thrown.has_attitude(), has(2))?;
         }
         let position = vectors.first().and_then(|(_, own)| coordinates(own));
@@ -188,7 +188,7 @@ pub(crate) fn vectors(
 /// Event at which the value of a channel is seen; `None` if the channel is not of summaries.
 pub(crate) fn event(kind: ChannelKind) -> Option<SummaryEvent> {
     match kind {
-        ChannelKind::Summary(SummaryValue::Told(quantity)) => Some(quantity.event()),
+        ChannelKind::Summary(SummaryValue::Column(quantity)) => Some(quantity.event()),
         ChannelKind::Summary(_) => Some(SummaryEvent::Release),
         _ => None,
     }

@@ -8,7 +8,7 @@ use super::dual::{COMPONENTS, Dual, DualVector};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SummaryValue {
     /// A column of a table of summaries.
-    Told(SummaryQuantity),
+    Column(SummaryQuantity),
     /// Spin of a ball about its direction of flight at the release, rad/s: 0.
     Rifle,
     /// Tilt of a body's angular momentum to the side of its motion at the release, rad: 0.
@@ -25,8 +25,8 @@ pub type Vectors = [[f64; 3]; COMPONENTS / 3];
 /// function of the motion.
 pub fn value(of: SummaryValue, vectors: &Vectors) -> Dual {
     let motion = Motion::new(vectors);
-    let told = match of {
-        SummaryValue::Told(told) => told,
+    let quantity = match of {
+        SummaryValue::Column(quantity) => quantity,
         SummaryValue::Rifle => return motion.spin.dot(motion.velocity.unit()),
         SummaryValue::SideWobble => return motion.wobble()[1],
         SummaryValue::Turn => {
@@ -36,7 +36,7 @@ pub fn value(of: SummaryValue, vectors: &Vectors) -> Dual {
     };
     let [x, y, z] = motion.position.0;
     let [u, v, w] = motion.velocity.0;
-    match told {
+    match quantity {
         SummaryQuantity::Speed | SummaryQuantity::LandingSpeed => motion.velocity.norm(),
         SummaryQuantity::Launch => w.atan2((u * u + v * v).sqrt()),
         SummaryQuantity::LandingAngle => (-w).atan2((u * u + v * v).sqrt()),

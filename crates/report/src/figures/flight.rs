@@ -56,7 +56,7 @@ pub fn flight(
         let samples = times.iter().zip(&given);
         samples.map(|(t, row)| (*t, row[i])).collect()
     };
-    let over_time = panels_of_inputs(&labels, &given, f64::INFINITY, &of_input).into_iter();
+    let over_time = panels_of_inputs(&labels, &given, &of_input).into_iter();
     let over_time = over_time.chain(panels_of_states(states, &rows, APART, &points));
     panels.extend(over_time.map(|panel| Panel {
         marks: marks.clone(),

@@ -44,14 +44,13 @@ fn groups(states: &[StateLabel<'_>], rows: &[Vec<f64>], apart: f64) -> Vec<Vec<u
     groups
 }
 
-/// Panels of inputs over time, as those of the states.
+/// Panels of inputs over time, as those of the states; those of one unit together, whatever their sizes.
 pub(crate) fn panels_of_inputs(
     inputs: &[StateLabel<'_>],
     rows: &[Vec<f64>],
-    apart: f64,
     points: &dyn Fn(usize) -> Vec<(f64, f64)>,
 ) -> Vec<Panel> {
-    panels(inputs, rows, apart, &|_| "Input", points)
+    panels(inputs, rows, f64::INFINITY, &|_| "Input", points)
 }
 
 /// Panels of the states over time, one for each of their [`groups`], from points (time, value) by state.

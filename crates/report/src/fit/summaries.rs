@@ -1,4 +1,4 @@
-//! Flights that are told by summaries: what was seen of them beside what the model predicts.
+//! Flights that are summaries: what was seen of them beside what the model predicts.
 
 use dataset::Role;
 use identify::numbers::{plain, quantity, significant};
@@ -8,7 +8,7 @@ use crate::figures::csv::CsvTable;
 use crate::table::Table;
 use crate::thin::MAX_ROWS;
 
-/// Whether every flight that was used is told by a summary.
+/// Whether every flight that was used is a summary.
 pub(super) fn only(report: &FitReport) -> bool {
     let mut used = report.flights.iter().filter(|flight| flight.is_used());
     used.clone().next().is_some() && used.all(|flight| !flight.seen.is_empty())

@@ -187,6 +187,8 @@ fn right_models_of_the_gallery_hold_and_wrong_ones_are_refuted_by_their_balances
             "der(partial(L, psidot)) = psidot*1e-6 [N*m*s]",
         ),
         ("euler_disc", "contact × in_B(R)", "-contact × in_B(R)"),
+        ("tethered_kite", "= drag + lift", "= 1.1*drag + lift"),
+        ("parachute_payload", "+ T/L*line;", "+ 1.1*T/L*line;"),
     ];
     for (name, from, to) in wrong {
         let text = gallery(name);

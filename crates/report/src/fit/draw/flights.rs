@@ -85,7 +85,7 @@ fn input_panels(flight: &FlightEvidence) -> Vec<Panel> {
     let labels = labels.map(|(name, unit)| StateLabel { name, unit });
     let labels: Vec<StateLabel<'_>> = labels.collect();
     let points = |i| column(flight, &flight.inputs, i);
-    panels_of_inputs(&labels, &flight.inputs, f64::INFINITY, &points)
+    panels_of_inputs(&labels, &flight.inputs, &points)
 }
 
 /// Points (time, value) of a column of a table with a row for each sample.

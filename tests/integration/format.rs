@@ -1,4 +1,4 @@
-//! The commands for editors: `format` and `lsp`.
+//! The command `format`.
 
 use std::fs;
 use std::io::Write;
@@ -70,21 +70,4 @@ fn standard_input_is_formatted_to_standard_output() {
     };
     assert_eq!(of("let a=1;"), (Some(0), "let a = 1;\n".to_owned()));
     assert_eq!(of("let a=;"), (Some(2), String::new()));
-}
-
-#[test]
-fn a_server_ends_as_it_is_told() {
-    let message = |text: &str| format!("Content-Length: {}\r\n\r\n{text}", text.len());
-    let begin = message(r#"{"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": {}}"#);
-    let shutdown = message(r#"{"jsonrpc": "2.0", "id": 2, "method": "shutdown"}"#);
-    let exit = message(r#"{"jsonrpc": "2.0", "method": "exit"}"#);
-    for (input, status) in [
-        ([&begin[..], &shutdown, &exit].concat(), 0),
-        (begin.clone(), 1),
-        (exit, 1),
-    ] {
-        let output = told_of_input(hyzer().args(["lsp", "--stdio"]), &input);
-        assert_eq!(output.status.code(), Some(status), "{input}");
-        assert!(output.stderr.is_empty());
-    }
 }

@@ -1,0 +1,278 @@
+//! The language server as an editor runs it: `hyzer lsp` with messages through its pipes.
+
+use std::fs;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::path::Path;
+use std::process::{Child, ChildStdin, Stdio};
+use std::sync::mpsc::{Receiver, channel};
+use std::time::Duration;
+
+use model_spec::load::{EFFECTS, MODELS};
+use model_spec::model::Function;
+use serde_json::{Value, json};
+
+use crate::support::hyzer;
+
+/// Time within which an answer must come.
+const PATIENCE: Duration = Duration::from_secs(30);
+
+/// Time without an answer after which none is expected, where transcripts are written.
+const SILENCE: Duration = Duration::from_millis(300);
+
+/// A running server.
+struct Server {
+    child: Child,
+    input: Option<ChildStdin>,
+    answers: Receiver<Value>,
+}
+
+impl Server {
+    /// A server that knows nothing of its client.
+    fn new() -> Self {
+        let mut command = hyzer();
+        command.args(["lsp", "--stdio"]);
+        let pipes = command.stdin(Stdio::piped()).stdout(Stdio::piped());
+        let mut child = pipes.stderr(Stdio::piped()).spawn().expect("it runs");
+        let mut output = BufReader::new(child.stdout.take().expect("a pipe"));
+        let (sender, answers) = channel();
+        std::thread::spawn(move || {
+            while let Some(answer) = next_message(&mut output) {
+                if sender.send(answer).is_err() {
+                    return;
+                }
+            }
+        });
+        Self {
+            input: child.stdin.take(),
+            child,
+            answers,
+        }
+    }
+
+    /// A server with an open text.
+    fn with_text(uri: &str, text: &str) -> Self {
+        let mut server = Self::new();
+        server.asked("initialize", &json!({}));
+        let own = json!({ "uri": uri, "version": 1, "text": text });
+        server
+            .send(&json!({ "method": "textDocument/didOpen", "params": { "textDocument": own } }));
+        server.answer(PATIENCE).expect("the errors of the text");
+        server
+    }
+
+    fn write(&mut self, text: &str) {
+        let pipe = self.input.as_mut().expect("a pipe");
+        // A server that has ended reads nothing more.
+        let _ = pipe.write_all(text.as_bytes());
+    }
+
+    fn send(&mut self, message: &Value) {
+        self.write(&framed(&message.to_string()));
+    }
+
+    fn answer(&self, patience: Duration) -> Option<Value> {
+        self.answers.recv_timeout(patience).ok()
+    }
+
+    /// Answer to a request.
+    fn asked(&mut self, method: &str, parameters: &Value) -> Value {
+        self.send(&json!({ "id": method, "method": method, "params": parameters }));
+        let answer = self.answer(PATIENCE).expect("an answer");
+        assert_eq!(answer["id"], method);
+        answer
+    }
+
+    /// Ends the input; returns the exit status and the answers that were not read.
+    fn end(mut self) -> (Option<i32>, Vec<Value>) {
+        self.input = None;
+        let rest: Vec<Value> = self.answers.iter().collect();
+        let mut errors = String::new();
+        let mut pipe = self.child.stderr.take().expect("a pipe");
+        pipe.read_to_string(&mut errors).expect("text");
+        assert!(errors.is_empty(), "{errors}");
+        (self.child.wait().expect("it ends").code(), rest)
+    }
+}
+
+fn framed(text: &str) -> String {
+    format!("Content-Length: {}\r\n\r\n{text}", text.len())
+}
+
+fn next_message(output: &mut impl BufRead) -> Option<Value> {
+    let (mut header, mut blank) = (String::new(), String::new());
+    output.read_line(&mut header).ok()?;
+    output.read_line(&mut blank).ok()?;
+    let length = header.trim().strip_prefix("Content-Length: ")?;
+    let mut bytes = vec![0; length.parse().ok()?];
+    output.read_exact(&mut bytes).ok()?;
+    serde_json::from_slice(&bytes).ok()
+}
+
+/// Each message `> …` of a transcript is answered as the lines `< …` say that follow. With the environment variable
+/// `UPDATE_TRANSCRIPTS` these lines are written.
+#[test]
+fn messages_are_answered_as_in_the_transcripts() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/integration/transcripts");
+    let is_written = std::env::var_os("UPDATE_TRANSCRIPTS").is_some();
+    let mut count = 0;
+    for entry in fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("a file").path();
+        let text = fs::read_to_string(&path).expect("text");
+        let mut server = Server::new();
+        let mut written = String::new();
+        let mut lines = text.lines().peekable();
+        while let Some(line) = lines.next() {
+            written += &format!("{line}\n");
+            let mut expected = 0;
+            while lines.next_if(|line| line.starts_with('<')).is_some() {
+                expected += 1;
+            }
+            let Some(message) = line.strip_prefix("> ") else {
+                continue;
+            };
+            server.write(&framed(message));
+            if is_written {
+                while let Some(answer) = server.answer(SILENCE) {
+                    written += &format!("< {answer}\n");
+                }
+            } else {
+                for _ in 0..expected {
+                    let answer = server.answer(PATIENCE).unwrap_or_default();
+                    written += &format!("< {answer}\n");
+                }
+            }
+        }
+        if is_written {
+            fs::write(&path, &written).expect("written");
+            continue;
+        }
+        let changed = written.lines().zip(text.lines()).find(|(a, b)| a != b);
+        assert!(written == text, "{}: {changed:#?}", path.display());
+        assert_eq!(server.end().1, Vec::<Value>::new(), "{}", path.display());
+        count += 1;
+    }
+    assert!(is_written || count >= 9, "{count}");
+}
+
+#[test]
+fn what_is_no_message_is_answered_and_passed_over() {
+    let cases = [
+        ("no JSON", framed("{"), 1),
+        ("too deep", framed(&"[".repeat(100_000)), 1),
+        (
+            "too long",
+            format!("Content-Length: 17000000\r\n\r\n{}", " ".repeat(17_000_000)),
+            1,
+        ),
+        (
+            "no UTF-8",
+            "Content-Length: 2\r\n\r\n\u{00E9}".to_owned(),
+            1,
+        ),
+        ("no length", "Content-Length: x\r\n\r\n".to_owned(), 1),
+        ("blank lines", "\r\n\r\n\n".to_owned(), 0),
+        (
+            "other headers",
+            format!("Content-Type: a\r\n{}", framed(r#"{"id": 3}"#)),
+            1,
+        ),
+    ];
+    for (what, text, errors) in cases {
+        let mut server = Server::new();
+        server.asked("initialize", &json!({}));
+        server.write(&text);
+        for _ in 0..errors {
+            let answer = server.answer(PATIENCE).unwrap_or_default();
+            assert!(answer["error"].is_object(), "{what}: {answer}");
+        }
+        assert!(server.asked("shutdown", &json!({}))["result"].is_null());
+        server.send(&json!({ "method": "exit" }));
+        assert_eq!(server.end(), (Some(0), Vec::new()), "{what}");
+    }
+}
+
+/// The status is 0 only if `shutdown` came before the end.
+#[test]
+fn a_server_ends_as_it_is_told() {
+    let exit = framed(r#"{"method": "exit"}"#);
+    for text in ["", &exit, "Content-Length: 99\r\n\r\n{"] {
+        let mut server = Server::new();
+        server.asked("initialize", &json!({}));
+        server.write(text);
+        assert_eq!(server.end().0, Some(1), "{text}");
+    }
+}
+
+#[test]
+fn every_function_is_described() {
+    let text = "model a;\nlet b = ";
+    let mut server = Server::with_text("file:///a.hyz", text);
+    let parameters = json!({ "textDocument": { "uri": "file:///a.hyz" }, "position": { "line": 1, "character": 8 } });
+    let answer = server.asked("textDocument/completion", &parameters);
+    for (name, _) in Function::NAMES {
+        let items = answer["result"].as_array().into_iter().flatten();
+        let item = items.into_iter().find(|item| item["label"] == name);
+        let doc = item.and_then(|item| item["documentation"].as_str());
+        assert!(doc.is_some_and(|doc| !doc.is_empty()), "{name}: {answer}");
+    }
+}
+
+/// Random edits, and everything that can be asked, on texts of the repository; `EDITS` says how many.
+#[test]
+fn random_edits_do_no_harm() {
+    let count = std::env::var("EDITS").map_or(300, |count| count.parse().expect("a number"));
+    let mut seed = 20_261_127_u64;
+    let mut random = move |below: usize| {
+        // SplitMix64.
+        seed = seed.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = (seed ^ (seed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((z ^ (z >> 31)) % below as u64) as usize
+    };
+    let texts: Vec<&str> = MODELS
+        .iter()
+        .chain(EFFECTS)
+        .map(|(_, text)| *text)
+        .collect();
+    let uri = "file:///random.hyz";
+    let mut server = Server::with_text(uri, texts[0]);
+    let methods = [
+        "hover",
+        "definition",
+        "references",
+        "documentHighlight",
+        "prepareRename",
+        "rename",
+        "documentSymbol",
+        "completion",
+        "codeAction",
+        "formatting",
+        "inlayHint",
+        "semanticTokens/full",
+    ];
+    for edit in 0..count {
+        let position = |random: &mut dyn FnMut(usize) -> usize| json!({ "line": random(130), "character": random(60) });
+        let (start, end) = (position(&mut random), position(&mut random));
+        let near = json!({ "line": start["line"], "character": random(60) });
+        let end = if random(20) == 0 { end } else { near };
+        let own = texts[random(texts.len())];
+        let from = own.floor_char_boundary(random(own.len()));
+        let to = own.floor_char_boundary(from + random(12));
+        let change = match random(150) {
+            0 => json!({ "text": own }),
+            _ => json!({ "range": { "start": start, "end": end }, "text": &own[from..to] }),
+        };
+        let document = json!({ "uri": uri, "version": edit });
+        let parameters = json!({ "textDocument": document, "contentChanges": [change] });
+        server.send(&json!({ "method": "textDocument/didChange", "params": parameters }));
+        let notice = server.answer(PATIENCE).expect("the errors of the text");
+        assert_eq!(notice["method"], "textDocument/publishDiagnostics");
+        let method = format!("textDocument/{}", methods[random(methods.len())]);
+        let parameters = json!({
+            "textDocument": document, "position": position(&mut random), "newName": "other",
+            "range": { "start": start, "end": end },
+        });
+        server.asked(&method, &parameters);
+    }
+    assert_eq!(server.end().1, Vec::<Value>::new());
+}
