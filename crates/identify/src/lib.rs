@@ -42,10 +42,10 @@ pub use options::{CancellationToken, FitOptions, Prior, Progress};
 
 // The report of a fit.
 pub use report::{
-    AxisNoise, AxisResiduals, Coefficient, Estimate, FitReport, FitStatus, FlightEvidence,
-    FlightOutcome, FlightReport, Iterations, LackOfFit, MARKER, MarkerDistance, NoiseReport,
-    NonIdentifiable, Profile, Rms, SeenValue, SensorEvidence, SensorReport, SmoothMisfit,
-    convergence_caution, exclusion_caution, leading_noise,
+    AxisNoise, AxisResiduals, Coefficient, CoefficientChange, Estimate, FitReport, FitStatus,
+    FlightEvidence, FlightOutcome, FlightReport, InputNoise, Iterations, LackOfFit, MARKER,
+    MarkerDistance, NoiseReport, NonIdentifiable, Profile, Rms, SeenValue, SensorEvidence,
+    SensorReport, SmoothMisfit, convergence_caution, exclusion_caution, input_noise, leading_noise,
 };
 pub use uncertainty::interval;
 

@@ -5,11 +5,13 @@ use model_spec::syntax::ast::{Expr, ExprKind, ItemKind};
 use model_spec::syntax::parse;
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
+use rustix::time::{ClockId, clock_gettime};
 
 /// Loads a model text, renders its errors and summarizes the model, on a thread with a small stack (1 MiB). Fails if
-/// that panics or takes 5 s or more.
+/// that panics or takes 5 s or more of the processor.
 fn digest(text: String) {
     let work = move || {
+        let start = processor_time();
         let loaded = load::inspect_text("random.hyz", &text, &[]).unwrap();
         let shown = model_spec::render(&loaded.diagnostics, &loaded.sources, false);
         assert_eq!(shown.is_empty(), loaded.diagnostics.is_empty());
@@ -17,15 +19,21 @@ fn digest(text: String) {
             let summary = model_spec::summary(&model);
             assert!(summary.starts_with("model "));
         }
+        processor_time() - start
     };
-    let start = std::time::Instant::now();
-    std::thread::Builder::new()
+    let seconds = std::thread::Builder::new()
         .stack_size(1 << 20)
         .spawn(work)
         .unwrap()
         .join()
         .unwrap();
-    assert!(start.elapsed().as_secs() < 5, "took {:?}", start.elapsed());
+    assert!(seconds < 5.0, "took {seconds} s");
+}
+
+/// Processor time of the thread, s: other tests share the processor.
+fn processor_time() -> f64 {
+    let now = clock_gettime(ClockId::ThreadCPUTime);
+    now.tv_sec as f64 + 1e-9 * now.tv_nsec as f64
 }
 
 const TOKENS: &[&str] = &[
@@ -372,9 +380,7 @@ fn files_as_long_as_they_may_be_are_digested_quickly() {
             text.push('\n');
             i += 1;
         }
-        let start = std::time::Instant::now();
         digest(text);
-        println!("{:?} {}", start.elapsed(), line(1));
     }
     // Units inferred from one another, solved from the far end of the chain and then used.
     let mut text = base.to_owned();
@@ -382,9 +388,7 @@ fn files_as_long_as_they_may_be_are_digested_quickly() {
     let chain = (0..9_999).rev();
     chain.for_each(|i| text += &format!("let l{i} = c{i} + c{};\n", i + 1));
     (0..5_000).for_each(|i| text += &format!("let u{i} = c9999 + c{};\n", i * 2));
-    let start = std::time::Instant::now();
     digest(text);
-    assert!(start.elapsed().as_secs() < 20, "{:?}", start.elapsed());
     // One effect that replaces very much.
     let mut text = base.to_owned();
     (0..15_000).for_each(|i| text += &format!("let a{i} = x;\n"));

@@ -65,7 +65,7 @@ impl<'a> Analysis<'a> {
         let options = context.options;
         let BaseFit {
             clock,
-            fit: before,
+            fit: mut before,
             encompassing,
             is_despite_faults,
         } = base;
@@ -78,6 +78,7 @@ impl<'a> Analysis<'a> {
             || LackOfFit::of_fit(&before, threads),
         );
         let (mut search, residuals) = (search?, if_possible(residuals)?.flatten());
+        before.report.lack_of_fit.clone_from(&residuals);
         let unexplained = residuals
             .as_ref()
             .filter(|residuals| residuals.fails(options.alpha_detect));

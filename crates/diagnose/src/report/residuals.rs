@@ -1,7 +1,7 @@
 //! The lack-of-fit test in the report, what withdraws a verdict, and whether a diagnosis is reliable.
 
 use identify::numbers::{percent, quantity, significant};
-use identify::{Fit, LackOfFit, SmoothMisfit, convergence_caution, exclusion_caution};
+use identify::{Fit, LackOfFit, SmoothMisfit, convergence_caution, exclusion_caution, input_noise};
 
 use super::types::{Explanation, Report, Unattributed, Verdict, Verified};
 use crate::context::display_name;
@@ -160,6 +160,7 @@ impl Report {
             convergence_caution(&fit.report, name),
             caution(!self.complete, "the search was not completed"),
             exclusion_caution(&before.report),
+            input_noise(&before.report),
             caution(is_refuted, "the extended model fails an independent check"),
             caution(
                 self.lack_remains(),

@@ -7,11 +7,13 @@ use nalgebra::DVector;
 use super::FitError;
 use super::horizon_continuation::{anneal_scale, continue_horizon};
 use super::initial_guess::{InitialGuesses, spin_note};
+use super::output_error::FixedGlobal;
 use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::ids::FlightId;
 use crate::initial_state::InitialGuess;
 use crate::levels::ROUGHLY_NOISE;
+use crate::observations::Observations;
 use dataset::statistics::median_of;
 
 /// Numbers of turns per sampling interval that are added to the slowest spin, the most probable first.
@@ -39,6 +41,10 @@ const EXCHANGES: usize = 3;
 /// Number of flights with which the minimum is searched where several instruments observe each; the others start there
 /// at their best initial states. Flights of one instrument determine the minimum only all together.
 const SEARCHED: usize = 4;
+
+/// Duration of the first part of a flight, s, over which all its guesses are fitted, and number of those that are fitted to
+/// the whole flight: most guesses lead to few motions.
+const FIRST_PART: (f64, usize) = (0.4, 8);
 
 /// Fits that arrived from several starts, with their residuals, and the first error of another start.
 #[derive(Default)]
@@ -316,9 +322,10 @@ fn exchange(state: &mut State<'_>, guesses: &Guesses<'_>) -> bool {
                 .ok()
         };
         let present = fitted(&state.local[flight]).map_or(f64::INFINITY, |(squares, _)| squares);
-        let others = guesses.of(state.ids[flight]).iter();
+        let others = distinct(at, observations, guesses.of(state.ids[flight]));
         let best = others
-            .filter_map(|guess| fitted(&guess.state))
+            .iter()
+            .filter_map(fitted)
             .min_by(|a, b| a.0.total_cmp(&b.0))?;
         (best.0 < present - SAME_MINIMUM * sigma0 * sigma0).then_some(best.1)
     });
@@ -329,4 +336,27 @@ fn exchange(state: &mut State<'_>, guesses: &Guesses<'_>) -> bool {
         }
     }
     has_moved
+}
+
+/// Initial states to which guesses lead over the first part of a flight, the best ones, each once.
+fn distinct(
+    at: FixedGlobal<'_>,
+    observations: &Observations,
+    guesses: &[InitialGuess],
+) -> Vec<DVector<f64>> {
+    let samples = observations.samples_until(observations.times[0] + FIRST_PART.0);
+    let begun = guesses.iter().filter_map(|guess| {
+        at.fit_initial_state(observations, samples, guess.state.clone())
+            .ok()
+    });
+    let mut begun: Vec<(f64, DVector<f64>)> = begun.collect();
+    begun.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut found: Vec<DVector<f64>> = Vec::new();
+    for (_, state) in begun {
+        let is_same = |other: &DVector<f64>| (&state - other).norm() < ANOTHER * other.norm();
+        if found.len() < FIRST_PART.1 && !found.iter().any(is_same) {
+            found.push(state);
+        }
+    }
+    found
 }

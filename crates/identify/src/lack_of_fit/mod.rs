@@ -3,6 +3,8 @@
 //! noise.
 
 mod banded;
+mod constancy;
+mod input_noise;
 mod noise_floor;
 mod series;
 mod smooth_misfit;
@@ -19,7 +21,7 @@ use crate::fit::Fit;
 use crate::ids::FlightId;
 use crate::observations::Observations;
 use crate::predict::each_residual;
-use crate::report::{LackOfFit, SmoothMisfit};
+use crate::report::{CoefficientChange, InputNoise, LACK_OF_FIT_LEVEL, LackOfFit, SmoothMisfit};
 use dataset::Role;
 use dataset::statistics::median_of;
 
@@ -40,12 +42,20 @@ const INTEGRATION_ERROR: f64 = 0.02;
 const MAX_DESCRIBED: usize = 6;
 
 impl Fit {
-    /// Tests the residuals for lack of fit, and decides again whether the fit is reliable.
+    /// Tests the residuals for lack of fit and, if they pass as noise, whether the coefficients are constant; decides
+    /// again whether the fit is reliable.
     ///
     /// # Errors
     /// [`FitError::Flight`] if a trajectory cannot be integrated.
     pub fn with_lack_of_fit(mut self, threads: usize) -> Result<Fit, FitError> {
-        self.report.lack_of_fit = LackOfFit::of_fit(&self, threads)?;
+        let mut found = LackOfFit::of_fit(&self, threads)?;
+        if let Some(found) = &mut found
+            && !found.fails(LACK_OF_FIT_LEVEL)
+        {
+            found.coefficient_change =
+                CoefficientChange::of_fit(&self, &fitted_flights(&self), threads)?;
+        }
+        self.report.lack_of_fit = found;
         self.report.assess();
         Ok(self)
     }
@@ -86,7 +96,11 @@ impl LackOfFit {
         let misfits: Vec<Option<FlightMisfit>> = misfits.into_iter().collect::<Result<_, _>>()?;
         let channels = &fit.problem().channels;
         let misfits = (misfits.as_slice(), channels.as_slice());
-        Ok(Some(Self::of_misfits((&kept, &series), misfits, &floor)))
+        let mut found = Self::of_misfits((&kept, &series), misfits, &floor);
+        if found.fails(LACK_OF_FIT_LEVEL) {
+            found.input_noise = InputNoise::of_fit(fit, &kept, &floor.noise);
+        }
+        Ok(Some(found))
     }
 
     fn of_misfits(
@@ -146,6 +160,8 @@ impl LackOfFit {
                 .max(0.0),
             has_length: channels.iter().all(Channel::is_position),
             noise: floor.noise.clone(),
+            coefficient_change: None,
+            input_noise: None,
         }
     }
 }

@@ -89,8 +89,10 @@ pub struct UndeterminedFlight(pub usize);
 /// Schur complement of a flight after elimination of its local parameters, with the factor for back-substitution.
 pub(crate) struct SchurComplement {
     factor: ScaledCholesky,
-    reduced: DMatrix<f64>,
-    gradient: DVector<f64>,
+    /// JᵀJ of the global parameters, reduced.
+    pub reduced: DMatrix<f64>,
+    /// Gradient Jᵀr of the global parameters, reduced.
+    pub gradient: DVector<f64>,
 }
 
 impl SchurComplement {

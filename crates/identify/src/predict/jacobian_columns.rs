@@ -3,6 +3,7 @@
 use flight::ObservationJacobians;
 use lanes::{Kernel, Lanes};
 use model_spec::layout::ParamId;
+use nalgebra::DMatrix;
 use ode::SensitivityLayout;
 
 use crate::ids::LocalId;
@@ -73,6 +74,18 @@ impl<'p> JacobianColumns<'p> {
     pub fn local_then_parameters(&self) -> Vec<usize> {
         let local = self.local.iter().copied();
         local.chain(self.parameter_columns()).collect()
+    }
+
+    /// Derivatives of the states, row by row: by the local parameters, then by the global ones.
+    pub fn of_states(&self, layout: SensitivityLayout, augmented: &[f64]) -> DMatrix<f64> {
+        let order = self.local_then_parameters();
+        DMatrix::from_fn(self.constant.len(), order.len(), |state, k| {
+            let column = order[k];
+            match column < self.integrated + self.parameters.len() {
+                true => layout.padded_row(augmented, state)[column],
+                false => f64::from(u8::from(self.constant[state] == Some(column))),
+            }
+        })
     }
 
     /// Converts entries of the manifold's tangent (state, direction, value) to (state, column, value), where

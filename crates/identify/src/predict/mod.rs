@@ -3,6 +3,7 @@
 
 mod jacobian_columns;
 mod observed_point;
+mod spans;
 mod summary_pass;
 mod trajectory_pass;
 mod weighted_rows;
@@ -13,6 +14,7 @@ use ode::DifferentiableRhs;
 
 pub(crate) use self::jacobian_columns::JacobianColumns;
 pub use self::observed_point::Residuals;
+pub(crate) use self::spans::linearise_by_spans;
 pub(crate) use self::trajectory_pass::TrajectoryPass;
 pub use self::trajectory_pass::{residuals, residuals_of, robust_scale, states};
 use self::weighted_rows::WeightedRows;
@@ -134,7 +136,8 @@ pub fn each_residual(
             residual: point.residual,
             rows: &rows,
         });
-    })
+    })?;
+    Ok(())
 }
 
 /// Residual of one channel in one sample, with its derivatives.

@@ -5,7 +5,7 @@ use std::ops::Range;
 use flight::{ModelState, ObservationJacobians};
 use model_spec::layout::ParamId;
 use nalgebra::DVector;
-use ode::{DifferentiableRhs, Sensitivities};
+use ode::{DifferentiableRhs, Sensitivities, SensitivityLayout};
 
 use super::jacobian_columns::JacobianColumns;
 use super::observed_point::{ObservedPoint, Residuals, integration_options};
@@ -30,14 +30,15 @@ pub(crate) struct TrajectoryPass<'a> {
 }
 
 impl TrajectoryPass<'_> {
-    /// Integrates the flight, or reuses the trajectory in `cache`, and calls `each` with every measured value.
+    /// Integrates the flight, or reuses the trajectory in `cache`, and calls `each` with every measured value. Returns the
+    /// layout of the states in the cache.
     pub fn each_point(
         &self,
         motion: &mut dyn DifferentiableRhs,
         columns: &JacobianColumns<'_>,
         cache: Option<&mut Option<Vec<f64>>>,
         mut each: impl FnMut(ObservedPoint<'_>),
-    ) -> Result<(), FlightError> {
+    ) -> Result<SensitivityLayout, FlightError> {
         let (problem, observations) = (self.problem, self.observations);
         // Only the number of directions matters here; their columns are initialised with the tangent of the manifold.
         let directions: Vec<usize> = (0..columns.integrated).collect();
@@ -54,7 +55,8 @@ impl TrajectoryPass<'_> {
             variations.initial_state_with(self.local.as_slice(), &columns.tangent(&tangent));
         if observations.is_summary {
             let of = ((problem, observations), self.global, self.tolerance);
-            return summary_pass::each_point(of, &mut variations, &start, columns, each);
+            summary_pass::each_point(of, &mut variations, &start, columns, each)?;
+            return Ok(places);
         }
         let values = observations.parameters(problem, self.global);
         let conditions = ChannelConditions::new(problem, &values);
@@ -86,7 +88,7 @@ impl TrajectoryPass<'_> {
             for (sample, both) in trajectory.chunks(length).enumerate() {
                 visit(sample, both);
             }
-            return Ok(());
+            return Ok(places);
         }
         let (from, options) = (
             (times[0], &start),
@@ -114,7 +116,7 @@ impl TrajectoryPass<'_> {
                 variations.integrate_with_callback(from, times, &options, &shown, &mut visit)?;
             }
         }
-        Ok(())
+        Ok(places)
     }
 
     fn measured(&self, sample: usize, channel: usize) -> Option<[f64; 3]> {

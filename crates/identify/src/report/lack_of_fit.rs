@@ -16,6 +16,11 @@ pub struct LackOfFit {
     pub flights: BTreeMap<String, f64>,
     /// Largest smooth deviation of the most significant flights, smallest p-value first; empty if the test passes.
     pub largest_misfits: Vec<SmoothMisfit>,
+    /// Most significant change of a coefficient during and between the flights; `None` if the residuals are not noise, or
+    /// no change can be tested.
+    pub coefficient_change: Option<CoefficientChange>,
+    /// Noise of a recorded input that may be what the residuals show; `None` if the test passes, or no input is that noisy.
+    pub input_noise: Option<InputNoise>,
     /// Standard deviation of the noise of one coordinate, m, estimated from changes that no smooth motion can follow.
     pub noise_m: f64,
     /// Root mean square of the residuals in excess of the noise, m; 0 if they are smaller.
@@ -34,6 +39,56 @@ pub struct LackOfFit {
 
 fn no_noise() -> NoiseModel {
     NoiseModel::white(0.0, 1.0)
+}
+
+/// Noise of a recorded input, which no weight of a residual and no standard error counts.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct InputNoise {
+    /// Name of the input.
+    pub input: String,
+    /// Standard deviation of the noise by the differences of the samples, in the unit of the input.
+    pub sigma: f64,
+    /// Root mean square of what it adds to the residuals, in units of the noise of the measurements.
+    pub effect: f64,
+}
+
+impl InputNoise {
+    /// Sentence on the noise and its effect.
+    pub fn sentence(&self) -> String {
+        format!(
+            "the recorded input {} has noise of {}, which moves the predictions by {} times the noise of the measurements: what the model lacks cannot be told from that",
+            self.input,
+            significant(self.sigma, 2),
+            significant(self.effect, 2)
+        )
+    }
+}
+
+/// Test whether the residuals fit better if a coefficient is not constant.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CoefficientChange {
+    /// Name of the coefficient.
+    pub coefficient: String,
+    /// Name of the quantity with which it changes: a scalar quantity or a state of the model, or `time` since the start
+    /// of the flight.
+    pub changes_with: String,
+    /// Number of pairs of a coefficient and a quantity that were tested.
+    pub tests: usize,
+    /// Familywise p-value of the score test.
+    pub p_value: f64,
+}
+
+impl CoefficientChange {
+    /// Sentence on the result of the test.
+    pub fn sentence(&self) -> String {
+        format!(
+            "{} is not constant: it changes with {} (score tests of {} changes, p = {}).",
+            self.coefficient,
+            self.changes_with,
+            self.tests,
+            probability(self.p_value)
+        )
+    }
 }
 
 /// The largest smooth deviation of a flight's measurements from the fitted model.

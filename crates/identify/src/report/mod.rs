@@ -15,11 +15,12 @@ use crate::error::DataFault;
 use crate::observations::Truncation;
 use dataset::Role;
 pub use evidence::{AxisResiduals, FlightEvidence, SensorEvidence};
-pub use lack_of_fit::{LackOfFit, SmoothMisfit};
+pub use lack_of_fit::{CoefficientChange, InputNoise, LackOfFit, SmoothMisfit};
 pub(crate) use outcome::SquareSums;
 pub use outcome::{FitStatus, FlightOutcome, Iterations};
 pub use outcome::{MARKER, Rms};
-pub use reliability::{MAX_PRIOR_CONFLICT, convergence_caution, exclusion_caution};
+pub(crate) use reliability::LACK_OF_FIT_LEVEL;
+pub use reliability::{MAX_PRIOR_CONFLICT, convergence_caution, exclusion_caution, input_noise};
 pub(crate) use residuals::ResidualPool;
 
 /// Content of `report.json` of a fit, schema `hyzer.fit/2`.

@@ -1,6 +1,6 @@
 //! Assessment whether a fit is reliable, with the reasons if it is not.
 
-use super::{Coefficient, FitReport, FitStatus};
+use super::{Coefficient, FitReport, FitStatus, InputNoise};
 use crate::numbers::Digits;
 use crate::wording::count;
 use dataset::Role;
@@ -13,7 +13,10 @@ const NOISE_LIMIT: (f64, f64) = (5.0, 1e-5);
 const MAX_EXCLUDED: f64 = 1.0 / 3.0;
 
 /// p-value of the lack-of-fit test below which a fit is not reliable.
-const LACK_OF_FIT_LEVEL: f64 = 0.01;
+pub(crate) const LACK_OF_FIT_LEVEL: f64 = 0.01;
+
+/// Familywise p-value of the tests of changes of coefficients below which a fit is not reliable.
+const CHANGE_LEVEL: f64 = 0.005;
 
 /// Difference of a prior from what the data alone give, in standard deviations, above which they contradict it.
 pub const MAX_PRIOR_CONFLICT: f64 = 3.0;
@@ -40,6 +43,8 @@ fn cautions(report: &FitReport) -> Vec<String> {
         convergence_caution(report, "the fit"),
         exclusion_caution(report),
         above_noise_floor(report).or_else(|| lack_of_fit(report)),
+        input_noise(report),
+        coefficient_change(report),
         data_faults(report),
         marker_distances(report),
     ];
@@ -95,6 +100,24 @@ fn above_noise_floor(report: &FitReport) -> Option<String> {
 fn lack_of_fit(report: &FitReport) -> Option<String> {
     let test = report.lack_of_fit.as_ref()?;
     (test.p_value < LACK_OF_FIT_LEVEL).then(|| {
+        format!(
+            "{} The standard errors do not hold: `hyzer diagnose` searches for the cause",
+            test.sentence()
+        )
+    })
+}
+
+/// Caution that the residuals may be those of a noisy input.
+#[doc(hidden)]
+pub fn input_noise(report: &FitReport) -> Option<String> {
+    let test = report.lack_of_fit.as_ref()?;
+    test.input_noise.as_ref().map(InputNoise::sentence)
+}
+
+/// Caution that a coefficient is not constant: the estimates are those of a model that lacks a force or moment.
+fn coefficient_change(report: &FitReport) -> Option<String> {
+    let test = report.lack_of_fit.as_ref()?.coefficient_change.as_ref()?;
+    (test.p_value < CHANGE_LEVEL).then(|| {
         format!(
             "{} The standard errors do not hold: `hyzer diagnose` searches for the cause",
             test.sentence()

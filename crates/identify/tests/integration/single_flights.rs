@@ -8,6 +8,9 @@ use flight::release::{Release, Stop, Vocabulary, built_in, read};
 use flight::{InputInterpolation, InputSeries};
 use identify::{FitOptions, fit};
 use model_spec::model::Model;
+use rand::SeedableRng;
+use rand_chacha::ChaCha12Rng;
+use rand_distr::{Distribution, Normal};
 
 const DRONE: &str = "
 model drone;
@@ -92,6 +95,33 @@ fn coefficients_are_found_by_inputs_over_time() {
             assert!(own.std_error < 0.01 * value, "{name}: {own:?}");
         }
     }
+}
+
+#[test]
+fn noise_of_a_recorded_input_is_named() {
+    let model = drone();
+    let mut dataset = flown(&model, InputInterpolation::Linear);
+    let tested = |dataset: &Dataset| {
+        let found = fit(&model, dataset, &FitOptions::default()).expect("a fit");
+        found.with_lack_of_fit(1).expect("a test").report
+    };
+    let clean = tested(&dataset);
+    assert!(clean.reliable, "{:?}", clean.cautions);
+    let mut random = ChaCha12Rng::seed_from_u64(4);
+    let noise = Normal::new(0.0, 0.002).expect("a deviation");
+    for flight in &mut dataset.flights {
+        for (_, series) in &mut flight.inputs {
+            let samples = series.samples();
+            let samples = samples.map(|(t, value)| (t, value + noise.sample(&mut random)));
+            *series = InputSeries::new(&samples.collect::<Vec<_>>(), InputInterpolation::Linear);
+        }
+    }
+    let noisy = tested(&dataset);
+    let found = noisy.lack_of_fit.and_then(|test| test.input_noise);
+    let found = found.expect("noise of an input");
+    assert_eq!(found.input, "throttle");
+    assert!((found.sigma / 0.002 - 1.0).abs() < 0.2, "{found:?}");
+    assert!(found.effect > 1.0 && !noisy.reliable, "{found:?}");
 }
 
 #[test]

@@ -1,0 +1,162 @@
+//! What the noise of recorded inputs does to the predictions. No residual weight and no standard error counts it.
+
+use dataset::statistics::robust_sigma;
+use flight::{InputSeries, InputsOverTime};
+use nalgebra::{DMatrix, DVector};
+use rand::SeedableRng;
+use rand_chacha::ChaCha12Rng;
+use rand_distr::{Distribution, Normal};
+
+use super::FittedFlight;
+use crate::fit::Fit;
+use crate::least_squares::pseudo_inverse;
+use crate::noise::NoiseModel;
+use crate::observations::Observations;
+use crate::predict::{each_residual, residuals};
+use crate::report::InputNoise;
+
+/// Number of samples from which differences show the noise of an input.
+const MIN_SAMPLES: usize = 20;
+
+/// Variance of a third difference of white noise, over that of the noise.
+const THIRD_DIFFERENCE: f64 = 20.0;
+
+/// Effect on the predictions, over the noise of the measurements, below which the noise of inputs is negligible.
+const NEGLIGIBLE: f64 = 0.3;
+
+/// Effect over the residuals above which what looks like noise of an input is what the body got: with such noise they
+/// would be larger.
+const NOT_NOISE: f64 = 2.0;
+
+/// Seed of the noise that is added to the inputs.
+const SEED: u64 = 1;
+
+/// Sums of squares over flights, in units of the noise of the measurements.
+#[derive(Default)]
+struct Sums {
+    effect: f64,
+    residual: f64,
+    count: f64,
+}
+
+impl InputNoise {
+    /// The input whose noise moves the predictions of `fit` most, if that may be what the residuals show. `noise` is that
+    /// of the measurements.
+    pub(super) fn of_fit(
+        fit: &Fit,
+        flights: &[FittedFlight<'_>],
+        noise: &NoiseModel,
+    ) -> Option<Self> {
+        let layout = fit.problem().body.layout();
+        let inputs = layout.varying.iter().filter_map(|id| {
+            let name = &layout.parameters[id.index()];
+            let (mut sums, mut sigmas) = (Sums::default(), Vec::new());
+            for flight in flights {
+                let series = flight.observed.inputs.series();
+                let own = series.into_iter().find(|(own, _)| own == id);
+                let sigma = own.map_or(0.0, |(_, series)| sigma(series));
+                if sigma > 0.0 {
+                    sigmas.push(sigma);
+                    sums.add(fit, flight, noise, (name, sigma))?;
+                }
+            }
+            let rms = |squares: f64| (squares / sums.count.max(1.0)).sqrt();
+            let (effect, residual) = (rms(sums.effect), rms(sums.residual));
+            let matters = effect > NEGLIGIBLE && effect < NOT_NOISE * residual;
+            matters.then(|| Self {
+                input: name.clone(),
+                sigma: robust_sigma(&mut sigmas) / robust_sigma(&mut [1.0]),
+                effect,
+            })
+        });
+        inputs.max_by(|a, b| a.effect.total_cmp(&b.effect))
+    }
+}
+
+/// Standard deviation of the noise of a recorded input by its third differences, which slow changes do not have; 0 for
+/// too few samples.
+fn sigma(series: &InputSeries) -> f64 {
+    let values: Vec<f64> = series.samples().map(|(_, value)| value).collect();
+    if values.len() < MIN_SAMPLES {
+        return 0.0;
+    }
+    let third = |w: &[f64]| (w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]).abs();
+    let mut differences: Vec<f64> = values.windows(4).map(third).collect();
+    robust_sigma(&mut differences) / THIRD_DIFFERENCE.sqrt()
+}
+
+impl Sums {
+    /// Adds the effect of noise `sigma` of the input `name` on a flight, as far as no other initial state makes up for
+    /// it; `None` if the flight cannot be predicted.
+    fn add(
+        &mut self,
+        fit: &Fit,
+        flight: &FittedFlight<'_>,
+        noise: &NoiseModel,
+        (name, sigma): (&str, f64),
+    ) -> Option<()> {
+        let problem = fit.problem();
+        let (observed, local) = fit.flight(flight.id)?;
+        let unknowns = (fit.global(), local);
+        let noisy = Observations {
+            inputs: noisy(fit, &observed.inputs, name, sigma)?,
+            ..observed.clone()
+        };
+        let other = residuals(problem, &noisy, unknowns, observed.times.len()).ok()?;
+        let size = observed.manifold.dimension();
+        let (mut matrix, mut gradient) = (DMatrix::zeros(size, size), DVector::zeros(size));
+        let (mut total, mut squares, mut count) = (0.0, 0.0, 0.0);
+        let parameters = observed.parameters(problem, fit.global());
+        let bound = problem.body.bind(parameters);
+        each_residual(
+            problem,
+            observed,
+            unknowns,
+            &mut bound.rhs(),
+            &[],
+            &mut |point| {
+                let with_noise = other[point.channel].get(point.sample).copied().flatten();
+                let (Some(with_noise), Some(_)) =
+                    (with_noise, observed.inlier(point.sample, point.channel))
+                else {
+                    return;
+                };
+                let axes = problem.channels[point.channel].components;
+                for (axis, other) in with_noise.into_iter().enumerate().take(axes) {
+                    let weight = 1.0 / noise.of(point.channel).sigma[axis];
+                    let row = DVector::from_row_slice(&point.rows[axis]) * weight;
+                    let change = (other - point.residual[axis]) * weight;
+                    matrix.ger(1.0, &row, &row, 1.0);
+                    gradient.axpy(change, &row, 1.0);
+                    total += change * change;
+                    squares += (point.residual[axis] * weight).powi(2);
+                    count += 1.0;
+                }
+            },
+        )
+        .ok()?;
+        let taken = pseudo_inverse(&matrix).map_or(0.0, |by| gradient.dot(&(by * &gradient)));
+        self.effect += (total - taken).max(0.0);
+        self.residual += squares;
+        self.count += count;
+        Some(())
+    }
+}
+
+/// The inputs with noise of standard deviation `sigma` added to one of them.
+fn noisy(fit: &Fit, inputs: &InputsOverTime, name: &str, sigma: f64) -> Option<InputsOverTime> {
+    let layout = fit.problem().body.layout();
+    let mut random = ChaCha12Rng::seed_from_u64(SEED);
+    let noise = Normal::new(0.0, sigma).ok()?;
+    let all = inputs.series().map(|(id, series)| {
+        let own = layout.parameters[id.index()].as_str();
+        let mut samples: Vec<(f64, f64)> = series.samples().collect();
+        if own == name {
+            for (_, value) in &mut samples {
+                *value += noise.sample(&mut random);
+            }
+        }
+        (own, InputSeries::new(&samples, series.interpolation()))
+    });
+    Some(InputsOverTime::of(layout, all))
+}
