@@ -34,91 +34,52 @@ pub struct ImportedShots {
 
 /// Headers of launch monitors, without spaces, signs and units, for each quantity; and whether those of a quantity with
 /// sides are positive to the right.
-const HEADERS: [(Q, &[&str]); 17] = [
-    (
-        Q::Speed,
-        &["ballspeed", "speed", "releasespeed", "throwspeed"],
-    ),
+const HEADERS: [(Q, &str); 17] = [
+    (Q::Speed, "ballspeed speed releasespeed throwspeed"),
     (
         Q::Launch,
-        &[
-            "launchangle",
-            "launchang",
-            "vla",
-            "launch",
-            "verticallaunchangle",
-        ],
+        "launchangle launchang vla launch verticallaunchangle",
     ),
     (
         Q::Heading,
-        &[
-            "launchdirection",
-            "launchdir",
-            "hla",
-            "horizontallaunchangle",
-            "azimuth",
-            "sideangle",
-        ],
+        "launchdirection launchdir hla horizontallaunchangle azimuth sideangle",
     ),
-    (Q::Nose, &["noseangle", "nose"]),
-    (Q::Hyzer, &["hyzerangle", "hyzer"]),
-    (Q::Spin, &["spinrate", "totalspin", "spin"]),
-    (Q::SpinAxis, &["spinaxis", "spintiltaxis"]),
-    (Q::Height, &["releaseheight", "launchheight"]),
-    (Q::Wobble, &["wobble", "wobbleangle"]),
+    (Q::Nose, "noseangle nose"),
+    (Q::Hyzer, "hyzerangle hyzer"),
+    (Q::Spin, "spinrate totalspin spin"),
+    (Q::SpinAxis, "spinaxis spintiltaxis"),
+    (Q::Height, "releaseheight launchheight"),
+    (Q::Wobble, "wobble wobbleangle"),
     (
         Q::Carry,
-        &[
-            "carryflatlength",
-            "carrylength",
-            "carry",
-            "carrydistance",
-            "carrydist",
-        ],
+        "carryflatlength carrylength carry carrydistance carrydist",
     ),
     (
         Q::Side,
-        &[
-            "carryflatside",
-            "carryside",
-            "side",
-            "offline",
-            "carryoffline",
-            "carrydeviation",
-        ],
+        "carryflatside carryside side offline carryoffline carrydeviation",
     ),
     (
         Q::ApexHeight,
-        &[
-            "maxheightheight",
-            "height",
-            "maxheight",
-            "peakheight",
-            "apex",
-            "apexheight",
-        ],
+        "maxheightheight height maxheight peakheight apex apexheight",
     ),
-    (Q::ApexDistance, &["maxheightdist", "apexdistance"]),
-    (
-        Q::HangTime,
-        &["carryflattime", "hangtime", "flighttime", "airtime"],
-    ),
+    (Q::ApexDistance, "maxheightdist apexdistance"),
+    (Q::HangTime, "carryflattime hangtime flighttime airtime"),
     (
         Q::LandingSpeed,
-        &["carryflatballspeed", "landingspeed", "carryballspeed"],
+        "carryflatballspeed landingspeed carryballspeed",
     ),
     (
         Q::LandingAngle,
-        &[
-            "carryflatlandangle",
-            "landangle",
-            "landingangle",
-            "descentangle",
-            "carrylandangle",
-        ],
+        "carryflatlandangle landangle landingangle descentangle carrylandangle",
     ),
-    (Q::FinalSpin, &["landingspin", "finalspin"]),
+    (Q::FinalSpin, "landingspin finalspin"),
 ];
+
+/// Quantity of a header, as it is a key of [`HEADERS`].
+fn known(key: &str) -> Option<Q> {
+    let is_own = |(_, all): &&(Q, &str)| all.split(' ').any(|own| own == key);
+    HEADERS.iter().find(is_own).map(|(quantity, _)| *quantity)
+}
 
 /// Ends of headers that are units, as in `speedMph`.
 const ENDINGS: [(&str, &str); 8] = [
@@ -144,8 +105,7 @@ fn read_header(header: &str) -> (String, Option<SummaryUnit>) {
     }
     let mut key: String = bare.chars().filter(|c| c.is_alphanumeric()).collect();
     key.make_ascii_lowercase();
-    let is_known = |key: &str| HEADERS.iter().any(|(_, all)| all.contains(&key));
-    if unit.is_none() && !is_known(&key) {
+    if unit.is_none() && known(&key).is_none() {
         let ending = ENDINGS.iter().find(|(end, _)| key.ends_with(end));
         if let Some((end, name)) = ending {
             key.truncate(key.len() - end.len());
@@ -166,18 +126,12 @@ struct Used {
 const MAX_BYTES: u64 = 256 << 20;
 
 /// Reads the file of a launch monitor's export, as [`import_shots`].
-///
-/// # Errors
-/// As [`import_shots`]; or if the file cannot be read, is no ordinary file or too long.
 pub fn read_shots(file: &Path, options: &ShotOptions) -> Result<ImportedShots, InputError> {
     let bytes = crate::file::bytes(file, MAX_BYTES, "a table of shots")?;
     import_shots(file, &bytes, options)
 }
 
 /// Reads a launch monitor's export: a header, where there is one a row of units in brackets, and a row per shot.
-///
-/// # Errors
-/// [`InputError`] if no column is recognised, a unit is not stated, or the table is faulty.
 pub fn import_shots(
     file: &Path,
     bytes: &[u8],
@@ -284,15 +238,16 @@ fn used(
     }
     for (place, header) in headers.iter().enumerate() {
         let (key, by_header) = read_header(header);
-        let own = HEADERS.iter().find(|(_, all)| all.contains(&&*key));
-        let Some((quantity, _)) = own else { continue };
-        let is_taken = |other: &Used| other.place == place || other.column.quantity == *quantity;
+        let Some(quantity) = known(&key) else {
+            continue;
+        };
+        let is_taken = |other: &Used| other.place == place || other.column.quantity == quantity;
         if used.iter().any(is_taken) {
             continue;
         }
         let unit = unit_of(units, place).or(by_header);
-        let unit = unit.or_else(|| usual_unit(*quantity));
-        used.push(Used::new(file, (place, header), *quantity, unit)?);
+        let unit = unit.or_else(|| usual_unit(quantity));
+        used.push(Used::new(file, (place, header), quantity, unit)?);
     }
     let is_outcome = |own: &Used| own.column.quantity.event() != SummaryEvent::Release;
     if !used.iter().any(is_outcome) {
