@@ -58,6 +58,12 @@ impl<'t> Reader<'t> {
         });
     }
 
+    /// As [`fault`](Self::fault); returns `None`.
+    pub fn refuse<V>(&mut self, span: Range<usize>, message: impl Into<String>) -> Option<V> {
+        self.fault(span, message);
+        None
+    }
+
     pub(crate) fn faults_count(&self) -> usize {
         self.faults.len()
     }
@@ -76,11 +82,10 @@ impl<'t> Reader<'t> {
             Ok(document) => Some(document),
             Err(e) => {
                 let span = e.span().unwrap_or(0..0);
-                self.fault(
+                self.refuse(
                     span,
                     format!("this is no TOML: {}", e.message().replace('\n', "; ")),
-                );
-                None
+                )
             }
         }
     }

@@ -24,8 +24,7 @@ impl<'t> Reader<'t> {
             .map(|a| a.iter().collect())
             .unwrap_or_default();
         let [x, y, z] = items[..] else {
-            self.wrong_type(value, name, "three numbers, as in [0.0, 0.0, 0.0]");
-            return None;
+            return self.refuse_type(value, name, "three numbers, as in [0.0, 0.0, 0.0]");
         };
         let numbers = [x, y, z].map(|item| self.number(item, name));
         Some([numbers[0]?, numbers[1]?, numbers[2]?])
@@ -51,6 +50,12 @@ impl<'t> Reader<'t> {
             self.wrong_type(value, name, &format!("a table, as in [{name}]"));
         }
         table
+    }
+
+    /// As [`wrong_type`](Self::wrong_type); returns `None`.
+    pub fn refuse_type<V>(&mut self, value: &Value<'t>, name: &str, expected: &str) -> Option<V> {
+        self.wrong_type(value, name, expected);
+        None
     }
 
     /// Records a fault for the value of the key `name`, which has the wrong type; `expected` describes the valid
