@@ -34,7 +34,7 @@ pub(super) fn run(options: &Options) -> anyhow::Result<Answer> {
     );
     let (model, mut release, throw) = match &options.release {
         Some(name) => {
-            let (model, release) = released(name, Some(&options.model), &options.with)?;
+            let (model, release) = released(name, false, Some(&options.model), &options.with)?;
             (model, release, None)
         }
         None => {
@@ -79,9 +79,6 @@ pub(super) fn run(options: &Options) -> anyhow::Result<Answer> {
 }
 
 /// Modes and criteria at a release, along its flight and in steady flight; and why there are none along the flight.
-///
-/// # Errors
-/// If the motion cannot be linearised.
 pub fn found(
     body: &Body,
     release: &Release,

@@ -67,7 +67,7 @@ pub mod release {
     pub use crate::initial_conditions::{
         BUILT_IN, Release, Stop, Vocabulary, built_in, quaternion_fault,
     };
-    pub use crate::release_file::{read, read_file, read_file_in_wind, read_in_wind};
+    pub use crate::release_file::{read, read_file, read_in_wind, read_named};
     pub use crate::toml_reader::{
         Fault, Name, Reader, ReleaseError, Value, number_of, read_text, suggestion,
     };
