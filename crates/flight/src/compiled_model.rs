@@ -66,7 +66,7 @@ impl CompiledModel {
         parameters: Vec<usize>,
     ) -> CompiledModel {
         let selection = Selection::Only(parameters);
-        CompiledModel::of_selection(model, &compile_at(model, &selection, fixed, Effort::Quick))
+        CompiledModel::with_tape(model, &compile_at(model, &selection, fixed, Effort::Quick))
     }
 
     /// Uses the generated Rust code for this model if its source hash matches; otherwise compiles the model to a tape.
@@ -104,33 +104,31 @@ impl CompiledModel {
         observing.observation = Some(Observation { name, value, span });
         let selection = Selection::Only(parameters);
         let compiled = compile_at(&observing, &selection, &[], Effort::Quick);
-        Some(CompiledModel::of_selection(&observing, &compiled))
+        Some(CompiledModel::with_tape(&observing, &compiled))
     }
 
     /// Compiles the model to a tape that has derivatives with respect to the parameters in `selection` only.
     pub(crate) fn compiled_for(model: &Model, selection: &Selection) -> CompiledModel {
-        CompiledModel::of_selection(model, &compile_for(model, selection))
+        CompiledModel::with_tape(model, &compile_for(model, selection))
     }
 
-    /// Creates the compiled model from a tape that has derivatives with respect to selected parameters only; the
-    /// columns of its parameter Jacobians are renumbered to the indices in the parameter vector of the model's
-    /// [`Layout`].
-    fn of_selection(model: &Model, compiled: &Compiled) -> CompiledModel {
-        let mut model = CompiledModel::with_tape(model, compiled);
-        let patterns = &mut model.patterns;
-        let by_parameter = [
-            &mut patterns.parameter_jacobian,
-            &mut patterns.observation_by_parameter,
-        ];
-        for (_, column) in by_parameter.into_iter().flatten() {
+    /// Compiled model from a tape, which may have derivatives with respect to selected parameters only; the columns of
+    /// its parameter Jacobians are renumbered to the indices in the parameter vector of the model's [`Layout`].
+    fn with_tape(model: &Model, compiled: &Compiled) -> CompiledModel {
+        let functions = ModelFunctions::Tape(Box::new(TapeModel::new(compiled)));
+        let mut model = CompiledModel::with_functions(model, functions);
+        let SparsityPatterns {
+            parameter_jacobian,
+            observation_by_parameter,
+            ..
+        } = &mut model.patterns;
+        for (_, column) in parameter_jacobian
+            .iter_mut()
+            .chain(observation_by_parameter)
+        {
             *column = compiled.columns[*column];
         }
         model
-    }
-
-    fn with_tape(model: &Model, compiled: &Compiled) -> CompiledModel {
-        let functions = ModelFunctions::Tape(Box::new(TapeModel::new(compiled)));
-        CompiledModel::with_functions(model, functions)
     }
 
     fn with_functions(model: &Model, functions: ModelFunctions) -> CompiledModel {
