@@ -15,13 +15,10 @@ mod observed;
 
 use std::f64::consts::PI;
 
-use model_spec::model::Model;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
-use crate::initial_conditions::Release;
 pub use flown::FlownThrow;
-use motion::MotionModel;
-pub use motion::{BoundMotion, Motion, Turning, speed_and_spin};
+pub use motion::{BoundMotion, Motion, ThrownModel, Turning, speed_and_spin};
 pub use near::NearThrows;
 pub use observed::MotionVector;
 
@@ -178,9 +175,6 @@ impl Throw {
 
     /// Checks that every field is in its range in [`FIELDS`], that the speed is above 0, and that a throw with a wobble
     /// also has a spin.
-    ///
-    /// # Errors
-    /// [`ThrowError::Range`] for the first field outside its range; [`ThrowError::NoSpin`] for a wobble without spin.
     pub fn check(&self) -> Result<(), ThrowError> {
         for (name, ..) in FIELDS {
             self.field(name)
@@ -195,9 +189,6 @@ impl Throw {
 
     /// Checks that the value of one field is in its range in [`FIELDS`], and that a speed is above 0; an unknown name
     /// is ignored.
-    ///
-    /// # Errors
-    /// [`ThrowError::Range`] if the value is out of range.
     #[doc(hidden)]
     pub fn check_field(field: &str, value: f64) -> Result<(), ThrowError> {
         let Some((name, unit, least, greatest)) = FIELDS.into_iter().find(|(n, ..)| *n == field)
@@ -274,43 +265,10 @@ impl Throw {
     }
 }
 
-/// Model of a body, prepared for the conversion of throws to states and of states to throws.
-pub struct ThrownModel {
-    motion: MotionModel,
-    name: String,
-}
-
 impl ThrownModel {
-    /// Prepares a model for the conversion between throws and states.
-    ///
-    /// # Errors
-    /// [`ThrowError::NoBody`] if the model neither declares a body nor states that its equations describe one.
-    pub fn new(model: &Model) -> Result<ThrownModel, ThrowError> {
-        let name = model.name.clone();
-        match MotionModel::new(model) {
-            Some(motion) => Ok(ThrownModel { motion, name }),
-            None => Err(ThrowError::NoBody { model: name }),
-        }
-    }
-
-    /// Whether the body of the model has an attitude; false for a point mass.
-    pub fn has_attitude(&self) -> bool {
-        self.motion.has_attitude()
-    }
-
-    /// Parameter vector of the model for a release, in the order of the model's [`Layout`](codegen::Layout): the values
-    /// specified in the release, and default values of all other parameters.
-    pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
-        self.motion.release_parameters(release)
-    }
-
     /// Computes the state of the model that has the motion of a throw, with the mass centre above the point `ground`
     /// (x, y), m. The body's first axis points forward. `parameters` are in the order of the model's
     /// [`Layout`](codegen::Layout); states that the motion does not determine have their default values.
-    ///
-    /// # Errors
-    /// [`ThrowError`] if the throw is invalid, specifies an attitude for a body without one, or is not the motion of
-    /// any state.
     pub fn state(
         &self,
         throw: &Throw,
@@ -323,9 +281,6 @@ impl ThrownModel {
     /// Computes the state of the model that has the motion of a throw, with the mass centre above the point `ground`
     /// (x, y), m. The search starts at `near`, the state of a similar throw. This is faster than
     /// [`state`](Self::state), and of several states with the motion it finds the one near `near`.
-    ///
-    /// # Errors
-    /// [`ThrowError`] as for [`state`](Self::state).
     pub fn state_near(
         &self,
         throw: &Throw,
@@ -345,7 +300,7 @@ impl ThrownModel {
         near: Option<&[f64]>,
     ) -> Result<Vec<f64>, ThrowError> {
         self.check(throw)?;
-        let bound = self.motion.bind(parameters);
+        let bound = self.bind(parameters);
         let find = |wanted: &Motion, near: Option<&[f64]>| {
             inverse::state(&bound, wanted, near).ok_or_else(|| self.no_state())
         };
@@ -373,11 +328,6 @@ impl ThrownModel {
         }
     }
 
-    /// Motion of the body for parameter values in the order of the model's [`Layout`](codegen::Layout).
-    pub fn bind(&self, parameters: &[f64]) -> BoundMotion<'_> {
-        self.motion.bind(parameters)
-    }
-
     /// Motion of the body at a state; `parameters` are in the order of the model's [`Layout`](codegen::Layout).
     pub fn motion(&self, state: &[f64], parameters: &[f64]) -> Motion {
         self.bind(parameters).motion(state)
@@ -385,7 +335,7 @@ impl ThrownModel {
 
     /// Inertia tensor about the mass centre in inertial axes at a state, kg m²; `None` for a point mass.
     pub fn inertia(&self, state: &[f64], parameters: &[f64]) -> Option<Matrix3<f64>> {
-        self.motion.bind(parameters).inertia(state)
+        self.bind(parameters).inertia(state)
     }
 
     /// Principal moments of inertia at a state, kg m², if they are not all positive, as those
@@ -398,16 +348,13 @@ impl ThrownModel {
     }
 
     /// State that has a given motion; the search starts at `near` if it is given.
-    ///
-    /// # Errors
-    /// [`ThrowError::NoState`] if no state within the model's limits has the motion.
     pub fn state_of(
         &self,
         motion: &Motion,
         parameters: &[f64],
         near: Option<&[f64]>,
     ) -> Result<Vec<f64>, ThrowError> {
-        inverse::state(&self.motion.bind(parameters), motion, near).ok_or_else(|| self.no_state())
+        inverse::state(&self.bind(parameters), motion, near).ok_or_else(|| self.no_state())
     }
 
     fn no_state(&self) -> ThrowError {
@@ -418,13 +365,13 @@ impl ThrownModel {
 
     /// Point on the ground below the mass centre at a state, (x, y), m.
     pub fn ground(&self, state: &[f64], parameters: &[f64]) -> [f64; 2] {
-        let position = self.motion.bind(parameters).motion(state).position;
+        let position = self.bind(parameters).motion(state).position;
         [position.x, position.y]
     }
 
     /// Converts a state of the model to the throw with the same motion: speed, direction, angles, spin and wobble.
     pub fn throw(&self, state: &[f64], parameters: &[f64]) -> Throw {
-        let bound = self.motion.bind(parameters);
+        let bound = self.bind(parameters);
         let Motion {
             position,
             velocity,

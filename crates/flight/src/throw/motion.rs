@@ -9,6 +9,7 @@ use model_spec::model::{AuxVariable, ClaimedAttitude, Expr, ExprKind, Model, Obs
 use model_spec::unit::Unit;
 use nalgebra::{Matrix3, Vector3};
 
+use super::ThrowError;
 use crate::initial_conditions::Release;
 use crate::{BoundModel, CompiledModel, Workspace};
 
@@ -33,8 +34,10 @@ pub struct Turning {
     pub rates: Vector3<f64>,
 }
 
-/// Motion of a model's body as a compiled function of state and parameters.
-pub struct MotionModel {
+/// Motion of a model's body as a compiled function of state and parameters, for the conversion of throws to states and of
+/// states to throws.
+pub struct ThrownModel {
+    pub(super) name: String,
     pub(super) compiled: CompiledModel,
     has_attitude: bool,
     pub(super) is_revolution: bool,
@@ -80,11 +83,13 @@ pub(super) fn with_offset<V>(
     value
 }
 
-impl MotionModel {
-    /// Compiles the motion of a model's body; `None` if the model neither declares a body nor states that its equations
-    /// describe one.
-    pub fn new(model: &Model) -> Option<MotionModel> {
-        let (vectors, is_revolution) = vectors(model)?;
+impl ThrownModel {
+    /// Compiles the motion of a model's body.
+    pub fn new(model: &Model) -> Result<ThrownModel, ThrowError> {
+        let name = model.name.clone();
+        let Some((vectors, is_revolution)) = vectors(model) else {
+            return Err(ThrowError::NoBody { model: name });
+        };
         let mut own = model.clone();
         // The motion at an instant depends on neither loads nor the observation.
         own.forces.clear();
@@ -99,7 +104,8 @@ impl MotionModel {
                 span,
                 ..AuxVariable::new(format!("motion__{k}"), value.clone())
             }));
-        Some(MotionModel {
+        Ok(ThrownModel {
+            name,
             compiled: CompiledModel::compiled_for(&own, &Selection::Only(Vec::new())),
             has_attitude: vectors.len() == VECTORS,
             is_revolution,
@@ -109,7 +115,7 @@ impl MotionModel {
         })
     }
 
-    /// Whether the body has an attitude.
+    /// Whether the body has an attitude; false for a point mass.
     pub fn has_attitude(&self) -> bool {
         self.has_attitude
     }
@@ -120,7 +126,7 @@ impl MotionModel {
         self.compiled.release_parameters(release).constants
     }
 
-    /// Binds the motion to parameter values, in the order of the model's [`Layout`](codegen::Layout).
+    /// Motion of the body for parameter values in the order of the model's [`Layout`](codegen::Layout).
     pub fn bind(&self, parameters: &[f64]) -> BoundMotion<'_> {
         let quantities = vec![0.0; self.compiled.layout().quantities.len()];
         BoundMotion {
@@ -191,7 +197,7 @@ pub fn speed_and_spin(model: &Model) -> Option<Model> {
 
 /// Motion of a model's body with bound parameter values.
 pub struct BoundMotion<'m> {
-    pub(super) model: &'m MotionModel,
+    pub(super) model: &'m ThrownModel,
     bound: BoundModel<'m>,
     /// Scratch memory, and the auxiliary variables, of which the last are the vectors of the motion.
     scratch: RefCell<(Workspace, Vec<f64>, Vec<f64>)>,

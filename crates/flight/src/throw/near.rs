@@ -34,10 +34,9 @@ impl<'m> NearThrows<'m> {
     /// Prepares the search for the states of throws near a known throw. Newton's method starts at `near`, the state of
     /// the known throw.
     pub fn new(thrown: &'m ThrownModel, near: &[f64]) -> NearThrows<'m> {
-        let motion = &thrown.motion;
-        let mut attitude = motion.angles.clone();
-        attitude.extend(motion.quaternions.iter().flatten());
-        let is_linear = |k: &usize| !attitude.contains(k) && !motion.added.contains(k);
+        let mut attitude = thrown.angles.clone();
+        attitude.extend(thrown.quaternions.iter().flatten());
+        let is_linear = |k: &usize| !attitude.contains(k) && !thrown.added.contains(k);
         NearThrows {
             thrown,
             near: near.to_vec(),
@@ -49,9 +48,6 @@ impl<'m> NearThrows<'m> {
 
     /// Writes to `state` the state in which the body has the motion of `throw` and its mass centre is above the point
     /// `ground` (x, y), m.
-    ///
-    /// # Errors
-    /// [`ThrowError`] as for [`ThrownModel::state`].
     pub fn state(
         &mut self,
         throw: &Throw,
@@ -61,7 +57,7 @@ impl<'m> NearThrows<'m> {
     ) -> Result<(), ThrowError> {
         self.thrown.check(throw)?;
         let last = self.bound.take().filter(|(last, _)| last == parameters);
-        let bind = || (parameters.to_vec(), self.thrown.motion.bind(parameters));
+        let bind = || (parameters.to_vec(), self.thrown.bind(parameters));
         let (parameters, bound) = last.unwrap_or_else(bind);
         if self.find(&bound, throw, ground, state).is_none() {
             state.copy_from_slice(&self.thrown.state(throw, ground, &parameters)?);
@@ -77,11 +73,11 @@ impl<'m> NearThrows<'m> {
         ground: [f64; 2],
         state: &mut [f64],
     ) -> Option<()> {
-        let motion = &self.thrown.motion;
-        let turns = motion.has_attitude();
+        let thrown = self.thrown;
+        let turns = thrown.has_attitude();
         let equations = if turns { 9 } else { 6 };
         let is_small = self.attitude.len() <= MAX_ATTITUDE;
-        if motion.is_revolution || self.linear.len() != equations || !is_small {
+        if thrown.is_revolution || self.linear.len() != equations || !is_small {
             return None;
         }
         state.copy_from_slice(&self.near);
@@ -153,7 +149,7 @@ impl<'m> NearThrows<'m> {
                 state[*place] += change;
             }
         }
-        self.thrown.motion.normalise(state);
+        self.thrown.normalise(state);
         Some(())
     }
 }
