@@ -32,8 +32,7 @@ pub struct ImportedShots {
     pub decisions: Vec<String>,
 }
 
-/// Headers of launch monitors, without spaces, signs and units, for each quantity; and whether those of a quantity with
-/// sides are positive to the right.
+/// Headers of launch monitors, without spaces, signs and units; those of a quantity with sides, to the right or left.
 const HEADERS: [(Q, &str); 17] = [
     (Q::Speed, "ballspeed speed releasespeed throwspeed"),
     (
@@ -125,6 +124,26 @@ struct Used {
 /// Maximum length of an export, bytes.
 const MAX_BYTES: u64 = 256 << 20;
 
+/// Rows of a table of at most `largest` bytes, each with its line, without blank lines and comments; `what` describes the
+/// expected file in messages.
+pub fn table_rows(
+    file: &Path,
+    largest: u64,
+    what: &str,
+) -> Result<Vec<(usize, Vec<String>)>, InputError> {
+    let bytes = crate::file::bytes(file, largest, what)?;
+    rows(file, &crate::file::table_text(file, &bytes)?)
+}
+
+fn rows(file: &Path, text: &str) -> Result<Vec<(usize, Vec<String>)>, InputError> {
+    let mut lines = Lines::new(file, text);
+    let mut rows = Vec::new();
+    while lines.next()? {
+        rows.push((lines.sheet.place(0).0, lines.sheet.cells()));
+    }
+    Ok(rows)
+}
+
 /// Reads the file of a launch monitor's export, as [`import_shots`].
 pub fn read_shots(file: &Path, options: &ShotOptions) -> Result<ImportedShots, InputError> {
     let bytes = crate::file::bytes(file, MAX_BYTES, "a table of shots")?;
@@ -138,26 +157,17 @@ pub fn import_shots(
     options: &ShotOptions,
 ) -> Result<ImportedShots, InputError> {
     let text = &*crate::file::table_text(file, bytes)?;
-    let mut lines = Lines::new(file, text);
-    if !lines.next()? {
-        return Err(InputError::at(
-            file,
-            (1, 1),
-            "no header",
-            "a launch monitor's table",
-        ));
+    let mut rows = rows(file, text)?;
+    if rows.is_empty() {
+        let expected = "a launch monitor's table";
+        return Err(InputError::at(file, (1, 1), "no header", expected));
     }
-    let headers = lines.sheet.cells();
-    let mut rows: Vec<(usize, Vec<String>)> = Vec::new();
+    let (_, headers) = rows.remove(0);
     let mut units: Vec<String> = Vec::new();
-    while lines.next()? {
-        let cells = lines.sheet.cells();
-        if rows.is_empty() && cells.iter().any(|cell| in_brackets(cell).is_some()) {
-            units = cells;
-            continue;
-        }
-        let (line, _) = lines.sheet.place(0);
-        rows.push((line, cells));
+    let is_units =
+        |(_, cells): &(usize, Vec<String>)| cells.iter().any(|c| in_brackets(c).is_some());
+    while rows.first().is_some_and(is_units) {
+        units = rows.remove(0).1;
     }
     let used = used(file, &headers, &units, options)?;
     let mut decisions = Vec::new();
