@@ -89,11 +89,7 @@ pub struct Parts<'a> {
     pub progress: &'a (dyn Fn(u64) + Sync),
 }
 
-/// Does the refits of a share and keeps them in the folder; without a share, joins all and returns their summary, or that of an
-/// earlier run.
-///
-/// # Errors
-/// If the folder belongs to other work or cannot be written, or a fit fails.
+/// Refits a share, kept in the folder; without a share, joins all and returns their summary, or an earlier one.
 pub fn in_parts(
     asked: &Parts<'_>,
     fit: impl FnOnce() -> anyhow::Result<Fit>,
@@ -128,9 +124,6 @@ pub fn in_parts(
 }
 
 /// Refuses a fit to too few flights, fewer than five.
-///
-/// # Errors
-/// If there are too few.
 pub fn enough(fit: &Fit) -> anyhow::Result<()> {
     let fitted = flights(fit);
     ensure!(
@@ -196,9 +189,6 @@ fn part(
 }
 
 /// The refits with the given numbers; `progress` is called with the number finished since its last call.
-///
-/// # Errors
-/// If a refit fails for another reason than that it does not converge.
 pub fn refits(
     fit: &Fit,
     seed: u64,

@@ -174,8 +174,7 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     Ok((model, release))
 }
 
-/// A release by name or file, with the model of an option or else its own; winds that change the model are added to it if
-/// `in_wind`, and refused otherwise.
+/// A release by name or file, with the model of an option or its own; other winds than constant only if `in_wind`.
 pub(super) fn released(
     name: &str,
     in_wind: bool,

@@ -70,9 +70,6 @@ pub struct Imported {
 }
 
 /// Reads recordings and cuts them to the free flights.
-///
-/// # Errors
-/// If an option or a recording is faulty, or no throw is found.
 pub(crate) fn imported(options: &Import) -> anyhow::Result<Imported> {
     if let Some(height) = options.centre_height {
         ensure!(
@@ -164,8 +161,7 @@ pub(crate) fn imported(options: &Import) -> anyhow::Result<Imported> {
     })
 }
 
-/// Template of a point mass whose one point is all that was tracked: its place is the centre; `None` for any other body
-/// or recording.
+/// Template of a point mass whose one point, at the centre, is all that was tracked; `None` for any other.
 fn of_point(
     model: &str,
     options: &Import,

@@ -54,9 +54,6 @@ pub enum Followed {
 
 impl ImportedTake {
     /// Finds the body and its free flights in the recording `take`, which was read from `file`.
-    ///
-    /// # Errors
-    /// [`TakeError`] if the axis that points up is not known or wrong, or if the markers are not found.
     pub fn new(take: &Take, file: &Path, options: &ImportOptions) -> Result<Self, TakeError> {
         let up = up_of(take, file, options.up)?;
         let followed = Followed::find(take, options).map_err(|fault| fault.of(file))?;
@@ -138,9 +135,6 @@ fn decisions(
 }
 
 /// Axis of the recording that points up: `stated`, or else the one that the file states.
-///
-/// # Errors
-/// [`TakeError`] if neither states it.
 pub fn up_of(take: &Take, file: &Path, stated: Option<Axis>) -> Result<Axis, TakeError> {
     stated.or(take.up).ok_or_else(|| {
         let expected = "the option --up, such as --up +z or --up +y";
@@ -166,8 +160,7 @@ fn other_up(take: &Take, labels: &[&str], left_handed: bool, up: Axis) -> Option
 }
 
 impl Followed {
-    /// Selects the points of a recording that are the markers: the label of such a point, or the name given to the
-    /// label, is the name of the marker. If no point matches, selects the recording's only body.
+    /// Selects the points that are the markers, by label or by the name given to it; if none matches, the only body.
     fn find(take: &Take, options: &ImportOptions) -> Result<Self, Fault> {
         let is_unknown = |label: &&String| !take.labels().any(|known| known == *label);
         if let Some(label) = options.labels.keys().find(is_unknown) {

@@ -2,8 +2,7 @@
 
 use crate::takes::{Fault, Format, LengthUnit, Location, TimeUnit, checked_rate};
 
-/// Properties of a recording file that the user states, such as units. They supplement and override those that the file
-/// specifies.
+/// Properties of a recording that the user states, such as units; they override those that the file states.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ReadOptions {
     /// Format of the file; recognised by the content if `None`.
@@ -17,8 +16,7 @@ pub struct ReadOptions {
 }
 
 impl ReadOptions {
-    /// Unit of length: the user's unit if it is given, otherwise the unit `stated` in the file. Adds a note if both are
-    /// given and differ. Fails if neither is given, with `location` as the location of the error.
+    /// Unit of length: the user's, or else the one `stated` in the file; a note if they differ, a fault without.
     pub(crate) fn length(
         &self,
         stated: Option<LengthUnit>,
@@ -37,8 +35,7 @@ impl ReadOptions {
         self.length.or(stated).ok_or_else(absent)
     }
 
-    /// Frames per second: the user's rate if it is given, otherwise the rate `stated` in the file. Adds a note if both
-    /// are given and differ. Fails if neither is given or the rate is out of range.
+    /// Frames per second: the user's, otherwise the rate `stated`; a note if they differ, a fault without a valid one.
     pub(crate) fn rate(
         &self,
         stated: Option<f64>,

@@ -64,8 +64,7 @@ impl<'t> Sheet<'t> {
         }
     }
 
-    /// Advances to the next row of the table that is neither a comment nor empty; returns false at the end of the
-    /// table.
+    /// Advances to the next row that is neither a comment nor empty; false at the end of the table.
     pub fn advance(&mut self) -> Result<bool, Fault> {
         while self.advance_line()? {
             if self.filled() > 0 {
@@ -83,8 +82,7 @@ impl<'t> Sheet<'t> {
         }
     }
 
-    /// Advances to the next row that is neither a comment nor a blank line; its cells may all be empty. Returns false
-    /// at the end of the table.
+    /// Advances to the next row that is neither a comment nor blank; its cells may be empty. False at the end.
     pub fn advance_line(&mut self) -> Result<bool, Fault> {
         loop {
             let read = self.reader.read_record(&mut self.record);

@@ -209,8 +209,7 @@ pub struct InputsOverTime {
 }
 
 impl InputsOverTime {
-    /// The inputs of a model with this layout by their names; those that the model lacks are left out. Where the model
-    /// has an input `NAME_rate` that is not given, it is the time derivative of the input `NAME`.
+    /// The inputs of the layout by name. A `NAME_rate` that is not given is the time derivative of `NAME`.
     pub fn of<'a>(
         layout: &Layout,
         inputs: impl IntoIterator<Item = (&'a str, InputSeries)>,

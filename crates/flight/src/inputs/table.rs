@@ -21,9 +21,6 @@ pub struct TableFault {
 
 /// Reads a table of inputs: a header with `t` and the names of inputs, then rows; commas, semicolons or tabs. An empty
 /// cell or `NaN` is a sample that is missing. `seconds` converts a time of the table to s.
-///
-/// # Errors
-/// The first fault with its place.
 pub fn read_inputs(
     text: &str,
     interpolation: InputInterpolation,

@@ -20,8 +20,7 @@ pub fn read_file(
     })
 }
 
-/// Reads the release file `name`, or the built-in release of this name if there is no such file; otherwise as [`read`] or,
-/// if `in_wind`, as [`read_in_wind`].
+/// Reads the release file `name`, or else the built-in one, as [`read`] or, `in_wind`, as [`read_in_wind`].
 pub fn read_named(
     name: &str,
     in_wind: bool,
@@ -38,10 +37,9 @@ pub fn read_named(
 
 /// Parses the text of a release file.
 ///
-/// `file` is the file name in error messages; the paths in the text are relative to its folder. `vocabulary` returns
-/// the names defined by a model, given the model's name or path; an error of `vocabulary` becomes a fault at the
-/// location of that name. Winds by height and gusts, which change the model, are rejected; [`read_in_wind`] accepts
-/// them.
+/// `file` is the name in messages; paths in the text are relative to its folder. `vocabulary` returns the names that a
+/// model, given by name or path, defines; its error becomes a fault there. Winds by height and gusts, which change the
+/// model, are rejected; [`read_in_wind`] accepts them.
 pub fn read(
     file: &str,
     text: &str,
@@ -50,9 +48,8 @@ pub fn read(
     Ok(parse(file, text, &[], false, vocabulary)?.0)
 }
 
-/// Parses the text of a release file, which may specify winds by height and gusts. The top-level keys `own_keys` are
-/// allowed, but their values are ignored. Also returns the names defined by the model after the wind has been added to
-/// it; the flight must be simulated with the model in [`Vocabulary::model`].
+/// Parses a release file that may specify winds by height and gusts; top-level keys `own_keys` are ignored. Also
+/// returns the names of the model with the wind, [`Vocabulary::model`], which is the one to simulate.
 pub fn read_in_wind(
     file: &str,
     text: &str,

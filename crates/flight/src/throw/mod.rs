@@ -36,18 +36,14 @@ pub struct Throw {
     pub launch: f64,
     /// Height of the mass centre at release, m.
     pub height: f64,
-    /// Angle of attack with respect to the velocity relative to the ground, positive nose-up, deg. `None` counts as 0;
-    /// it must be `None` for a body without attitude.
+    /// Angle of attack over the ground, positive nose-up, deg; `None` is 0, and needed without attitude.
     pub nose: Option<f64>,
-    /// Tilt of the body about the velocity, deg; positive if the left edge, seen from behind, is the lower one. `None`
-    /// counts as 0; it must be `None` for a body without attitude.
+    /// Tilt about the velocity, deg, positive with the left edge, from behind, lower; `None` as for `nose`.
     pub hyzer: Option<f64>,
-    /// Spin about the body axis d3, positive clockwise as seen from above, rpm. `None` counts as 0; it must be `None`
-    /// for a body without attitude.
+    /// Spin about the body axis d3, positive clockwise as seen from above, rpm; `None` as for `nose`.
     pub spin: Option<f64>,
-    /// Angle between the body's axis and its angular momentum, deg: for a body of revolution without moments, half the
-    /// opening angle of the cone that the axis describes. At release the cone's axis is ahead of the body's axis,
-    /// towards the nose. `None` counts as 0; it must be `None` for a body without attitude.
+    /// Angle between body axis and angular momentum, deg: for a body of revolution without moments, half the opening
+    /// angle of the axis's cone, whose own axis is ahead at release, towards the nose. `None` as for `nose`.
     pub wobble: Option<f64>,
 }
 
@@ -87,31 +83,23 @@ pub enum ThrowError {
         /// Name of the model, which describes a point mass.
         model: String,
     },
-    /// The throw has a wobble (angle between the body's axis and its angular momentum) other than 0, but no spin or a
-    /// spin of 0. Without spin the axis does not move along a cone.
+    /// The throw has a wobble other than 0, but no spin, without which the axis does not move along a cone.
     #[error(
         "found wobble without spin; expected a spin other than 0, about which the axis can turn"
     )]
     NoSpin,
-    /// The model neither declares a body nor states that its equations describe one, so that the meaning of its states
-    /// is unknown.
+    /// The model neither declares a body nor states that its equations describe one.
     #[error(
-        "the model {model} has neither a body nor a claim of one, so that its states cannot be found from a throw; expected \
+        "the model {0} has neither a body nor a claim of one, so that its states cannot be found from a throw; expected \
          [initial] with every state"
     )]
-    NoBody {
-        /// Name of the model that neither declares a body nor states that its equations describe one.
-        model: String,
-    },
+    NoBody(String),
     /// No state within the model's domain of validity has the motion of the throw.
     #[error(
-        "no state of the model {model} within its limits has this motion; expected a throw that it can have, as by another \
+        "no state of the model {0} within its limits has this motion; expected a throw that it can have, as by another \
          nose or hyzer"
     )]
-    NoState {
-        /// Name of the model that has no state with this motion.
-        model: String,
-    },
+    NoState(String),
 }
 
 impl ThrowError {
@@ -120,7 +108,7 @@ impl ThrowError {
         match self {
             ThrowError::Range { name, .. } | ThrowError::NoAttitude { name, .. } => Some(name),
             ThrowError::NoSpin => Some("wobble"),
-            ThrowError::NoBody { .. } | ThrowError::NoState { .. } => None,
+            ThrowError::NoBody(_) | ThrowError::NoState(_) => None,
         }
     }
 }
@@ -173,8 +161,7 @@ impl Throw {
         }
     }
 
-    /// Checks that every field is in its range in [`FIELDS`], that the speed is above 0, and that a throw with a wobble
-    /// also has a spin.
+    /// Checks that every field is in [`FIELDS`]' range, the speed above 0, and a throw with a wobble has a spin.
     pub fn check(&self) -> Result<(), ThrowError> {
         for (name, ..) in FIELDS {
             self.field(name)
@@ -187,8 +174,7 @@ impl Throw {
         Ok(())
     }
 
-    /// Checks that the value of one field is in its range in [`FIELDS`], and that a speed is above 0; an unknown name
-    /// is ignored.
+    /// Checks that the value of one field is in its range in [`FIELDS`], and a speed above 0; ignores other names.
     #[doc(hidden)]
     pub fn check_field(field: &str, value: f64) -> Result<(), ThrowError> {
         let Some((name, unit, least, greatest)) = FIELDS.into_iter().find(|(n, ..)| *n == field)
@@ -210,9 +196,8 @@ impl Throw {
         })
     }
 
-    /// Motion of the body at release, with its mass centre above the point `ground` (x, y), m. It has no wobble: the
-    /// angular velocity is along the body axis d3. If `has_attitude` is false (a point mass), attitude and angular
-    /// velocity are `None`.
+    /// Motion at release, with the mass centre above `ground` (x, y), m, and without wobble: the angular velocity is
+    /// along d3. Without `has_attitude`, there is none.
     #[doc(hidden)]
     pub fn motion(&self, ground: [f64; 2], has_attitude: bool) -> Motion {
         let axes = self.attitude().into_inner();
@@ -226,8 +211,7 @@ impl Throw {
         }
     }
 
-    /// Component of the angular velocity along the body axis d3, rad/s; its sign is opposite to that of `spin`. 0 where
-    /// the throw states no spin.
+    /// Component of the angular velocity along d3, rad/s, of opposite sign to `spin`; 0 without a spin.
     #[doc(hidden)]
     pub fn rotation_rate(&self) -> f64 {
         -self.spin.unwrap_or(0.0) * RPM
@@ -249,8 +233,7 @@ impl Throw {
         Some(along * (spin / along.dot(&axis)))
     }
 
-    /// Rotation to the inertial frame from the axes of the velocity: forward along the velocity, to its left, and
-    /// upwards.
+    /// Rotation to the inertial frame from the velocity's axes: forward along it, to its left, and upwards.
     fn course(&self) -> Rotation3<f64> {
         Rotation3::from_axis_angle(&Vector3::z_axis(), self.heading.to_radians())
             * Rotation3::from_axis_angle(&Vector3::y_axis(), -self.launch.to_radians())
@@ -278,9 +261,8 @@ impl ThrownModel {
         self.search(throw, ground, parameters, None)
     }
 
-    /// Computes the state of the model that has the motion of a throw, with the mass centre above the point `ground`
-    /// (x, y), m. The search starts at `near`, the state of a similar throw. This is faster than
-    /// [`state`](Self::state), and of several states with the motion it finds the one near `near`.
+    /// As [`state`](Self::state), from `near`, the state of a similar throw: faster, and of several states with the
+    /// motion the one near `near`.
     pub fn state_near(
         &self,
         throw: &Throw,
@@ -338,8 +320,7 @@ impl ThrownModel {
         self.bind(parameters).inertia(state)
     }
 
-    /// Principal moments of inertia at a state, kg m², if they are not all positive, as those
-    /// of a body are; otherwise `None`.
+    /// Principal moments of inertia at a state, kg m², if they are not all positive; otherwise `None`.
     pub fn improper_moments(&self, parameters: &[f64], state: &[f64]) -> Option<[f64; 3]> {
         let inertia = self.inertia(state, parameters)?;
         let moments = ((inertia + inertia.transpose()) / 2.0).symmetric_eigenvalues();
@@ -358,9 +339,7 @@ impl ThrownModel {
     }
 
     fn no_state(&self) -> ThrowError {
-        ThrowError::NoState {
-            model: self.name.clone(),
-        }
+        ThrowError::NoState(self.name.clone())
     }
 
     /// Point on the ground below the mass centre at a state, (x, y), m.

@@ -58,8 +58,7 @@ impl<'t> Reader<'t> {
         None
     }
 
-    /// Records a fault for the value of the key `name`, which has the wrong type; `expected` describes the valid
-    /// values.
+    /// Records a fault for the value of the key `name` of a wrong type; `expected` describes the valid values.
     pub fn wrong_type(&mut self, value: &Value<'t>, name: &str, expected: &str) {
         let found = match value.get_ref() {
             DeValue::String(text) if text.len() <= 40 => format!("the text {text:?}"),
@@ -90,8 +89,7 @@ pub fn number_of(value: &Value<'_>) -> Option<f64> {
 }
 
 impl Name {
-    /// Returns a description of the valid values of this parameter or coefficient if `value` is invalid; `None` if it
-    /// is valid.
+    /// Description of the valid values of this parameter or coefficient if `value` is invalid; otherwise `None`.
     pub fn expected_instead_of(&self, value: f64) -> Option<String> {
         let named = |names: &[&str]| names.contains(&&*self.name);
         match self.bounds {

@@ -33,12 +33,10 @@ const GUST_KEYS: [&str; 8] = [
     "length",
 ];
 
-/// Wind specified in a release file: the constant wind in the inertial frame, m/s, 0 if not specified; and the wind by
-/// height and gusts, `None` if neither of these is specified.
+/// Wind of a release file: constant in the inertial frame, m/s; and by height and gusts, if there are any.
 pub type StatedWind = ([f64; 3], Option<WindField>);
 
-/// Reads the wind from the table `[wind]` of a TOML file; other tables are ignored, so that the flight of one release
-/// can be simulated in the wind of another.
+/// Reads the table `[wind]` of a TOML file, to simulate one release in the wind of another.
 pub fn read_wind_file(path: &Path) -> Result<StatedWind, ReleaseError> {
     read_text(path, "a release", MAX_FILE_BYTES, |file, text| {
         let mut reader = Reader::new(text);
@@ -267,8 +265,7 @@ impl<'t> Reader<'t> {
         Some(number)
     }
 
-    /// Parses a non-negative integer that `f64` represents exactly; records a fault and returns `None` for anything
-    /// else.
+    /// Parses a non-negative integer that `f64` represents exactly; a fault and `None` for anything else.
     fn count(&mut self, value: &Value<'t>, name: &str) -> Option<u64> {
         const GREATEST: f64 = 9_007_199_254_740_992.0;
         let number = self.number(value, name)?;

@@ -23,9 +23,8 @@ pub(super) struct Fitted {
     pub fixed: Vec<(String, f64)>,
 }
 
-/// Reads the table `[fit]`: `report`, the path of a `report.json` relative to the plan, and optionally `coefficients`, the
-/// names of the coefficients to vary. Coefficients already in `varied` are left out. `None` without the table, or after
-/// a fault.
+/// Reads the table `[fit]`: `report`, the path of a `report.json` relative to the plan, and optionally `coefficients`,
+/// the names of those to vary, without those in `varied`. `None` without it or after a fault.
 pub(super) fn read<'t>(
     reader: &mut Reader<'t>,
     document: &DeTable<'t>,

@@ -9,7 +9,6 @@ pub(crate) use axes::constant;
 pub use axes::{Axis, AxisKind, Target};
 pub use read::{MAX_FLIGHTS, read, read_file};
 
-
 use flight::release::Release;
 use flight::throw::Throw;
 use model_spec::model::Model;
