@@ -93,7 +93,7 @@ pub(super) fn parse(
     interpolation: InputInterpolation,
 ) -> Result<Vec<(String, InputSeries)>, InputError> {
     let read = read_inputs(text, interpolation, |time| recording.seconds(time));
-    read.map_err(|fault| InputError::at(file, fault.place, fault.found, fault.expected))
+    read.map_err(|fault| InputError::at(file, fault.location.place(), fault.found, fault.expected))
 }
 
 /// Text of a table of inputs: a row for each time at which one of them has a sample.

@@ -9,10 +9,10 @@ use crate::lines::Lines;
 use crate::summary::{SummaryColumn, SummaryEvent, SummaryQuantity as Q, SummaryUnit};
 use crate::summary_table::in_brackets;
 use crate::summary_text::{cell, columns};
-use crate::takes::number::number;
 use crate::toml_text::{list, quoted};
 use crate::words::{listed, shown};
 use crate::{Dataset, Sensor, SensorKind, from_texts};
+use flight::table::number;
 
 /// Options of [`import_shots`].
 #[derive(Clone, Debug, Default)]

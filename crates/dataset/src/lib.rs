@@ -17,7 +17,6 @@ mod lines;
 mod manifest;
 mod manifest_sensors;
 mod names;
-mod place;
 pub mod pose;
 mod recording;
 mod samples;

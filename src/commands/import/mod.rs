@@ -8,11 +8,11 @@ use std::fmt::Write;
 use std::path::Path;
 
 use anyhow::{Context, bail, ensure};
-use dataset::takes::words::listed;
 use dataset::takes::{
     self, Axis, Format, ImportOptions, LengthUnit, ReadOptions, Take, Throw, ThrowOptions, TimeUnit,
 };
 use dataset::{BodyTemplate, Dataset, Flight, Marker, Sensor, SensorKind, write_commented};
+use flight::table::listed;
 use report::import::{ImportPage, ImportedTake};
 
 use crate::cli::Import;

@@ -4,12 +4,13 @@ use std::borrow::Cow;
 use std::io::{ErrorKind, Read};
 use std::path::Path;
 
-use crate::takes::error::{Fault, Location, TakeError};
+use crate::takes::{Fault, Location, TakeError};
 
 /// Reads a regular file of at most `largest` bytes; `what` describes the expected file in the error message.
 pub fn bytes(file: &Path, largest: u64, what: &str) -> Result<Vec<u8>, TakeError> {
-    let refused =
-        |found: String, expected: &str| Fault::new(Location::File, found, expected).of(file);
+    let refused = |found: String, expected: &str| {
+        TakeError::new(file, Fault::new(Location::File, found, expected))
+    };
     let unreadable = |error: std::io::Error| {
         let found = match error.kind() {
             // Operating systems word these errors differently.

@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::error::{Fault, Location};
-use super::words::listed;
 use super::{
     Axis, Motion, Pose, Take, TakeError, Throw, ThrowOptions, find_throws, motion, rotated,
 };
 use crate::sensor::{attitude, spin_axis};
+use crate::takes::{Fault, Location};
 use crate::{Flight, Marker};
+use flight::table::listed;
 
 /// What the user states about the recordings of a body.
 #[derive(Clone, Debug, Default)]
@@ -56,7 +56,8 @@ impl ImportedTake {
     /// Finds the body and its free flights in the recording `take`, which was read from `file`.
     pub fn new(take: &Take, file: &Path, options: &ImportOptions) -> Result<Self, TakeError> {
         let up = up_of(take, file, options.up)?;
-        let followed = Followed::find(take, options).map_err(|fault| fault.of(file))?;
+        let followed =
+            Followed::find(take, options).map_err(|fault| TakeError::new(file, fault))?;
         let labels = followed.labels(take);
         let mut turned = take.clone().with_z_up(up, options.left_handed);
         let found = find_throws(&turned, &labels, &ThrowOptions::default());
@@ -64,7 +65,7 @@ impl ImportedTake {
             && let Some(other) = other_up(take, &labels, options.left_handed, up)
         {
             let found = format!("no throw with {up} up, and free flights with {other} up");
-            return Err(fault(found, format!("--up {other}")).of(file));
+            return Err(TakeError::new(file, fault(found, format!("--up {other}"))));
         }
         let mut notes = take.notes.clone();
         if followed.is_pose() {
@@ -138,11 +139,8 @@ fn decisions(
 pub fn up_of(take: &Take, file: &Path, stated: Option<Axis>) -> Result<Axis, TakeError> {
     stated.or(take.up).ok_or_else(|| {
         let expected = "the option --up, such as --up +z or --up +y";
-        fault(
-            "no statement of the axis that points up".into(),
-            expected.into(),
-        )
-        .of(file)
+        let found = "no statement of the axis that points up";
+        TakeError::new(file, fault(found.into(), expected.into()))
     })
 }
 

@@ -9,7 +9,7 @@ use codegen::table::PiecewiseCubic;
 use model_spec::layout::{Layout, ParamId};
 
 use lag::Lagged;
-pub use table::{TableFault, read_inputs};
+pub use table::read_inputs;
 
 /// Time by which a flight may outlast its inputs, s: rounding of the times of samples.
 const END_TOLERANCE: f64 = 1e-9;

@@ -151,7 +151,8 @@ impl<'t> Reader<'t> {
         let inputs = match read_inputs(&text, interpolation, |time| time) {
             Ok(inputs) => inputs,
             Err(fault) => {
-                let ((line, cell), found, expected) = (fault.place, fault.found, fault.expected);
+                let ((line, cell), found) = (fault.location.place(), fault.found);
+                let expected = fault.expected;
                 let message = format!("{place}:{line}:{cell}: found {found}; expected {expected}");
                 return self.refuse(value.span(), message);
             }

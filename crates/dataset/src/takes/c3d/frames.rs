@@ -2,7 +2,7 @@
 
 use super::parameters::Parameters;
 use super::{Deviation, fault, refuse};
-use crate::takes::error::Fault;
+use crate::takes::Fault;
 
 /// Maximum frame number that a 16-bit word of the C3D header can state.
 const LAST_OF_HEADER: u32 = 0xffff;

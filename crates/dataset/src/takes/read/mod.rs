@@ -21,7 +21,7 @@ pub fn read(file: &Path, options: &ReadOptions) -> Result<Take, TakeError> {
 
 /// Parses the bytes of a recording file; the path `file` is used in error messages only.
 pub fn parse(file: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Take, TakeError> {
-    checked(bytes, options).map_err(|fault| fault.of(file))
+    checked(bytes, options).map_err(|fault| TakeError::new(file, fault))
 }
 
 fn checked(bytes: &[u8], options: &ReadOptions) -> Result<Take, Fault> {

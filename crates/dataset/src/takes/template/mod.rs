@@ -13,7 +13,7 @@ mod shape;
 mod smooth;
 mod text;
 
-use crate::takes::words::listed;
+use flight::table::listed;
 
 /// Times and measured marker positions of the samples of one free flight.
 #[derive(Clone, Copy, Debug)]
