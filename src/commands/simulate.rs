@@ -36,7 +36,7 @@ pub(super) fn run(options: &Simulate) -> anyhow::Result<Answer> {
         return Ok(Answer::Yes);
     }
     check_numbers(options)?;
-    let out = output::results(options.out.as_deref(), &options.figures)?;
+    let out = output::results(options.out.as_deref(), &options.figures, &[])?;
     let mut rows = match &options.throw.techdisc {
         Some(file) => techdisc::read(file)?,
         None => Vec::new(),

@@ -27,7 +27,7 @@ const THROW: (f64, f64) = (16.0, 700.0);
 
 /// Runs `hyzer stability`: computes modes and criteria, prints them, and writes the result files.
 pub(super) fn run(options: &Options) -> anyhow::Result<Answer> {
-    let out = output::results(options.out.as_deref(), &options.figures)?;
+    let out = output::results(options.out.as_deref(), &options.figures, &[])?;
     ensure!(
         options.throw.techdisc.is_none(),
         "--techdisc: expected a throw by --speed and others; `hyzer simulate` flies a launch monitor's table"

@@ -20,7 +20,7 @@ use crate::{Answer, output};
 
 /// Runs `hyzer design`. `Answer::No` if the throw violates a constraint of the goal.
 pub(super) fn run(options: &Options) -> anyhow::Result<Answer> {
-    let out = output::results(options.out.as_deref(), &options.figures)?;
+    let out = output::results(options.out.as_deref(), &options.figures, &[])?;
     let fit = options.fit.as_deref().map(|file| {
         let text = errors::text(file)?;
         anyhow::Ok((format!("--fit: {}", file.display()), text))

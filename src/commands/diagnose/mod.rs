@@ -25,11 +25,8 @@ const CASES: usize = 12;
 /// Runs `hyzer diagnose`. `Answer::No` if there are reasons not to rely on the diagnosis.
 pub(super) fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     let deadline = deadline(options.max_seconds)?;
-    let out = options.out.as_deref();
-    let mut inputs = Inputs::read(&options.inputs, out, &options.figures)?;
-    if let Some(out) = &mut inputs.out {
-        out.as_parquet = !options.tables.is_empty();
-    }
+    let out = output::results(options.out.as_deref(), &options.figures, &options.tables)?;
+    let inputs = Inputs::read(&options.inputs, out)?;
     let (dataset, model, name) = (&inputs.dataset, &inputs.model, &inputs.name);
     let progress = Progress::new()?;
     let asked = DiagnosisOptions {
